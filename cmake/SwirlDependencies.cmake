@@ -1,0 +1,8 @@
+# What the libraries' own headers need. It is found here, at the top, so that every folder that links a library sees the
+# targets behind it; SwirlConfig.cmake.in finds the same again for an installed Swirl.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Ceres 2.1 REQUIRED)
+find_package(GSL 2.7 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)  # FFTW has no CMake package

@@ -1,0 +1,22 @@
+# One place for what every target is compiled with.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+add_library(swirl_options INTERFACE)
+set_target_properties(swirl_options PROPERTIES EXPORT_NAME options)
+target_compile_features(swirl_options INTERFACE cxx_std_20)
+# Equal bits whatever the compiler could fuse: a product and a sum are two roundings everywhere.
+target_compile_options(swirl_options INTERFACE -ffp-contract=off)
+
+add_library(swirl_warnings INTERFACE)
+target_compile_options(swirl_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+  -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${SWIRL_WARNINGS_AS_ERRORS}>:-Werror>)
+
+if(SWIRL_SANITIZE)
+  # -O1 comes after the build type's own flags and so decides; the standard library checks its preconditions too.
+  add_compile_options(-fsanitize=${SWIRL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -O1 -g)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+  add_link_options(-fsanitize=${SWIRL_SANITIZE})
+endif()

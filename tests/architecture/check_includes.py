@@ -1,0 +1,115 @@
+"""Checks that includes follow the design: check_includes.py ROOT
+
+Prints one line per violation, `file:line: what is wrong`, and exits 1 if there is any; 2 if ROOT holds no sources.
+What is checked, in every .hpp and .cpp of map/, analysis/ and apps/:
+  - a folder includes only the folders that it may know (FOLDERS);
+  - map/ and analysis/ include only the libraries that the design grants them (LIBRARIES) and the C++ standard library;
+  - the project's headers are included in quotes, by their path from the root, and exist;
+  - headers do not include each other in a circle.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# folder -> the folders that it may include
+FOLDERS = {
+    "map": {"map"},
+    "analysis": {"analysis"},
+    "apps": {"map", "analysis", "apps"},
+}
+
+# folder -> how the library headers that it may include begin; a folder not named here is free
+LIBRARIES = {
+    "map": ("Eigen/", "ceres/jet.h", "hwy/", "boost/", "Random123/", "gsl/"),
+    "analysis": ("Eigen/", "unsupported/Eigen/", "ceres/", "gsl/", "fftw3.h", "tbb/", "oneapi/tbb", "hwy/", "boost/",
+                 "Random123/"),
+}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+STANDARD = re.compile(r"^[a-z_]+$")  # <vector>, <cmath>: no folder and no extension
+
+
+def includes_of(file):
+    """(line number, '<' or '"', name) of every include in a file."""
+    for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match.group(1), match.group(2)
+
+
+def violation(root, folder, bracket, name):
+    """What is wrong with one include in a folder, or None."""
+    target = name.split("/")[0]
+    ours = target in FOLDERS or target == "tests"
+    if bracket == "<":
+        if ours:
+            return f"<{name}>: the project's own headers are included in quotes"
+        allowed = LIBRARIES.get(folder)
+        if allowed is None or STANDARD.match(name) or name.startswith(allowed):
+            return None
+        return f"<{name}>: {folder}/ may use only the standard library and {', '.join(allowed)}"
+    if not ours:
+        return f'"{name}": not a path from the root of the project'
+    if target not in FOLDERS[folder]:
+        return f'"{name}": {folder}/ may include only {", ".join(sorted(FOLDERS[folder]))}'
+    if not (root / name).is_file():
+        return f'"{name}": no such file'
+    return None
+
+
+def find_circles(graph):
+    """One path per circle of the include graph {file: [(line, included file)]}, found depth first."""
+    circles, done = [], set()
+
+    def visit(name, path):
+        if name in path:
+            circle = path[path.index(name):]
+            first = circle.index(min(circle))  # the same circle reads the same wherever the search came in
+            circles.append(circle[first:] + circle[:first + 1])
+        elif name not in done:
+            for _, included in graph.get(name, ()):
+                visit(included, path + [name])
+            done.add(name)
+
+    for name in sorted(graph):
+        visit(name, [])
+    return circles
+
+
+def source_files(root):
+    """(folder, file) of every C++ file that the rules are for."""
+    for folder in FOLDERS:
+        for file in sorted((root / folder).rglob("*")):
+            if file.suffix in (".hpp", ".cpp"):
+                yield folder, file
+
+
+def check(root):
+    """All violations below root, as lines of text."""
+    found, graph = [], {}
+    for folder, file in source_files(root):
+        name = file.relative_to(root).as_posix()
+        for number, bracket, included in includes_of(file):
+            message = violation(root, folder, bracket, included)
+            if message:
+                found.append(f"{name}:{number}: {message}")
+            elif bracket == '"':
+                graph.setdefault(name, []).append((number, included))
+    found += [f"{circle[0]}:0: a circle of includes: {' -> '.join(circle)}" for circle in find_circles(graph)]
+    return found
+
+
+def main(arguments):
+    root = Path(arguments[0]) if len(arguments) == 1 else None
+    count = sum(1 for _ in source_files(root)) if root else 0
+    if count == 0:  # a check of nothing must not pass
+        print(f"usage: check_includes.py ROOT, with C++ files in {', '.join(FOLDERS)}", file=sys.stderr)
+        return 2
+    found = check(root)
+    print("\n".join(found) if found else f"the includes of {count} files follow the design")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,67 @@
+// The numbers of a scene that the inner loops read, worked out once per scene.
+#pragma once
+
+#include "map/scene.hpp"
+#include "map/turn.hpp"
+#include "map/vec2.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace swirl {
+
+enum class Shape { disk, polygon };
+
+/// What a flight needs to know of the body and its container. Lengths in R_c.
+template <class T>
+struct Body {
+    int sides = disk_sides;
+    T alpha{}, beta{};
+    T inertia{};         ///< I = κ α² (m = 1)
+    T inner{};           ///< 1 − α: the centre's distance at which the circumscribed circle touches
+    T outer{};           ///< the largest distance the centre can have (next to an edge's middle); inner for the disk
+    T spacing{};         ///< 2π/N, the angle from a vertex to the next
+    T half_slope{};      ///< tan(π/N)
+    std::vector<Vec2<T>> vertices;  ///< cis(2πk/N) for N small enough to be worth a table
+
+    static constexpr int table_limit = 256;
+
+    /// cis(2πk/N), 0 ≤ k < N.
+    Vec2<T> vertex_direction(int k) const {
+        if (!vertices.empty()) return vertices[static_cast<std::size_t>(k)];
+        return direction_by_formula(k);
+    }
+    Vec2<T> direction_by_formula(int k) const {
+        const int centred = 2 * k > sides ? k - sides : k;  // the shorter way round keeps the argument small
+        return cis(T(2 * pi<T>() * centred / sides));
+    }
+    /// k reduced to 0 … N − 1.
+    int vertex_number(long long k) const {
+        const long long reduced = k % sides;
+        return static_cast<int>(reduced < 0 ? reduced + sides : reduced);
+    }
+};
+
+template <class T>
+inline Body<T> make_body(const Scene<T>& scene) {
+    using std::sqrt;
+    using std::tan;
+    Body<T> body;
+    body.sides = scene.sides;
+    body.alpha = scene.alpha;
+    body.beta = scene.beta;
+    body.inertia = scene.inertia_factor * scene.alpha * scene.alpha;
+    body.inner = T(1) - scene.alpha;
+    body.outer = body.inner;
+    if (scene.is_disk()) return body;
+    const Vec2<T> half = cis(T(pi<T>() / scene.sides));
+    const T across = scene.alpha * half.y;
+    body.outer = sqrt(T(1) - across * across) - scene.alpha * half.x;
+    body.spacing = T(2 * pi<T>() / scene.sides);
+    body.half_slope = half.y / half.x;
+    if (scene.sides <= Body<T>::table_limit)
+        for (int k = 0; k < scene.sides; ++k) body.vertices.push_back(body.direction_by_formula(k));
+    return body;
+}
+
+}  // namespace swirl

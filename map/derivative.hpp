@@ -1,0 +1,108 @@
+// DF, exact, by automatic differentiation.
+//
+// The contact time is differentiated by the implicit function theorem, not through the search: with g(z, τ) the gap of
+// the vertex that strikes, dτ = −∂_z g / g′ at the contact, which is one Newton step taken in Jet arithmetic.
+#pragma once
+
+#include "map/collision_map.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace swirl {
+
+/// Dimension of the section: the disk drops χ.
+template <Shape shape>
+inline constexpr int section_dimension = shape == Shape::disk ? 4 : 5;
+
+/// Coordinates in the order (ψ, χ, v_n, v_t, S); the disk's (ψ, v_n, v_t, S).
+template <Shape shape, class T>
+inline std::array<T, section_dimension<shape>> coordinates(const SectionPoint<T>& z) {
+    if constexpr (shape == Shape::disk)
+        return {z.psi, z.vn, z.vt, z.spin};
+    else
+        return {z.psi, z.chi, z.vn, z.vt, z.spin};
+}
+
+template <Shape shape, class T>
+inline SectionPoint<T> section_point(const std::array<T, section_dimension<shape>>& c) {
+    if constexpr (shape == Shape::disk)
+        return {c[0], T(0), c[1], c[2], c[3]};
+    else
+        return {c[0], c[1], c[2], c[3], c[4]};
+}
+
+/// F(z) with DF(z) (rows: the new coordinates; columns: the old).
+template <class T, Shape shape>
+struct LinearisedCollision {
+    Collision<T> collision;
+    Eigen::Matrix<T, section_dimension<shape>, section_dimension<shape>> derivative;
+};
+
+/// The collision with Jets: `flight` carries the derivatives, `time` and `vertex` are the contact found in plain numbers.
+template <class J, Shape shape, ImpactRule rule>
+Collision<J> strike_along(const CollisionMap<J, shape, rule>& map, const Flight<J>& flight, const Plain<J>& time,
+                          int vertex) {
+    const auto arm_at = [&](const Instant<J>& at) {
+        if constexpr (shape == Shape::disk) {
+            using std::sqrt;
+            return Vec2<J>((map.body().alpha / sqrt(dot(at.centre, at.centre))) * at.centre);
+        } else {
+            return times(turned(flight.arm, at.body_turn), map.body().vertex_direction(vertex));
+        }
+    };
+    const Instant<J> nominal = instant_at<shape>(flight, J(time));
+    const Vec2<J> arm = arm_at(nominal);
+    const Vec2<J> x = nominal.centre + arm;
+    // g′ = 2 x·x′; the disk's rim does not move against its centre's gap.
+    Vec2<J> rate = nominal.drift;
+    if constexpr (shape == Shape::polygon) rate = rate + flight.spin * quarter_turned(arm);
+    J shift = -(dot(x, x) - J(1)) / (J(2) * dot(x, rate));
+    shift.a = Plain<J>(0);  // only the derivative: the time itself is known to rounding
+    const Instant<J> at = instant_at<shape>(flight, J(time) + shift);
+    Collision<J> collision;
+    map.strike(flight, at, arm_at(at), collision);
+    return collision;
+}
+
+/// F and DF at z for one scene. Cost of DF: some four collisions.
+template <class T, Shape shape, ImpactRule rule>
+class DifferentiatedMap {
+public:
+    static constexpr int dimension = section_dimension<shape>;
+    using Jet = ceres::Jet<T, dimension>;
+
+    explicit DifferentiatedMap(const CollisionMap<T, shape, rule>& map) : map_(map), jet_map_(in_jets(map.scene())) {}
+
+    const CollisionMap<T, shape, rule>& map() const { return map_; }
+
+    /// `derivative` is meaningless unless a contact was found.
+    LinearisedCollision<T, shape> linearise(const SectionPoint<T>& z) const {
+        LinearisedCollision<T, shape> result;
+        result.collision = map_.advance(launch_from(z));
+        if (result.collision.contact != ContactOutcome::contact) return result;
+        auto c = coordinates<shape>(z);
+        std::array<Jet, dimension> seeded;
+        for (int i = 0; i < dimension; ++i) seeded[i] = Jet(c[i], i);
+        const Flight<Jet> flight = flight_from(jet_map_.body(), launch_from(section_point<shape>(seeded)));
+        const Collision<Jet> collision =
+            strike_along(jet_map_, flight, result.collision.flight_time, result.collision.vertex_step);
+        const auto next = coordinates<shape>(section_point(collision.after));
+        for (int i = 0; i < dimension; ++i) result.derivative.row(i) = next[i].v.transpose();
+        return result;
+    }
+
+private:
+    static Scene<Jet> in_jets(const Scene<T>& s) {
+        return {s.sides, Jet(s.alpha), Jet(s.beta), Jet(s.mu), Jet(s.restitution), s.law, Jet(s.inertia_factor)};
+    }
+
+    CollisionMap<T, shape, rule> map_;
+    CollisionMap<Jet, shape, rule> jet_map_;
+};
+
+template <class T, Shape shape, ImpactRule rule>
+DifferentiatedMap(const CollisionMap<T, shape, rule>&) -> DifferentiatedMap<T, shape, rule>;
+
+}  // namespace swirl

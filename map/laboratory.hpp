@@ -1,0 +1,109 @@
+// The laboratory's frame: starts given there, and orbits of the section followed back into it.
+#pragma once
+
+#include "map/collision_map.hpp"
+
+namespace swirl {
+
+/// A start in the laboratory at t = 0, when the container's centre is at (β, 0).
+template <class T = double>
+struct LabStart {
+    T x{}, y{};    ///< the body's centre, in R_c, from the swirl's centre
+    T vx{}, vy{};  ///< its velocity, in R_c ω_s
+    T angle{};     ///< vertex 0's direction, in radians
+    T spin{};      ///< S
+};
+
+/// @throws std::invalid_argument if a vertex is outside the container, or the disk overlaps its wall
+template <class T>
+Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
+    using std::sqrt;
+    const auto finite = [](const T& value) { return value - value == T(0); };
+    const T* values[] = {&start.x, &start.y, &start.vx, &start.vy, &start.angle, &start.spin};
+    const char* names[] = {"x", "y", "vx", "vy", "angle", "spin"};
+    for (int i = 0; i < 6; ++i)
+        if (!finite(*values[i])) detail::out_of_range(names[i], *values[i], "any finite number");
+    Flight<T> flight;
+    flight.centre = {start.x - body.beta, start.y};
+    flight.velocity = {start.vx, start.vy};
+    flight.phase = {T(1), T(0)};
+    flight.swirl = {body.beta, T(0)};
+    flight.arm = body.alpha * cis(start.angle);
+    flight.spin = start.spin;
+    T reach = detail::magnitude(flight.centre) + body.alpha;
+    if (body.sides != disk_sides && reach > T(1)) {
+        detail::NearestTwo<T> pair;
+        detail::look_around(body, flight, instant_at<Shape::polygon>(flight, T(0)), pair);
+        reach = sqrt(std::max(pair.first.gap.value, pair.second.gap.value) + T(1));
+    }
+    if (reach > T(1))
+        detail::out_of_range("start: distance of the farthest point from the container's centre", reach, "at most 1");
+    return flight;
+}
+
+/// An angle kept as (its value in [0, 2π), whole turns), so that precision does not decay on long runs.
+template <class T>
+struct WoundAngle {
+    T phase{};
+    long long turns = 0;
+
+    void add(const T& change) {
+        using std::floor;
+        const T turn = T(2 * pi<T>());
+        phase = phase + change;
+        const T whole = floor(phase / turn);
+        phase = phase - whole * turn;
+        turns += static_cast<long long>(whole);
+        if (phase < 0) phase = T(0);  // −tiny + 2π rounds to 2π, then to just below 0
+    }
+    T unwound() const { return phase + T(2 * pi<T>()) * T(turns); }
+};
+
+/// Where an orbit of the section is in the laboratory.
+template <class T>
+struct LabFrame {
+    WoundAngle<T> time;   ///< t: (swirl phase, turns)
+    WoundAngle<T> angle;  ///< vertex 0's direction
+    int vertex = 0;       ///< the vertex that struck last
+
+    /// A start in flight.
+    static LabFrame at_start(const T& angle) {
+        LabFrame frame;
+        frame.angle.add(angle);
+        return frame;
+    }
+    /// A start on the section: t = 0 and vertex 0 has just struck.
+    static LabFrame at_section(const SectionPoint<T>& z) { return at_start(T(z.psi + z.chi)); }
+
+    /// Takes note of a collision; `spin` is S during the flight before it.
+    template <class Map>
+    void follow(const Map& map, const Collision<T>& collision, const T& spin) {
+        time.add(collision.flight_time);
+        angle.add(spin * collision.flight_time);
+        if constexpr (Map::shape == Shape::polygon) {
+            vertex = map.body().vertex_number(static_cast<long long>(vertex) + collision.vertex_step);
+            // arg r − 2πk/N is vertex 0's direction too, and free of the rounding that the sum gathers.
+            const SectionPoint<T> z = section_point(collision.after);
+            const T measured = time.phase + z.psi + z.chi - map.body().spacing * T(vertex);
+            angle.add(wrapped_angle(T(measured - angle.phase)));
+        }
+    }
+};
+
+/// The state just after an impact, in the laboratory. Angles are unwound.
+template <class T>
+struct LabState {
+    T t{}, x{}, y{}, vx{}, vy{}, angle{}, spin{};
+};
+
+template <class T>
+LabState<T> lab_state(const Body<T>& body, const LabFrame<T>& frame, const Launch<T>& launch) {
+    const Vec2<T> swirl = cis(frame.time.phase);
+    const Vec2<T> n = times(swirl, launch.psi);
+    const Vec2<T> r = body.alpha * times(n, launch.chi);
+    const Vec2<T> velocity = times(n, Vec2<T>{launch.vn, launch.vt});
+    const Vec2<T> place = body.beta * swirl + (n - r);
+    return {frame.time.unwound(), place.x, place.y, velocity.x, velocity.y, frame.angle.unwound(), launch.spin};
+}
+
+}  // namespace swirl

@@ -1,0 +1,82 @@
+// The scene: which polygon in which container, dimensionless (R_c = 1, ω_s = 1, m = 1). Design, section 1.
+#pragma once
+
+#include "map/real.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace swirl {
+
+/// How the end of restitution is fixed (design, section 3). Without friction, in sliding and for the disk all agree.
+enum class Law { poisson, newton, stronge };
+
+/// Number of sides that stands for the disk (N = ∞).
+inline constexpr int disk_sides = 0;
+inline constexpr int max_sides = 1'000'000;
+
+/// A scene, in units of R_c, 1/ω_s and m.
+template <class T = double>
+struct Scene {
+    int sides = 6;        ///< N: 3 … 10⁶, or `disk_sides`
+    T alpha{};            ///< α = R_p/R_c, in (0, 1)
+    T beta{};             ///< β = r_s/R_c, ≥ 0
+    T mu{};               ///< friction μ, ≥ 0
+    T restitution{};      ///< e, in [0, 1]
+    Law law = Law::poisson;
+    T inertia_factor{};   ///< κ: I = κ m R_p², > 0
+
+    bool is_disk() const { return sides == disk_sides; }
+};
+
+/// κ of the uniform lamina: (2 + cos(2π/N))/6, and ½ for the disk.
+template <class T>
+inline T uniform_inertia_factor(int sides) {
+    using std::cos;
+    if (sides == disk_sides) return T(0.5);
+    return (T(2) + cos(T(2 * pi<T>() / sides))) / T(6);
+}
+
+/// "poisson", "newton", "stronge".
+inline std::string_view name_of(Law law) {
+    switch (law) {
+        case Law::poisson: return "poisson";
+        case Law::newton: return "newton";
+        case Law::stronge: return "stronge";
+    }
+    return "";
+}
+
+namespace detail {
+
+template <class T>
+[[noreturn]] void out_of_range(const char* name, const T& value, const char* range) {
+    std::ostringstream message;
+    message.precision(17);
+    message << name << " = " << value << " is outside its range: " << range;
+    throw std::invalid_argument(message.str());
+}
+
+}  // namespace detail
+
+/// Returns the scene if every parameter is within its range.
+/// @throws std::invalid_argument naming the parameter, its value and its range; a NaN is outside every range.
+template <class T>
+inline Scene<T> validated(const Scene<T>& scene) {
+    const auto finite = [](const T& value) { return value - value == T(0); };
+    if (scene.sides != disk_sides && (scene.sides < 3 || scene.sides > max_sides))
+        detail::out_of_range("sides", scene.sides, "3 to 1000000, or disk");
+    if (!(scene.alpha > T(0) && scene.alpha < T(1))) detail::out_of_range("alpha", scene.alpha, "0 < alpha < 1");
+    if (!(scene.beta >= T(0) && finite(scene.beta))) detail::out_of_range("beta", scene.beta, "beta >= 0, finite");
+    if (!(scene.mu >= T(0) && finite(scene.mu))) detail::out_of_range("mu", scene.mu, "mu >= 0, finite");
+    if (!(scene.restitution >= T(0) && scene.restitution <= T(1)))
+        detail::out_of_range("restitution", scene.restitution, "0 <= restitution <= 1");
+    if (!(scene.inertia_factor > T(0) && finite(scene.inertia_factor)))
+        detail::out_of_range("inertia-factor", scene.inertia_factor, "inertia-factor > 0, finite");
+    return scene;
+}
+
+}  // namespace swirl

@@ -56,12 +56,10 @@ public:
 
     /// The impact at a moment known to be the contact of the vertex at X + `arm`; fills all that depends on it.
     void strike(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm, Collision<T>& collision) const {
-        using std::sqrt;
-        const Vec2<T> x = at.centre + arm;
-        const Vec2<T> n = (T(1) / sqrt(dot(x, x))) * x;
+        const Vec2<T> n = renormalised(at.centre + arm);  // a contact: of length 1 already, but for rounding
         const Vec2<T> velocity = seen_from(n, flight.velocity);
         Launch<T>& after = collision.after;
-        after.psi = swirl_phase(flight, at, n);
+        after.psi = renormalised(seen_from(at.phase, n));  // ψ = arg n − arg w
         after.chi = shape == Shape::disk ? Vec2<T>{T(1), T(0)} : renormalised((T(1) / body_.alpha) * seen_from(n, arm));
         after.vn = velocity.x;
         after.vt = velocity.y;
@@ -76,7 +74,7 @@ public:
     void apply_impact(Collision<T>& collision) const {
         Launch<T>& state = collision.after;
         const Approach<T> before = approach_of(body_, state);
-        const Impulse<T> j = impulse<rule>(before, scene_.mu, scene_.restitution);
+        const Impulse<T> j = impulse_of(before);
         const T& p = j.normal;
         const T& q = j.tangential;
         state.vn = state.vn - p;
@@ -91,12 +89,11 @@ public:
     }
 
 private:
-    /// cis ψ′ with ψ′ = arg n − t: the swirl's arm is at angle −ψ + τ in the axes of the start. The arm's own length
-    /// can't be divided by (β may be 0), so the phase is carried apart from it.
-    static Vec2<T> swirl_phase(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& n) {
-        const Vec2<T> start = flight.phase;
-        const Vec2<T> now = turned(start, at.swirl_turn);
-        return renormalised(seen_from(now, n));
+    Impulse<T> impulse_of(const Approach<T>& before) const {
+        if constexpr (shape == Shape::disk && rule != ImpactRule::frictionless)
+            return disk_impulse(before, scene_.mu, scene_.restitution);
+        else
+            return impulse<rule>(before, scene_.mu, scene_.restitution);
     }
 
     Scene<T> scene_;

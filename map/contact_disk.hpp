@@ -1,40 +1,89 @@
 // The first contact of a disk.
 #pragma once
 
+#include "map/certificate.hpp"
+#include "map/circle_path.hpp"
 #include "map/contact.hpp"
 
 namespace swirl {
 
-/// The first time at which |X| reaches 1 − α from below. Cost: some four moments, one rotation each.
+namespace detail {
+
+/// Fills in a contact of the disk at the moment that `contact.at` holds.
 template <class T>
-Contact<T> first_contact_disk(const Body<T>& body, const Flight<T>& flight) {
-    const auto bounds = detail::bounds_of<Shape::disk>(body, flight);
+inline void touch_disk(const Body<T>& body, Contact<T>& contact) {
+    contact.outcome = ContactOutcome::contact;
+    contact.arm = (body.alpha / body.inner) * contact.at.centre;
+}
+
+/// The usual flight from wall to wall: the root is sought without care, then proven to be the first. False if either
+/// fails; the advance below then decides.
+template <class T>
+inline bool direct_contact_disk(const Body<T>& body, const Flight<T>& flight, Contact<T>& contact) {
+    using std::fabs;
+    const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase), T(0));
+    const CircleGap<T> start = gap_at_start(path);
+    T time = return_guess(start);
+    if (!(time > 0 && time <= T(longest_guess))) return false;
+    Vec2<T> turn = turn_minus_one(time);
+    CircleGap<T> gap = gap_along(path, time, turn);
+    T correction = refined(gap, root_correction(gap));
+    while (true) {  // ends: converged, or gives up
+        if (!(gap.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
+        const bool converged = is_converged(gap, correction);
+        time = time + correction;
+        turn = compose(turn, turn_minus_one(correction));
+        if (converged) break;
+        if (++contact.steps > correction_limit) return false;
+        gap = gap_along(path, time, turn);
+        correction = root_correction(gap);
+    }
+    const T sixth = sixth_bounds<Shape::disk>(body, flight).centre;
+    if (!(time > 0 && clear_between<T>(start, at_root<T>(gap, correction), time, sixth))) return false;
+    contact.at = instant_at<Shape::disk>(flight, time, turn);
+    touch_disk(body, contact);
+    return true;
+}
+
+/// Advances by safe steps until the disk touches: slower, and never in doubt.
+template <class T>
+Contact<T> certain_contact_disk(const Body<T>& body, const Flight<T>& flight) {
+    const auto bounds = bounds_of<Shape::disk>(body, flight);
     Contact<T> contact;
-    contact.at = instant_at<Shape::disk>(flight, T(0));
+    contact.at = instant_at_start(flight);
     bool last = false;
-    while (contact.steps < detail::step_limit) {  // ends at: contact, proof of none, or the limit
+    while (contact.steps < step_limit) {  // ends at: contact, proof of none, or the limit
         Gap<T> gap = centre_gap(body, flight, contact.at);
         const bool starting = flight.struck && contact.steps == 0;
         ++contact.steps;
-        if (starting && detail::stays(body, flight, bounds, gap)) {
+        if (starting && stays(body, flight, bounds, gap)) {
             contact.outcome = ContactOutcome::sustained;
             return contact;
         }
         if (last || (!starting && gap.value >= 0 && gap.rate >= 0)) {
-            contact.outcome = ContactOutcome::contact;
-            contact.arm = (body.alpha / detail::magnitude(contact.at.centre)) * contact.at.centre;
+            touch_disk(body, contact);
             return contact;
         }
-        T step = gap.value < 0 ? detail::safe_step(gap, bounds.centre_third)
-                               : detail::safe_step_off_the_wall(gap, bounds.centre_third);
-        last = gap.value < 0 && detail::is_last(gap, bounds.centre_third, step, contact.at.time);
-        step = std::max(step, detail::sheltered_time(body, flight, contact.at));
+        T step = gap.value < 0 ? safe_step(gap, bounds.centre_third)
+                               : safe_step_off_the_wall(gap, bounds.centre_third);
+        last = gap.value < 0 && is_last(gap, bounds.centre_third, step, contact.at.time);
+        step = std::max(step, sheltered_time(body, flight, contact.at));
         if (!(step < std::numeric_limits<T>::infinity())) return contact;
-        if (detail::has_recurred<Shape::disk>(body, flight, contact.at)) return contact;
+        if (has_recurred<Shape::disk>(body, flight, contact.at)) return contact;
         advance<Shape::disk>(flight, contact.at, step);
     }
     contact.outcome = ContactOutcome::unresolved;
     return contact;
+}
+
+}  // namespace detail
+
+/// The first time at which |X| reaches 1 − α from below. Cost: some four moments, one rotation each.
+template <class T>
+Contact<T> first_contact_disk(const Body<T>& body, const Flight<T>& flight) {
+    Contact<T> contact;
+    if (flight.struck && detail::direct_contact_disk(body, flight, contact)) return contact;
+    return detail::certain_contact_disk(body, flight);
 }
 
 }  // namespace swirl

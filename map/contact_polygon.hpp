@@ -1,96 +1,14 @@
 // The first contact of a polygon, at a cost that does not grow with its number of vertices.
 #pragma once
 
+#include "map/certificate.hpp"
+#include "map/circle_path.hpp"
 #include "map/contact.hpp"
+#include "map/vertices.hpp"
 
 namespace swirl {
 
 namespace detail {
-
-/// A vertex that may touch next.
-template <class T>
-struct Candidate {
-    int vertex = 0;   ///< number from the reference vertex
-    Vec2<T> arm;      ///< a now
-    Gap<T> gap;
-};
-
-/// The two vertices nearest to the centre's direction.
-template <class T>
-struct NearestTwo {
-    Candidate<T> first;
-    Candidate<T> second;
-};
-
-/// Turns arm and number by whole vertices until the arm is the nearest one to X: |X × a| ≤ tan(π/N) X·a.
-template <class T>
-inline void turn_to_nearest(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& reference, Candidate<T>& c) {
-    using std::atan2;
-    using std::fabs;
-    using std::round;
-    if (fabs(cross(c.arm, centre)) <= body.half_slope * dot(c.arm, centre)) return;
-    const T angle = atan2(cross(reference, centre), dot(reference, centre));
-    c.vertex = body.vertex_number(static_cast<long long>(round(angle / body.spacing)));
-    c.arm = times(reference, body.vertex_direction(c.vertex));
-}
-
-template <class T>
-inline Gap<T> gap_of(const Flight<T>& flight, const Instant<T>& at, const Candidate<T>& candidate) {
-    return flight.struck && candidate.vertex == 0 ? struck_gap(flight, at, candidate.arm)
-                                                  : vertex_gap(flight, at, candidate.arm);
-}
-
-/// Brings the pair up to date at a moment.
-template <class T>
-inline void look_around(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, NearestTwo<T>& pair) {
-    const Vec2<T> reference = turned(flight.arm, at.body_turn);
-    pair.first.arm = pair.first.vertex == 0 ? reference : times(reference, body.vertex_direction(pair.first.vertex));
-    turn_to_nearest(body, at.centre, reference, pair.first);
-    const int side = cross(pair.first.arm, at.centre) >= 0 ? 1 : -1;
-    pair.second.vertex = body.vertex_number(pair.first.vertex + side);
-    pair.second.arm = times(reference, body.vertex_direction(pair.second.vertex));
-    pair.first.gap = gap_of(flight, at, pair.first);
-    pair.second.gap = gap_of(flight, at, pair.second);
-}
-
-/// How long the third nearest vertex stays out of it: it is at least 2π/N away from the centre's direction and would
-/// have to come within π/N to be first. The direction turns by less than 2|W|/|X| while |X| halves at most.
-template <class T>
-inline T two_are_enough(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, const T& distance) {
-    using std::fabs;
-    const T turning = T(0.5) * body.spacing / (fabs(flight.spin) + T(2) * bounds.drift / distance);
-    return std::min(turning, T(distance / (T(2) * bounds.drift)));
-}
-
-template <class T>
-inline bool touches(const Candidate<T>& candidate, bool starting) {
-    return candidate.gap.value >= 0 && candidate.gap.rate >= 0 && !(starting && candidate.vertex == 0);
-}
-
-/// Time until an approaching vertex touches, to first order; +∞ for one that does not approach.
-template <class T>
-inline T time_left(const Gap<T>& gap) {
-    return gap.rate > 0 ? T(-gap.value / gap.rate) : std::numeric_limits<T>::infinity();
-}
-
-/// Settles which of the two it is: the earlier; on an exact tie the larger u_n, then the lower number.
-template <class T>
-inline void choose(const NearestTwo<T>& pair, Contact<T>& contact) {
-    using std::fabs;
-    const T first = time_left(pair.first.gap);
-    const T second = time_left(pair.second.gap);
-    const T rounding = T(16) * epsilon<T>() * (T(1) + contact.at.time);
-    contact.simultaneous = fabs(first - second) <= rounding;
-    bool take_second = second < first;
-    if (first == second) {
-        const T difference = pair.second.gap.rate - pair.first.gap.rate;  // g′ = 2 u_n
-        take_second = difference > 0 || (difference == 0 && pair.second.vertex < pair.first.vertex);
-    }
-    const Candidate<T>& chosen = take_second ? pair.second : pair.first;
-    contact.outcome = ContactOutcome::contact;
-    contact.vertex = chosen.vertex;
-    contact.arm = chosen.arm;
-}
 
 template <class T>
 inline T safe_step_of(const Candidate<T>& candidate, const T& third) {
@@ -117,40 +35,38 @@ inline NextStep<T> step_among_vertices(const Body<T>& body, const Flight<T>& fli
     return {step, gap.value < 0 && is_last(gap, bounds.vertex_third, step, at.time)};
 }
 
-}  // namespace detail
-
-/// The first time at which a vertex reaches the wall from within. Away from the wall the circumscribed circle decides;
-/// in the ring 1 − α ≤ |X| where vertices can touch, the two nearest to the centre's direction do.
+/// Advances by safe steps until a vertex touches. Away from the wall the circumscribed circle decides; in the ring
+/// 1 − α ≤ |X| where vertices can touch, the two nearest to the centre's direction do.
 template <class T>
-Contact<T> first_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
-    const auto bounds = detail::bounds_of<Shape::polygon>(body, flight);
+Contact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
+    const auto bounds = bounds_of<Shape::polygon>(body, flight);
     const T ring = T(0.25) * (body.outer * body.outer - body.inner * body.inner);
     Contact<T> contact;
-    contact.at = instant_at<Shape::polygon>(flight, T(0));
-    detail::NearestTwo<T> pair;
+    contact.at = instant_at_start(flight);
+    NearestTwo<T> pair;
     bool last = false;
-    while (contact.steps < detail::step_limit) {  // ends at: contact, proof of none, or the limit
+    while (contact.steps < step_limit) {  // ends at: contact, proof of none, or the limit
         const Gap<T> circle = centre_gap(body, flight, contact.at);
         const bool starting = flight.struck && contact.steps == 0;
         ++contact.steps;
-        detail::NextStep<T> next;
+        NextStep<T> next;
         if (!last && circle.value < 0 && (circle.value < -ring || circle.rate < 0)) {
-            const T shelter = detail::sheltered_time(body, flight, contact.at);
-            next = {std::max(detail::safe_step(circle, bounds.centre_third), shelter), false};
-            if (detail::has_recurred<Shape::polygon>(body, flight, contact.at)) return contact;
+            const T shelter = sheltered_time(body, flight, contact.at);
+            next = {std::max(safe_step(circle, bounds.centre_third), shelter), false};
+            if (has_recurred<Shape::polygon>(body, flight, contact.at)) return contact;
         } else {
-            detail::look_around(body, flight, contact.at, pair);
-            if (starting && detail::stays(body, flight, bounds, pair.first.gap)) {
+            look_around(body, flight, contact.at, pair);
+            if (starting && stays(body, flight, bounds, pair.first.gap)) {
                 contact.outcome = ContactOutcome::sustained;
                 return contact;
             }
-            if (last || detail::touches(pair.first, starting) || detail::touches(pair.second, starting)) {
-                detail::choose(pair, contact);
+            if (last || touches(pair.first, starting) || touches(pair.second, starting)) {
+                choose(pair, contact);
                 return contact;
             }
-            const T distance = detail::magnitude(contact.at.centre);
-            next = detail::step_among_vertices(body, flight, bounds, contact.at, pair, distance);
-            if (detail::has_recurred<Shape::polygon>(body, flight, contact.at)) return contact;
+            const T distance = magnitude(contact.at.centre);
+            next = step_among_vertices(body, flight, bounds, contact.at, pair, distance);
+            if (has_recurred<Shape::polygon>(body, flight, contact.at)) return contact;
         }
         if (!(next.length < std::numeric_limits<T>::infinity())) return contact;
         last = next.last;
@@ -158,6 +74,99 @@ Contact<T> first_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
     }
     contact.outcome = ContactOutcome::unresolved;
     return contact;
+}
+
+/// The two candidates at a moment, when they are known by number.
+template <class T>
+inline void bring_to(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, NearestTwo<T>& pair) {
+    for (Candidate<T>* candidate : {&pair.first, &pair.second}) {
+        candidate->arm = candidate->vertex == 0 ? at.arm : times(at.arm, body.vertex_direction(candidate->vertex));
+        candidate->gap = gap_of(flight, at, *candidate);
+    }
+}
+
+/// Both candidates clear of the wall between two moments.
+template <class T>
+inline bool both_clear(const NearestTwo<T>& from, const NearestTwo<T>& to, const T& h, const T& sixth) {
+    return clear_between(from.first.gap, to.first.gap, h, sixth) &&
+           clear_between(from.second.gap, to.second.gap, h, sixth);
+}
+
+/// Proves that nothing touched between start and end of a flight: leaving the ring and coming back into it the two
+/// vertices nearest to the centre's direction are followed, in between the circumscribed circle.
+template <class T>
+inline bool clear_flight(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
+                         const Instant<T>& end, const NearestTwo<T>& last) {
+    const auto sixth = sixth_bounds<Shape::polygon>(body, flight);
+    const T reach = two_are_enough(body, flight, bounds, body.inner);
+    const Instant<T> start = instant_at_start(flight);
+    const Gap<T> leaving = centre_gap(body, flight, start);
+    const Gap<T> arriving = centre_gap(body, flight, end);
+    if (!(leaving.rate < 0 && arriving.rate > 0)) return false;
+    // Twice the time that the circle takes through the ring, to first order.
+    const T out = std::max(T(-2) * leaving.value / leaving.rate, T(0));
+    const T in = std::max(T(2) * arriving.value / arriving.rate, T(0));
+    if (!(out <= reach && in <= reach && out + in < end.time)) return false;
+
+    const Instant<T> outside = instant_at<Shape::polygon>(flight, out);
+    Instant<T> inside = end;
+    advance<Shape::polygon>(flight, inside, T(-in));
+    if (!clear_between(centre_gap(body, flight, outside), centre_gap(body, flight, inside),
+                       T(end.time - in - out), sixth.centre))
+        return false;
+
+    NearestTwo<T> first;
+    look_around(body, flight, start, first);
+    NearestTwo<T> first_later = first;
+    bring_to(body, flight, outside, first_later);
+    if (!both_clear(first, first_later, out, sixth.vertex)) return false;
+    NearestTwo<T> last_earlier = last;
+    bring_to(body, flight, inside, last_earlier);
+    return both_clear(last_earlier, last, in, sixth.vertex);
+}
+
+/// The usual flight from wall to wall: the circle's return leads to the vertex nearest to the wall there, its root is
+/// sought without care, then the whole flight is proven clear. False if anything fails; the advance then decides.
+template <class T>
+inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight, Contact<T>& contact) {
+    using std::fabs;
+    const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase), T(0));
+    T time = return_guess(gap_at_start(path));
+    if (!(time > 0 && time <= T(longest_guess))) return false;
+    Vec2<T> turn = turn_minus_one(time);
+    const CircleGap<T> circle = gap_along(path, time, turn);
+    const T closer = refined(circle, root_correction(circle));
+    if (!(circle.rate > 0 && fabs(closer) <= T(longest_correction))) return false;
+    time = time + closer;
+    if (!(time > 0)) return false;
+    turn = compose(turn, turn_minus_one(closer));
+    Instant<T> at = instant_at<Shape::polygon>(flight, time, turn);
+
+    NearestTwo<T> pair;
+    for (bool converged = false; !converged;) {  // ends: converged, or gives up
+        look_around(body, flight, at, pair);
+        if (++contact.steps > correction_limit) return false;
+        const T correction = root_correction(pair.first.gap);
+        if (!(pair.first.gap.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
+        converged = is_converged(pair.first.gap, correction);
+        advance<Shape::polygon>(flight, at, correction);
+    }
+    look_around(body, flight, at, pair);
+    pair.first.gap.value = std::min(pair.first.gap.value, T(0));
+    if (!(at.time > 0 && clear_flight(body, flight, bounds_of<Shape::polygon>(body, flight), at, pair))) return false;
+    choose(pair, contact);
+    contact.at = at;
+    return true;
+}
+
+}  // namespace detail
+
+/// The first time at which a vertex reaches the wall from within.
+template <class T>
+Contact<T> first_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
+    Contact<T> contact;
+    if (flight.struck && detail::direct_contact_polygon(body, flight, contact)) return contact;
+    return detail::certain_contact_polygon(body, flight);
 }
 
 template <Shape shape, class T>

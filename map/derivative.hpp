@@ -4,41 +4,13 @@
 // the vertex that strikes, dτ = −∂_z g / g′ at the contact, which is one Newton step taken in Jet arithmetic.
 #pragma once
 
-#include "map/collision_map.hpp"
+#include "map/linearised_collision.hpp"
 
-#include <Eigen/Core>
+#include <ceres/jet.h>
 
 #include <array>
 
 namespace swirl {
-
-/// Dimension of the section: the disk drops χ.
-template <Shape shape>
-inline constexpr int section_dimension = shape == Shape::disk ? 4 : 5;
-
-/// Coordinates in the order (ψ, χ, v_n, v_t, S); the disk's (ψ, v_n, v_t, S).
-template <Shape shape, class T>
-inline std::array<T, section_dimension<shape>> coordinates(const SectionPoint<T>& z) {
-    if constexpr (shape == Shape::disk)
-        return {z.psi, z.vn, z.vt, z.spin};
-    else
-        return {z.psi, z.chi, z.vn, z.vt, z.spin};
-}
-
-template <Shape shape, class T>
-inline SectionPoint<T> section_point(const std::array<T, section_dimension<shape>>& c) {
-    if constexpr (shape == Shape::disk)
-        return {c[0], T(0), c[1], c[2], c[3]};
-    else
-        return {c[0], c[1], c[2], c[3], c[4]};
-}
-
-/// F(z) with DF(z) (rows: the new coordinates; columns: the old).
-template <class T, Shape shape>
-struct LinearisedCollision {
-    Collision<T> collision;
-    Eigen::Matrix<T, section_dimension<shape>, section_dimension<shape>> derivative;
-};
 
 /// The collision with Jets: `flight` carries the derivatives, `time` and `vertex` are the contact found in plain numbers.
 template <class J, Shape shape, ImpactRule rule>
@@ -49,7 +21,7 @@ Collision<J> strike_along(const CollisionMap<J, shape, rule>& map, const Flight<
             using std::sqrt;
             return Vec2<J>((map.body().alpha / sqrt(dot(at.centre, at.centre))) * at.centre);
         } else {
-            return times(turned(flight.arm, at.body_turn), map.body().vertex_direction(vertex));
+            return times(at.arm, map.body().vertex_direction(vertex));
         }
     };
     const Instant<J> nominal = instant_at<shape>(flight, J(time));
@@ -58,8 +30,9 @@ Collision<J> strike_along(const CollisionMap<J, shape, rule>& map, const Flight<
     // g′ = 2 x·x′; the disk's rim does not move against its centre's gap.
     Vec2<J> rate = nominal.drift;
     if constexpr (shape == Shape::polygon) rate = rate + flight.spin * quarter_turned(arm);
-    J shift = -(dot(x, x) - J(1)) / (J(2) * dot(x, rate));
-    shift.a = Plain<J>(0);  // only the derivative: the time itself is known to rounding
+    // dτ = −dg/g′: only g is differentiated. Its value, all rounding, over g′² would spoil flights that graze.
+    J shift = J(Plain<J>(-1) / (2 * plain(dot(x, rate)))) * dot(x, x);
+    shift.a = Plain<J>(0);  // the time itself is known to rounding
     const Instant<J> at = instant_at<shape>(flight, J(time) + shift);
     Collision<J> collision;
     map.strike(flight, at, arm_at(at), collision);

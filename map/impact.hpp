@@ -110,6 +110,20 @@ T impulse_end(const NormalVelocityPath<T>& path, const T& restitution) {
 
 }  // namespace detail
 
+/// The disk's impulse: B₃ = 0 and B₂ = 1 decouple the directions, slip stops at p = |u_t|/(μB₁), and all laws agree.
+/// No division but by the constant B₁.
+template <class T>
+Impulse<T> disk_impulse(const Approach<T>& approach, const T& mu, const T& restitution) {
+    using std::fabs;
+    const T end = (T(1) + restitution) * approach.un;
+    const T b1 = approach.b1();
+    const T friction = mu * b1 * end;  // the change of u_t that friction can make
+    if (fabs(plain(approach.ut)) > plain(friction))
+        return {end, plain(approach.ut) > 0 ? T(-mu * end) : T(mu * end), ContactMode::sliding};
+    const bool early = fabs(plain(approach.ut)) < plain(mu) * plain(b1) * plain(approach.un);
+    return {end, -approach.ut / b1, early ? ContactMode::c_sticking : ContactMode::r_sticking};
+}
+
 /// The impulse of one impact.
 ///   rule         how restitution ends (or no friction at all)
 ///   approach     velocities and lever arms at the contact, u_n ≥ 0

@@ -27,13 +27,13 @@ Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
     flight.centre = {start.x - body.beta, start.y};
     flight.velocity = {start.vx, start.vy};
     flight.phase = {T(1), T(0)};
-    flight.swirl = {body.beta, T(0)};
+    flight.beta = body.beta;
     flight.arm = body.alpha * cis(start.angle);
     flight.spin = start.spin;
     T reach = detail::magnitude(flight.centre) + body.alpha;
     if (body.sides != disk_sides && reach > T(1)) {
         detail::NearestTwo<T> pair;
-        detail::look_around(body, flight, instant_at<Shape::polygon>(flight, T(0)), pair);
+        detail::look_around(body, flight, instant_at_start(flight), pair);
         reach = sqrt(std::max(pair.first.gap.value, pair.second.gap.value) + T(1));
     }
     if (reach > T(1))

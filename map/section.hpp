@@ -46,7 +46,7 @@ inline Flight<T> flight_from(const Body<T>& body, const Launch<T>& launch) {
     flight.centre = Vec2<T>{T(1) - flight.arm.x, -flight.arm.y};
     flight.velocity = {launch.vn, launch.vt};
     flight.phase = conjugate(launch.psi);
-    flight.swirl = body.beta * flight.phase;
+    flight.beta = body.beta;
     flight.spin = launch.spin;
     flight.struck = true;
     return flight;

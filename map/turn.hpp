@@ -4,7 +4,9 @@
 #include "map/real.hpp"
 #include "map/vec2.hpp"
 
+#include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace swirl {
 
@@ -16,21 +18,46 @@ inline Vec2<T> cis(const T& angle) {
     return {cos(angle), sin(angle)};
 }
 
+/// The composition of two turns given as cis − 1: (1 + a)(1 + b) − 1.
+template <class T>
+constexpr Vec2<T> compose(const Vec2<T>& a, const Vec2<T>& b) {
+    return a + (b + times(a, b));
+}
+
 namespace detail {
 
-/// Below this angle the Taylor polynomials below are good to ε/4 of the result.
-inline constexpr double small_turn = 0.3;
-
-/// Taylor polynomials of cos δ − 1 and sin δ; the first term left out is below 2·10⁻¹⁷ of the sum for |δ| ≤ 0.3.
-inline Vec2<double> small_turn_minus_one(double d) {
+/// cis δ − 1 by Taylor polynomials for |δ| ≤ ¼; the first terms left out are below 2⁻⁵⁶ of the sum.
+constexpr Vec2<double> small_turn_minus_one(double d) {
     const double s = d * d;
     const double s2 = s * s;
-    const double sine_high = (-1.0 / 39916800 + s * (1.0 / 6227020800.0)) * s2 + (-1.0 / 5040 + s * (1.0 / 362880));
-    const double sine = d + d * s * ((-1.0 / 6 + s * (1.0 / 120)) + s2 * sine_high);
-    const double cosine_high = (1.0 / 3628800 * -1.0 + s * (1.0 / 479001600)) * s2 + (-1.0 / 720 + s * (1.0 / 40320));
-    const double cosine = s * ((-0.5 + s * (1.0 / 24)) + s2 * cosine_high);
-    return {cosine, sine};
+    const double sine = (-1.0 / 6 + s * (1.0 / 120)) + s2 * ((-1.0 / 5040 + s * (1.0 / 362880)) + s2 * (-1.0 / 39916800));
+    const double cosine = (-0.5 + s * (1.0 / 24)) +
+                          s2 * ((-1.0 / 720 + s * (1.0 / 40320)) + s2 * (-1.0 / 3628800 + s * (1.0 / 479001600)));
+    return {s * cosine, d + d * (s * sine)};
 }
+
+inline constexpr int turn_table_size = 65;
+
+/// cis(k/2) − 1, k = 0 … 64, from Taylor's series for ½ in long double and repeated composition, rounded once.
+constexpr std::array<Vec2<double>, turn_table_size> turn_table() {
+    long double sine = 0;
+    long double cosine = 0;  // cos ½ − 1
+    long double term = 1;
+    for (int n = 1; n < 30; ++n) {
+        term *= 0.5L / n;
+        (n % 2 ? sine : cosine) += n % 4 < 2 ? term : -term;
+    }
+    const Vec2<long double> half{cosine, sine};
+    std::array<Vec2<double>, turn_table_size> table{};
+    Vec2<long double> turn{0, 0};
+    for (auto& entry : table) {
+        entry = {static_cast<double>(turn.x), static_cast<double>(turn.y)};
+        turn = compose(turn, half);
+    }
+    return table;
+}
+
+inline constexpr auto half_radians = turn_table();
 
 }  // namespace detail
 
@@ -38,24 +65,24 @@ inline Vec2<double> small_turn_minus_one(double d) {
 template <class T>
 inline Vec2<T> turn_minus_one(const T& angle) {
     if constexpr (std::is_same_v<T, double>) {
-        if (std::fabs(angle) <= detail::small_turn) return detail::small_turn_minus_one(angle);
-        const Vec2<double> full = cis(angle);
-        return {full.x - 1, full.y};
+        if (std::fabs(angle) <= 0.25) return detail::small_turn_minus_one(angle);
+        if (!(std::fabs(angle) < 32)) {
+            const Vec2<double> full = cis(angle);
+            return {full.x - 1, full.y};
+        }
+        const int k = static_cast<int>(angle + angle + std::copysign(0.5, angle));
+        const Vec2<double> tabled = detail::half_radians[static_cast<std::size_t>(k < 0 ? -k : k)];
+        const Vec2<double> coarse{tabled.x, k < 0 ? -tabled.y : tabled.y};
+        return compose(coarse, detail::small_turn_minus_one(angle - 0.5 * k));
     } else {
         const Vec2<T> half = cis(T(angle * T(0.5)));
         return {T(-2) * half.y * half.y, T(2) * half.y * half.x};
     }
 }
 
-/// The composition of two such turns: (1 + a)(1 + b) − 1.
-template <class T>
-inline Vec2<T> compose(const Vec2<T>& a, const Vec2<T>& b) {
-    return a + b + times(a, b);
-}
-
 /// v turned: v + v·(cis δ − 1).
 template <class T>
-inline Vec2<T> turned(const Vec2<T>& v, const Vec2<T>& turn) {
+constexpr Vec2<T> turned(const Vec2<T>& v, const Vec2<T>& turn) {
     return v + times(v, turn);
 }
 

@@ -1,0 +1,98 @@
+// Proof that nothing touches between two moments, from what is known at the two moments alone.
+//
+// On [0, h] let H be the quintic that shares g, g′, g″ with a gap at both ends. With |g⁽⁶⁾| ≤ M,
+// |g − H| ≤ M s³(h − s)³/720, and s³(h − s)³ ≤ h⁶ (B₂ + B₃)/20 with B₂, B₃ the middle Bernstein polynomials of degree
+// five on [0, h]. Hence g ≤ Σ cₖ Bₖ with H's Bernstein coefficients and M h⁶/14400 added to c₂ and c₃: if no
+// coefficient is positive, no contact is between. No square root, no search, and it leaves the critical path free.
+#pragma once
+
+#include "map/flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace swirl::detail {
+
+/// Bounds |g⁽⁶⁾| along a flight. In the laboratory the centre is at P = X + w with |P| ≤ outer + β, so that
+/// g = |P|² + β² − 2 P·w + … with P linear and w turning at rate 1: the sixth derivative is at most 2β(6|V| + |P|);
+/// a vertex adds 2 X·a, with P·a turning at S and w·a at S − 1.
+template <class T>
+struct SixthBounds {
+    T centre;
+    T vertex;
+};
+
+template <Shape shape, class T>
+inline SixthBounds<T> sixth_bounds(const Body<T>& body, const Flight<T>& flight) {
+    using std::fabs;
+    const T speed = fabs(flight.velocity.x) + fabs(flight.velocity.y);
+    const T place = body.outer + body.beta;
+    SixthBounds<T> bounds;
+    bounds.centre = T(2) * body.beta * (T(6) * speed + place);
+    bounds.vertex = bounds.centre;
+    if constexpr (shape == Shape::polygon) {
+        const T s = fabs(flight.spin);
+        const T s2 = s * s;
+        const T relative = (flight.spin - T(1)) * (flight.spin - T(1));
+        bounds.vertex = bounds.centre + T(2) * body.alpha *
+            (s2 * s2 * s * (s * place + T(6) * speed) + body.beta * relative * relative * relative);
+    }
+    return bounds;
+}
+
+/// True if the gap certainly stays closed to the wall by no more than rounding (4ε) between `from` and `to`, h later.
+/// (False says nothing.)
+template <class T>
+inline bool clear_between(const Gap<T>& from, const Gap<T>& to, const T& h, const T& sixth) {
+    const T rounding = T(4) * epsilon<T>();
+    const T h2 = h * h;
+    const T remainder = sixth * (h2 * h2 * h2) * T(1.0 / 14400);
+    const T c1 = from.value + T(0.2) * h * from.rate;
+    const T c4 = to.value - T(0.2) * h * to.rate;
+    const T c2 = from.value + T(0.4) * h * from.rate + T(0.05) * h2 * from.bend + remainder;
+    const T c3 = to.value - T(0.4) * h * to.rate + T(0.05) * h2 * to.bend + remainder;
+    const T ends = std::max(from.value, to.value);
+    return std::max(std::max(std::max(c1, c4), std::max(c2, c3)), ends) <= rounding;
+}
+
+/// Householder's correction of third order, δ = −g (g′² − ½gg″) / (g′³ − gg′g″ + g²g‴/6): the error d becomes O(d⁴).
+template <class T>
+inline T root_correction(const Gap<T>& gap) {
+    const T square = gap.rate * gap.rate;
+    const T product = gap.value * gap.bend;
+    return -(gap.value * (square - T(0.5) * product)) /
+           (gap.rate * (square - product) + gap.value * gap.value * gap.jerk * T(1.0 / 6));
+}
+
+template <class T>
+inline T fourth_root_of_epsilon() {
+    if constexpr (std::is_same_v<T, double>) {
+        return 0x1p-13;
+    } else {
+        using std::sqrt;
+        return sqrt(sqrt(epsilon<T>()));
+    }
+}
+
+/// The gap at its root, a converged correction d away.
+template <class T>
+inline Gap<T> at_root(const Gap<T>& gap, const T& d) {
+    return {T(0), gap.rate + d * gap.bend, gap.bend + d * gap.jerk, gap.jerk};
+}
+
+/// True if after a correction of this size the error that is left is below rounding (d⁴ against ε; scale g′/g″).
+template <class T>
+inline bool is_converged(const Gap<T>& gap, const T& correction) {
+    using std::fabs;
+    const T small = fourth_root_of_epsilon<T>() / T(4);  // 3·10⁻⁵ in double
+    const T size = fabs(correction);
+    return size <= small && size * fabs(gap.bend) <= small * gap.rate;
+}
+
+/// A search for a root ahead that has no guarantees (those come from `clear_between` afterwards) gives up beyond these.
+inline constexpr int correction_limit = 8;
+inline constexpr double longest_guess = 16;       // radians of swirl
+inline constexpr double longest_correction = 0.5;
+
+}  // namespace swirl::detail

@@ -1,0 +1,40 @@
+// A collision with its derivative, and the order of the section's coordinates in vectors and matrices.
+#pragma once
+
+#include "map/collision_map.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace swirl {
+
+/// Dimension of the section: the disk drops χ.
+template <Shape shape>
+inline constexpr int section_dimension = shape == Shape::disk ? 4 : 5;
+
+/// Coordinates in the order (ψ, χ, v_n, v_t, S); the disk's (ψ, v_n, v_t, S).
+template <Shape shape, class T>
+inline std::array<T, section_dimension<shape>> coordinates(const SectionPoint<T>& z) {
+    if constexpr (shape == Shape::disk)
+        return {z.psi, z.vn, z.vt, z.spin};
+    else
+        return {z.psi, z.chi, z.vn, z.vt, z.spin};
+}
+
+template <Shape shape, class T>
+inline SectionPoint<T> section_point(const std::array<T, section_dimension<shape>>& c) {
+    if constexpr (shape == Shape::disk)
+        return {c[0], T(0), c[1], c[2], c[3]};
+    else
+        return {c[0], c[1], c[2], c[3], c[4]};
+}
+
+/// F(z) with DF(z) (rows: the new coordinates; columns: the old).
+template <class T, Shape shape>
+struct LinearisedCollision {
+    Collision<T> collision;
+    Eigen::Matrix<T, section_dimension<shape>, section_dimension<shape>> derivative;
+};
+
+}  // namespace swirl

@@ -1,0 +1,97 @@
+// Which vertices can touch next: the two nearest to the centre's direction, whatever N is.
+#pragma once
+
+#include "map/contact.hpp"
+
+namespace swirl {
+
+namespace detail {
+
+/// A vertex that may touch next.
+template <class T>
+struct Candidate {
+    int vertex = 0;   ///< number from the reference vertex
+    Vec2<T> arm;      ///< a now
+    Gap<T> gap;
+};
+
+/// The two vertices nearest to the centre's direction.
+template <class T>
+struct NearestTwo {
+    Candidate<T> first;
+    Candidate<T> second;
+};
+
+/// Turns arm and number by whole vertices until the arm is the nearest one to X: |X × a| ≤ tan(π/N) X·a.
+template <class T>
+inline void turn_to_nearest(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& reference, Candidate<T>& c) {
+    using std::atan2;
+    using std::fabs;
+    using std::round;
+    if (fabs(cross(c.arm, centre)) <= body.half_slope * dot(c.arm, centre)) return;
+    const T angle = atan2(cross(reference, centre), dot(reference, centre));
+    c.vertex = body.vertex_number(static_cast<long long>(round(angle / body.spacing)));
+    c.arm = times(reference, body.vertex_direction(c.vertex));
+}
+
+template <class T>
+inline Gap<T> gap_of(const Flight<T>& flight, const Instant<T>& at, const Candidate<T>& candidate) {
+    return flight.struck && candidate.vertex == 0 ? struck_gap(flight, at)
+                                                  : vertex_gap(flight, at, candidate.arm);
+}
+
+/// Brings the pair up to date at a moment.
+template <class T>
+inline void look_around(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, NearestTwo<T>& pair) {
+    const Vec2<T>& reference = at.arm;
+    pair.first.arm = pair.first.vertex == 0 ? reference : times(reference, body.vertex_direction(pair.first.vertex));
+    turn_to_nearest(body, at.centre, reference, pair.first);
+    const int side = cross(pair.first.arm, at.centre) >= 0 ? 1 : -1;
+    pair.second.vertex = body.vertex_number(pair.first.vertex + side);
+    pair.second.arm = times(reference, body.vertex_direction(pair.second.vertex));
+    pair.first.gap = gap_of(flight, at, pair.first);
+    pair.second.gap = gap_of(flight, at, pair.second);
+}
+
+/// How long the third nearest vertex stays out of it: it is at least 2π/N away from the centre's direction and would
+/// have to come within π/N to be first. The direction turns by less than 2|W|/|X| while |X| halves at most.
+template <class T>
+inline T two_are_enough(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, const T& distance) {
+    using std::fabs;
+    const T turning = T(0.5) * body.spacing / (fabs(flight.spin) + T(2) * bounds.drift / distance);
+    return std::min(turning, T(distance / (T(2) * bounds.drift)));
+}
+
+template <class T>
+inline bool touches(const Candidate<T>& candidate, bool starting) {
+    return candidate.gap.value >= 0 && candidate.gap.rate >= 0 && !(starting && candidate.vertex == 0);
+}
+
+/// Time until an approaching vertex touches, to first order; +∞ for one that does not approach.
+template <class T>
+inline T time_left(const Gap<T>& gap) {
+    return gap.rate > 0 ? T(-gap.value / gap.rate) : std::numeric_limits<T>::infinity();
+}
+
+/// Settles which of the two it is: the earlier; on an exact tie the larger u_n, then the lower number.
+template <class T>
+inline void choose(const NearestTwo<T>& pair, Contact<T>& contact) {
+    using std::fabs;
+    const T first = time_left(pair.first.gap);
+    const T second = time_left(pair.second.gap);
+    const T rounding = T(16) * epsilon<T>() * (T(1) + contact.at.time);
+    contact.simultaneous = fabs(first - second) <= rounding;
+    bool take_second = second < first;
+    if (first == second) {
+        const T difference = pair.second.gap.rate - pair.first.gap.rate;  // g′ = 2 u_n
+        take_second = difference > 0 || (difference == 0 && pair.second.vertex < pair.first.vertex);
+    }
+    const Candidate<T>& chosen = take_second ? pair.second : pair.first;
+    contact.outcome = ContactOutcome::contact;
+    contact.vertex = chosen.vertex;
+    contact.arm = chosen.arm;
+}
+
+}  // namespace detail
+
+}  // namespace swirl

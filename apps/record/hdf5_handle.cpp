@@ -1,0 +1,47 @@
+#include "apps/record/hdf5_handle.hpp"
+
+#include "apps/record/record_error.hpp"
+
+namespace swirl::apps::hdf5 {
+
+void prepare() {
+    // Once a file could not be closed (full disk), HDF5 1.10 tries again at exit and crashes. Every handle here closes
+    // itself, so nothing is left for exit to do. Only the first call counts, the others are refused without harm.
+    H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+std::string reason() {
+    std::string text;
+    const auto keep_first = [](unsigned n, const H5E_error2_t* error, void* target) -> herr_t {
+        if (n == 0 && error->desc != nullptr) *static_cast<std::string*>(target) = error->desc;
+        return 0;
+    };
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &text);
+    // "file write failed: time = ..., errno = 28, error message = 'No space left on device', buf = ..."
+    constexpr std::string_view quote = "error message = '";
+    if (const auto begin = text.find(quote); begin != std::string::npos) {
+        const auto first = begin + quote.size();
+        text = text.substr(first, text.find('\'', first) - first);
+    }
+    return text.empty() ? "the HDF5 library gives no reason" : text;
+}
+
+template <class Result>
+Result check(Result result, std::string_view action, std::string_view path) {
+    if (result < 0) throw RecordError(action, path, reason());
+    return result;
+}
+
+template int check<int>(int, std::string_view, std::string_view);
+template hid_t check<hid_t>(hid_t, std::string_view, std::string_view);
+template hssize_t check<hssize_t>(hssize_t, std::string_view, std::string_view);
+
+Datatype string_type() {
+    Datatype type(H5Tcopy(H5T_C_S1));
+    H5Tset_size(type.id(), H5T_VARIABLE);
+    H5Tset_cset(type.id(), H5T_CSET_UTF8);
+    return type;
+}
+
+}  // namespace swirl::apps::hdf5

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+
+#include "apps/record/posix_file.hpp"
+
+namespace swirl::apps {
+
+/// A file that appears under its name only when it is whole. It is written as `.NAME.partial` beside the target (a
+/// rename is atomic only within one file system) and takes the target's place in commit(). What stood under the
+/// target's name stays untouched until then, and for good if commit() is never reached: the destructor removes the
+/// partial file. The partial file is locked against a second writer; one left by a killed process is not locked and is
+/// written over.
+class OutputFile {
+public:
+    /// Creates the partial file, empty. RecordError if the target could not be created: no such directory, a directory
+    /// or a device of that name, no permission, another process writing it.
+    explicit OutputFile(const std::filesystem::path& target);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    /// Where to write until commit().
+    [[nodiscard]] const std::filesystem::path& partial_path() const { return partial_; }
+    /// As the user gave it, for messages.
+    [[nodiscard]] const std::filesystem::path& name() const { return name_; }
+
+    /// Puts the partial file's bytes on the disk (fsync) and renames it. RecordError if either fails.
+    void commit();
+
+private:
+    std::filesystem::path name_;
+    std::filesystem::path target_;
+    std::filesystem::path partial_;
+    PosixFile file_;
+    bool committed_ = false;
+};
+
+}  // namespace swirl::apps

@@ -1,0 +1,242 @@
+#include "apps/record/record_reader.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "apps/record/hdf5_attributes.hpp"
+#include "apps/record/hdf5_dataset.hpp"
+#include "apps/record/posix_file.hpp"
+
+namespace swirl::apps {
+
+struct RecordReader::OpenFile {
+    std::string name;
+    hdf5::File file;
+
+    [[nodiscard]] hdf5::Object open(const std::string& path) const {
+        const std::string action = fmt::format("cannot read '{}' of record", path);
+        if (path.empty() || (path != "/" && H5Oexists_by_name(file.id(), path.c_str(), H5P_DEFAULT) <= 0)) {
+            throw RecordError(action, name, "there is nothing of that name");
+        }
+        return hdf5::Object(hdf5::check(H5Oopen(file.id(), path.c_str(), H5P_DEFAULT), action, name));
+    }
+
+    // Throws when `path` is not of the wanted kind.
+    [[nodiscard]] hdf5::Object open(const std::string& path, H5I_type_t kind) const {
+        hdf5::Object object = open(path);
+        if (H5Iget_type(object.id()) != kind) {
+            throw RecordError(fmt::format("cannot read '{}' of record", path), name,
+                              kind == H5I_GROUP ? "it is not a group" : "it is not a dataset");
+        }
+        return object;
+    }
+};
+
+namespace {
+
+hdf5::File open_file(const std::string& name) {
+    constexpr auto action = "cannot read record";
+    hdf5::prepare();
+    // The system's own reason (no such file, permission denied) before HDF5's.
+    if (const PosixFile probe(::open(name.c_str(), O_RDONLY | O_CLOEXEC)); probe.descriptor() < 0) {
+        throw RecordError(action, name, system_reason());
+    }
+    if (std::filesystem::is_directory(name)) throw RecordError(action, name, "it is a directory");
+    if (H5Fis_hdf5(name.c_str()) <= 0) throw RecordError(action, name, "it is not an HDF5 file");
+    const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS));
+    // A record has its name only when it is whole, so reading needs no lock (and file systems without locks do).
+    H5Pset_file_locking(access.id(), false, true);
+    return hdf5::File(hdf5::check(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.id()), action, name));
+}
+
+std::vector<std::string> link_names(hid_t group, const std::string& path, const std::string& file) {
+    std::vector<std::string> names;
+    const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* target) -> herr_t {
+        static_cast<std::vector<std::string>*>(target)->emplace_back(name);
+        return 0;
+    };
+    hdf5::check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &names),
+                fmt::format("cannot read group '{}' of record", path), file);
+    return names;
+}
+
+// Without loss.
+bool readable_as(ElementType stored, ElementType wanted) {
+    const bool to_int32 = wanted == ElementType::int32 && stored == ElementType::uint8;
+    const bool to_int64 =
+        wanted == ElementType::int64 && (stored == ElementType::int32 || stored == ElementType::uint8);
+    return stored == wanted || to_int32 || to_int64;
+}
+
+hid_t memory_type(ElementType type) {
+    switch (type) {
+        case ElementType::float64:
+            return H5T_NATIVE_DOUBLE;
+        case ElementType::int64:
+            return H5T_NATIVE_INT64;
+        case ElementType::int32:
+            return H5T_NATIVE_INT32;
+        default:
+            return H5T_NATIVE_UINT8;
+    }
+}
+
+struct Selection {
+    hdf5::Dataspace source;  // in the file
+    hdf5::Dataspace target;  // in memory
+    std::size_t elements = 1;
+};
+
+Selection select(hid_t dataset, const Slab& slab, const std::string& path, const std::string& file) {
+    const std::vector<std::uint64_t> shape = hdf5::shape_of(dataset, path, file);
+    const bool all = slab.offset.empty() && slab.count.empty();
+    std::vector<hsize_t> offset(slab.offset.begin(), slab.offset.end());
+    std::vector<hsize_t> count(slab.count.begin(), slab.count.end());
+    if (all) offset.assign(shape.size(), 0), count.assign(shape.begin(), shape.end());
+    bool inside = offset.size() == shape.size() && count.size() == shape.size();
+    for (std::size_t i = 0; inside && i < shape.size(); ++i)
+        inside = offset[i] <= shape[i] && count[i] <= shape[i] - offset[i];
+    if (!inside) {
+        throw RecordError(hdf5::dataset_action(path), file,
+                          fmt::format("offset [{}] and count [{}] lie outside its shape [{}]", fmt::join(offset, ", "),
+                                      fmt::join(count, ", "), fmt::join(shape, ", ")));
+    }
+    Selection selection{hdf5::Dataspace(H5Dget_space(dataset)), {}, 1};
+    for (const hsize_t size : count) selection.elements *= size;
+    if (count.empty()) {
+        selection.target = hdf5::Dataspace(H5Screate(H5S_SCALAR));
+    } else {
+        selection.target = hdf5::Dataspace(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr));
+        H5Sselect_hyperslab(selection.source.id(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
+    }
+    return selection;
+}
+
+// Any byte but zero is true, whatever a damaged file holds.
+std::vector<bool> as_bools(const std::vector<std::uint8_t>& bytes) {
+    std::vector<bool> values(bytes.size());
+    std::transform(bytes.begin(), bytes.end(), values.begin(), [](std::uint8_t byte) { return byte != 0; });
+    return values;
+}
+
+}  // namespace
+
+RecordReader::RecordReader(const std::filesystem::path& path)
+    : file_(std::make_unique<OpenFile>(OpenFile{path.string(), open_file(path.string())})) {
+    if (!has_attribute("/", "schema_version")) {
+        throw RecordError("cannot read record", file_->name, "it has no schema_version, so it is not a Swirl record");
+    }
+    if (const std::int64_t version = schema_version(); version < 1 || version > record_schema_version) {
+        throw RecordError(
+            "cannot read record", file_->name,
+            fmt::format("its schema_version is {}, this program reads 1 to {}", version, record_schema_version));
+    }
+}
+
+RecordReader::~RecordReader() = default;
+RecordReader::RecordReader(RecordReader&&) noexcept = default;
+RecordReader& RecordReader::operator=(RecordReader&&) noexcept = default;
+
+std::string RecordReader::file_name() const {
+    return file_->name;
+}
+
+std::int64_t RecordReader::schema_version() const {
+    return attribute<std::int64_t>("/", "schema_version");
+}
+
+std::vector<std::string> RecordReader::groups(const std::string& group) const {
+    const hdf5::Object object = file_->open(group, H5I_GROUP);
+    std::vector<std::string> names = link_names(object.id(), group, file_->name);
+    std::erase_if(
+        names, [&](const std::string& name) { return H5Iget_type(file_->open(group + "/" + name).id()) != H5I_GROUP; });
+    return names;
+}
+
+std::vector<std::string> RecordReader::datasets(const std::string& group) const {
+    const hdf5::Object object = file_->open(group, H5I_GROUP);
+    std::vector<std::string> names = link_names(object.id(), group, file_->name);
+    std::erase_if(names, [&](const std::string& name) {
+        const hdf5::Object member = file_->open(group + "/" + name);
+        return H5Iget_type(member.id()) != H5I_DATASET || hdf5::is_bare_scale(member.id());
+    });
+    return names;
+}
+
+bool RecordReader::contains(const std::string& path) const {
+    // HDF5 takes a missing group on the way for an error, and here it is an answer.
+    return path == "/" || (!path.empty() && H5Oexists_by_name(file_->file.id(), path.c_str(), H5P_DEFAULT) > 0);
+}
+
+std::vector<std::string> RecordReader::attributes(const std::string& object) const {
+    return hdf5::attribute_names(file_->open(object).id());
+}
+
+bool RecordReader::has_attribute(const std::string& object, const std::string& name) const {
+    return hdf5::has_attribute(file_->open(object).id(), name);
+}
+
+AttributeValue RecordReader::attribute(const std::string& object, const std::string& name) const {
+    return hdf5::read_attribute(file_->open(object).id(), name, file_->name);
+}
+
+DatasetInfo RecordReader::info(const std::string& dataset) const {
+    const hdf5::Object object = file_->open(dataset, H5I_DATASET);
+    const hid_t id = object.id();
+    DatasetInfo info{hdf5::element_type_of(id, dataset, file_->name), hdf5::shape_of(id, dataset, file_->name), {}, {}};
+    const bool coordinate = H5DSis_scale(id) > 0;
+    for (unsigned axis = 0; axis < info.shape.size(); ++axis) {
+        info.dimensions.push_back(coordinate ? hdf5::last_component(dataset) : hdf5::dimension_name(id, axis));
+    }
+    info.description.units = hdf5::text_attribute(id, "units", file_->name);
+    info.description.long_name = hdf5::text_attribute(id, "long_name", file_->name);
+    std::istringstream meanings(hdf5::text_attribute(id, "flag_meanings", file_->name));
+    for (std::string meaning; meanings >> meaning;) info.description.flag_meanings.push_back(meaning);
+    return info;
+}
+
+template <RecordElement T>
+std::vector<T> RecordReader::read(const std::string& dataset, const Slab& slab) const {
+    using Stored = std::conditional_t<std::same_as<T, bool>, std::uint8_t, T>;
+    const hdf5::Object object = file_->open(dataset, H5I_DATASET);
+    if (!readable_as(hdf5::element_type_of(object.id(), dataset, file_->name), element_type<T>())) {
+        throw RecordError(hdf5::dataset_action(dataset), file_->name, "its type is another");
+    }
+    const Selection selection = select(object.id(), slab, dataset, file_->name);
+    std::vector<Stored> values(selection.elements);
+    if (selection.elements == 0) return {};
+    hdf5::check(H5Dread(object.id(), memory_type(element_type<T>()), selection.target.id(), selection.source.id(),
+                        H5P_DEFAULT, values.data()),
+                hdf5::dataset_action(dataset), file_->name);
+    if constexpr (std::same_as<T, bool>) return as_bools(values);
+    if constexpr (!std::same_as<T, bool>) return values;
+}
+
+std::vector<std::string> RecordReader::read_strings(const std::string& dataset) const {
+    const hdf5::Object object = file_->open(dataset, H5I_DATASET);
+    if (hdf5::element_type_of(object.id(), dataset, file_->name) != ElementType::string) {
+        throw RecordError(hdf5::dataset_action(dataset), file_->name, "its type is another");
+    }
+    const Selection selection = select(object.id(), {}, dataset, file_->name);
+    const hdf5::Datatype type = hdf5::string_type();
+    if (selection.elements == 0) return {};
+    std::vector<char*> texts(selection.elements, nullptr);
+    hdf5::check(H5Dread(object.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()),
+                hdf5::dataset_action(dataset), file_->name);
+    std::vector<std::string> values;
+    values.reserve(selection.elements);
+    for (const char* text : texts) values.emplace_back(text != nullptr ? text : "");
+    H5Dvlen_reclaim(type.id(), selection.target.id(), H5P_DEFAULT, texts.data());
+    return values;
+}
+
+template std::vector<double> RecordReader::read<double>(const std::string&, const Slab&) const;
+template std::vector<std::int64_t> RecordReader::read<std::int64_t>(const std::string&, const Slab&) const;
+template std::vector<std::int32_t> RecordReader::read<std::int32_t>(const std::string&, const Slab&) const;
+template std::vector<std::uint8_t> RecordReader::read<std::uint8_t>(const std::string&, const Slab&) const;
+template std::vector<bool> RecordReader::read<bool>(const std::string&, const Slab&) const;
+
+}  // namespace swirl::apps

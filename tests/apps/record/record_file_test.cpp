@@ -1,0 +1,213 @@
+// The file as a whole: equal bytes, whole or not there, and what is said of bad ones.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include "apps/record/record_reader.hpp"
+#include "apps/record/record_writer.hpp"
+#include "tests/apps/record/sample_record.hpp"
+#include "tests/apps/record/scratch_folder.hpp"
+
+namespace swirl::tests {
+namespace {
+
+using apps::RecordError;
+using apps::RecordReader;
+using apps::RecordWriter;
+
+const apps::RecordHeader header{"a test", "0.1.0", "x86-64"};
+
+std::string refusal_to_write(const std::filesystem::path& path) {
+    return message_of<RecordError>([&] { RecordWriter(path, header); });
+}
+
+std::string refusal_to_read(const std::filesystem::path& path) {
+    return message_of<RecordError>([&] { RecordReader reader(path); });
+}
+
+// Another second, another process, another folder, other garbage in fresh memory.
+TEST(RecordFile, EqualWorkGivesEqualBytes) {
+    const ScratchFolder first;
+    const ScratchFolder second;
+    const auto write = [](const std::string& garbage, const std::filesystem::path& path) {
+        const std::string command = "MALLOC_PERTURB_=" + garbage + " '" SWIRL_WRITE_SAMPLE "' '" + path.string() + "'";
+        return std::system(command.c_str());
+    };
+    ASSERT_EQ(write("17", first / "a.h5"), 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    ASSERT_EQ(write("170", second / "another.h5"), 0);
+    write_sample_record(first / "again.h5");
+    const std::string bytes = bytes_of(first / "a.h5");
+    ASSERT_GT(bytes.size(), 10000U);
+    EXPECT_TRUE(bytes == bytes_of(second / "another.h5"));
+    EXPECT_TRUE(bytes == bytes_of(first / "again.h5"));
+    EXPECT_EQ(bytes.find(first.path().string()), std::string::npos);
+}
+
+TEST(RecordFile, AppearsWholeOrNotAtAll) {
+    const ScratchFolder folder;
+    write_bytes(folder / "a.h5", "what was there before");
+    {
+        RecordWriter writer(folder / "a.h5", header);
+        writer.root().attribute("x", 1.0);
+        EXPECT_EQ(bytes_of(folder / "a.h5"), "what was there before");
+        EXPECT_TRUE(std::filesystem::exists(folder / ".a.h5.partial"));
+    }
+    EXPECT_EQ(bytes_of(folder / "a.h5"), "what was there before");
+    EXPECT_EQ(folder.files(), 1) << "an abandoned writer leaves nothing";
+    RecordWriter writer(folder / "a.h5", header);
+    writer.finish();
+    EXPECT_EQ(RecordReader(folder / "a.h5").attribute<std::string>("/", "title"), "a test");
+    EXPECT_EQ(folder.files(), 1);
+}
+
+TEST(RecordFile, AKilledWritersRemainsAreWrittenOver) {
+    const ScratchFolder folder;
+    write_bytes(folder / ".a.h5.partial", std::string(100000, 'x'));
+    write_sample_record(folder / "a.h5");
+    write_sample_record(folder / "b.h5");
+    EXPECT_TRUE(bytes_of(folder / "a.h5") == bytes_of(folder / "b.h5"));
+}
+
+TEST(RecordFile, OneWriterAtATime) {
+    const ScratchFolder folder;
+    RecordWriter writer(folder / "a.h5", header);
+    EXPECT_EQ(refusal_to_write(folder / "a.h5"),
+              "cannot create record '" + (folder / "a.h5").string() + "': another process is writing it");
+    writer.finish();
+    EXPECT_EQ(RecordReader(folder / "a.h5").schema_version(), 1);
+}
+
+TEST(RecordFile, ReplacesWhatALinkPointsTo) {
+    const ScratchFolder folder;
+    write_bytes(folder / "a.h5", "old");
+    std::filesystem::create_symlink(folder / "a.h5", folder / "link.h5");
+    RecordWriter(folder / "link.h5", header).finish();
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.h5"));
+    EXPECT_EQ(RecordReader(folder / "a.h5").schema_version(), 1);
+}
+
+TEST(RecordFile, OutputsThatCannotBeCreatedAreRefusedAtOnce) {
+    const ScratchFolder folder;
+    const auto message = [](const std::filesystem::path& path, const std::string& why) {
+        return "cannot create record '" + path.string() + "': " + why;
+    };
+    const auto missing = folder / "no" / "a.h5";
+    EXPECT_EQ(refusal_to_write(missing),
+              message(missing, "directory '" + (folder / "no").string() + "' does not exist"));
+    EXPECT_EQ(refusal_to_write(folder.path()), message(folder.path(), "it is a directory"));
+    EXPECT_EQ(refusal_to_write(""), message("", "the name of a file is missing"));
+    EXPECT_EQ(refusal_to_write("/dev/null"), message("/dev/null", "it exists and is not a regular file"));
+    write_bytes(folder / "file", "");
+    EXPECT_EQ(refusal_to_write(folder / "file" / "a.h5"),
+              message(folder / "file" / "a.h5", "'" + (folder / "file").string() + "' is not a directory"));
+    const auto long_name = folder / std::string(250, 'x');
+    EXPECT_EQ(refusal_to_write(long_name), message(long_name, "File name too long"));
+    EXPECT_EQ(folder.files(), 1);
+}
+
+TEST(RecordFile, PermissionIsAskedForAtOnce) {
+    if (::geteuid() == 0) {  // whom no permission stops: the kernel's own files must do
+        EXPECT_NE(refusal_to_write("/proc/a.h5").find("cannot create record '/proc/a.h5': "), std::string::npos);
+        return;
+    }
+    const ScratchFolder folder;
+    std::filesystem::permissions(folder.path(),
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    EXPECT_EQ(refusal_to_write(folder / "a.h5"),
+              "cannot create record '" + (folder / "a.h5").string() + "': Permission denied");
+    std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+}
+
+// The limit on the size of a file stands for a full disk.
+void write_beyond(rlim_t limit, const std::filesystem::path& path) {
+    ::signal(SIGXFSZ, SIG_IGN);
+    rlimit limits{};
+    ::getrlimit(RLIMIT_FSIZE, &limits);
+    const rlimit full{limit, limits.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &full);
+    const std::string message = message_of<RecordError>([&] {
+        RecordWriter writer(path, header);
+        writer.root().dimension("n", apps::growing);
+        auto noise = writer.root().column<double>("noise", {"n"});
+        std::mt19937_64 random(1);
+        for (int i = 0; i < 100000; ++i) noise.append(static_cast<double>(random()));
+        writer.finish();
+    });
+    std::fputs(message.c_str(), stderr);
+    // The library must be of use afterwards, and exit() must not trip over what is left of the file.
+    ::setrlimit(RLIMIT_FSIZE, &limits);
+    const auto next = path.parent_path() / "next.h5";
+    write_sample_record(next);
+    const bool good = message.find("File too large") != std::string::npos &&
+                      RecordReader(next).read<double>("/impacts/t").size() == sample_rows;
+    std::filesystem::remove(next);
+#ifdef SWIRL_SANITIZED
+    std::_Exit(good ? 0 : 1);  // HDF5 never frees the cache of a file that it could not close: no report of that
+#endif
+    std::exit(good ? 0 : 1);
+}
+
+TEST(RecordFile, AFullDiskIsReportedAndHarmsNothing) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    for (const rlim_t limit : {500, 5000, 200000, 600000}) {
+        const ScratchFolder folder;
+        write_bytes(folder / "a.h5", "what was there before");
+        EXPECT_EXIT(write_beyond(limit, folder / "a.h5"), testing::ExitedWithCode(0),
+                    "record '.*a.h5': File too large");
+        EXPECT_EQ(bytes_of(folder / "a.h5"), "what was there before");
+        EXPECT_EQ(folder.files(), 1) << limit;
+    }
+}
+
+TEST(RecordFile, BadFilesAreNamed) {
+    const ScratchFolder folder;
+    const auto message = [](const std::filesystem::path& path, const std::string& why) {
+        return "cannot read record '" + path.string() + "': " + why;
+    };
+    EXPECT_EQ(refusal_to_read(folder / "no.h5"), message(folder / "no.h5", "No such file or directory"));
+    EXPECT_EQ(refusal_to_read(folder.path()), message(folder.path(), "it is a directory"));
+    write_bytes(folder / "empty.h5", "");
+    EXPECT_EQ(refusal_to_read(folder / "empty.h5"), message(folder / "empty.h5", "it is not an HDF5 file"));
+    write_bytes(folder / "text.h5", std::string(5000, 't'));
+    EXPECT_EQ(refusal_to_read(folder / "text.h5"), message(folder / "text.h5", "it is not an HDF5 file"));
+}
+
+TEST(RecordFile, EveryTruncationIsFound) {
+    const ScratchFolder folder;
+    write_sample_record(folder / "a.h5");
+    const std::string bytes = bytes_of(folder / "a.h5");
+    for (std::size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / 97) {
+        write_bytes(folder / "cut.h5", bytes.substr(0, length));
+        const std::string message = refusal_to_read(folder / "cut.h5");
+        EXPECT_TRUE(message.starts_with("cannot read record '")) << length << ": " << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos);
+    }
+    write_bytes(folder / "cut.h5", bytes.substr(0, bytes.size() - 1));
+    EXPECT_NE(refusal_to_read(folder / "cut.h5").find("truncated file"), std::string::npos);
+}
+
+TEST(RecordFile, ALaterSchemaAndAForeignFileAreRefused) {
+    const ScratchFolder folder;
+    const auto write = [&](const std::string& change) {
+        const std::string path = (folder / "a.h5").string();
+        RecordWriter(path, header).finish();
+        const std::string command =
+            "/usr/bin/python3 -c \"import h5py; f = h5py.File('" + path + "', 'r+'); " + change + "\"";
+        return std::system(command.c_str());
+    };
+    const std::string prefix = "cannot read record '" + (folder / "a.h5").string() + "': ";
+    ASSERT_EQ(write("f.attrs.modify('schema_version', 2)"), 0);
+    EXPECT_EQ(refusal_to_read(folder / "a.h5"), prefix + "its schema_version is 2, this program reads 1 to 1");
+    ASSERT_EQ(write("del f.attrs['schema_version']"), 0);
+    EXPECT_EQ(refusal_to_read(folder / "a.h5"), prefix + "it has no schema_version, so it is not a Swirl record");
+}
+
+}  // namespace
+}  // namespace swirl::tests

@@ -1,0 +1,49 @@
+// The columns of a recurrence matrix R_ij = [ key(x_i, y_j) <= bound ], made one at a time, as bits: never the matrix.
+#pragma once
+
+#include "analysis/recurrence/metric.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace swirl::analysis::recurrence::detail {
+
+/// The rows x sorted by their first coordinate, so that the candidates of a column are runs of consecutive ranks.
+/// For more than max_sorted_dimension coordinates nothing is sorted (the first one hardly narrows the search and the
+/// copies would cost memory): columns are then compared with all rows.
+struct SortedRows {
+    static constexpr int max_sorted_dimension = 4;
+    const Points* rows = nullptr;
+    Norm norm = Norm::euclidean;
+    std::vector<std::uint32_t> order;             ///< row of each rank; empty if nothing is sorted
+    std::vector<std::vector<double>> coordinates;  ///< by rank
+};
+SortedRows sort_rows(const Points& rows, Norm norm);
+
+/// Ranks begin ... end - 1.
+struct RankRange {
+    std::size_t begin, end;
+};
+
+/// Where |a - b| (or its wrapped form) lies within reach of b: at most three runs of ranks, in order and disjoint
+/// (around b, and across the cut of an angle on either side). Cost: O(log n).
+std::array<RankRange, 3> ranks_within(std::span<const double> sorted, double b, double period, double bound,
+                                      bool squared);
+
+/// Work space of one thread for fill_column.
+struct ColumnScratch {
+    std::vector<double> keys;
+    std::vector<std::uint64_t> masks;
+    std::vector<double> centre;
+    std::vector<const double*> in_time, by_rank;
+};
+ColumnScratch make_scratch(const SortedRows& rows);
+
+/// Sets, for every bound k, bit i + offset of frames[k] for each row i with key(x_i, y_c) <= bounds[k], y_c the point c
+/// of `columns`. The bits offset ... offset + n - 1 must be 0 before. Cost: O(log n + candidates), at worst O(n).
+void fill_column(const SortedRows& rows, const Points& columns, std::size_t c, std::span<const double> bounds,
+                 std::size_t offset, std::span<std::uint64_t* const> frames, ColumnScratch& scratch);
+
+}  // namespace swirl::analysis::recurrence::detail

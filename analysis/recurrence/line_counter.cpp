@@ -1,0 +1,308 @@
+#include "analysis/recurrence/line_counter.hpp"
+
+#include "analysis/recurrence/kernels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <utility>
+
+namespace swirl::analysis::recurrence::detail {
+namespace {
+
+// Where things lie in a frame. Row r of column c is bit origin - c + r, so bit q is the diagonal r - c = q - origin.
+struct Frame {
+    std::size_t rows, columns, origin, words;
+    std::size_t lines_begin;  // first bit whose diagonal is followed, a multiple of 64
+
+    explicit Frame(const Shape& shape)
+        : rows(shape.rows), columns(shape.columns), origin((shape.columns - 1) | 63),
+          words((origin + rows) / 64 + 2), lines_begin(shape.symmetric ? origin + 1 : 0) {}
+    std::size_t offset(std::size_t c) const { return origin - c; }
+    std::size_t first_word(std::size_t c) const { return offset(c) >> 6; }
+    std::size_t last_word(std::size_t c) const { return (offset(c) + rows - 1) >> 6; }
+};
+
+// What all blocks add to, atomically, for one threshold.
+struct Totals {
+    std::vector<std::uint64_t> diagonal, vertical, time, diagonal_points;
+    std::uint64_t points = 0, points_outside = 0;
+    bool main_diagonal = false;  // of a symmetric matrix: all of it is recurrent, or nothing
+
+    explicit Totals(const Shape& shape)
+        : diagonal(std::max(Tally::small, std::max(shape.rows, shape.columns) + 1)), vertical(diagonal.size()),
+          time(diagonal.size()), diagonal_points(std::min(shape.rows, shape.columns)) {}
+};
+
+struct Context {
+    Shape shape;
+    Settings settings;
+    Frame frame;
+    std::vector<Totals> totals;  // per threshold
+    bool discard_border() const { return settings.border_lines == BorderLines::discarded; }
+
+    bool touches_border(const DiagonalLine& line) const {
+        const std::size_t first_row = line.q + line.first - frame.origin, last_row = line.q + line.last - frame.origin;
+        return line.first == 0 || first_row == 0 || line.last + 1 == shape.columns || last_row + 1 == shape.rows;
+    }
+    bool counts(const DiagonalLine& line) const { return !discard_border() || !touches_border(line); }
+};
+
+// Lines of a block that may go on outside it: those that touch its first column and end inside (heads), and those that
+// reach its last column (tails).
+struct BlockBorder {
+    std::size_t begin = 0;
+    std::vector<DiagonalLine> heads, tails;
+};
+
+// One threshold of one block.
+struct BlockCounter {
+    std::array<std::vector<std::uint64_t>, 4> ring;  // frames of four consecutive columns
+    std::vector<std::uint64_t> open, planes;
+    std::vector<std::uint32_t> begun, changes;
+    Tally diagonal, vertical, time;
+    ShortLines shorts;
+    std::vector<DiagonalLine> ended;
+    std::uint64_t points = 0, points_outside = 0;
+
+    BlockCounter(const Frame& frame, Totals& totals)
+        : open(frame.words, 0), planes(plane_count * frame.words, 0), begun(frame.words * 64 - frame.lines_begin),
+          changes(frame.rows + 72) {
+        for (auto& f : ring) f.assign(frame.words, 0);
+        diagonal.shared = totals.diagonal;
+        vertical.shared = totals.vertical;
+        time.shared = totals.time;
+    }
+    std::uint64_t* column(std::size_t c) { return ring[c & 3].data(); }
+};
+
+// The frame last held column c - 4, whose bits lie at most one word above those of c.
+void clear_column(const Frame& frame, std::size_t c, std::uint64_t* words) {
+    const std::size_t clamped = std::min(c, frame.columns - 1);
+    std::fill(words + frame.first_word(clamped), words + std::min(frame.last_word(clamped) + 2, frame.words), 0);
+}
+
+// Clears the bits of the Theiler window, which lie at the same place in every column; how many were set.
+std::size_t clear_window(const Frame& frame, int theiler, std::uint64_t* words) {
+    std::size_t removed = 0;
+    const auto reach = static_cast<std::size_t>(theiler);
+    const std::size_t last = std::min(frame.origin + reach, frame.words * 64);
+    for (std::size_t q = frame.origin + 1 - std::min(reach, frame.origin + 1); q < last;) {
+        const std::size_t bits = std::min(64 - (q & 63), last - q);
+        const std::uint64_t mask = (~std::uint64_t{0} >> (64 - bits)) << (q & 63);
+        removed += static_cast<std::size_t>(std::popcount(words[q >> 6] & mask));
+        words[q >> 6] &= ~mask;
+        q += bits;
+    }
+    return removed;
+}
+
+void add_column(Context& context, std::size_t c, std::size_t k, BlockCounter& counter) {
+    const Settings& settings = context.settings;
+    const VerticalOptions options{settings.recurrence_time, settings.border_white_lines, context.discard_border(),
+                                  counter.changes.data()};
+    std::uint64_t* words = counter.column(c);
+    const std::size_t first = context.frame.offset(c), last = first + context.frame.rows;
+    if (c == 0) context.totals[k].main_diagonal = (words[context.frame.origin >> 6] >> 63) != 0;
+    std::size_t points = 0;
+    if (!settings.window_on_vertical)
+        points = vertical_lines(words, first, last, options, counter.vertical, counter.time);
+    const std::size_t removed = context.shape.theiler > 0 ? clear_window(context.frame, context.shape.theiler, words) : 0;
+    if (settings.window_on_vertical)
+        points = vertical_lines(words, first, last, options, counter.vertical, counter.time) + removed;
+    counter.points += points;
+    counter.points_outside += points - removed;
+}
+
+// Points per diagonal, within the largest square of the matrix.
+void add_diagonal_points(const Context& context, std::size_t c, BlockCounter& counter) {
+    const Frame& frame = context.frame;
+    const std::size_t square = std::min(frame.rows, frame.columns);
+    if (c >= square) return;
+    const std::size_t last_bit = frame.offset(c) + square - 1;
+    const std::size_t first = std::max(frame.first_word(c), frame.lines_begin >> 6), last = last_bit >> 6;
+    if (last < first) return;
+    std::uint64_t& last_word = counter.column(c)[last];
+    const std::uint64_t whole = last_word;
+    last_word &= ~std::uint64_t{0} >> (63 - (last_bit & 63));  // rows below the square
+    add_to_planes(counter.column(c), first, last, counter.planes.data(), frame.words);
+    last_word = whole;
+}
+
+// diagonal_step() has counted short lines without looking at the border: takes back those that touch it. (Lines in the
+// first and the last two columns of the matrix are entered one by one and never come here.)
+void take_back_border_lines(const Context& context, const DiagonalStep& step, ShortLines& shorts) {
+    const auto bit = [](const std::uint64_t* words, std::size_t q) { return (words[q >> 6] >> (q & 63)) & 1; };
+    const std::size_t rows = context.frame.rows, offset = context.frame.offset(step.column);
+    const auto length_at = [&](std::size_t row) -> int {
+        const std::size_t q = offset + row;
+        if (q < context.frame.lines_begin || !bit(step.current, q) || bit(step.previous, q)) return 0;
+        return !bit(step.next, q) ? 1 : !bit(step.after_next, q) ? 2 : 0;
+    };
+    const auto take = [&](int length) {
+        shorts.singles -= length == 1;
+        shorts.doubles -= length == 2;
+    };
+    take(length_at(0));
+    if (rows > 1) take(length_at(rows - 1));
+    if (rows > 2 && length_at(rows - 2) == 2) take(2);
+}
+
+void follow_diagonals(const Context& context, std::size_t begin, std::size_t end, std::size_t c, BlockCounter& counter,
+                      BlockBorder& border) {
+    const Frame& frame = context.frame;
+    DiagonalStep step{counter.column(c + 3), counter.column(c), counter.column(c + 1), counter.column(c + 2),
+                      counter.open.data(), counter.begun.data(), frame.lines_begin,
+                      std::max(frame.first_word(c), frame.lines_begin >> 6), frame.last_word(c),
+                      static_cast<std::uint32_t>(c), c == begin || c + 2 >= end, c + 1 == end};
+    if (step.last_word < step.first_word) return;
+    counter.ended.clear();
+    diagonal_step(step, counter.shorts, counter.ended);
+    if (!step.enter_all && context.discard_border()) take_back_border_lines(context, step, counter.shorts);
+    for (const DiagonalLine& line : counter.ended) {
+        if (line.first == begin)
+            border.heads.push_back(line);
+        else if (context.counts(line))
+            counter.diagonal.add(line.last - line.first + 1);
+    }
+}
+
+void collect_tails(const Context& context, std::size_t end, BlockCounter& counter, BlockBorder& border) {
+    for (std::size_t w = context.frame.lines_begin >> 6; w < context.frame.words; ++w)
+        for (std::uint64_t bits = counter.open[w]; bits != 0; bits &= bits - 1) {
+            const std::size_t q = w * 64 + static_cast<std::size_t>(std::countr_zero(bits));
+            border.tails.push_back({static_cast<std::uint32_t>(q), counter.begun[q - context.frame.lines_begin],
+                                    static_cast<std::uint32_t>(end - 1)});
+        }
+}
+
+void flush_planes(const Frame& frame, const BlockCounter& counter, Totals& totals) {
+    for (std::size_t w = frame.lines_begin >> 6; w < frame.words; ++w) {
+        std::array<std::uint32_t, 64> counts{};
+        for (std::size_t p = 0; p < plane_count; ++p)
+            for (std::uint64_t bits = counter.planes[p * frame.words + w]; bits != 0; bits &= bits - 1)
+                counts[static_cast<std::size_t>(std::countr_zero(bits))] += 1u << p;
+        for (std::size_t b = 0; b < 64; ++b) {
+            if (counts[b] == 0) continue;
+            const std::size_t q = w * 64 + b, k = q > frame.origin ? q - frame.origin : frame.origin - q;
+            std::atomic_ref(totals.diagonal_points[k]).fetch_add(counts[b], std::memory_order_relaxed);
+        }
+    }
+}
+
+void flush(const Frame& frame, BlockCounter& counter, Totals& totals) {
+    counter.diagonal.near[1] += counter.shorts.singles;
+    counter.diagonal.near[2] += counter.shorts.doubles;
+    counter.diagonal.flush();
+    counter.vertical.flush();
+    counter.time.flush();
+    std::atomic_ref(totals.points).fetch_add(counter.points, std::memory_order_relaxed);
+    std::atomic_ref(totals.points_outside).fetch_add(counter.points_outside, std::memory_order_relaxed);
+    flush_planes(frame, counter, totals);
+}
+
+// Columns begin ... end - 1. A diagonal is followed at column c once the two columns after it are there.
+void count_block(Context& context, std::size_t begin, std::size_t end, const ColumnSource& source,
+                 std::span<BlockBorder> borders) {
+    const Frame& frame = context.frame;
+    std::vector<BlockCounter> counters;
+    for (Totals& totals : context.totals) counters.emplace_back(frame, totals);
+    std::vector<std::uint64_t*> columns(counters.size());
+    for (std::size_t c = begin; c < end + 2; ++c) {
+        for (std::size_t k = 0; k < counters.size(); ++k) {
+            columns[k] = counters[k].column(c);
+            clear_column(frame, c, columns[k]);
+        }
+        if (c < end) source(c, frame.offset(c), columns);
+        for (std::size_t k = 0; k < counters.size(); ++k) {
+            if (c < end) {
+                add_column(context, c, k, counters[k]);
+                add_diagonal_points(context, c, counters[k]);
+            }
+            if (c >= begin + 2) follow_diagonals(context, begin, end, c - 2, counters[k], borders[k]);
+        }
+    }
+    for (std::size_t k = 0; k < counters.size(); ++k) {
+        borders[k].begin = begin;
+        collect_tails(context, end, counters[k], borders[k]);
+        flush(frame, counters[k], context.totals[k]);
+    }
+}
+
+// Joins the lines that cross from block to block. start[q] - 1 is the column where the line open at bit q began.
+void join_blocks(const Context& context, std::span<const BlockBorder* const> blocks, Totals& totals) {
+    const std::size_t base = context.frame.lines_begin;
+    std::vector<std::uint32_t> start(context.frame.words * 64 - base, 0);
+    const auto record = [&](const DiagonalLine& line) {
+        if (context.counts(line)) ++totals.diagonal[line.last - line.first + 1];
+    };
+    const auto take_start = [&](const DiagonalLine& line) {  // where a line that touches the block's begin truly began
+        const std::uint32_t began = std::exchange(start[line.q - base], 0);
+        return began != 0 ? began - 1 : line.first;
+    };
+    std::vector<DiagonalLine> open;
+    for (const BlockBorder* block : blocks) {
+        for (DiagonalLine line : block->heads) record({line.q, take_start(line), line.last});
+        std::vector<DiagonalLine> still_open = block->tails;
+        for (DiagonalLine& line : still_open)
+            if (line.first == block->begin) line.first = take_start(line);
+        for (const DiagonalLine& line : open)  // those that did not go on into this block
+            if (std::exchange(start[line.q - base], 0) != 0) record(line);
+        for (const DiagonalLine& line : still_open) start[line.q - base] = line.first + 1;
+        open = std::move(still_open);
+    }
+    for (const DiagonalLine& line : open) record(line);
+}
+
+void trim(std::vector<std::uint64_t>& histogram) {
+    while (histogram.size() > 1 && histogram.back() == 0) histogram.pop_back();
+    histogram.shrink_to_fit();
+}
+
+LineHistograms finish(const Context& context, Totals& totals) {
+    const Shape& shape = context.shape;
+    if (shape.symmetric) {
+        if (context.settings.triangles == Triangles::both)
+            for (std::uint64_t& count : totals.diagonal) count *= 2;
+        for (std::uint64_t& count : totals.diagonal_points) count *= 2;
+        if (shape.theiler == 0 && totals.main_diagonal) {
+            if (!context.discard_border()) ++totals.diagonal[shape.rows];
+            totals.diagonal_points[0] = shape.rows;
+        }
+    }
+    trim(totals.diagonal);
+    trim(totals.vertical);
+    trim(totals.time);
+    return {shape.rows, shape.columns, shape.theiler, shape.symmetric, totals.points, totals.points_outside,
+            std::move(totals.diagonal), std::move(totals.vertical), std::move(totals.time),
+            std::move(totals.diagonal_points)};
+}
+
+}  // namespace
+
+std::vector<LineHistograms> count_all_lines(const Shape& shape, std::size_t thresholds, const Settings& settings,
+                                            const std::function<ColumnSource()>& make_source) {
+    Context context{shape, settings, Frame(shape), {}};
+    for (std::size_t k = 0; k < thresholds; ++k) context.totals.emplace_back(shape);
+    // Four blocks per thread, so that the lighter columns of a triangle balance; the counters of a block hold 16 bits.
+    constexpr std::size_t least = 256, most = (std::size_t{1} << plane_count) - 1;
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    const std::size_t size = std::clamp(shape.columns / (4 * threads) + 1, least, most);
+    const std::size_t blocks = (shape.columns + size - 1) / size;
+    std::vector<std::vector<BlockBorder>> borders(blocks, std::vector<BlockBorder>(thresholds));
+    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+        count_block(context, b * size, std::min((b + 1) * size, shape.columns), make_source(), borders[b]);
+    }, tbb::simple_partitioner());
+    std::vector<LineHistograms> result;
+    for (std::size_t k = 0; k < thresholds; ++k) {
+        std::vector<const BlockBorder*> of_threshold;
+        for (const auto& border : borders) of_threshold.push_back(&border[k]);
+        join_blocks(context, of_threshold, context.totals[k]);
+        result.push_back(finish(context, context.totals[k]));
+    }
+    return result;
+}
+
+}  // namespace swirl::analysis::recurrence::detail

@@ -1,0 +1,99 @@
+#include "apps/command_line/documents.hpp"
+
+#include <fmt/format.h>
+
+#include <type_traits>
+
+namespace swirl::apps {
+
+std::string version() { return SWIRL_VERSION; }
+
+std::string instruction_set() {
+    // What the compiler was allowed to use, not what this machine has: that is what fixes the bits.
+#if defined(__AVX512F__)
+    return "x86-64-v4";
+#elif defined(__AVX2__)
+    return "x86-64-v3";
+#elif defined(__x86_64__)
+    return "x86-64";
+#elif defined(__aarch64__)
+    return "aarch64";
+#else
+    return "generic";
+#endif
+}
+
+Settings scene_settings(const Scene<double>& scene) {
+    Settings settings;
+    if (scene.is_disk())
+        settings.emplace_back("sides", std::string("disk"));
+    else
+        settings.emplace_back("sides", std::int64_t{scene.sides});
+    settings.emplace_back("alpha", scene.alpha);
+    settings.emplace_back("beta", scene.beta);
+    settings.emplace_back("mu", scene.mu);
+    settings.emplace_back("restitution", scene.restitution);
+    settings.emplace_back("law", std::string(name_of(scene.law)));
+    settings.emplace_back("inertia_factor", scene.inertia_factor);
+    return settings;
+}
+
+Settings start_settings(const StartOptions& options, const Scene<double>& scene) {
+    if (options.is_random())
+        return {{"speed", options.speed()}, {"seed", static_cast<std::int64_t>(options.seed())}};
+    const auto start = options.start<double>(scene);
+    if (const auto* lab = std::get_if<LabStart<double>>(&start))
+        return {{"x", lab->x}, {"y", lab->y}, {"vx", lab->vx}, {"vy", lab->vy}, {"angle", lab->angle},
+                {"spin", lab->spin}};
+    const auto& z = std::get<SectionPoint<double>>(start);
+    Settings settings = {{"psi", z.psi}, {"chi", z.chi}, {"vn", z.vn}, {"vt", z.vt}, {"S", z.spin}};
+    if (scene.is_disk()) settings.erase(settings.begin() + 1);
+    return settings;
+}
+
+Settings unit_settings(const Units& units) {
+    return {{"length", units.length}, {"time", units.time}, {"mass", units.mass}};
+}
+
+void write_json(JsonWriter& json, std::string_view key, const Settings& settings) {
+    json.key(key);
+    json.begin_object();
+    for (const auto& [name, content] : settings) {
+        json.key(name);
+        std::visit(
+            [&](const auto& value) {
+                using Value = std::decay_t<decltype(value)>;
+                if constexpr (std::is_arithmetic_v<Value>) {
+                    json.value(value);
+                } else if constexpr (std::is_same_v<Value, std::string>) {
+                    json.value(std::string_view(value));
+                } else {
+                    json.begin_array();
+                    for (const auto& item : value) json.value(item);
+                    json.end_array();
+                }
+            },
+            content);
+    }
+    json.end_object();
+}
+
+void write_attributes(const RecordGroup& group, const Settings& settings) {
+    for (const auto& [name, value] : settings) group.attribute(name, value);
+}
+
+RecordWriter open_record(const std::string& path, const std::string& title) {
+    try {
+        return RecordWriter(path, {title, version(), instruction_set()});
+    } catch (const RecordError& error) {
+        throw BadInput(error.what());
+    }
+}
+
+std::string describe(const Scene<double>& scene) {
+    const std::string body = scene.is_disk() ? "disk" : fmt::format("{} sides", scene.sides);
+    return fmt::format("{}, alpha {:g}, beta {:g}, mu {:g}, e {:g}, {}, kappa {:.6g}", body, scene.alpha, scene.beta,
+                       scene.mu, scene.restitution, name_of(scene.law), scene.inertia_factor);
+}
+
+}  // namespace swirl::apps

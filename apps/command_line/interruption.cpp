@@ -1,0 +1,19 @@
+#include "apps/command_line/interruption.hpp"
+
+#include <csignal>
+
+namespace swirl::apps {
+
+namespace {
+volatile std::sig_atomic_t interrupted = 0;
+}
+
+void note_interruptions() {
+    const auto note = [](int) { interrupted = 1; };
+    std::signal(SIGINT, note);
+    std::signal(SIGTERM, note);
+}
+
+bool is_interrupted() { return interrupted != 0; }
+
+}  // namespace swirl::apps

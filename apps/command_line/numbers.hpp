@@ -1,0 +1,53 @@
+// Numbers as users write them, read in the precision in which they will be used.
+#pragma once
+
+#include "apps/command_line/errors.hpp"
+#include "map/real.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace swirl::apps {
+
+/// The decimal `text` as a T, without a detour through double. @throws BadInput naming the option
+template <class T>
+T number_from(const std::string& name, const std::string& text) {
+    std::size_t begin = 0;
+    while (begin < text.size() && std::isspace(static_cast<unsigned char>(text[begin])) != 0) ++begin;
+    char* end = nullptr;
+    const double rough = std::strtod(text.c_str() + begin, &end);
+    if (begin == text.size() || end == text.c_str() + begin || *end != '\0')
+        throw BadInput(fmt::format("{} = '{}' is not a number", name, text));
+    if constexpr (std::is_same_v<T, double>) {
+        return rough;
+    } else if constexpr (std::is_same_v<T, long double>) {
+        return std::strtold(text.c_str() + begin, nullptr);
+    } else {
+        // Boost's parser takes plain decimals only; what strtod takes beside them (nan, inf, hexadecimal) is rare here.
+        const bool decimal = text.find_first_not_of("0123456789+-.eE", begin) == std::string::npos;
+        if (!decimal) return T(rough);
+        return T(text.substr(text[begin] == '+' ? begin + 1 : begin));
+    }
+}
+
+/// Comma-separated numbers. @throws BadInput unless there are `count` of them
+template <class T>
+std::vector<T> numbers_from(const std::string& name, const std::string& text, std::size_t count) {
+    std::vector<T> numbers;
+    std::size_t begin = 0;
+    while (true) {
+        const std::size_t comma = text.find(',', begin);
+        numbers.push_back(number_from<T>(name, text.substr(begin, comma - begin)));
+        if (comma == std::string::npos) break;
+        begin = comma + 1;
+    }
+    if (numbers.size() != count)
+        throw BadInput(fmt::format("{} = '{}' has {} numbers; it takes {}", name, text, numbers.size(), count));
+    return numbers;
+}
+
+}  // namespace swirl::apps

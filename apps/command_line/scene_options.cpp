@@ -1,0 +1,132 @@
+#include "apps/command_line/scene_options.hpp"
+
+#include <toml++/toml.h>
+
+#include <array>
+#include <fstream>
+#include <sstream>
+
+namespace swirl::apps {
+
+namespace {
+
+struct SceneName {
+    const char* name;
+    const char* help;
+};
+
+constexpr std::array<SceneName, 12> scene_names = {{
+    {"sides", "N: 3 to 1000000, or disk"},
+    {"alpha", "R_p/R_c, 0 < alpha < 1"},
+    {"beta", "r_s/R_c, >= 0"},
+    {"mu", "friction, >= 0"},
+    {"restitution", "e, 0 to 1"},
+    {"law", "poisson (default), newton or stronge"},
+    {"inertia-factor", "kappa, I = kappa m R_p^2 (default: the uniform lamina's)"},
+    {"container-radius", "R_c, in your unit of length"},
+    {"swirl-radius", "r_s, instead of --beta"},
+    {"swirl-rate", "omega_s, in radians per your unit of time (default 1)"},
+    {"polygon-radius", "R_p, instead of --alpha"},
+    {"mass", "m, in your unit of mass (default 1)"},
+}};
+
+bool is_scene_name(const std::string& name) {
+    for (const auto& known : scene_names)
+        if (name == known.name) return true;
+    return false;
+}
+
+std::string text_of(const std::string& file, const std::string& key, const toml::node& node) {
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
+    if (const auto* number = node.as_floating_point()) return fmt::format("{:.17g}", number->get());
+    throw BadInput(fmt::format("scene file '{}': key '{}' must be a number or a string", file, key));
+}
+
+toml::table parsed(const std::string& file) {
+    std::ifstream stream(file);
+    if (!stream) throw BadInput(fmt::format("scene file '{}' cannot be opened", file));
+    std::ostringstream content;
+    content << stream.rdbuf();
+    if (!stream) throw BadInput(fmt::format("scene file '{}' cannot be read", file));
+    try {
+        return toml::parse(content.str());
+    } catch (const toml::parse_error& error) {
+        throw BadInput(fmt::format("scene file '{}', line {}: {}", file, error.source().begin.line,
+                                   error.description()));
+    }
+}
+
+}  // namespace
+
+int sides_from(const std::string& text) {
+    if (text == "disk") return disk_sides;
+    char* end = nullptr;
+    const long value = std::strtol(text.c_str(), &end, 10);
+    if (text.empty() || *end != '\0' || value < 3 || value > max_sides)
+        throw BadInput(fmt::format("sides = {} is outside its range: 3 to {}, or disk", text, max_sides));
+    return static_cast<int>(value);
+}
+
+Law law_from(const std::string& text) {
+    for (const Law law : {Law::poisson, Law::newton, Law::stronge})
+        if (text == name_of(law)) return law;
+    throw BadInput(fmt::format("law = {} is none of: poisson, newton, stronge", text));
+}
+
+void SceneOptions::add_to(CLI::App& command) {
+    for (const auto& known : scene_names) {
+        command.add_option_function<std::string>(
+            std::string("--") + known.name,
+            [this, name = std::string(known.name)](const std::string& text) { flags_[name] = text; }, known.help)
+            ->type_name("")->group("Scene");
+    }
+    command.add_option("--scene", file_, "TOML file with the same names as keys under [scene]; flags win")
+        ->type_name("FILE")->group("Scene");
+}
+
+void SceneOptions::read_file() {
+    if (!file_.empty()) {
+        const toml::table document = parsed(file_);
+        for (const auto& [key, node] : document)
+            if (key.str() != "scene")
+                throw BadInput(fmt::format("scene file '{}': unknown key '{}'; only [scene] is known", file_, key.str()));
+        const toml::table* scene = document["scene"].as_table();
+        if (scene == nullptr) throw BadInput(fmt::format("scene file '{}' has no table [scene]", file_));
+        for (const auto& [key, node] : *scene) {
+            const std::string name(key.str());
+            if (!is_scene_name(name))
+                throw BadInput(fmt::format("scene file '{}': unknown key '{}' under [scene]", file_, name));
+            values_[name] = text_of(file_, name, node);
+        }
+    }
+    // A flag replaces the file's other way of saying the same, too.
+    for (const auto& [flag, other] : {std::pair("alpha", "polygon-radius"), std::pair("beta", "swirl-radius")}) {
+        if (flags_.count(flag) != 0 && flags_.count(other) == 0) values_.erase(other);
+        if (flags_.count(other) != 0 && flags_.count(flag) == 0) values_.erase(flag);
+    }
+    for (const auto& [name, text] : flags_) values_[name] = text;
+}
+
+const std::string& SceneOptions::required(const std::string& name, const std::string& instead) const {
+    const auto found = values_.find(name);
+    if (found != values_.end()) return found->second;
+    if (instead.empty() || name == "container-radius")
+        throw BadInput(fmt::format("--{} is missing (a scene needs --sides, --alpha, --beta, --mu, --restitution, or "
+                                   "--scene FILE)", name));
+    throw BadInput(fmt::format("--{} is missing (or --{} with --container-radius)", instead, name));
+}
+
+std::optional<Units> SceneOptions::units() const {
+    bool any = false;
+    for (const char* name : {"container-radius", "swirl-radius", "swirl-rate", "polygon-radius", "mass"})
+        any = any || has(name);
+    if (!any) return std::nullopt;
+    Units units;
+    if (has("container-radius")) units.length = positive<double>("container-radius");
+    if (has("swirl-rate")) units.time = 1 / positive<double>("swirl-rate");
+    if (has("mass")) units.mass = positive<double>("mass");
+    return units;
+}
+
+}  // namespace swirl::apps

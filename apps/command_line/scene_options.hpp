@@ -1,0 +1,91 @@
+// The scene as users give it: flags, a TOML file, physical units.
+#pragma once
+
+#include "apps/command_line/numbers.hpp"
+#include "map/scene.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace swirl::apps {
+
+/// What physical numbers were given in: lengths in R_c, times in 1/ω_s, masses in m.
+struct Units {
+    double length = 1;
+    double time = 1;
+    double mass = 1;
+};
+
+/// The texts that were given for the scene, by the names of the flags.
+class SceneOptions {
+public:
+    /// Adds the flags to a command.
+    void add_to(CLI::App& command);
+
+    /// Reads --scene FILE if it was given; flags win. Call once after parsing. @throws BadInput
+    void read_file();
+
+    /// The scene, every number read as a T. @throws BadInput (missing), std::invalid_argument (out of range)
+    template <class T>
+    Scene<T> scene() const;
+
+    /// The units, if any physical number was given. @throws BadInput
+    std::optional<Units> units() const;
+
+    /// Replaces one parameter (a sweep's or continuation's), as if its flag had been given.
+    void set(const std::string& name, const std::string& text) { values_[name] = text; }
+
+private:
+    bool has(const std::string& name) const { return values_.count(name) != 0; }
+    const std::string& required(const std::string& name, const std::string& instead) const;
+    /// A dimensionless ratio, given itself or as two lengths.
+    template <class T>
+    T ratio(const std::string& name, const std::string& length) const;
+    template <class T>
+    T positive(const std::string& name) const;
+
+    std::map<std::string, std::string> values_;
+    std::map<std::string, std::string> flags_;
+    std::string file_;
+};
+
+/// "disk" or the number. @throws BadInput
+int sides_from(const std::string& text);
+Law law_from(const std::string& text);
+
+template <class T>
+T SceneOptions::positive(const std::string& name) const {
+    const T value = number_from<T>(name, values_.at(name));
+    if (!(value > T(0)) || value - value != T(0))
+        throw BadInput(fmt::format("{} = {} is outside its range: {} > 0, finite", name, values_.at(name), name));
+    return value;
+}
+
+template <class T>
+T SceneOptions::ratio(const std::string& name, const std::string& length) const {
+    if (has(name) && has(length)) throw BadInput(fmt::format("{} and {} are both given; give one", name, length));
+    if (has(name)) return number_from<T>(name, values_.at(name));
+    const T value = number_from<T>(length, required(length, name));
+    required("container-radius", name);
+    return value / positive<T>("container-radius");
+}
+
+template <class T>
+Scene<T> SceneOptions::scene() const {
+    Scene<T> scene;
+    scene.sides = sides_from(required("sides", ""));
+    scene.alpha = ratio<T>("alpha", "polygon-radius");
+    scene.beta = ratio<T>("beta", "swirl-radius");
+    scene.mu = number_from<T>("mu", required("mu", ""));
+    scene.restitution = number_from<T>("restitution", required("restitution", ""));
+    if (has("law")) scene.law = law_from(values_.at("law"));
+    if (scene.sides != disk_sides && (scene.sides < 3 || scene.sides > max_sides)) return validated(scene);
+    scene.inertia_factor = has("inertia-factor") ? number_from<T>("inertia-factor", values_.at("inertia-factor"))
+                                                 : uniform_inertia_factor<T>(scene.sides);
+    return validated(scene);
+}
+
+}  // namespace swirl::apps

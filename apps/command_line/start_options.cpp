@@ -1,0 +1,58 @@
+#include "apps/command_line/start_options.hpp"
+
+#include <Random123/philox.h>
+#include <Random123/uniform.hpp>
+
+#include <cmath>
+
+namespace swirl::apps {
+
+LabStart<double> random_start(double beta, double speed, std::uint64_t seed, std::uint64_t run) {
+    const r123::Philox4x64 generator;
+    const auto bits = generator({{run, 0, 0, 0}}, {{seed, 0}});
+    const double turn = 2 * pi<double>();
+    const double direction = turn * r123::u01<double>(bits[0]);
+    LabStart<double> start;
+    start.x = beta;
+    start.vx = speed * std::cos(direction);
+    start.vy = speed * std::sin(direction);
+    start.angle = turn * r123::u01<double>(bits[1]);
+    return start;
+}
+
+void StartOptions::add_to(CLI::App& command) {
+    constexpr std::pair<const char*, const char*> lab_names[] = {
+        {"x", "centre, from the swirl's centre (default beta)"}, {"y", "centre"},
+        {"vx", "velocity"}, {"vy", "velocity"},
+        {"angle", "vertex 0's direction, radians"}, {"spin", "S"}};
+    for (const auto& [name, help] : lab_names)
+        command.add_option_function<std::string>(
+            std::string("--") + name, [this, key = std::string(name)](const std::string& text) { lab_[key] = text; },
+            help)->type_name("")->group("Start");
+    command.add_option("--point", point_, "psi,chi,vn,vt,S just after an impact (a disk drops chi)")
+        ->type_name("")->group("Start");
+    command.add_option("--speed", speed_, "random start at the container's centre with this speed (default 1/7)")
+        ->type_name("")->group("Start");
+    command.add_option_function<std::uint64_t>(
+        "--seed", [this](std::uint64_t seed) { seed_ = seed; seed_given_ = true; }, "of the random start (default 1)")
+        ->type_name("")->group("Start");
+}
+
+double StartOptions::speed() const {
+    if (speed_.empty()) return paper_speed;
+    const double value = number_from<double>("speed", speed_);
+    if (!(value >= 0 && std::isfinite(value)))
+        throw BadInput(fmt::format("speed = {} is outside its range: speed >= 0, finite", speed_));
+    return value;
+}
+
+void StartOptions::require_one_way() const {
+    const bool lab = !lab_.empty();
+    const bool point = !point_.empty();
+    const bool random = !speed_.empty() || seed_given_;
+    if (lab && point) throw BadInput("--point and a start in the laboratory (--x …) are both given; give one");
+    if (random && (lab || point))
+        throw BadInput("--speed and --seed make a random start; they can't be given with --point or --x …");
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,79 @@
+// Where an orbit starts, as users give it: in the laboratory, on the section, or at random.
+#pragma once
+
+#include "apps/command_line/numbers.hpp"
+#include "map/laboratory.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+
+namespace swirl::apps {
+
+template <class T>
+using Start = std::variant<LabStart<T>, SectionPoint<T>>;
+
+/// The random start number `run` of a seed: at the container's centre, |V| = speed in a random direction, a random
+/// orientation, no spin. Philox 4×64 keyed by the seed, counter = run: any start can be made alone.
+LabStart<double> random_start(double beta, double speed, std::uint64_t seed, std::uint64_t run);
+
+/// The paper's speed at ω_s = 1: |v| = 1 with R_c = 7.
+inline constexpr double paper_speed = 1.0 / 7;
+
+class StartOptions {
+public:
+    void add_to(CLI::App& command);
+
+    /// True if the start is one of many possible ones: neither a laboratory state nor a point was given.
+    bool is_random() const { return lab_.empty() && point_.empty(); }
+    double speed() const;
+    std::uint64_t seed() const { return seed_; }
+
+    /// @throws BadInput for a mixture of ways, or something that is not a number
+    template <class T>
+    Start<T> start(const Scene<T>& scene, std::uint64_t run = 0) const;
+
+    void require_one_way() const;
+
+private:
+    std::map<std::string, std::string> lab_;
+    std::string point_;
+    std::string speed_;
+    std::uint64_t seed_ = 1;
+    bool seed_given_ = false;
+};
+
+/// "psi,chi,vn,vt,S", or "psi,vn,vt,S" for a disk.
+template <class T>
+SectionPoint<T> section_point_from(const std::string& name, const std::string& text, bool disk) {
+    const auto c = numbers_from<T>(name, text, disk ? 4 : 5);
+    return disk ? SectionPoint<T>{c[0], T(0), c[1], c[2], c[3]} : SectionPoint<T>{c[0], c[1], c[2], c[3], c[4]};
+}
+
+template <class T>
+Start<T> StartOptions::start(const Scene<T>& scene, std::uint64_t run) const {
+    require_one_way();
+    if (!point_.empty()) return section_point_from<T>("--point", point_, scene.is_disk());
+    if (is_random()) {
+        const LabStart<double> s = random_start(static_cast<double>(scene.beta), speed(), seed_, run);
+        return LabStart<T>{scene.beta, T(0), T(s.vx), T(s.vy), T(s.angle), T(0)};
+    }
+    LabStart<T> start;
+    start.x = scene.beta;
+    const auto read = [&](const char* name, T& value) {
+        const auto found = lab_.find(name);
+        if (found != lab_.end()) value = number_from<T>(name, found->second);
+    };
+    read("x", start.x);
+    read("y", start.y);
+    read("vx", start.vx);
+    read("vy", start.vy);
+    read("angle", start.angle);
+    read("spin", start.spin);
+    return start;
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,68 @@
+// The `swirl` command: parses, runs one subcommand, and turns every way of failing into one line and an exit code.
+#include "apps/command_line/command.hpp"
+#include "apps/command_line/documents.hpp"
+#include "apps/json/json_writer.hpp"
+#include "apps/record/record_error.hpp"
+#include "apps/simulate/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+namespace swirl::apps {
+namespace {
+
+int fail(int code, const std::string& message) {
+    // One line, whatever a library put into its message.
+    std::string line = message;
+    for (char& c : line)
+        if (c == '\n') c = ' ';
+    fmt::print(stderr, "swirl: {}\n", line);
+    return code;
+}
+
+using Commands = std::vector<std::pair<CLI::App*, std::function<int()>>>;
+
+Commands add_commands(CLI::App& app) {
+    return {
+        add_command<SimulateOptions>(app, "simulate", "follow one orbit, impact by impact", simulate_details, simulate),
+    };
+}
+
+int run_command(const Commands& commands) {
+    for (const auto& [command, run] : commands)
+        if (command->parsed()) return run();
+    return fail(exit_bad_input, "no command given; swirl --help lists them");
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{"Swirl: a rigid polygon or disk in a swirled circular container, followed exactly from one collision "
+                 "to the next, and its mode named."};
+    app.set_version_flag("--version", fmt::format("swirl {} ({})", version(), instruction_set()));
+    const Commands commands = add_commands(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return app.exit(success);  // --help, --version
+    } catch (const CLI::ParseError& error) {
+        return fail(exit_bad_input, error.what());
+    }
+    try {
+        return run_command(commands);
+    } catch (const BadInput& error) {
+        return fail(exit_bad_input, error.what());
+    } catch (const std::invalid_argument& error) {
+        return fail(exit_bad_input, error.what());
+    } catch (const RecordError& error) {
+        return fail(exit_io_failed, error.what());
+    } catch (const JsonError& error) {
+        return fail(exit_io_failed, error.what());
+    }
+}
+
+}  // namespace
+}  // namespace swirl::apps
+
+int main(int argc, char** argv) { return swirl::apps::run(argc, argv); }

@@ -1,0 +1,100 @@
+#include "apps/simulate/impact_sinks.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+
+namespace swirl::apps {
+
+namespace {
+
+/// The numbers of a row, in the contract's order, with what a record says of them.
+struct NumberField {
+    const char* name;
+    double ImpactRow::*member;
+    const char* units;
+    const char* long_name;
+};
+
+constexpr std::array<NumberField, 17> number_fields = {{
+    {"t", &ImpactRow::t, "1/omega_s", "time"},
+    {"x", &ImpactRow::x, "R_c", "centre of the body, from the swirl's centre"},
+    {"y", &ImpactRow::y, "R_c", "centre of the body, from the swirl's centre"},
+    {"vx", &ImpactRow::vx, "R_c omega_s", "velocity of the centre just after the impact"},
+    {"vy", &ImpactRow::vy, "R_c omega_s", "velocity of the centre just after the impact"},
+    {"angle", &ImpactRow::angle, "rad", "direction of vertex 0, unwound"},
+    {"spin", &ImpactRow::spin, "omega_s", "S just after the impact"},
+    {"psi", &ImpactRow::psi, "rad", "section coordinate psi = arg n - t"},
+    {"chi", &ImpactRow::chi, "rad", "section coordinate chi = arg r - arg n"},
+    {"vn", &ImpactRow::vn, "R_c omega_s", "velocity of the centre along n"},
+    {"vt", &ImpactRow::vt, "R_c omega_s", "velocity of the centre along t"},
+    {"flight_time", &ImpactRow::flight_time, "1/omega_s", "duration of the flight before the impact"},
+    {"impulse_normal", &ImpactRow::impulse_normal, "m R_c omega_s", "p, the impulse is -p n + q t"},
+    {"impulse_tangential", &ImpactRow::impulse_tangential, "m R_c omega_s", "q"},
+    {"jacobi", &ImpactRow::jacobi, "m R_c^2 omega_s^2", "J, energy in the swirling frame"},
+    {"jacobi_restitution", &ImpactRow::jacobi_restitution, "m R_c^2 omega_s^2", "change of J by restitution, -p u_n"},
+    {"jacobi_friction", &ImpactRow::jacobi_friction, "m R_c^2 omega_s^2", "change of J by friction, q (u_t - 1)"},
+}};
+
+bool belongs(const NumberField& field, bool disk) {
+    return !(disk && field.member == &ImpactRow::chi);
+}
+
+}  // namespace
+
+JsonImpacts::JsonImpacts(JsonWriter& json, bool disk) : json_(json), disk_(disk) {
+    json_.key("collisions");
+    json_.begin_array(JsonLayout::rows);
+}
+
+void JsonImpacts::add(const ImpactRow& row) {
+    json_.begin_object();
+    json_.member("number", row.number);
+    for (const auto& field : number_fields)
+        if (belongs(field, disk_)) json_.member(field.name, row.*field.member);
+    json_.member("vertex", row.vertex);
+    json_.member("contact_mode", name_of(row.contact_mode));
+    json_.member("simultaneous", row.simultaneous);
+    json_.end_object();
+}
+
+void JsonImpacts::finish() { json_.end_array(); }
+
+TableImpacts::TableImpacts(bool disk) : disk_(disk) {
+    fmt::print("{:>9} {:>14} {:>7} {:>10}{} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10} {:<12}\n", "impact", "t", "vertex",
+               "psi", disk ? "" : fmt::format(" {:>10}", "chi"), "vn", "vt", "S", "p", "q", "J", "mode");
+}
+
+void TableImpacts::add(const ImpactRow& row) {
+    fmt::print("{:>9} {:>14.6f} {:>7} {:>10.6f}{} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:<12}\n",
+               row.number, row.t, row.vertex, row.psi, disk_ ? "" : fmt::format(" {:>10.6f}", row.chi), row.vn, row.vt,
+               row.spin, row.impulse_normal, row.impulse_tangential, row.jacobi,
+               fmt::format("{}{}", name_of(row.contact_mode), row.simultaneous ? " simultaneous" : ""));
+}
+
+RecordImpacts::RecordImpacts(RecordGroup group, bool disk) {
+    group.dimension("collision", growing);
+    index_.push_back(group.column<std::int64_t>("collision", {"collision"}, {"1", "number of the impact, from 1", {}}));
+    for (const auto& field : number_fields)
+        if (belongs(field, disk))
+            numbers_.push_back({field.member, group.column<double>(field.name, {"collision"},
+                                                                   {field.units, field.long_name, {}})});
+    vertex_.push_back(group.column<std::int32_t>("vertex", {"collision"}, {"1", "vertex that struck", {}}));
+    std::vector<std::string> modes;
+    for (int mode = 0; mode <= static_cast<int>(ContactMode::r_reversed); ++mode)
+        modes.emplace_back(name_of(static_cast<ContactMode>(mode)));
+    mode_.push_back(group.column<std::uint8_t>("contact_mode", {"collision"}, {"1", "contact mode", modes}));
+    simultaneous_.push_back(
+        group.column<bool>("simultaneous", {"collision"}, {"", "another vertex struck at the same time", {}}));
+}
+
+void RecordImpacts::add(const ImpactRow& row) {
+    index_.front().append(std::int64_t{row.number});
+    for (auto& named : numbers_) named.column.append(row.*named.member);
+    vertex_.front().append(std::int32_t{row.vertex});
+    mode_.front().append(static_cast<std::uint8_t>(row.contact_mode));
+    simultaneous_.front().append(row.simultaneous);
+}
+
+}  // namespace swirl::apps

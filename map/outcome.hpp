@@ -1,0 +1,27 @@
+// How an orbit of the collision map ends. An ending is a value with a name, never an exception, a NaN or a hang.
+#pragma once
+
+#include <string_view>
+
+namespace swirl {
+
+enum class Outcome {
+    completed,   ///< everything that was asked for
+    no_contact,  ///< the body never meets the wall (again): proven
+    chatter,     ///< impacts accumulate, or end on the wall at once (e = 0): sustained contact begins
+    resting,     ///< a body with e = 1 starts on the wall without normal velocity and is held there
+    unresolved   ///< a single flight outlasted the step limit of the search for its contact
+};
+
+inline std::string_view name_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::completed: return "completed";
+        case Outcome::no_contact: return "no-contact";
+        case Outcome::chatter: return "chatter";
+        case Outcome::resting: return "resting";
+        case Outcome::unresolved: return "unresolved";
+    }
+    return "";
+}
+
+}  // namespace swirl

@@ -1,9 +1,11 @@
 // The `swirl` command: parses, runs one subcommand, and turns every way of failing into one line and an exit code.
+#include "apps/classify/classify_command.hpp"
 #include "apps/command_line/command.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/json/json_writer.hpp"
 #include "apps/record/record_error.hpp"
 #include "apps/simulate/simulate.hpp"
+#include "apps/tour/tour.hpp"
 
 #include <fmt/format.h>
 
@@ -28,6 +30,9 @@ using Commands = std::vector<std::pair<CLI::App*, std::function<int()>>>;
 Commands add_commands(CLI::App& app) {
     return {
         add_command<SimulateOptions>(app, "simulate", "follow one orbit, impact by impact", simulate_details, simulate),
+        add_command<ClassifyCommandOptions>(app, "classify", "name the mode of a scene, with its evidence",
+                                            classify_details, classify_scene),
+        add_command<TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour_details, tour),
     };
 }
 

@@ -50,12 +50,12 @@ public:
 
     /// @throws std::invalid_argument if the start is not inside the container
     Orbit(const Map& map, const LabStart<T>& start)
-        : map_(map), watch_(map.scene().restitution), flight_(flight_from(map.body(), start)),
+        : map_(map), flight_(flight_from(map.body(), start)),
           frame_(LabFrame<T>::at_start(start.angle)), spin_(start.spin) {}
 
     /// Vertex 0 has just struck at t = 0. @throws std::invalid_argument if z is not leaving or another vertex is outside
     Orbit(const Map& map, const SectionPoint<T>& z)
-        : map_(map), watch_(map.scene().restitution), frame_(LabFrame<T>::at_section(z)), spin_(z.spin) {
+        : map_(map), frame_(LabFrame<T>::at_section(z)), spin_(z.spin) {
         require_leaving(map.body(), z);
         collision_.after = launch_from(z);
         flight_ = flight_from(map.body(), collision_.after);
@@ -74,7 +74,8 @@ public:
         spin_ = collision_.after.spin;
         flight_ = flight_from(map_.body(), collision_.after);
         ++impacts_;
-        if (struck && watch_.is_over(map_.body(), before, collision_.flight_time)) outcome_ = Outcome::chatter;
+        if (struck && ends_chatter(map_.body(), map_.scene().restitution, before, collision_.flight_time))
+            outcome_ = Outcome::chatter;
         return true;
     }
 
@@ -88,7 +89,6 @@ public:
 
 private:
     const Map& map_;
-    ChatterWatch<T> watch_;
     Flight<T> flight_;
     LabFrame<T> frame_;
     T spin_;

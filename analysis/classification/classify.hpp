@@ -1,0 +1,168 @@
+// Names the mode of an orbit, and says why.
+#pragma once
+
+#include "analysis/classification/mode.hpp"
+#include "analysis/classification/period.hpp"
+#include "analysis/lyapunov/exponent_sign.hpp"
+#include "analysis/lyapunov/lyapunov_spectrum.hpp"
+#include "analysis/recurrence/rates.hpp"
+#include "analysis/rotation/rotation_number.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace swirl::analysis {
+
+struct ClassifyOptions {
+    std::int64_t transient = 10'000;   ///< steps before the tail
+    std::int64_t collisions = 10'000;  ///< steps of the tail
+    double recurrence_threshold = 1e-6;  ///< δ of RC
+    double sigmas = 5;                 ///< standard errors from zero that make an exponent positive
+    PeriodOptions period;
+};
+
+/// One piece of evidence: what was measured, against what, and what it says.
+struct Evidence {
+    std::string name;
+    double value = 0;
+    double threshold = 0;
+    std::string says;
+};
+
+/// Everything that a verdict rests on. NaN where something could not be measured.
+struct Classification {
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    Mode mode = Mode::undecided;
+    Kind kind = Kind::none;
+    bool ended = false;           ///< the map ended before the tail was whole
+    std::int64_t steps = 0;       ///< steps taken, the transient included
+    std::int64_t period = 0;      ///< 0: none
+    std::vector<double> point;    ///< of the cycle
+    std::vector<std::complex<double>> multipliers;
+    double mean = unknown;        ///< time mean of the observable (over whole periods where there is one)
+    double mean_per_step = unknown;
+    double recurrence_rate = unknown;                   ///< RC, the main diagonal counted
+    double recurrence_rate_without_diagonal = unknown;
+    double largest_exponent = unknown;                  ///< per step
+    double largest_exponent_error = unknown;
+    double rotation = unknown;    ///< turns per step, of a quasi-periodic orbit
+    std::vector<Evidence> evidence;
+};
+
+namespace classification_detail {
+
+/// What the verdict is made of; filled from a tail by the template below, judged by `decide`.
+struct Findings {
+    bool has_cycle = false;
+    bool is_family = false;
+    double closure = 0, residual = 0, distance = 0, slowest_multiplier = 0;
+    SignEvidence exponent;
+    LyapunovOutcome exponent_outcome = LyapunovOutcome::completed;
+    RotationNumber rotation;
+};
+
+/// The verdict: a cycle and a positive exponent contradict each other; so do chaos and a converged rotation number.
+void decide(const Findings& findings, const ClassifyOptions& options, Classification& result);
+
+/// Time mean Σ x_i d_i / Σ d_i and plain mean of one coordinate.
+struct Means {
+    double per_time = 0;
+    double per_step = 0;
+};
+
+template <int D>
+Means means_of(const std::vector<Vector<D>>& states, const std::vector<double>& durations, int coordinate) {
+    double weighted = 0, time = 0, plain = 0;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        weighted += states[i][coordinate] * durations[i];
+        time += durations[i];
+        plain += states[i][coordinate];
+    }
+    return {weighted / time, plain / static_cast<double>(states.size())};
+}
+
+/// The rotation number, from the first coordinate that gives a converged one: a torus shows in any of them.
+template <SectionMap M>
+RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
+    RotationNumber last;
+    std::vector<double> series(tail.states.size());
+    for (int i = 0; i < M::dimension; ++i) {
+        for (std::size_t j = 0; j < series.size(); ++j) series[j] = tail.states[j][i];
+        const double period = map.angle_period(i);
+        for (const bool as_angle : {true, false}) {
+            if (as_angle && !(period > 0)) continue;
+            const RotationNumber rotation =
+                as_angle ? rotation_number_of_angle(series, period) : rotation_of_observable(series);
+            if (rotation.outcome == RotationOutcome::quasi_periodic) return rotation;
+            if (last.outcome == RotationOutcome::too_short) last = rotation;
+        }
+    }
+    return last;
+}
+
+}  // namespace classification_detail
+
+/// Follows an orbit from `start` and names its mode.
+///   observable  the coordinate whose means and recurrence rate are reported (S)
+/// In this order: does the tail return to itself (`find_period`)? Is the largest exponent positive (`judge_sign`)? If
+/// neither, has it a rotation number? Disagreement gives `undecided`. Cost: transient + 2 collisions steps of the map,
+/// `collisions` derivatives.
+template <SectionMap M>
+Classification classify(const M& map, const Vector<M::dimension>& start, int observable,
+                        const ClassifyOptions& options = {}) {
+    namespace detail = classification_detail;
+    Classification result;
+    const auto tail = follow_tail(map, start, options.transient, options.collisions);
+    result.ended = tail.ended;
+    result.steps = tail.steps;
+    if (tail.ended) return result;
+
+    std::vector<double> series(tail.states.size());
+    for (std::size_t i = 0; i < series.size(); ++i) series[i] = tail.states[i][observable];
+    const auto rate = recurrence::recurrence_rate(recurrence::embed_series(series), options.recurrence_threshold);
+    result.recurrence_rate = rate.with_diagonal();
+    result.recurrence_rate_without_diagonal = rate.without_diagonal();
+    auto means = detail::means_of<M::dimension>(tail.states, tail.durations, observable);
+
+    detail::Findings findings;
+    const auto cycle = find_period(map, tail, options.period);
+    findings.has_cycle = cycle.period > 0 && cycle.attracting;
+    if (findings.has_cycle) {
+        findings.is_family = cycle.family;
+        findings.closure = cycle.closure;
+        findings.residual = cycle.residual;
+        findings.distance = cycle.distance;
+        for (const auto& multiplier : cycle.multipliers)
+            if (!(std::abs(multiplier - 1.0) <= options.period.neutral))
+                findings.slowest_multiplier = std::max(findings.slowest_multiplier, std::abs(multiplier));
+        result.period = cycle.period;
+        result.point.assign(cycle.point.data(), cycle.point.data() + cycle.point.size());
+        result.multipliers = cycle.multipliers;
+        const auto once = follow_tail(map, cycle.point, 0, cycle.period);
+        if (!once.ended) means = detail::means_of<M::dimension>(once.states, once.durations, observable);
+    }
+    result.mean = means.per_time;
+    result.mean_per_step = means.per_step;
+
+    LyapunovOptions lyapunov;
+    lyapunov.transient = 0;
+    lyapunov.steps = options.collisions;
+    const auto spectrum = largest_exponent(map, tail.states.front(), lyapunov);
+    findings.exponent_outcome = spectrum.outcome;
+    if (spectrum.outcome == LyapunovOutcome::completed) {
+        SignOptions sign;
+        sign.sigmas = options.sigmas;
+        findings.exponent = judge_sign(spectrum, 0, sign);
+        result.largest_exponent = findings.exponent.exponent;
+        result.largest_exponent_error = findings.exponent.standard_error;
+    }
+    if (!findings.has_cycle && findings.exponent.sign != ExponentSign::positive)
+        findings.rotation = detail::rotation_of(map, tail);
+    detail::decide(findings, options, result);
+    return result;
+}
+
+}  // namespace swirl::analysis

@@ -1,0 +1,46 @@
+// The modes of the paper and the finer kinds behind them.
+#pragma once
+
+#include <string_view>
+
+namespace swirl::analysis {
+
+/// What the paper names: chaotic, quasi-steady (finitely many or a closed curve of states), steady (one state).
+enum class Mode { steady, quasi_steady, chaotic, undecided };
+
+/// What is known beyond that.
+enum class Kind {
+    none,            ///< the orbit ended: nothing to name
+    fixed_point,     ///< F(z) = z, isolated
+    family,          ///< F(z) = z, a member of a family: a multiplier is 1
+    cycle,           ///< Fᵏ(z) = z, k > 1
+    quasi_periodic,  ///< a closed curve or torus, with an irrational rotation number
+    chaotic,         ///< a positive largest exponent
+    transient        ///< still settling, or the evidence disagrees
+};
+
+inline std::string_view name_of(Mode mode) {
+    switch (mode) {
+        case Mode::steady: return "steady";
+        case Mode::quasi_steady: return "quasi-steady";
+        case Mode::chaotic: return "chaotic";
+        case Mode::undecided: return "undecided";
+    }
+    return "";
+}
+
+/// Empty for `none`.
+inline std::string_view name_of(Kind kind) {
+    switch (kind) {
+        case Kind::none: return "";
+        case Kind::fixed_point: return "fixed-point";
+        case Kind::family: return "family";
+        case Kind::cycle: return "cycle";
+        case Kind::quasi_periodic: return "quasi-periodic";
+        case Kind::chaotic: return "chaotic";
+        case Kind::transient: return "transient";
+    }
+    return "";
+}
+
+}  // namespace swirl::analysis

@@ -1,0 +1,176 @@
+// The period of an orbit that has settled, or is settling, on a cycle.
+#pragma once
+
+#include "analysis/classification/tail.hpp"
+#include "analysis/lyapunov/cycle_exponents.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <complex>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace swirl::analysis {
+
+struct PeriodOptions {
+    std::int64_t max_period = 256;  ///< longest period that is looked for
+    double closure = 1e-9;          ///< |Fᵏ(z) − z| of an orbit that has settled
+    double vicinity = 1e-2;         ///< an orbit this near to itself after k steps is taken for settling on a k-cycle
+    int candidates = 4;             ///< periods tried by Newton's method
+    double residual = 1e-12;        ///< |Fᵏ(z) − z| that Newton's method must reach
+    double neutral = 1e-6;          ///< a multiplier this near to 1 belongs to a family
+    double stable = 1e-8;           ///< an attracting cycle's multipliers are below 1 − stable, those near 1 apart
+};
+
+/// A cycle with what is known of it.
+template <int D>
+struct FoundCycle {
+    std::int64_t period = 0;  ///< 0: none found
+    Vector<D> point;          ///< on the cycle, polished
+    double closure = 0;       ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
+    double residual = 0;      ///< |Fᵏ(z) − z| at the point
+    double distance = 0;      ///< from the orbit's last state to the point
+    std::vector<std::complex<double>> multipliers;
+    bool family = false;      ///< a multiplier is 1
+    bool attracting = false;  ///< all multipliers inside the unit circle, those of a family apart
+};
+
+namespace classification_detail {
+
+/// The orbit's return after k steps, over its last k states.
+template <SectionMap M>
+double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_t k, double give_up) {
+    const std::int64_t n = static_cast<std::int64_t>(tail.states.size());
+    double largest = 0;
+    for (std::int64_t j = n - 1; j >= n - k && largest <= give_up; --j)
+        largest = std::max(largest, distance(map, tail.states[static_cast<std::size_t>(j)],
+                                             tail.states[static_cast<std::size_t>(j - k)]));
+    return largest;
+}
+
+/// Fᵏ and its derivative at z; false if the map ends on the way.
+template <SectionMap M>
+bool iterate(const M& map, Vector<M::dimension>& z, Matrix<M::dimension>& derivative, std::int64_t k) {
+    derivative.setIdentity();
+    for (std::int64_t i = 0; i < k; ++i) {
+        const auto step = map.linearise(z);
+        if (!step.alive || !step.state.allFinite()) return false;
+        derivative = step.derivative * derivative;
+        z = step.state;
+    }
+    return true;
+}
+
+/// Newton's method for Fᵏ(z) = z with a minimum-norm step, so that members of a family are found near the start.
+/// Returns the residual reached, +∞ if the map ended.
+template <SectionMap M>
+double polish(const M& map, Vector<M::dimension>& z, std::int64_t k, double goal) {
+    constexpr int D = M::dimension;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double best = infinity;
+    Vector<D> best_point = z;
+    for (int iteration = 0; iteration < 20; ++iteration) {  // quadratic: 6 are usual; 20 allow a poor start
+        Vector<D> image = z;
+        Matrix<D> derivative;
+        if (!iterate(map, image, derivative, k)) break;
+        const Vector<D> gap = difference(map, image, z);
+        const double residual = gap.template lpNorm<Eigen::Infinity>();
+        if (residual < best) {
+            best = residual;
+            best_point = z;
+        } else if (iteration > 3) {
+            break;
+        }
+        if (residual <= 0.01 * goal) break;
+        Eigen::CompleteOrthogonalDecomposition<Matrix<D>> solver;
+        solver.setThreshold(1e-9);
+        solver.compute(Matrix<D>::Identity() - derivative);
+        z += solver.solve(gap);
+    }
+    z = best_point;
+    return best;
+}
+
+/// The smallest divisor of k after which the cycle through z closes already.
+template <SectionMap M>
+std::int64_t minimal_period(const M& map, const Vector<M::dimension>& z, std::int64_t k, double closure) {
+    Vector<M::dimension> image = z;
+    for (std::int64_t d = 1; d < k; ++d) {
+        const auto step = map.advance(image);
+        if (!step.alive) return k;
+        image = step.state;
+        if (k % d == 0 && distance(map, image, z) <= closure) return d;
+    }
+    return k;
+}
+
+/// Fills in the cycle of period k near the orbit's last state, if there is one.
+template <SectionMap M>
+FoundCycle<M::dimension> cycle_near(const M& map, const Tail<M::dimension>& tail, std::int64_t k, double closure,
+                                    const PeriodOptions& options) {
+    FoundCycle<M::dimension> found;
+    Vector<M::dimension> z = tail.states.back();
+    found.residual = polish(map, z, k, options.residual);
+    if (!(found.residual <= options.residual)) return found;
+    k = minimal_period(map, z, k, options.closure);
+    found.distance = distance(map, tail.states.back(), z);
+    const CycleExponents exponents = cycle_exponents(map, z, k);
+    if (exponents.outcome != CycleOutcome::completed) return found;
+    found.period = k;
+    found.point = z;
+    found.closure = closure;
+    found.multipliers = exponents.multipliers;
+    found.attracting = true;
+    for (const auto& multiplier : found.multipliers) {
+        if (std::abs(multiplier - 1.0) <= options.neutral) found.family = true;
+        else if (!(std::abs(multiplier) < 1 - options.stable)) found.attracting = false;
+    }
+    return found;
+}
+
+}  // namespace classification_detail
+
+/// The smallest k ≤ max_period whose cycle the orbit is on, or is settling on: either it returns to `closure` after k
+/// steps, or Newton's method from its last state finds an attracting k-cycle within the distance that its own return
+/// suggests. Period 0 if neither. Cost: max_period² comparisons at worst, few in practice; 20 k derivatives per
+/// candidate.
+template <SectionMap M>
+FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tail, const PeriodOptions& options = {}) {
+    namespace detail = classification_detail;
+    const std::int64_t longest = std::min<std::int64_t>(options.max_period,
+                                                        static_cast<std::int64_t>(tail.states.size()) / 2);
+    std::vector<std::pair<double, std::int64_t>> near;
+    for (std::int64_t k = 1; k <= longest; ++k) {
+        const double returned = detail::return_distance(map, tail, k, options.vicinity);
+        if (returned <= options.closure) {
+            auto found = detail::cycle_near(map, tail, k, returned, options);
+            if (found.period == 0) {  // on a border of the map, say: the orbit itself is the evidence
+                found.period = k;
+                found.point = tail.states.back();
+                found.closure = found.residual = returned;
+                found.attracting = true;
+            }
+            return found;
+        }
+        if (returned <= options.vicinity) near.emplace_back(returned, k);
+    }
+    std::sort(near.begin(), near.end());
+    FoundCycle<M::dimension> none;
+    FoundCycle<M::dimension> best;
+    for (std::size_t i = 0; i < near.size() && i < static_cast<std::size_t>(options.candidates); ++i) {
+        const auto found = detail::cycle_near(map, tail, near[i].second, near[i].first, options);
+        // A return of size d near a cycle with slowest multiplier m means a distance of d/(1 − m).
+        double slowest = 0;
+        for (const auto& multiplier : found.multipliers)
+            if (std::abs(multiplier - 1.0) > options.neutral) slowest = std::max(slowest, std::abs(multiplier));
+        const bool near_enough = found.distance <= 10 * near[i].first / std::max(1 - slowest, 1e-6);
+        if (found.period == 0 || !found.attracting || !near_enough) continue;
+        if (best.period == 0 || found.period < best.period) best = found;
+    }
+    return best.period > 0 ? best : none;
+}
+
+}  // namespace swirl::analysis

@@ -1,0 +1,68 @@
+#include "apps/classify/classify_command.hpp"
+
+#include "apps/command_line/documents.hpp"
+#include "apps/classify/verdict_document.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace swirl::apps {
+
+const char* const classify_details =
+    R"(Modes: steady (one state), quasi-steady (a cycle or a torus of states), chaotic, undecided. A verdict lists its
+evidence. Where impacts accumulate the outcome is chatter and the mode undecided.
+
+Example:
+  swirl classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9)";
+
+void ClassifyCommandOptions::add_to(CLI::App& command) {
+    scene.add_to(command);
+    start.add_to(command);
+    output.add_to(command);
+    const auto counts = CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000});
+    command.add_option("--transient", settings.transient, "impacts before the tail (default 10000)")
+        ->type_name("K")->check(counts);
+    command.add_option("--collisions", settings.collisions, "impacts of the tail, 64 or more (default 10000)")
+        ->type_name("K")->check(CLI::Range(std::int64_t{64}, std::int64_t{100'000'000}));
+    command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
+        ->type_name("D")->check(CLI::NonNegativeNumber);
+    command.add_option("--max-period", settings.period.max_period, "longest period looked for (default 256)")
+        ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
+}
+
+int classify_scene(ClassifyCommandOptions& options) {
+    options.scene.read_file();
+    const Scene<double> scene = options.scene.scene<double>();
+    if (options.output.accuracy() != Accuracy::double_precision)
+        throw BadInput(fmt::format("accuracy = {}: classify works in double", options.output.accuracy_name));
+    const auto units = options.scene.units();
+    const Start<double> start = options.start.start<double>(scene);
+    std::optional<RecordWriter> record;
+    if (!options.output.record.empty())
+        record.emplace(open_record(options.output.record, "Mode of a swirled polygon"));
+    const NamedMode named = name_mode(scene, start, options.settings);
+    if (record) {
+        const RecordGroup root = record->root();
+        write_attributes(root.group("scene"), scene_settings(scene));
+        write_attributes(root.group("start"), start_settings(options.start, scene));
+        write_verdict(root.group("mode"), named, options.settings);
+        record->finish();
+    }
+    if (options.output.json) {
+        JsonWriter json(stdout);
+        json.begin_object(JsonLayout::rows);
+        write_json(json, "scene", scene_settings(scene));
+        write_json(json, "start", start_settings(options.start, scene));
+        if (units) write_json(json, "units", unit_settings(*units));
+        write_verdict(json, named, options.settings);
+        json.member("swirl_version", std::string_view(version()));
+        json.end_object();
+        json.finish();
+    } else {
+        fmt::print("{}\n{}", describe(scene), table_of(named));
+    }
+    return exit_done;
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,121 @@
+#include "apps/classify/verdict_document.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace swirl::apps {
+
+namespace {
+
+Settings settings_of(const analysis::ClassifyOptions& s) {
+    return {{"transient", s.transient},
+            {"collisions", s.collisions},
+            {"threshold", s.recurrence_threshold},
+            {"sigmas", s.sigmas},
+            {"max_period", s.period.max_period},
+            {"closure", s.period.closure},
+            {"vicinity", s.period.vicinity},
+            {"residual", s.period.residual},
+            {"neutral", s.period.neutral}};
+}
+
+struct NamedNumber {
+    const char* name;
+    double value;
+};
+
+std::vector<NamedNumber> numbers_of(const analysis::Classification& v) {
+    return {{"mean_S", v.mean},
+            {"mean_S_per_impact", v.mean_per_step},
+            {"recurrence_rate", v.recurrence_rate},
+            {"recurrence_rate_without_diagonal", v.recurrence_rate_without_diagonal},
+            {"largest_exponent", v.largest_exponent},
+            {"largest_exponent_error", v.largest_exponent_error},
+            {"rotation_number", v.rotation}};
+}
+
+}  // namespace
+
+void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings) {
+    const auto& v = named.verdict;
+    json.member("mode", name_of(v.mode));
+    json.key("kind");
+    if (v.kind == analysis::Kind::none) json.null();
+    else json.value(name_of(v.kind));
+    json.key("period");
+    if (v.period > 0) json.value(v.period);
+    else json.null();
+    for (const auto& number : numbers_of(v)) json.member(number.name, number.value);
+    json.member("outcome", name_of(named.outcome));
+    json.member("impacts", named.impacts);
+    json.key("point");
+    json.begin_array();
+    for (const double c : v.point) json.value(c);
+    json.end_array();
+    json.key("multipliers");
+    json.begin_array();
+    for (const auto& m : v.multipliers) {
+        json.begin_array();
+        json.value(m.real());
+        json.value(m.imag());
+        json.end_array();
+    }
+    json.end_array();
+    json.key("evidence");
+    json.begin_array(JsonLayout::rows);
+    for (const auto& e : v.evidence) {
+        json.begin_object();
+        json.member("name", std::string_view(e.name));
+        json.member("value", e.value);
+        json.member("threshold", e.threshold);
+        json.member("says", std::string_view(e.says));
+        json.end_object();
+    }
+    json.end_array();
+    write_json(json, "settings", settings_of(settings));
+}
+
+void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings) {
+    const auto& v = named.verdict;
+    group.attribute("mode", std::string(name_of(v.mode)));
+    group.attribute("kind", std::string(name_of(v.kind)));
+    group.attribute("period", v.period);
+    group.attribute("outcome", std::string(name_of(named.outcome)));
+    group.attribute("impacts", std::int64_t{named.impacts});
+    for (const auto& number : numbers_of(v)) group.attribute(number.name, number.value);
+    if (!v.point.empty()) group.attribute("point", v.point);
+    write_attributes(group.group("settings"), settings_of(settings));
+    if (v.evidence.empty()) return;
+    group.dimension("evidence", v.evidence.size());
+    std::vector<std::string> names, says;
+    std::vector<double> values, thresholds;
+    for (const auto& e : v.evidence) {
+        names.push_back(e.name);
+        says.push_back(e.says);
+        values.push_back(e.value);
+        thresholds.push_back(e.threshold);
+    }
+    group.write_strings("evidence", {"evidence"}, names);
+    group.write<double>("value", {"evidence"}, values);
+    group.write<double>("threshold", {"evidence"}, thresholds);
+    group.write_strings("says", {"evidence"}, says);
+}
+
+std::string table_of(const NamedMode& named) {
+    const auto& v = named.verdict;
+    std::string text;
+    const auto add = [&](const std::string& line) { text += line + "\n"; };
+    add(fmt::format("  mode {}{}{}; outcome {} after {} impacts", name_of(v.mode),
+                    v.kind == analysis::Kind::none ? "" : fmt::format(" ({})", name_of(v.kind)),
+                    v.period > 0 ? fmt::format(", period {}", v.period) : "", name_of(named.outcome), named.impacts));
+    for (const auto& number : numbers_of(v))
+        if (std::isfinite(number.value)) add(fmt::format("  {:<33} {:>16.8g}", number.name, number.value));
+    for (const auto& e : v.evidence)
+        add(fmt::format("  evidence: {:<33} {:>12.4g}  against {:>10.3g}  {}", e.name, e.value, e.threshold, e.says));
+    return text;
+}
+
+}  // namespace swirl::apps

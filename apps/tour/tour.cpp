@@ -1,0 +1,88 @@
+#include "apps/tour/tour.hpp"
+
+#include "apps/classify/verdict_document.hpp"
+#include "apps/command_line/progress.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+
+namespace swirl::apps {
+
+const char* const tour_details =
+    R"(Scenes: a hexagon that is chaotic, one that is quasi-steady, one that is steady, a disk with and without friction.
+
+Example:
+  swirl tour -o swirl-tour.h5)";
+
+namespace {
+
+struct Stop {
+    const char* name;
+    int sides;
+    double alpha, beta, mu, restitution;
+};
+
+constexpr std::array<Stop, 5> stops = {{
+    {"hexagon-chaotic", 6, 0.3, 0.1, 0.1, 1.0},
+    {"hexagon-quasi-steady", 6, 0.635, 0.5, 0.5, 0.95},
+    {"hexagon-steady", 6, 0.4, 0.5, 0.5, 0.9},
+    {"disk-with-friction", disk_sides, 0.3, 0.1, 0.5, 1.0},
+    {"disk-without-friction", disk_sides, 0.3, 0.1, 0.0, 1.0},
+}};
+
+Scene<double> scene_of(const Stop& stop) {
+    return validated(Scene<double>{stop.sides, stop.alpha, stop.beta, stop.mu, stop.restitution, Law::poisson,
+                                   uniform_inertia_factor<double>(stop.sides)});
+}
+
+}  // namespace
+
+int tour(TourOptions& options) {
+    if (options.output.accuracy() != Accuracy::double_precision)
+        throw BadInput(fmt::format("accuracy = {}: tour works in double", options.output.accuracy_name));
+    std::optional<RecordWriter> record;
+    if (!options.output.record.empty())
+        record.emplace(open_record(options.output.record, "Modes of swirled polygons and disks"));
+    std::optional<JsonWriter> json;
+    if (options.output.json) {
+        json.emplace(stdout);
+        json->begin_object(JsonLayout::rows);
+    }
+    const analysis::ClassifyOptions settings;
+    Progress progress("tour", stops.size(), options.output.quiet);
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const Scene<double> scene = scene_of(stops[i]);
+        const Start<double> start = random_start(scene.beta, paper_speed, 1, 0);
+        const NamedMode named = name_mode(scene, start, settings);
+        progress.at(static_cast<double>(i + 1));
+        if (record) {
+            const RecordGroup group = record->root().group(stops[i].name);
+            write_attributes(group.group("scene"), scene_settings(scene));
+            group.attribute("speed", paper_speed);
+            group.attribute("seed", 1);
+            write_verdict(group, named, settings);
+        }
+        if (json) {
+            json->key(stops[i].name);
+            json->begin_object();
+            write_json(*json, "scene", scene_settings(scene));
+            write_verdict(*json, named, settings);
+            json->end_object();
+        } else {
+            fmt::print("{}: {}\n{}\n", stops[i].name, describe(scene), table_of(named));
+        }
+    }
+    if (json) {
+        json->end_object();
+        json->finish();
+    }
+    if (record) {
+        record->finish();
+        if (!options.output.quiet) fmt::print(stderr, "record: {}\n", options.output.record);
+    }
+    return exit_done;
+}
+
+}  // namespace swirl::apps

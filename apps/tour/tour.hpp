@@ -1,0 +1,18 @@
+// `swirl tour`: the main job of ./quickstart, the modes of the paper on a built-in set of scenes.
+#pragma once
+
+#include "apps/command_line/output_options.hpp"
+
+namespace swirl::apps {
+
+struct TourOptions {
+    OutputOptions output;
+
+    void add_to(CLI::App& command) { output.add_to(command); }
+};
+
+extern const char* const tour_details;
+
+int tour(TourOptions& options);
+
+}  // namespace swirl::apps

@@ -1,0 +1,114 @@
+#include "analysis/lyapunov/cycle_exponents.hpp"
+
+#include "analysis/lyapunov/generic_frame.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace swirl::analysis {
+
+namespace {
+
+using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type,
+                                           boost::multiprecision::et_off>;
+using WideMatrix = Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// 100 digits less what the eigenvalue solver's normwise error and double's own 16 digits need.
+constexpr double widest_ratio = 1e-80;
+
+void require_square(std::span<const Eigen::MatrixXd> derivatives) {
+    if (derivatives.empty()) throw std::invalid_argument("cycle length = 0: must be at least 1");
+    for (const Eigen::MatrixXd& d : derivatives) {
+        if (d.rows() > 0 && d.rows() == derivatives[0].rows() && d.cols() == d.rows()) continue;
+        throw std::invalid_argument("derivative of size " + std::to_string(d.rows()) + " × " +
+                                    std::to_string(d.cols()) + ": all must be square and alike");
+    }
+}
+
+/// How many directions the cycle annihilates: a frame in general position is carried round D times, for a nilpotent
+/// part of size D needs D applications.
+Eigen::Index lost_ranks(std::span<const Eigen::MatrixXd> derivatives, double rank_tolerance) {
+    const Eigen::Index dimension = derivatives[0].rows();
+    Eigen::MatrixXd frame = generic_frame(static_cast<int>(dimension));
+    std::vector<bool> lost(dimension, false);
+    for (Eigen::Index round = 0; round < dimension; ++round) {
+        for (const Eigen::MatrixXd& derivative : derivatives) {
+            const Eigen::HouseholderQR<Eigen::MatrixXd> qr(derivative * frame);
+            for (Eigen::Index i = 0; i < dimension; ++i) {
+                if (std::abs(qr.matrixQR()(i, i)) <= rank_tolerance * derivative.norm()) lost[i] = true;
+            }
+            frame = qr.householderQ();
+        }
+    }
+    return std::count(lost.begin(), lost.end(), true);
+}
+
+struct WideMultiplier {
+    Wide real;
+    Wide imaginary;
+    Wide modulus;
+};
+
+std::vector<WideMultiplier> wide_multipliers(std::span<const Eigen::MatrixXd> derivatives) {
+    WideMatrix product = derivatives[0].cast<Wide>();
+    for (std::size_t i = 1; i < derivatives.size(); ++i) product = derivatives[i].cast<Wide>() * product;
+    const Eigen::EigenSolver<WideMatrix> solver(product, false);
+    std::vector<WideMultiplier> result;
+    for (Eigen::Index i = 0; i < product.rows(); ++i) {
+        const Wide real = solver.eigenvalues()[i].real();
+        const Wide imaginary = solver.eigenvalues()[i].imag();
+        result.push_back({real, imaginary, sqrt(Wide(real * real + imaginary * imaginary))});
+    }
+    std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.modulus > b.modulus; });
+    return result;
+}
+
+}  // namespace
+
+std::string_view name(CycleOutcome outcome) {
+    switch (outcome) {
+        case CycleOutcome::completed: return "completed";
+        case CycleOutcome::ended_early: return "ended-early";
+        case CycleOutcome::not_finite: return "not-finite";
+        case CycleOutcome::unresolved: return "unresolved";
+    }
+    return "unknown";
+}
+
+CycleExponents cycle_exponents(std::span<const Eigen::MatrixXd> derivatives, double rank_tolerance) {
+    require_square(derivatives);
+    CycleExponents result;
+    for (const Eigen::MatrixXd& derivative : derivatives) {
+        if (derivative.allFinite()) continue;
+        result.outcome = CycleOutcome::not_finite;
+        return result;
+    }
+    const std::vector<WideMultiplier> wide = wide_multipliers(derivatives);
+    const std::size_t kept = wide.size() - static_cast<std::size_t>(lost_ranks(derivatives, rank_tolerance));
+    const double length = static_cast<double>(derivatives.size());
+    for (std::size_t i = 0; i < wide.size(); ++i) {
+        if (i >= kept || wide[i].modulus == 0) {
+            result.multipliers.emplace_back(0, 0);
+            result.exponents.push_back(-infinity);
+        } else if (wide[i].modulus < widest_ratio * wide[0].modulus) {
+            constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+            result.outcome = CycleOutcome::unresolved;
+            result.multipliers.emplace_back(nan, nan);
+            result.exponents.push_back(nan);
+        } else {
+            result.multipliers.emplace_back(static_cast<double>(wide[i].real), static_cast<double>(wide[i].imaginary));
+            result.exponents.push_back(static_cast<double>(Wide(log(wide[i].modulus))) / length);
+        }
+    }
+    return result;
+}
+
+}  // namespace swirl::analysis

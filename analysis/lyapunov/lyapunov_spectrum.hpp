@@ -1,0 +1,107 @@
+// Lyapunov exponents of a section map: the whole spectrum by QR of DF, or the largest alone.
+#pragma once
+
+#include "analysis/lyapunov/exponent_record.hpp"
+#include "analysis/lyapunov/generic_frame.hpp"
+#include "analysis/section_map.hpp"
+
+#include <Eigen/QR>
+
+#include <array>
+#include <cmath>
+
+namespace swirl::analysis {
+
+namespace lyapunov_detail {
+
+/// Follows the transient by the map alone; false if it ended or overflowed.
+template <SectionMap M>
+bool settle(const M& map, Vector<M::dimension>& state, std::int64_t steps) {
+    for (std::int64_t i = 0; i < steps; ++i) {
+        const auto step = map.advance(state);
+        if (!step.alive || !step.state.allFinite()) return false;
+        state = step.state;
+    }
+    return true;
+}
+
+/// ln of the growth |r|, −∞ when it is rounding of a derivative of size `norm`.
+inline double log_growth(double r, double norm, double rank_tolerance) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return std::abs(r) <= rank_tolerance * norm ? -infinity : std::log(std::abs(r));
+}
+
+/// The last part of the transient is followed with the frame, so that it has turned into the orbit's own directions.
+inline std::int64_t frame_transient(std::int64_t transient) { return transient - transient / 2; }
+
+}  // namespace lyapunov_detail
+
+/// All D Lyapunov exponents λ_i = lim (1/n) Σ ln R_ii, where DF(z_n) Q_{n−1} = Q_n R_n (Householder QR, so Q stays
+/// orthonormal to rounding even where DF is singular).
+///   state    start, on the section; `options.transient` steps come first, the second half of them with the frame
+/// A step on which R_ii is zero to rounding has annihilated direction i: that exponent is −∞ from then on, the others
+/// go on in the new frame. −∞ sorts last. The transient does not count losses.
+/// A pair of complex or a neutral, sheared direction converges only as (ln n)/n in the plain mean; see
+/// `weighted_exponents` and `judge_sign`. Outcomes: LyapunovOutcome. Cost O(D³) per step besides DF.
+/// Source: Benettin, Galgani, Giorgilli & Strelcyn, Meccanica 15 (1980) 9; Geist, Parlitz & Lauterborn,
+/// Prog. Theor. Phys. 83 (1990) 875.
+template <SectionMap M>
+LyapunovSpectrum lyapunov_spectrum(const M& map, Vector<M::dimension> state, const LyapunovOptions& options = {}) {
+    constexpr int D = M::dimension;
+    ExponentAccumulator accumulator(D, options);
+    const std::int64_t aligning = lyapunov_detail::frame_transient(options.transient);
+    if (!lyapunov_detail::settle(map, state, options.transient - aligning)) {
+        return accumulator.finish(LyapunovOutcome::ended_in_transient);
+    }
+    Matrix<D> frame = generic_frame(D);
+    for (std::int64_t i = -aligning; i < options.steps; ++i) {
+        const Linearised<D> step = map.linearise(state);
+        const bool finite = step.state.allFinite() && step.derivative.allFinite();
+        if (!step.alive || !finite) {
+            if (i < 0) return accumulator.finish(LyapunovOutcome::ended_in_transient);
+            return accumulator.finish(step.alive ? LyapunovOutcome::not_finite : LyapunovOutcome::ended_early);
+        }
+        const Eigen::HouseholderQR<Matrix<D>> qr(step.derivative * frame);
+        state = step.state;
+        frame = qr.householderQ();
+        if (i < 0) continue;
+        const double norm = step.derivative.norm();
+        std::array<double, D> growth;
+        for (int j = 0; j < D; ++j) {
+            growth[j] = lyapunov_detail::log_growth(qr.matrixQR()(j, j), norm, options.rank_tolerance);
+        }
+        accumulator.add(growth, step.duration);
+    }
+    return accumulator.finish(LyapunovOutcome::completed);
+}
+
+/// The largest exponent alone, by the growth of one tangent vector: vectors of length 1 in the result. It is −∞ only if
+/// the product of the derivatives annihilates a vector in general position. Cost O(D²) per step besides DF.
+template <SectionMap M>
+LyapunovSpectrum largest_exponent(const M& map, Vector<M::dimension> state, const LyapunovOptions& options = {}) {
+    constexpr int D = M::dimension;
+    ExponentAccumulator accumulator(1, options);
+    const std::int64_t aligning = lyapunov_detail::frame_transient(options.transient);
+    if (!lyapunov_detail::settle(map, state, options.transient - aligning)) {
+        return accumulator.finish(LyapunovOutcome::ended_in_transient);
+    }
+    const Vector<D> generic = generic_frame(D).col(0);
+    Vector<D> tangent = generic;
+    for (std::int64_t i = -aligning; i < options.steps; ++i) {
+        const Linearised<D> step = map.linearise(state);
+        const bool finite = step.state.allFinite() && step.derivative.allFinite();
+        if (!step.alive || !finite) {
+            if (i < 0) return accumulator.finish(LyapunovOutcome::ended_in_transient);
+            return accumulator.finish(step.alive ? LyapunovOutcome::not_finite : LyapunovOutcome::ended_early);
+        }
+        const Vector<D> grown = step.derivative * tangent;
+        const std::array<double, 1> growth = {
+            lyapunov_detail::log_growth(grown.norm(), step.derivative.norm(), options.rank_tolerance)};
+        state = step.state;
+        tangent = std::isinf(growth[0]) ? generic : Vector<D>(grown.normalized());
+        if (i >= 0) accumulator.add(growth, step.duration);
+    }
+    return accumulator.finish(LyapunovOutcome::completed);
+}
+
+}  // namespace swirl::analysis

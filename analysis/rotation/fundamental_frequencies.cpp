@@ -1,0 +1,142 @@
+#include "analysis/rotation/rotation_number.hpp"
+#include "analysis/rotation/weighted_birkhoff.hpp"
+#include "analysis/spectrum/fft.hpp"
+
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+namespace swirl::analysis {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+Complex unit_phasor(double turns) {
+    return std::polar(1.0, 2 * std::numbers::pi * (turns - std::floor(turns)));
+}
+
+std::vector<double> bump_weights(std::size_t n) {
+    std::vector<double> weights(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        weights[j] = birkhoff_weight(static_cast<double>(j + 1) / (static_cast<double>(n) + 1));
+    }
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    for (double& weight : weights) weight /= sum;
+    return weights;
+}
+
+struct FourierSum {
+    Complex value;  ///< A = Σ x_j e^{−2πi f j}
+    Complex slope;  ///< Σ (j − n/2) x_j e^{−2πi f j}: i/2π dA/df up to a turn of the phase of A
+};
+
+/// The phasor is advanced by multiplication and set anew every 64 samples, so that its rounding error stays below 64 ε.
+FourierSum fourier_sum(std::span<const double> samples, double frequency) {
+    constexpr std::size_t renewal = 64;
+    const Complex step = unit_phasor(-frequency);
+    const double middle = static_cast<double>(samples.size()) / 2;
+    FourierSum sum;
+    for (std::size_t start = 0; start < samples.size(); start += renewal) {
+        Complex phasor = unit_phasor(-frequency * static_cast<double>(start));
+        const std::size_t end = std::min(start + renewal, samples.size());
+        for (std::size_t j = start; j < end; ++j) {
+            const Complex term = samples[j] * phasor;
+            sum.value += term;
+            sum.slope += (static_cast<double>(j) - middle) * term;
+            phasor *= step;
+        }
+    }
+    return sum;
+}
+
+/// The frequency within `reach` of `guess` at which the weighted Fourier sum is largest.
+double refine(std::span<const double> weighted, double guess, double reach) {
+    // A maximum can be located to half of double's 53 bits only, for it is flat; from there on the root of the slope
+    // d|A|²/df ∝ Im(A* slope) is followed to full precision. Searched in units of `reach`.
+    constexpr int half_precision = 20;
+    constexpr double margin = 1e-4;
+    std::uintmax_t iterations = 100;
+    const auto at = [&](double u) { return fourier_sum(weighted, guess + u * reach); };
+    const double coarse = boost::math::tools::brent_find_minima(
+        [&](double u) { return -std::abs(at(u).value); }, -1.0, 1.0, half_precision, iterations).first;
+    const auto slope = [&](double u) {
+        const FourierSum sum = at(u);
+        return (std::conj(sum.value) * sum.slope).imag();
+    };
+    const double low = slope(coarse - margin);
+    const double high = slope(coarse + margin);
+    if (low * high >= 0) return guess + coarse * reach;
+    iterations = 100;
+    const auto bracket = boost::math::tools::toms748_solve(slope, coarse - margin, coarse + margin, low, high,
+                                                           boost::math::tools::eps_tolerance<double>(48), iterations);
+    return guess + (bracket.first + bracket.second) / 2 * reach;
+}
+
+std::vector<double> product(std::span<const double> a, std::span<const double> b) {
+    std::vector<double> result(a.size());
+    std::transform(a.begin(), a.end(), b.begin(), result.begin(), std::multiplies<>());
+    return result;
+}
+
+double strongest_bin(std::span<const double> weighted, RealFft& fft) {
+    std::copy(weighted.begin(), weighted.end(), fft.input().begin());
+    const std::span<const Complex> bins = fft.transform();
+    std::size_t best = 1;
+    for (std::size_t k = 1; k < bins.size(); ++k) {
+        if (std::norm(bins[k]) > std::norm(bins[best])) best = k;
+    }
+    return static_cast<double>(best);
+}
+
+}  // namespace
+
+std::vector<FrequencyLine> fundamental_frequencies(std::span<const double> samples, const RotationOptions& options) {
+    for (const double x : samples) {
+        if (!std::isfinite(x)) throw std::invalid_argument("samples: every value must be finite");
+    }
+    std::vector<FrequencyLine> lines;
+    const std::size_t n = samples.size();
+    if (n < std::max<std::size_t>(options.min_samples, 8)) return lines;
+    const std::vector<double> weights = bump_weights(n);
+    const std::vector<double> half_weights = bump_weights(n / 2);
+    std::vector<double> rest(samples.begin(), samples.end());
+    const double mean = weighted_birkhoff_average(samples).average;
+    for (double& x : rest) x -= mean;
+    const double variance = std::inner_product(rest.begin(), rest.end(), rest.begin(), 0.0) / static_cast<double>(n);
+    if (!(variance > 0)) return lines;
+
+    RealFft fft(n);
+    const double bin = 1 / static_cast<double>(n);
+    for (int count = 0; count < options.max_lines; ++count) {
+        const std::vector<double> weighted = product(rest, weights);
+        FrequencyLine line;
+        line.frequency = std::clamp(refine(weighted, strongest_bin(weighted, fft) * bin, bin), 0.0, 0.5);
+        const Complex amplitude = fourier_sum(weighted, line.frequency).value;
+        // At the Nyquist frequency the line and its mirror image coincide.
+        const bool nyquist = 0.5 - line.frequency < 1e-3 * bin;
+        if (nyquist) line.frequency = 0.5;
+        line.amplitude = (nyquist ? 1 : 2) * std::abs(amplitude);
+        line.phase = std::arg(amplitude);
+        line.share = line.amplitude * line.amplitude * (nyquist ? 1 : 0.5) / variance;
+        if (!(line.share >= options.min_line_share)) break;
+        const std::span<const double> all(rest);
+        const double first = refine(product(all.first(n / 2), half_weights), line.frequency, 2 * bin);
+        const double last = refine(product(all.last(n / 2), half_weights), line.frequency, 2 * bin);
+        line.half_difference = std::abs(first - last);
+        lines.push_back(line);
+        for (std::size_t j = 0; j < n; ++j) {
+            const Complex phasor = unit_phasor(line.frequency * static_cast<double>(j));
+            rest[j] -= line.amplitude * (phasor * std::polar(1.0, line.phase)).real();
+        }
+    }
+    return lines;
+}
+
+}  // namespace swirl::analysis

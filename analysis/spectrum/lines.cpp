@@ -1,0 +1,179 @@
+#include "analysis/spectrum/lines.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_movstat.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <new>
+#include <utility>
+
+namespace swirl::analysis {
+
+namespace {
+
+/// Power as the window saw it: without the compensation of bin averages.
+double seen_power(const PowerSpectrum& spectrum, std::size_t k) {
+    if (!spectrum.settings.compensate_bin_average) return spectrum.power[k];
+    const double per_bin = spectrum.frequency[k] * spectrum.spacing / spectrum.settings.cycle_time;
+    return spectrum.power[k] * bin_average_gain(per_bin);
+}
+
+/// |X_k| of one segment in units in which a line of amplitude A (two-sided) or A/2 (one-sided) gives A |W(x)|.
+double modulus(const PowerSpectrum& spectrum, std::size_t k, double window_power) {
+    const std::size_t n = spectrum.segment_length;
+    const bool edge = spectrum.frequency[k] == 0 || 2 * k == n;
+    const double sides = spectrum.two_sided || edge ? 1 : 2;
+    const double density = seen_power(spectrum, k) / spectrum.variance_scale / sides;
+    return std::sqrt(density * spectrum.frequency_step * static_cast<double>(n) * window_power);
+}
+
+/// The place x of a line, in bins from the largest of three neighbouring bins.
+double place_between(Window window, std::size_t n, double left, double centre, double right) {
+    const bool two_points = window == Window::rectangular;
+    const double side = right >= left ? 1 : -1;
+    const auto mismatch = [&](double x) {
+        if (!two_points) return left * window_transform(window, n, 1 - x) - right * window_transform(window, n, 1 + x);
+        return std::max(left, right) * window_transform(window, n, x) - centre * window_transform(window, n, side - x);
+    };
+    // A line's own maximum lies within half a bin; a little more is left for what leaks in.
+    double from = two_points ? std::min(0.0, side) : -0.75;
+    double to = two_points ? std::max(0.0, side) : 0.75;
+    const double at_from = mismatch(from);
+    const double at_to = mismatch(to);
+    if (at_from * at_to > 0 || at_from == at_to) return 0;
+    std::uintmax_t iterations = 100;
+    const auto bracket = boost::math::tools::toms748_solve(mismatch, from, to, at_from, at_to,
+                                                           boost::math::tools::eps_tolerance<double>(50), iterations);
+    return (bracket.first + bracket.second) / 2;
+}
+
+/// Wide enough that the lines of a rich spectrum stay a minority, narrow enough to follow a continuum.
+std::size_t default_half_width(const PowerSpectrum& spectrum) {
+    constexpr std::size_t widest = 512;
+    const std::size_t lobes = 16 * static_cast<std::size_t>(main_lobe_half_width(spectrum.settings.window));
+    return std::max(lobes, std::min(widest, spectrum.power.size() / 16));
+}
+
+std::size_t half_width(const PowerSpectrum& spectrum, const LineOptions& options) {
+    return options.floor_half_width > 0 ? options.floor_half_width : default_half_width(spectrum);
+}
+
+/// Power over the expected power that K averaged periodograms exceed in one bin of m with `false_alarm`/m.
+double threshold(const PowerSpectrum& spectrum, double false_alarm) {
+    const double k = spectrum.effective_segments;
+    return gsl_cdf_gamma_Qinv(false_alarm / static_cast<double>(spectrum.power.size()), k, 1 / k);
+}
+
+bool is_local_maximum(const std::vector<double>& power, std::size_t k) {
+    return k > 0 && k + 1 < power.size() && power[k] > power[k - 1] && power[k] >= power[k + 1];
+}
+
+SpectralPeak refine(const PowerSpectrum& spectrum, std::size_t k, double window_power) {
+    const Window window = spectrum.settings.window;
+    const std::size_t n = spectrum.segment_length;
+    const double centre = modulus(spectrum, k, window_power);
+    const double x = place_between(window, n, modulus(spectrum, k - 1, window_power), centre,
+                                   modulus(spectrum, k + 1, window_power));
+    SpectralPeak peak;
+    peak.bin = k;
+    peak.frequency = spectrum.frequency[k] + x * spectrum.frequency_step;
+    peak.amplitude = (spectrum.two_sided ? 1 : 2) * centre / window_transform(window, n, x);
+    if (spectrum.settings.compensate_bin_average) {
+        peak.amplitude /=
+            std::sqrt(bin_average_gain(peak.frequency * spectrum.spacing / spectrum.settings.cycle_time));
+    }
+    peak.power = peak.amplitude * peak.amplitude / (spectrum.two_sided ? 1 : 2);
+    peak.spread = spectrum.spread.empty() ? std::numeric_limits<double>::quiet_NaN() : spectrum.spread[k];
+    return peak;
+}
+
+std::vector<SpectralPeak> peaks_above(const PowerSpectrum& spectrum, const std::vector<double>& floor,
+                                      const LineOptions& options) {
+    double window_power = 0;
+    for (const double w : window_values(spectrum.settings.window, spectrum.segment_length)) window_power += w * w;
+    const double strongest = *std::max_element(spectrum.power.begin(), spectrum.power.end());
+    const double factor = threshold(spectrum, options.false_alarm);
+    std::vector<SpectralPeak> peaks;
+    for (std::size_t k = 0; k < spectrum.power.size(); ++k) {
+        const double power = spectrum.power[k];
+        if (spectrum.frequency[k] == 0 || !is_local_maximum(spectrum.power, k)) continue;
+        if (power <= factor * floor[k] || power < options.smallest_power * strongest) continue;
+        if (!spectrum.spread.empty() && spectrum.spread[k] > options.largest_spread) continue;
+        peaks.push_back(refine(spectrum, k, window_power));
+        peaks.back().prominence = floor[k] > 0 ? power / floor[k] : std::numeric_limits<double>::infinity();
+    }
+    std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.power > b.power; });
+    return peaks;
+}
+
+}  // namespace
+
+std::vector<double> noise_floor(const PowerSpectrum& spectrum, std::size_t half_width) {
+    std::vector<double> power = spectrum.power;
+    if (power.empty()) return power;
+    const std::size_t m = power.size();
+    const std::size_t reach = std::min(half_width, (m - 1) / 2);
+    gsl_vector_const_view in = gsl_vector_const_view_array(spectrum.power.data(), m);
+    gsl_vector_view out = gsl_vector_view_array(power.data(), m);
+    const std::unique_ptr<gsl_movstat_workspace, decltype(&gsl_movstat_free)> workspace(
+        gsl_movstat_alloc(2 * reach + 1), &gsl_movstat_free);
+    if (!workspace) throw std::bad_alloc();
+    gsl_movstat_median(GSL_MOVSTAT_END_TRUNCATE, &in.vector, &out.vector, workspace.get());
+    const double k = std::max(spectrum.effective_segments, 1.0);
+    const double median_over_mean = gsl_cdf_gamma_Pinv(0.5, k, 1 / k);
+    for (double& level : power) level /= median_over_mean;
+    return power;
+}
+
+std::vector<SpectralPeak> find_peaks(const PowerSpectrum& spectrum, const LineOptions& options) {
+    if (spectrum.outcome != SpectrumOutcome::completed) return {};
+    return peaks_above(spectrum, noise_floor(spectrum, half_width(spectrum, options)), options);
+}
+
+std::string_view name(SpectrumVerdict verdict) {
+    switch (verdict) {
+        case SpectrumVerdict::constant: return "constant";
+        case SpectrumVerdict::lines: return "lines";
+        case SpectrumVerdict::continuum: return "continuum";
+        case SpectrumVerdict::mixed: return "mixed";
+        case SpectrumVerdict::nonstationary: return "nonstationary";
+        case SpectrumVerdict::undecided: return "undecided";
+    }
+    return "unknown";
+}
+
+LineShare line_share(const PowerSpectrum& spectrum, const LineOptions& options) {
+    LineShare result;
+    if (spectrum.outcome == SpectrumOutcome::constant) result.verdict = SpectrumVerdict::constant;
+    if (spectrum.outcome != SpectrumOutcome::completed) return result;
+    const std::vector<double> floor = noise_floor(spectrum, half_width(spectrum, options));
+    const std::vector<SpectralPeak> peaks = peaks_above(spectrum, floor, options);
+    const auto lobe = static_cast<std::size_t>(main_lobe_half_width(spectrum.settings.window));
+    std::vector<char> in_line(spectrum.power.size(), 0);
+    for (const SpectralPeak& peak : peaks) {
+        const std::size_t from = peak.bin > lobe ? peak.bin - lobe : 0;
+        const std::size_t to = std::min(peak.bin + lobe, in_line.size() - 1);
+        std::fill(in_line.begin() + from, in_line.begin() + to + 1, char{1});
+    }
+    double total = 0;
+    double above = 0;
+    for (std::size_t k = 0; k < in_line.size(); ++k) {
+        total += spectrum.power[k];
+        if (in_line[k] != 0) above += std::max(0.0, spectrum.power[k] - floor[k]);
+    }
+    result.lines = peaks.size();
+    result.line_fraction = above / total;
+    result.nonstationarity = spectrum.nonstationarity;
+    result.steadiness_tested = !spectrum.spread.empty();
+    if (result.nonstationarity > options.nonstationary) result.verdict = SpectrumVerdict::nonstationary;
+    else if (result.line_fraction >= options.all_lines) result.verdict = SpectrumVerdict::lines;
+    else if (result.line_fraction <= options.all_continuum) result.verdict = SpectrumVerdict::continuum;
+    else result.verdict = SpectrumVerdict::mixed;
+    return result;
+}
+
+}  // namespace swirl::analysis

@@ -1,6 +1,7 @@
 #include "analysis/recurrence/columns.hpp"
 
-#include "analysis/recurrence/kernels.hpp"
+#include "analysis/recurrence/distance_kernels.hpp"
+#include "analysis/recurrence/line_kernels.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -15,7 +16,41 @@ namespace {
 constexpr std::size_t dense_share_scalar = 3;  // 1 in 3
 constexpr std::size_t dense_share_vector = 2;  // 1 in 2
 
+// Slabs: enough that a threshold spans several, few enough that looking into each of them costs little.
+constexpr std::size_t points_per_slab = 256, most_slabs = 32;
+
 bool is_squared(const SortedRows& rows) { return rows.norm == Norm::euclidean && rows.rows->dimension > 1; }
+
+double coordinate_key(double d, double period, bool squared) {
+    if (period > 0) d = std::min(d, period - d);
+    return squared ? d * d : d;
+}
+
+// No value between least and largest is nearer to b than b itself, if it lies there, or one of the two ends.
+bool slab_within(const Slab& slab, double b, double period, double bound, bool squared) {
+    return (slab.least <= b && b <= slab.largest) ||
+           coordinate_key(std::fabs(slab.least - b), period, squared) <= bound ||
+           coordinate_key(std::fabs(slab.largest - b), period, squared) <= bound;
+}
+
+// Runs of ranks that hold every row within the bound of the point scratch.centre; how many rows they are.
+std::size_t find_candidates(const SortedRows& rows, double bound, ColumnScratch& scratch) {
+    const std::vector<double>& periods = rows.rows->periods;
+    const std::size_t axis = rows.rows->dimension == 1 ? 0 : 1;
+    const bool squared = is_squared(rows);
+    std::size_t count = 0;
+    scratch.candidates.clear();
+    for (const Slab& slab : rows.slabs) {
+        if (axis == 1 && !slab_within(slab, scratch.centre[0], periods[0], bound, squared)) continue;
+        const std::span<const double> sorted(rows.coordinates[axis].data() + slab.begin, slab.end - slab.begin);
+        for (const RankRange& r : ranks_within(sorted, scratch.centre[axis], periods[axis], bound, squared)) {
+            if (r.begin == r.end) continue;
+            scratch.candidates.push_back({slab.begin + r.begin, slab.begin + r.end});
+            count += r.end - r.begin;
+        }
+    }
+    return count;
+}
 
 void scatter_masks(const SortedRows& rows, std::size_t begin, std::size_t count, std::size_t offset,
                    const std::uint64_t* masks, std::uint64_t* frame) {
@@ -66,18 +101,30 @@ void fill_all(std::size_t n, const KeyTask& task, std::span<const double> bounds
 }  // namespace
 
 SortedRows sort_rows(const Points& rows, Norm norm) {
-    SortedRows sorted{&rows, norm, {}, {}};
+    SortedRows sorted{&rows, norm, {}, {}, {}};
     if (rows.dimension > SortedRows::max_sorted_dimension) return sorted;
-    sorted.order.resize(rows.count);
+    const std::size_t n = rows.count;
+    sorted.order.resize(n);
     std::iota(sorted.order.begin(), sorted.order.end(), 0u);
-    const double* x = rows.coordinate(0);
-    tbb::parallel_sort(sorted.order.begin(), sorted.order.end(), [x](std::uint32_t a, std::uint32_t b) {
-        return x[a] < x[b] || (x[a] == x[b] && a < b);
-    });
+    const auto sort_by = [&](int m, std::size_t begin, std::size_t end) {
+        const double* x = rows.coordinate(m);
+        const auto at = [&](std::size_t k) { return sorted.order.begin() + static_cast<std::ptrdiff_t>(k); };
+        tbb::parallel_sort(at(begin), at(end), [x](std::uint32_t a, std::uint32_t b) {
+            return x[a] < x[b] || (x[a] == x[b] && a < b);
+        });
+    };
+    sort_by(0, 0, n);
+    const std::size_t slabs = rows.dimension == 1 ? 1 : std::clamp<std::size_t>(n / points_per_slab, 1, most_slabs);
+    for (std::size_t s = 0; s < slabs; ++s) {
+        const std::size_t begin = n * s / slabs, end = n * (s + 1) / slabs;
+        const double* x = rows.coordinate(0);
+        sorted.slabs.push_back({begin, end, x[sorted.order[begin]], x[sorted.order[end - 1]]});
+        if (rows.dimension > 1) sort_by(1, begin, end);
+    }
     for (int m = 0; m < rows.dimension; ++m) {
-        auto& by_rank = sorted.coordinates.emplace_back(rows.count);
+        auto& by_rank = sorted.coordinates.emplace_back(n);
         const double* in_time = rows.coordinate(m);
-        for (std::size_t k = 0; k < rows.count; ++k) by_rank[k] = in_time[sorted.order[k]];
+        for (std::size_t k = 0; k < n; ++k) by_rank[k] = in_time[sorted.order[k]];
     }
     return sorted;
 }
@@ -87,13 +134,13 @@ std::array<RankRange, 3> ranks_within(std::span<const double> sorted, double b, 
     const auto key = [squared](double d) { return squared ? d * d : d; };
     const auto begin = sorted.begin();
     // Rounding is monotone, so each of these predicates changes once along the sorted values.
-    const auto middle = std::lower_bound(begin, sorted.end(), b);
-    const auto lo = std::partition_point(begin, middle, [&](double a) { return key(b - a) > bound; });
-    const auto hi = std::partition_point(middle, sorted.end(), [&](double a) { return key(a - b) <= bound; });
+    const auto lo = std::partition_point(begin, sorted.end(), [&](double a) { return a < b && key(b - a) > bound; });
+    const auto hi = std::partition_point(lo, sorted.end(), [&](double a) { return key(std::fabs(a - b)) <= bound; });
     RankRange around{static_cast<std::size_t>(lo - begin), static_cast<std::size_t>(hi - begin)};
     if (!(period > 0)) return {around, {around.end, around.end}, {around.end, around.end}};
     const auto low_end = std::partition_point(begin, lo, [&](double a) { return key(period - (b - a)) <= bound; });
-    const auto high_begin = std::partition_point(hi, sorted.end(), [&](double a) { return key(period - (a - b)) > bound; });
+    const auto high_begin =
+        std::partition_point(hi, sorted.end(), [&](double a) { return key(period - (a - b)) > bound; });
     return {RankRange{0, static_cast<std::size_t>(low_end - begin)}, around,
             RankRange{static_cast<std::size_t>(high_begin - begin), sorted.size()}};
 }
@@ -116,21 +163,18 @@ void fill_column(const SortedRows& rows, const Points& columns, std::size_t c, s
     if (rows.order.empty()) return fill_all(x.count, task, bounds, offset, frames, scratch);
 
     const double widest = *std::max_element(bounds.begin(), bounds.end());
-    const auto find = [&](double bound) {
-        return ranks_within(rows.coordinates[0], scratch.centre[0], x.periods[0], bound, is_squared(rows));
-    };
-    const auto ranges = find(widest);
-    std::size_t candidates = 0;
-    for (const RankRange& r : ranges) candidates += r.end - r.begin;
+    const std::size_t candidates = find_candidates(rows, widest, scratch);
     if (candidates * (x.dimension == 1 ? dense_share_scalar : dense_share_vector) > x.count)
         return fill_all(x.count, task, bounds, offset, frames, scratch);
     if (x.dimension > 1) {
         task.coordinates = scratch.by_rank.data();
-        return fill_candidates(rows, task, ranges, bounds, offset, frames, scratch);
+        return fill_candidates(rows, task, scratch.candidates, bounds, offset, frames, scratch);
     }
-    for (std::size_t k = 0; k < bounds.size(); ++k)
-        for (const RankRange& r : bounds[k] == widest ? ranges : find(bounds[k]))
+    for (std::size_t k = 0; k < bounds.size(); ++k) {
+        if (k > 0 || bounds[k] != widest) find_candidates(rows, bounds[k], scratch);
+        for (const RankRange& r : scratch.candidates)
             scatter_rows(rows.order.data(), r.begin, r.end, offset, frames[k]);
+    }
 }
 
 }  // namespace swirl::analysis::recurrence::detail

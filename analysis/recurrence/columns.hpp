@@ -10,15 +10,23 @@
 
 namespace swirl::analysis::recurrence::detail {
 
-/// The rows x sorted by their first coordinate, so that the candidates of a column are runs of consecutive ranks.
-/// For more than max_sorted_dimension coordinates nothing is sorted (the first one hardly narrows the search and the
+/// Points that lie together: ranks begin ... end - 1, first coordinates least ... largest.
+struct Slab {
+    std::size_t begin, end;
+    double least, largest;
+};
+
+/// The rows x in an order in which the candidates of a column are a few runs of consecutive ranks: in one dimension by
+/// value, else cut by the first coordinate into slabs of equal numbers, each sorted by the second coordinate.
+/// For more than max_sorted_dimension coordinates nothing is sorted (two of many hardly narrow the search, and the
 /// copies would cost memory): columns are then compared with all rows.
 struct SortedRows {
     static constexpr int max_sorted_dimension = 4;
     const Points* rows = nullptr;
     Norm norm = Norm::euclidean;
-    std::vector<std::uint32_t> order;             ///< row of each rank; empty if nothing is sorted
+    std::vector<std::uint32_t> order;              ///< row of each rank; empty if nothing is sorted
     std::vector<std::vector<double>> coordinates;  ///< by rank
+    std::vector<Slab> slabs;                       ///< one in one dimension
 };
 SortedRows sort_rows(const Points& rows, Norm norm);
 
@@ -38,6 +46,7 @@ struct ColumnScratch {
     std::vector<std::uint64_t> masks;
     std::vector<double> centre;
     std::vector<const double*> in_time, by_rank;
+    std::vector<RankRange> candidates;
 };
 ColumnScratch make_scratch(const SortedRows& rows);
 

@@ -1,6 +1,7 @@
 #include "analysis/recurrence/line_counter.hpp"
 
-#include "analysis/recurrence/kernels.hpp"
+#include "analysis/recurrence/block_join.hpp"
+#include "analysis/recurrence/line_kernels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,7 @@ struct Frame {
     std::size_t offset(std::size_t c) const { return origin - c; }
     std::size_t first_word(std::size_t c) const { return offset(c) >> 6; }
     std::size_t last_word(std::size_t c) const { return (offset(c) + rows - 1) >> 6; }
+    std::size_t line_words() const { return words - lines_begin / 64; }
 };
 
 // What all blocks add to, atomically, for one threshold.
@@ -32,8 +34,9 @@ struct Totals {
     bool main_diagonal = false;  // of a symmetric matrix: all of it is recurrent, or nothing
 
     explicit Totals(const Shape& shape)
-        : diagonal(std::max(Tally::small, std::max(shape.rows, shape.columns) + 1)), vertical(diagonal.size()),
-          time(diagonal.size()), diagonal_points(std::min(shape.rows, shape.columns)) {}
+        : diagonal(std::max(Tally::small, std::max(shape.rows, shape.columns) + 1)),
+          vertical(shape.vertical ? diagonal.size() : 0), time(vertical.size()),
+          diagonal_points(std::min(shape.rows, shape.columns)) {}
 };
 
 struct Context {
@@ -50,17 +53,10 @@ struct Context {
     bool counts(const DiagonalLine& line) const { return !discard_border() || !touches_border(line); }
 };
 
-// Lines of a block that may go on outside it: those that touch its first column and end inside (heads), and those that
-// reach its last column (tails).
-struct BlockBorder {
-    std::size_t begin = 0;
-    std::vector<DiagonalLine> heads, tails;
-};
-
 // One threshold of one block.
 struct BlockCounter {
     std::array<std::vector<std::uint64_t>, 4> ring;  // frames of four consecutive columns
-    std::vector<std::uint64_t> open, planes;
+    std::vector<std::uint64_t> open, planes;  // planes: of the words from lines_begin on
     std::vector<std::uint32_t> begun, changes;
     Tally diagonal, vertical, time;
     ShortLines shorts;
@@ -68,8 +64,8 @@ struct BlockCounter {
     std::uint64_t points = 0, points_outside = 0;
 
     BlockCounter(const Frame& frame, Totals& totals)
-        : open(frame.words, 0), planes(plane_count * frame.words, 0), begun(frame.words * 64 - frame.lines_begin),
-          changes(frame.rows + 72) {
+        : open(frame.words, 0), planes(plane_count * frame.line_words(), 0), begun(frame.line_words() * 64),
+          changes(totals.vertical.empty() ? 0 : frame.rows + 72) {
         for (auto& f : ring) f.assign(frame.words, 0);
         diagonal.shared = totals.diagonal;
         vertical.shared = totals.vertical;
@@ -106,10 +102,14 @@ void add_column(Context& context, std::size_t c, std::size_t k, BlockCounter& co
     std::uint64_t* words = counter.column(c);
     const std::size_t first = context.frame.offset(c), last = first + context.frame.rows;
     if (c == 0) context.totals[k].main_diagonal = (words[context.frame.origin >> 6] >> 63) != 0;
+    if (!context.shape.vertical) {
+        clear_window(context.frame, context.shape.theiler, words);
+        return;
+    }
     std::size_t points = 0;
     if (!settings.window_on_vertical)
         points = vertical_lines(words, first, last, options, counter.vertical, counter.time);
-    const std::size_t removed = context.shape.theiler > 0 ? clear_window(context.frame, context.shape.theiler, words) : 0;
+    const std::size_t removed = clear_window(context.frame, context.shape.theiler, words);
     if (settings.window_on_vertical)
         points = vertical_lines(words, first, last, options, counter.vertical, counter.time) + removed;
     counter.points += points;
@@ -127,7 +127,8 @@ void add_diagonal_points(const Context& context, std::size_t c, BlockCounter& co
     std::uint64_t& last_word = counter.column(c)[last];
     const std::uint64_t whole = last_word;
     last_word &= ~std::uint64_t{0} >> (63 - (last_bit & 63));  // rows below the square
-    add_to_planes(counter.column(c), first, last, counter.planes.data(), frame.words);
+    const std::size_t base = frame.lines_begin / 64;
+    add_to_planes(counter.column(c) + base, first - base, last - base, counter.planes.data(), frame.line_words());
     last_word = whole;
 }
 
@@ -179,14 +180,15 @@ void collect_tails(const Context& context, std::size_t end, BlockCounter& counte
 }
 
 void flush_planes(const Frame& frame, const BlockCounter& counter, Totals& totals) {
-    for (std::size_t w = frame.lines_begin >> 6; w < frame.words; ++w) {
+    for (std::size_t w = 0; w < frame.line_words(); ++w) {
         std::array<std::uint32_t, 64> counts{};
         for (std::size_t p = 0; p < plane_count; ++p)
-            for (std::uint64_t bits = counter.planes[p * frame.words + w]; bits != 0; bits &= bits - 1)
+            for (std::uint64_t bits = counter.planes[p * frame.line_words() + w]; bits != 0; bits &= bits - 1)
                 counts[static_cast<std::size_t>(std::countr_zero(bits))] += 1u << p;
         for (std::size_t b = 0; b < 64; ++b) {
             if (counts[b] == 0) continue;
-            const std::size_t q = w * 64 + b, k = q > frame.origin ? q - frame.origin : frame.origin - q;
+            const std::size_t q = frame.lines_begin + w * 64 + b;
+            const std::size_t k = q > frame.origin ? q - frame.origin : frame.origin - q;
             std::atomic_ref(totals.diagonal_points[k]).fetch_add(counts[b], std::memory_order_relaxed);
         }
     }
@@ -231,36 +233,6 @@ void count_block(Context& context, std::size_t begin, std::size_t end, const Col
     }
 }
 
-// Joins the lines that cross from block to block. start[q] - 1 is the column where the line open at bit q began.
-void join_blocks(const Context& context, std::span<const BlockBorder* const> blocks, Totals& totals) {
-    const std::size_t base = context.frame.lines_begin;
-    std::vector<std::uint32_t> start(context.frame.words * 64 - base, 0);
-    const auto record = [&](const DiagonalLine& line) {
-        if (context.counts(line)) ++totals.diagonal[line.last - line.first + 1];
-    };
-    const auto take_start = [&](const DiagonalLine& line) {  // where a line that touches the block's begin truly began
-        const std::uint32_t began = std::exchange(start[line.q - base], 0);
-        return began != 0 ? began - 1 : line.first;
-    };
-    std::vector<DiagonalLine> open;
-    for (const BlockBorder* block : blocks) {
-        for (DiagonalLine line : block->heads) record({line.q, take_start(line), line.last});
-        std::vector<DiagonalLine> still_open = block->tails;
-        for (DiagonalLine& line : still_open)
-            if (line.first == block->begin) line.first = take_start(line);
-        for (const DiagonalLine& line : open)  // those that did not go on into this block
-            if (std::exchange(start[line.q - base], 0) != 0) record(line);
-        for (const DiagonalLine& line : still_open) start[line.q - base] = line.first + 1;
-        open = std::move(still_open);
-    }
-    for (const DiagonalLine& line : open) record(line);
-}
-
-void trim(std::vector<std::uint64_t>& histogram) {
-    while (histogram.size() > 1 && histogram.back() == 0) histogram.pop_back();
-    histogram.shrink_to_fit();
-}
-
 LineHistograms finish(const Context& context, Totals& totals) {
     const Shape& shape = context.shape;
     if (shape.symmetric) {
@@ -272,15 +244,20 @@ LineHistograms finish(const Context& context, Totals& totals) {
             totals.diagonal_points[0] = shape.rows;
         }
     }
-    trim(totals.diagonal);
-    trim(totals.vertical);
-    trim(totals.time);
+    trim_zeros(totals.diagonal);
+    trim_zeros(totals.vertical);
+    trim_zeros(totals.time);
     return {shape.rows, shape.columns, shape.theiler, shape.symmetric, totals.points, totals.points_outside,
             std::move(totals.diagonal), std::move(totals.vertical), std::move(totals.time),
             std::move(totals.diagonal_points)};
 }
 
 }  // namespace
+
+void trim_zeros(std::vector<std::uint64_t>& histogram) {
+    while (histogram.size() > 1 && histogram.back() == 0) histogram.pop_back();
+    histogram.shrink_to_fit();
+}
 
 std::vector<LineHistograms> count_all_lines(const Shape& shape, std::size_t thresholds, const Settings& settings,
                                             const std::function<ColumnSource()>& make_source) {
@@ -299,7 +276,10 @@ std::vector<LineHistograms> count_all_lines(const Shape& shape, std::size_t thre
     for (std::size_t k = 0; k < thresholds; ++k) {
         std::vector<const BlockBorder*> of_threshold;
         for (const auto& border : borders) of_threshold.push_back(&border[k]);
-        join_blocks(context, of_threshold, context.totals[k]);
+        std::vector<std::uint64_t>& histogram = context.totals[k].diagonal;
+        join_blocks(of_threshold, context.frame.lines_begin, context.frame.words * 64, [&](const DiagonalLine& line) {
+            if (context.counts(line)) ++histogram[line.last - line.first + 1];
+        });
         result.push_back(finish(context, context.totals[k]));
     }
     return result;

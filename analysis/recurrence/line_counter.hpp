@@ -1,8 +1,8 @@
 // Counts the lines of a matrix whose columns come one at a time as bits, in blocks of columns on several threads.
 //
-// Bits are placed so that a diagonal keeps its bit from one column to the next (kernels.hpp, Frame). Lines of one or two
-// points, most of them when RR is small, are then counted 64 at a time by population counts; longer ones are entered
-// when they begin and tallied when they end. Lines that cross from one block into the next are joined afterwards.
+// Bits are placed so that a diagonal keeps its bit from one column to the next (line_kernels.hpp, Frame). Lines of one
+// or two points, most of them when RR is small, are then counted 64 at a time by population counts; longer ones are
+// entered when they begin and tallied when they end. Lines that cross from one block into the next are joined later.
 // Of a symmetric matrix only the diagonals below the main one are followed.
 #pragma once
 
@@ -16,6 +16,7 @@ struct Shape {
     std::size_t rows, columns;
     bool symmetric;
     int theiler;
+    bool vertical = true;  ///< count vertical lines, recurrence times and points as well
 };
 
 /// Sets bit r + offset of frames[k] for every recurrent row r of column c, one frame per threshold.
@@ -24,5 +25,8 @@ using ColumnSource = std::function<void(std::size_t c, std::size_t offset, std::
 /// `make_source` is called once per block of columns, from any thread; a source is used by one thread at a time.
 std::vector<LineHistograms> count_all_lines(const Shape& shape, std::size_t thresholds, const Settings& settings,
                                             const std::function<ColumnSource()>& make_source);
+
+/// Drops the zeros at the end of a histogram, but for entry 0.
+void trim_zeros(std::vector<std::uint64_t>& histogram);
 
 }  // namespace swirl::analysis::recurrence::detail

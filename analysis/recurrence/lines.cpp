@@ -2,10 +2,14 @@
 
 #include "analysis/recurrence/columns.hpp"
 #include "analysis/recurrence/line_counter.hpp"
+#include "analysis/recurrence/sliding_lines.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <utility>
 
 namespace swirl::analysis::recurrence {
 namespace {
@@ -18,12 +22,23 @@ std::vector<double> bounds_of(std::span<const double> thresholds, const Points& 
     return bounds;
 }
 
+void take_vertical(detail::VerticalCounts counts, LineHistograms& lines) {
+    detail::trim_zeros(counts.lines);
+    detail::trim_zeros(counts.times);
+    lines.vertical = std::move(counts.lines);
+    lines.recurrence_time = std::move(counts.times);
+    lines.points = counts.points;
+    lines.points_outside_window = counts.points_outside;
+}
+
 std::vector<LineHistograms> count(const Points& rows, const Points& columns, bool symmetric,
                                   std::span<const double> thresholds, const Settings& settings) {
     validate(settings);
     const std::vector<double> bounds = bounds_of(thresholds, rows, settings);
     const detail::SortedRows sorted = detail::sort_rows(rows, settings.norm);
-    const detail::Shape shape{rows.count, columns.count, symmetric, theiler_window(settings, !symmetric)};
+    const int theiler = theiler_window(settings, !symmetric);
+    const bool sliding = detail::can_slide(sorted, theiler);
+    const detail::Shape shape{rows.count, columns.count, symmetric, theiler, !sliding};
     // A source per block of columns: it owns the scratch that filling needs.
     const auto make_source = [&] {
         return [&, scratch = detail::make_scratch(sorted)](std::size_t c, std::size_t offset,
@@ -31,7 +46,23 @@ std::vector<LineHistograms> count(const Points& rows, const Points& columns, boo
             detail::fill_column(sorted, columns, c, bounds, offset, frames, scratch);
         };
     };
-    return detail::count_all_lines(shape, bounds.size(), settings, make_source);
+    std::vector<LineHistograms> histograms;
+    std::vector<detail::VerticalCounts> vertical(bounds.size());
+    const auto slide = [&] {
+        if (!sliding) return;
+        const std::vector<std::uint32_t> other = symmetric ? std::vector<std::uint32_t>{}
+                                                           : detail::sort_rows(columns, settings.norm).order;
+        tbb::parallel_for(std::size_t{0}, bounds.size(), [&](std::size_t k) {
+            vertical[k] = detail::count_vertical_sliding(sorted, columns, symmetric ? sorted.order : other, bounds[k],
+                                                         theiler, settings);
+        });
+    };
+    tbb::parallel_invoke(slide, [&] {
+        histograms = detail::count_all_lines(shape, bounds.size(), settings, make_source);
+    });
+    if (sliding)
+        for (std::size_t k = 0; k < bounds.size(); ++k) take_vertical(std::move(vertical[k]), histograms[k]);
+    return histograms;
 }
 
 }  // namespace

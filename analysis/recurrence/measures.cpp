@@ -119,9 +119,10 @@ Measures measures(const LineHistograms& lines, const Settings& settings) {
     m.VENTR = vertical.entropy;
     m.MRT = times.mean();
     m.RTE = times.entropy;
-    if (settings.time_entropy_scale == TimeEntropyScale::log_longest)
-        m.RTE = times.longest > 1 ? m.RTE / (std::log(static_cast<double>(times.longest)) / log_base(settings.logarithm))
-                                  : undefined;
+    if (settings.time_entropy_scale == TimeEntropyScale::log_longest) {
+        const double scale = std::log(static_cast<double>(times.longest)) / log_base(settings.logarithm);
+        m.RTE = times.longest > 1 ? m.RTE / scale : undefined;
+    }
     m.TREND = trend(lines, settings);
     return m;
 }

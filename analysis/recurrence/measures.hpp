@@ -5,8 +5,8 @@
 
 namespace swirl::analysis::recurrence {
 
-/// All of them are pure numbers except TREND (recurrence rate per 1000 samples). Without lines of the kind, averages and
-/// longest lengths are 0, entropies NaN (0 with settings.empty_is_zero). DET and LAM without any point are 0.
+/// All of them are pure numbers except TREND (recurrence rate per 1000 samples). Without lines of the kind, averages
+/// and longest lengths are 0, entropies NaN (0 with settings.empty_is_zero). DET and LAM without any point are 0.
 /// Entropies are those of the histogram of lengths, in settings.logarithm.
 struct Measures {
     double RR = 0;     ///< recurrence rate

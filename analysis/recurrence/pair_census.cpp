@@ -1,6 +1,6 @@
 #include "analysis/recurrence/pair_census.hpp"
 
-#include "analysis/recurrence/kernels.hpp"
+#include "analysis/recurrence/distance_kernels.hpp"
 
 #include <algorithm>
 #include <bit>

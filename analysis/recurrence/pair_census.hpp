@@ -14,7 +14,8 @@ namespace swirl::analysis::recurrence::detail {
 std::uint64_t count_sorted_pairs(std::span<const double> sorted, double period, double bound);
 
 /// Unordered pairs with j - i >= gap (gap >= 1) whose key is <= bounds[k], for each k. Cost: n^2/2 distances.
-std::vector<std::uint64_t> count_pairs(const Points& points, Norm norm, std::size_t gap, std::span<const double> bounds);
+std::vector<std::uint64_t> count_pairs(const Points& points, Norm norm, std::size_t gap,
+                                       std::span<const double> bounds);
 
 /// The `rank`-th smallest key (rank = 1, 2, ...) of the unordered pairs with j - i >= gap. Memory O(n).
 /// Narrows an interval of doubles, as integers, 16 bits at a pass; a sample of the points gives the first interval.

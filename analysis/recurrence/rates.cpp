@@ -15,7 +15,8 @@ namespace swirl::analysis::recurrence {
 namespace {
 
 std::vector<double> sorted_values(const Points& points) {
-    std::vector<double> values(points.values.begin(), points.values.begin() + static_cast<std::ptrdiff_t>(points.count));
+    const double* x = points.coordinate(0);
+    std::vector<double> values(x, x + points.count);
     tbb::parallel_sort(values.begin(), values.end());
     return values;
 }

@@ -74,7 +74,8 @@ inline void add_runs(const std::vector<int>& sequence, bool discard_border, Hist
         if (!discard_border || (run.begin != 0 && run.end != sequence.size())) ++histogram[run.end - run.begin];
 }
 
-inline void add_times(const std::vector<int>& column, const analysis::recurrence::Settings& settings, Histogram& times) {
+inline void add_times(const std::vector<int>& column, const analysis::recurrence::Settings& settings,
+                      Histogram& times) {
     using analysis::recurrence::RecurrenceTime;
     const std::vector<Run> found = runs(column);
     for (std::size_t k = 1; k < found.size(); ++k) {

@@ -64,7 +64,12 @@ void expect_equal(const LineHistograms& fast, const tests::Lines& plain, const s
 }
 
 const std::vector<std::size_t> sizes{1, 2, 3, 5, 31, 63, 64, 65, 100, 127, 129, 192, 300};
-const std::vector<double> thresholds{0.0, 0.05, 0.25, 0.7, 2.0, 9.0};
+
+// All of them, or the small ones only: with few candidates the columns are filled by another path than with many.
+std::vector<double> some_thresholds(std::mt19937_64& random) {
+    const std::vector<double> all{0.25, 0.0, 0.05, 0.7, 2.0, 9.0};
+    return {all.begin(), all.begin() + 1 + static_cast<std::ptrdiff_t>(random() % all.size())};
+}
 
 TEST(LineCounter, EqualsBruteForceForOneTrajectoryWithEveryOption) {
     std::mt19937_64 random(1);
@@ -72,6 +77,7 @@ TEST(LineCounter, EqualsBruteForceForOneTrajectoryWithEveryOption) {
         const std::size_t n = sizes[static_cast<std::size_t>(trial) % sizes.size()];
         const Case c = random_case(random, n, 1 + static_cast<int>(random() % 6));
         const Settings s = random_settings(random);
+        const auto thresholds = some_thresholds(random);
         const auto fast = count_lines(as_points(c), thresholds, s);
         for (std::size_t k = 0; k < thresholds.size(); ++k) {
             const auto matrix = tests::recurrence_matrix(c.points, c.points, c.periods, thresholds[k], s);
@@ -90,6 +96,7 @@ TEST(LineCounter, EqualsBruteForceForCrossRecurrence) {
         Case y = random_case(random, sizes[random() % sizes.size()], dimension);
         y.periods = x.periods;
         const Settings s = random_settings(random);
+        const auto thresholds = some_thresholds(random);
         const auto fast = count_cross_lines(as_points(x), as_points(y), thresholds, s);
         for (std::size_t k = 0; k < thresholds.size(); ++k) {
             const auto matrix = tests::recurrence_matrix(x.points, y.points, x.periods, thresholds[k], s);
@@ -118,19 +125,56 @@ TEST(LineCounter, EqualsBruteForceForAGivenMatrix) {
     }
 }
 
-// Lines that cross blocks of columns (256 columns and more), the 4096 small lengths, and smooth series with long lines.
+// Lines that cross blocks of columns (256 columns and more): a smooth series has long ones.
 TEST(LineCounter, JoinsLinesAcrossBlocks) {
     std::mt19937_64 random(4);
     for (const std::size_t n : {777u, 1024u, 1500u}) {
         std::vector<std::vector<double>> x(n);
         std::vector<double> series;
-        for (std::size_t i = 0; i < n; ++i) series.push_back(std::sin(0.1 * static_cast<double>(i)) + (i % 97 == 0 ? 0.3 : 0));
+        for (std::size_t i = 0; i < n; ++i)
+            series.push_back(std::sin(0.1 * static_cast<double>(i)) + (i % 97 == 0 ? 0.3 : 0));
         for (std::size_t i = 0; i < n; ++i) x[i] = {series[i]};
         for (int trial = 0; trial < 4; ++trial) {
             const Settings s = random_settings(random);
             const auto plain = tests::lines_of(tests::recurrence_matrix(x, x, {0.0}, 0.1, s), true, s);
             expect_equal(count_lines(embed_series(series), 0.1, s), plain, "n " + std::to_string(n));
         }
+    }
+}
+
+// Enough points that they are sorted into several slabs, with the cut of an angle through either sorting coordinate.
+TEST(LineCounter, EqualsBruteForceWithSeveralSlabs) {
+    std::mt19937_64 random(8);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (const auto& periods : {std::vector<double>{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2}}) {
+        Case c{std::vector<std::vector<double>>(1100, std::vector<double>(periods.size())), periods};
+        for (auto& point : c.points)
+            for (double& v : point) v = uniform(random);
+        for (const Norm norm : {Norm::euclidean, Norm::maximum}) {
+            Settings s;
+            s.norm = norm;
+            for (const double threshold : {0.05, 0.4}) {
+                const auto plain = tests::recurrence_matrix(c.points, c.points, periods, threshold, s);
+                expect_equal(count_lines(as_points(c), threshold, s), tests::lines_of(plain, true, s), "slabs");
+            }
+        }
+    }
+}
+
+// Lines longer than the private tables: a point that never moves has two lines of every length, both ways.
+TEST(LineCounter, CountsEveryLengthOfAFixedPoint) {
+    const std::size_t n = 5000;
+    const std::vector<double> still(2 * n, 0.5);
+    std::vector<std::uint64_t> two(n, 2);
+    two[0] = 0;
+    for (const Points& points : {section_points(still, 2), embed_series(std::span(still).first(n))}) {
+        const LineHistograms lines = count_lines(points, 0.1);
+        EXPECT_EQ(lines.points, n * n);
+        EXPECT_EQ(lines.points_outside_window, n * (n - 1));
+        EXPECT_EQ(lines.diagonal, two);
+        EXPECT_EQ(lines.vertical, two);
+        // floor(c / 2) + floor((4999 - c) / 2) + 1 in every column but the first and the last
+        EXPECT_EQ(as_map(lines.recurrence_time), (tests::Histogram{{2500, n - 2}}));
     }
 }
 

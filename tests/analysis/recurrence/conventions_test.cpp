@@ -127,7 +127,8 @@ TEST(BadInput, NamesValueAndRange) {
     EXPECT_EQ(error_of([&] { embed_series(std::vector<double>{1, nan}); }), "series value 1 = nan: must be finite");
     EXPECT_EQ(error_of([&] { embed_series(series, 0); }), "dimension = 0: must be >= 1");
     EXPECT_EQ(error_of([&] { embed_series(series, 2, 0); }), "delay = 0: must be >= 1");
-    EXPECT_EQ(error_of([&] { embed_series(series, 3, 2); }), "series length = 4: must be > 4 = (dimension - 1) * delay");
+    EXPECT_EQ(error_of([&] { embed_series(series, 3, 2); }),
+              "series length = 4: must be > 4 = (dimension - 1) * delay");
     EXPECT_EQ(error_of([&] { embed_series(series, 1, 1, -1); }),
               "period = -1.000000: must be finite and >= 0 (0: no angle)");
     EXPECT_EQ(error_of([&] { section_points(series, 3); }),

@@ -11,9 +11,10 @@ namespace {
 
 // RecurrenceAnalysis.jl, test/rqa_rna_analytic.jl: rows and columns from 1.
 BinaryMatrix cross_matrix_10_by_11() {
-    constexpr int ones[][2] = {{1, 1}, {2, 2}, {3, 2}, {6, 2},  {7, 2}, {8, 2}, {6, 3}, {7, 3},  {10, 3}, {2, 4},  {4, 4},
-                               {1, 5}, {2, 5}, {3, 5}, {5, 5},  {9, 5}, {10, 5}, {2, 6}, {3, 6}, {6, 6},  {7, 6},  {10, 6},
-                               {3, 7}, {8, 7}, {4, 8}, {1, 9},  {5, 9}, {7, 9}, {9, 9}, {9, 10}, {10, 10}, {3, 11}, {7, 11}};
+    constexpr int ones[][2] = {{1, 1}, {2, 2}, {3, 2},  {6, 2}, {7, 2}, {8, 2}, {6, 3},  {7, 3}, {10, 3},
+                               {2, 4}, {4, 4}, {1, 5},  {2, 5}, {3, 5}, {5, 5}, {9, 5},  {10, 5}, {2, 6},
+                               {3, 6}, {6, 6}, {7, 6},  {10, 6}, {3, 7}, {8, 7}, {4, 8}, {1, 9},  {5, 9},
+                               {7, 9}, {9, 9}, {9, 10}, {10, 10}, {3, 11}, {7, 11}};
     BinaryMatrix matrix{10, 11, std::vector<std::uint8_t>(110, 0)};
     for (const auto& one : ones) matrix.entries[static_cast<std::size_t>((one[0] - 1) * 11 + one[1] - 1)] = 1;
     return matrix;
@@ -72,8 +73,7 @@ TEST(RecurrenceAnalysisJl, CrossMatrixWithTheilerWindow) {
     EXPECT_NEAR(m.TREND, -17.9, 0.05);
 }
 
-// pyunicorn's tests: x_j(t) = sin(pi t / 10 + j pi / 2), t = 0 ... 9, j = 0 ... 5. (A point of the plot is one j: of the
-// 6 time series only the values at each t make 10 points of 6 coordinates.)
+// pyunicorn's tests: x_j(t) = sin(pi t / 10 + j pi / 2), t = 0 ... 9, j = 0 ... 5: ten points of six coordinates.
 TEST(Pyunicorn, SineExample) {
     std::vector<double> points;
     for (int t = 0; t < 10; ++t)
@@ -89,8 +89,8 @@ TEST(Pyunicorn, SineExample) {
     EXPECT_NEAR(m.MRT, 4.0, 1e-14);
 }
 
-// The published values have 16 or 17 digits: ratios of the same integers agree to the last bit or two (4 ulp); an entropy is a
-// sum of a few hundred rounded terms, printed by another library: 1e-13 relative.
+// The published values have 16 or 17 digits: ratios of the same integers agree to the last bit or two (4 ulp); an
+// entropy is a sum of a few hundred rounded terms in another order: 1e-13 relative.
 void expect_entropy(double ours, double published) { EXPECT_NEAR(ours, published, 1e-13 * published); }
 
 Measures rossler(const std::string& file, Norm norm, RatePairs pairs = RatePairs::outside_window) {

@@ -51,7 +51,8 @@ TEST(RecurrenceRate, BySortingEqualsThePairsForValuesAndAngles) {
 TEST(RecurrenceRate, OfManyCoordinatesEqualsThePairs) {
     std::mt19937_64 random(2);
     for (const Norm norm : {Norm::euclidean, Norm::maximum, Norm::manhattan}) {
-        const Points points = section_points(random_series(random, 5 * 333, false), 5, std::vector<double>{0, 2, 0, 0, 1});
+        const std::vector<double> periods{0, 2, 0, 0, 1};
+        const Points points = section_points(random_series(random, 5 * 333, false), 5, periods);
         Settings s;
         s.norm = norm;
         s.theiler = 0;
@@ -71,9 +72,9 @@ TEST(ThresholdOfRate, IsTheOrderStatisticOfTheDistances) {
     for (long trial = 0; trial < tests::sample_count(60); ++trial) {
         const std::size_t n = 3 + random() % 60;
         const int dimension = 1 + static_cast<int>(random() % 4);
-        const Points points = section_points(random_series(random, n * static_cast<std::size_t>(dimension), trial % 3 == 0),
-                                             dimension, std::vector<double>(static_cast<std::size_t>(dimension),
-                                                                            trial % 4 == 0 ? 2.5 : 0.0));
+        const auto d = static_cast<std::size_t>(dimension);
+        const std::vector<double> periods(d, trial % 4 == 0 ? 2.5 : 0.0);
+        const Points points = section_points(random_series(random, n * d, trial % 3 == 0), dimension, periods);
         Settings s;
         s.norm = static_cast<Norm>(trial % 3);
         s.theiler = static_cast<int>(random() % 3);

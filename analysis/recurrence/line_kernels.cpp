@@ -1,131 +1,16 @@
-#include "analysis/recurrence/kernels.hpp"
+#include "analysis/recurrence/line_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "analysis/recurrence/kernels.cpp"
+#define HWY_TARGET_INCLUDE "analysis/recurrence/line_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace swirl::analysis::recurrence::detail::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// Adds coordinate m to keys (or starts them). Kind: how coordinates combine.
-enum class Combine { first, maximum, sum, square, first_square };
-
-template <Combine combine, bool angle>
-double combine_one(double key, double d, double period) {
-    if constexpr (angle) d = std::min(d, period - d);
-    if constexpr (combine == Combine::first) return d;
-    if constexpr (combine == Combine::first_square) return d * d;
-    if constexpr (combine == Combine::maximum) return std::max(key, d);
-    if constexpr (combine == Combine::sum) return key + d;
-    if constexpr (combine == Combine::square) return key + d * d;
-}
-
-template <Combine combine, bool angle>
-void add_coordinate(const double* x, double centre, double period, std::size_t count, double* keys) {
-    const hn::ScalableTag<double> tag;
-    const std::size_t lanes = hn::Lanes(tag);
-    const auto c = hn::Set(tag, centre);
-    const auto p = hn::Set(tag, period);
-    std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) {
-        auto d = hn::Abs(hn::Sub(hn::LoadU(tag, x + i), c));
-        if constexpr (angle) d = hn::Min(d, hn::Sub(p, d));
-        if constexpr (combine == Combine::first_square) d = hn::Mul(d, d);
-        if constexpr (combine == Combine::maximum) d = hn::Max(hn::LoadU(tag, keys + i), d);
-        if constexpr (combine == Combine::sum) d = hn::Add(hn::LoadU(tag, keys + i), d);
-        if constexpr (combine == Combine::square) d = hn::Add(hn::LoadU(tag, keys + i), hn::Mul(d, d));
-        hn::StoreU(d, tag, keys + i);
-    }
-    for (; i < count; ++i) keys[i] = combine_one<combine, angle>(keys[i], std::fabs(x[i] - centre), period);
-}
-
-template <Combine combine>
-void add_any(const double* x, double centre, double period, std::size_t count, double* keys) {
-    if (period > 0)
-        add_coordinate<combine, true>(x, centre, period, count, keys);
-    else
-        add_coordinate<combine, false>(x, centre, period, count, keys);
-}
-
-// The commonest case in one sweep instead of three: a Euclidean distance of three plain coordinates. Same operations,
-// same order.
-void euclidean_3(const KeyTask& task, std::size_t begin, std::size_t count, double* keys) {
-    const hn::ScalableTag<double> tag;
-    const std::size_t lanes = hn::Lanes(tag);
-    const double* x = task.coordinates[0] + begin;
-    const double* y = task.coordinates[1] + begin;
-    const double* z = task.coordinates[2] + begin;
-    const auto cx = hn::Set(tag, task.centre[0]);
-    const auto cy = hn::Set(tag, task.centre[1]);
-    const auto cz = hn::Set(tag, task.centre[2]);
-    std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) {
-        const auto dx = hn::Sub(hn::LoadU(tag, x + i), cx);
-        const auto dy = hn::Sub(hn::LoadU(tag, y + i), cy);
-        const auto dz = hn::Sub(hn::LoadU(tag, z + i), cz);
-        hn::StoreU(hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz)), tag, keys + i);
-    }
-    for (; i < count; ++i) {
-        const double dx = x[i] - task.centre[0], dy = y[i] - task.centre[1], dz = z[i] - task.centre[2];
-        keys[i] = dx * dx + dy * dy + dz * dz;
-    }
-}
-
-void compute_keys(const KeyTask& task, std::size_t begin, std::size_t count, double* keys) {
-    const bool squares = task.norm == Norm::euclidean && task.dimension > 1;
-    if (squares && task.dimension == 3 && task.periods[0] == 0 && task.periods[1] == 0 && task.periods[2] == 0)
-        return euclidean_3(task, begin, count, keys);
-    for (int m = 0; m < task.dimension; ++m) {
-        const double* x = task.coordinates[m] + begin;
-        if (m == 0 && squares)
-            add_any<Combine::first_square>(x, task.centre[m], task.periods[m], count, keys);
-        else if (m == 0)
-            add_any<Combine::first>(x, task.centre[m], task.periods[m], count, keys);
-        else if (squares)
-            add_any<Combine::square>(x, task.centre[m], task.periods[m], count, keys);
-        else if (task.norm == Norm::maximum)
-            add_any<Combine::maximum>(x, task.centre[m], task.periods[m], count, keys);
-        else
-            add_any<Combine::sum>(x, task.centre[m], task.periods[m], count, keys);
-    }
-}
-
-// 64 keys to 64 bits.
-std::uint64_t word_of_keys(const double* keys, double bound) {
-    const hn::ScalableTag<double> tag;
-    const std::size_t lanes = hn::Lanes(tag);
-    const auto b = hn::Set(tag, bound);
-    std::uint64_t word = 0;
-    for (std::size_t i = 0; i < 64; i += lanes) {
-        alignas(8) std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(tag, hn::Le(hn::LoadU(tag, keys + i), b), bits);
-        word |= static_cast<std::uint64_t>(bits[0]) << i;
-    }
-    return word;
-}
-
-void mask_keys(const double* keys, std::size_t count, double bound, std::uint64_t* words) {
-    std::size_t i = 0;
-    for (; i + 64 <= count; i += 64) words[i / 64] = word_of_keys(keys + i, bound);
-    if (i < count) {
-        std::uint64_t word = 0;
-        for (std::size_t k = 0; i + k < count; ++k) word |= static_cast<std::uint64_t>(keys[i + k] <= bound) << k;
-        words[i / 64] = word;
-    }
-}
-
-std::size_t count_keys(const double* keys, std::size_t count, double bound) {
-    std::size_t total = 0, i = 0;
-    for (; i + 64 <= count; i += 64) total += static_cast<std::size_t>(std::popcount(word_of_keys(keys + i, bound)));
-    for (; i < count; ++i) total += keys[i] <= bound;
-    return total;
-}
 
 void scatter_rows(const std::uint32_t* order, std::size_t begin, std::size_t end, std::size_t offset,
                   std::uint64_t* words) {
@@ -135,29 +20,57 @@ void scatter_rows(const std::uint32_t* order, std::size_t begin, std::size_t end
     }
 }
 
-// Writes where the colour changes along the bits of words first_word ... last_word: the begin of a line, the first bit
-// after it, and so on. Four positions are written per word whether or not there are so many and the next word overwrites
-// the excess: at a few per cent of points, branches on the bits would nearly all be mispredicted (as in simdjson).
-std::size_t list_changes(const std::uint64_t* words, std::size_t first_word, std::size_t last_word,
-                         std::uint32_t* changes, std::size_t& points) {
+// Appends base + k for every bit k of `bits`, which is not 0. Four positions are written whether or not there are so
+// many, and the next call overwrites the excess: at a few per cent of points, a branch per bit would nearly always be
+// mispredicted (as in simdjson).
+std::uint32_t* list_bits(std::uint64_t bits, std::uint32_t base, std::uint32_t* out) {
+    std::uint32_t* const end = out + std::popcount(bits);
+    for (std::size_t k = 0; k < 4; ++k, bits &= bits - 1)  // the top bit keeps the count defined without a branch
+        out[k] = base + static_cast<std::uint32_t>(__builtin_ctzll(bits | (std::uint64_t{1} << 63)));
+    for (std::size_t k = 4; bits != 0; ++k, bits &= bits - 1)
+        out[k] = base + static_cast<std::uint32_t>(__builtin_ctzll(bits));
+    return end;
+}
+
+// Writes where the colour changes along the bits of words first ... last: the begin of a line, the first bit after it,
+// and so on. 64 words at a time: first which of them have a change at all, as the bits of one word.
+std::size_t list_changes(const std::uint64_t* words, std::size_t first, std::size_t last, std::uint32_t* changes,
+                         std::size_t& points) {
+    const hn::ScalableTag<std::uint64_t> tag;
+    const std::size_t lanes = hn::Lanes(tag);
+    std::uint64_t change[64];
     std::uint32_t* out = changes;
-    std::uint64_t carry = 0;
-    std::size_t set = 0;
-    for (std::size_t w = first_word; w <= last_word; ++w) {
-        const std::uint64_t x = words[w];
-        std::uint64_t change = x ^ ((x << 1) | carry);
-        carry = x >> 63;
-        set += static_cast<std::size_t>(std::popcount(x));
-        const auto count = static_cast<std::size_t>(std::popcount(change));
-        const auto base = static_cast<std::uint32_t>(w << 6);
-        for (std::size_t k = 0; k < 4; ++k, change &= change - 1)  // the top bit keeps the count defined without a branch
-            out[k] = base + static_cast<std::uint32_t>(__builtin_ctzll(change | (std::uint64_t{1} << 63)));
-        for (std::size_t k = 4; change != 0; ++k, change &= change - 1)
-            out[k] = base + static_cast<std::uint32_t>(std::countr_zero(change));
-        out += count;
+    points = static_cast<std::size_t>(std::popcount(words[first]));
+    if (const std::uint64_t x = words[first] ^ (words[first] << 1); x != 0)
+        out = list_bits(x, static_cast<std::uint32_t>(first << 6), out);
+    auto set = hn::Zero(tag);
+    for (std::size_t begin = first + 1; begin <= last; begin += 64) {
+        const std::size_t count = std::min<std::size_t>(64, last + 1 - begin);
+        std::uint64_t changed = 0;
+        std::size_t k = 0;
+        for (; k + lanes <= count; k += lanes) {
+            const auto x = hn::LoadU(tag, words + begin + k);
+            const auto carry = hn::ShiftRight<63>(hn::LoadU(tag, words + begin + k - 1));
+            const auto difference = hn::Xor(x, hn::Or(hn::ShiftLeft<1>(x), carry));
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(tag, hn::Ne(difference, hn::Zero(tag)), bits);
+            changed |= static_cast<std::uint64_t>(bits[0]) << k;
+            hn::StoreU(difference, tag, change + k);
+            set = hn::Add(set, hn::PopulationCount(x));
+        }
+        for (; k < count; ++k) {
+            const std::uint64_t x = words[begin + k];
+            change[k] = x ^ ((x << 1) | (words[begin + k - 1] >> 63));
+            changed |= static_cast<std::uint64_t>(change[k] != 0) << k;
+            points += static_cast<std::size_t>(std::popcount(x));
+        }
+        for (; changed != 0; changed &= changed - 1) {
+            const auto which = static_cast<std::size_t>(std::countr_zero(changed));
+            out = list_bits(change[which], static_cast<std::uint32_t>((begin + which) << 6), out);
+        }
     }
-    if (carry != 0) *out++ = static_cast<std::uint32_t>((last_word + 1) << 6);
-    points = set;
+    if (words[last] >> 63 != 0) *out++ = static_cast<std::uint32_t>((last + 1) << 6);
+    points += static_cast<std::size_t>(hn::GetLane(hn::SumOfLanes(tag, set)));
     return static_cast<std::size_t>(out - changes);
 }
 
@@ -302,23 +215,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace swirl::analysis::recurrence::detail {
 
-HWY_EXPORT(compute_keys);
-HWY_EXPORT(mask_keys);
-HWY_EXPORT(count_keys);
 HWY_EXPORT(scatter_rows);
 HWY_EXPORT(vertical_lines);
 HWY_EXPORT(diagonal_step);
 HWY_EXPORT(add_to_planes);
 
-void compute_keys(const KeyTask& task, std::size_t begin, std::size_t count, double* keys) {
-    HWY_DYNAMIC_DISPATCH(compute_keys)(task, begin, count, keys);
-}
-void mask_keys(const double* keys, std::size_t count, double bound, std::uint64_t* words) {
-    HWY_DYNAMIC_DISPATCH(mask_keys)(keys, count, bound, words);
-}
-std::size_t count_keys(const double* keys, std::size_t count, double bound) {
-    return HWY_DYNAMIC_DISPATCH(count_keys)(keys, count, bound);
-}
 void scatter_rows(const std::uint32_t* order, std::size_t begin, std::size_t end, std::size_t offset,
                   std::uint64_t* words) {
     HWY_DYNAMIC_DISPATCH(scatter_rows)(order, begin, end, offset, words);

@@ -1,5 +1,4 @@
-// The inner loops of recurrence analysis, compiled for several instruction sets and chosen at run time (Highway).
-// Everything here is integers, bits, or single IEEE operations in a fixed order, so the results are the same on all.
+// The inner loops over bits, compiled for several instruction sets and chosen at run time (Highway). Integers only.
 //
 // Frame. Column c of the matrix is kept as bits, row r at bit q = r + offset. Line counting uses
 // offset = origin - c, so that q - origin = r - c is the diagonal: consecutive columns align without shifts.
@@ -14,25 +13,6 @@
 #include <vector>
 
 namespace swirl::analysis::recurrence::detail {
-
-/// Distances are computed in chunks of this many points.
-constexpr std::size_t chunk_size = 1024;
-
-/// One point against the points begin ... begin + count - 1 of coordinate arrays: their keys (metric.hpp).
-struct KeyTask {
-    const double* const* coordinates;  ///< `dimension` arrays
-    const double* centre;              ///< the point, `dimension` values
-    const double* periods;             ///< `dimension` values, 0: not an angle
-    int dimension;
-    Norm norm;
-};
-void compute_keys(const KeyTask& task, std::size_t begin, std::size_t count, double* keys);
-
-/// Bit t of `words` = (keys[t] <= bound), bits from `count` to the end of the last word 0. Writes (count + 63) / 64 words.
-void mask_keys(const double* keys, std::size_t count, double bound, std::uint64_t* words);
-
-/// How many of the keys are <= bound.
-std::size_t count_keys(const double* keys, std::size_t count, double bound);
 
 /// Sets bit order[k] + offset for k = begin ... end - 1.
 void scatter_rows(const std::uint32_t* order, std::size_t begin, std::size_t end, std::size_t offset,
@@ -88,7 +68,7 @@ struct DiagonalStep {
     const std::uint64_t* next;
     const std::uint64_t* after_next;
     std::uint64_t* open;     ///< bits of the lines entered and not yet ended
-    std::uint32_t* begun;    ///< begun[q - 64 * first_word_of_frame]: the column where the open line began
+    std::uint32_t* begun;    ///< begun[q - frame_begin]: the column where the open line began
     std::size_t frame_begin; ///< first bit of the frame that can hold a line (a multiple of 64)
     std::size_t first_word, last_word;  ///< words to look at, both included
     std::uint32_t column;

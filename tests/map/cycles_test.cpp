@@ -1,0 +1,87 @@
+// The cycles of oracle/cycles.json and the steady modes of oracle/steady_e1.json: points and multipliers.
+#include "map/derivative.hpp"
+#include "map/saltation.hpp"
+#include "tests/map/oracle.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <complex>
+#include <cstdio>
+#include <vector>
+
+namespace swirl {
+namespace {
+
+using nlohmann::json;
+using Complex = std::complex<double>;
+
+double distance(const SectionPoint<double>& a, const SectionPoint<double>& b) {
+    return std::max({std::fabs(wrapped_angle(a.psi - b.psi)), std::fabs(wrapped_angle(a.chi - b.chi)),
+                     std::fabs(a.vn - b.vn), std::fabs(a.vt - b.vt), std::fabs(a.spin - b.spin)});
+}
+
+/// Largest error of a set of multipliers, relative for those above 1: each in turn, by falling modulus, is paired with
+/// the nearest one left. (Sorting both would mispair those of equal modulus.)
+double multiplier_error(const Eigen::VectorXcd& found, const json& listed) {
+    std::vector<Complex> left(found.begin(), found.end());
+    if (left.size() != listed.size()) return HUGE_VAL;
+    double worst = 0;
+    for (const json& m : listed) {
+        const Complex wanted(m[0].get<double>(), m[1].get<double>());
+        const auto nearest = std::min_element(left.begin(), left.end(), [&](const Complex& a, const Complex& b) {
+            return std::abs(a - wanted) < std::abs(b - wanted);
+        });
+        worst = std::max(worst, std::abs(*nearest - wanted) / std::max(1.0, std::abs(wanted)));
+        left.erase(nearest);
+    }
+    return worst;
+}
+
+/// |F^k(z) − z|, the return time's error and both forms' multipliers.
+template <class Map>
+void check_cycle(const Map& map, const json& cycle) {
+    constexpr Shape shape = Map::shape;
+    constexpr int dimension = section_dimension<shape>;
+    using Matrix = Eigen::Matrix<double, dimension, dimension>;
+    const auto start = tests::point_from<double>(cycle["point"]);
+    const int period = cycle["period"];
+    const DifferentiatedMap differentiated(map);
+    Matrix jets = Matrix::Identity(), saltation = Matrix::Identity();
+    SectionPoint<double> z = start;
+    double time = 0;
+    for (int k = 0; k < period; ++k) {
+        const auto step = differentiated.linearise(z);
+        ASSERT_EQ(step.collision.contact, ContactOutcome::contact);
+        jets = step.derivative * jets;
+        saltation = linearise_by_saltation(map, z).derivative * saltation;
+        time += step.collision.flight_time;
+        z = section_point(step.collision.after);
+    }
+    const double residual = distance(z, start);
+    const double by_jets = multiplier_error(jets.eigenvalues(), cycle["multipliers"]);
+    const double by_saltation = multiplier_error(saltation.eigenvalues(), cycle["multipliers"]);
+    std::printf("N %3d period %2d  |F^k(z)-z| %.1e  multipliers: jets %.1e, saltation %.1e\n", map.scene().sides, period,
+                residual, by_jets, by_saltation);
+    EXPECT_LE(residual, 1e-12);
+    EXPECT_NEAR(time, tests::number<double>(cycle["return_time"]), 1e-12 * period);
+    EXPECT_LE(by_jets, 1e-9);
+    EXPECT_LE(by_saltation, 1e-9);
+}
+
+void check_all(const char* file, int wanted) {
+    const json oracle = tests::read_oracle(file);
+    int count = 0;
+    for (const json& cycle : oracle["cycles"]) {
+        SCOPED_TRACE(std::string(file) + ", number " + std::to_string(count++));
+        with_collision_map(tests::scene_from<double>(cycle), [&](const auto& map) { check_cycle(map, cycle); });
+    }
+    EXPECT_EQ(count, wanted);
+}
+
+TEST(Cycles, OracleCyclesCloseWithTheirMultipliers) { check_all("cycles.json", 20); }
+TEST(Cycles, OracleSteadyModesCloseWithTheirMultipliers) { check_all("steady_e1.json", 10); }
+
+}  // namespace
+}  // namespace swirl

@@ -1,0 +1,63 @@
+// Without friction at e = 1, J = … + ½I(S − 1)²: an ergodic polygon turns with the swirl, time-mean S = 1 exactly.
+#include "map/collision_map.hpp"
+#include "tests/sample_count.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace swirl {
+namespace {
+
+struct Mean {
+    double value = 0, standard_error = 0, per_impact = 0;
+};
+
+/// Time mean of S and its standard error from block means, blocks long against the memory of the orbit.
+template <class Map>
+Mean mean_spin(const Map& map, Launch<double> launch, int blocks, long impacts) {
+    std::vector<double> means;
+    double per_impact = 0;
+    for (int b = 0; b < blocks; ++b) {
+        double time = 0, integral = 0;
+        for (long k = 0; k < impacts; ++k) {
+            const double spin = launch.spin;
+            const auto step = map.advance(launch);
+            if (step.contact != ContactOutcome::contact) {
+                ADD_FAILURE() << "outcome " << static_cast<int>(step.contact);
+                return {};
+            }
+            launch = step.after;
+            time += step.flight_time;
+            integral += spin * step.flight_time;
+            per_impact += spin / static_cast<double>(impacts * blocks);
+        }
+        means.push_back(integral / time);
+    }
+    Mean mean;
+    for (const double m : means) mean.value += m / blocks;
+    double square = 0;
+    for (const double m : means) square += (m - mean.value) * (m - mean.value);
+    mean.standard_error = std::sqrt(square / (blocks - 1.0) / blocks);
+    mean.per_impact = per_impact;
+    return mean;
+}
+
+void check_mean(int sides, double alpha, double beta, const SectionPoint<double>& z) {
+    const Scene<double> scene{sides, alpha, beta, 0, 1, Law::poisson, uniform_inertia_factor<double>(sides)};
+    const CollisionMap<double, Shape::polygon, ImpactRule::frictionless> map(scene);
+    const Mean mean = mean_spin(map, launch_from(z), 100, tests::sample_count(20000));
+    std::printf("N %d: time-mean S = %.5f +- %.5f (mean per impact %.5f)\n", sides, mean.value, mean.standard_error,
+                mean.per_impact);
+    EXPECT_NEAR(mean.value, 1, 3 * mean.standard_error);
+    EXPECT_LE(mean.standard_error, 0.02 * tests::sample_count(20) / 20 + (tests::sample_count(20) < 20 ? 0.2 : 0));
+}
+
+TEST(MeanSpin, OfAFrictionlessChaoticTriangleIsTheSwirls) { check_mean(3, 0.5, 0.5, {0.3, 0.1, -0.9, 0.4, 0.2}); }
+TEST(MeanSpin, OfAFrictionlessChaoticSquareIsTheSwirls) { check_mean(4, 0.6, 0.8, {0.3, 0.1, -1.2, 0.4, -0.5}); }
+TEST(MeanSpin, OfAFrictionlessChaoticHexagonIsTheSwirls) { check_mean(6, 0.5, 0.5, {0.3, 0.05, -1.1, 0.4, 0.2}); }
+
+}  // namespace
+}  // namespace swirl

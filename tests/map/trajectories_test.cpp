@@ -1,0 +1,100 @@
+// The 48 orbits of oracle/trajectories.json, in three precisions.
+#include "map/laboratory.hpp"
+#include "tests/map/oracle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace swirl {
+namespace {
+
+using nlohmann::json;
+using tests::number;
+
+/// Error ≤ max(relative × amplification, floor) at every impact whose amplification is at most `reach`.
+struct Tolerance {
+    double relative, floor, reach;
+};
+
+struct Tally {
+    int orbits = 0, impacts = 0;
+    double worst = 0;  ///< error in units of what is allowed
+};
+
+/// Largest error of one impact, in all that the oracle lists (times and angles as they are, unwound; ψ as an angle).
+template <class T>
+double error_of(const LabState<T>& state, const Collision<T>& collision, const json& row) {
+    using std::fabs;
+    double error = 0;
+    const auto compare = [&](const T& value, const char* key) {
+        error = std::max(error, static_cast<double>(fabs(T(value - number<T>(row[key])))));
+    };
+    compare(state.t, "t");
+    compare(state.x, "x");
+    compare(state.y, "y");
+    compare(state.vx, "vx");
+    compare(state.vy, "vy");
+    compare(state.angle, "angle");
+    compare(state.spin, "spin");
+    compare(collision.impulse.normal, "normal_impulse");
+    compare(collision.impulse.tangential, "tangential_impulse");
+    const T psi = section_point(collision.after).psi - number<T>(row["psi"]);
+    return std::max(error, static_cast<double>(fabs(wrapped_angle(psi))));
+}
+
+template <class Map>
+void follow(const Map& map, const json& orbit, const Tolerance& tolerance, Tally& tally) {
+    using T = typename Map::Number;
+    const json& i = orbit["initial"];
+    const LabStart<T> start{number<T>(i["x"]),  number<T>(i["y"]),     number<T>(i["vx"]),
+                            number<T>(i["vy"]), number<T>(i["angle"]), number<T>(i["spin"])};
+    auto frame = LabFrame<T>::at_start(start.angle);
+    Collision<T> collision = map.advance(flight_from(map.body(), start));
+    T spin = start.spin;
+    int k = 0;
+    for (const json& row : orbit["collisions"]) {
+        const double amplification = row["amplification"];
+        if (k++ > 0) collision = map.advance(collision.after);
+        ASSERT_EQ(collision.contact, ContactOutcome::contact) << "impact " << k;
+        frame.follow(map, collision, spin);
+        spin = collision.after.spin;
+        if (amplification > tolerance.reach) continue;
+        EXPECT_EQ(frame.vertex, row["vertex"].get<int>()) << "impact " << k;
+        const double error = error_of(lab_state(map.body(), frame, collision.after), collision, row);
+        const double allowed = std::max(tolerance.floor, tolerance.relative * amplification);
+        EXPECT_LE(error, allowed) << "impact " << k;
+        tally.worst = std::max(tally.worst, error / allowed);
+        ++tally.impacts;
+    }
+}
+
+template <class T>
+void reproduce(const Tolerance& tolerance, int impacts) {
+    const json oracle = tests::read_oracle("trajectories.json");
+    Tally tally;
+    for (const json& orbit : oracle["cases"]) {
+        SCOPED_TRACE("orbit " + std::to_string(tally.orbits));
+        with_collision_map(tests::scene_from<T>(orbit),
+                           [&](const auto& map) { follow(map, orbit, tolerance, tally); });
+        ++tally.orbits;
+    }
+    std::printf("%d orbits, %d impacts, largest error %.3f of what is allowed\n", tally.orbits, tally.impacts,
+                tally.worst);
+    EXPECT_EQ(tally.orbits, 48);
+    EXPECT_GE(tally.impacts, impacts);
+}
+
+TEST(Trajectories, OracleOrbitsAreReproducedInDouble) { reproduce<double>({1e-13, 1e-12, 1e10}, 500); }
+
+/// The same in units of ε, which is 2¹¹ times smaller.
+TEST(Trajectories, OracleOrbitsAreReproducedInLongDouble) {
+    reproduce<long double>({1e-13 / 2048, 1e-12 / 2048, 1e13}, 500);
+}
+
+TEST(Trajectories, OracleOrbitsAreReproducedInQuad) { reproduce<Quad>({1e-24, 1e-22, HUGE_VAL}, 48 * 12); }
+
+}  // namespace
+}  // namespace swirl

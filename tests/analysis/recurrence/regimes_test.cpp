@@ -60,8 +60,8 @@ TEST(Regime, CycleReturnsAfterItsPeriod) {
     EXPECT_EQ(m.RTE, 0);
 }
 
-// A rotation is isometric: its recurrence plot consists of full diagonals. The points fill the circle evenly: the share in
-// any arc is its length up to the discrepancy, at most (3 + (1/ln(1/golden) + 1/ln 2) ln n) / n for the golden mean
+// A rotation is isometric: its recurrence plot consists of full diagonals. The points fill the circle evenly: the share
+// in any arc is its length up to the discrepancy, at most (3 + (1/ln(1/golden) + 1/ln 2) ln n) / n for the golden mean
 // (Kuipers & Niederreiter, Uniform Distribution of Sequences, theorem 2.3.4), and so is RC, a mean of such shares.
 TEST(Regime, GoldenRotationHasRrTwiceTheThreshold) {
     const std::size_t n = 40000;
@@ -120,7 +120,7 @@ TEST(Regime, ChaoticLogisticMapLosesHalfOfItsLinesPerStep) {
     double longer_4 = 0, longer_9 = 0;  // lines of at least 4, at least 9 points
     for (std::size_t l = 4; l < lines.diagonal.size(); ++l) longer_4 += static_cast<double>(lines.diagonal[l]);
     for (std::size_t l = 9; l < lines.diagonal.size(); ++l) longer_9 += static_cast<double>(lines.diagonal[l]);
-    // Over 20 other starting points the ratio to ln 2 is 0.998 on average with a standard deviation of 0.018: three of it.
+    // Over 20 other starting points the ratio to ln 2 has mean 0.998 and standard deviation 0.018: three of it.
     EXPECT_NEAR(std::log(longer_4 / longer_9) / 5, std::log(2.0), 3 * 0.018 * std::log(2.0));
 }
 

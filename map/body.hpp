@@ -11,32 +11,6 @@
 
 namespace swirl {
 
-namespace detail {
-
-/// Of the vectors within two roundings of a unit vector, the one whose length is nearest to 1. The arm of a vertex that
-/// is always too long by the same part of ε would displace the centre the same way at each of its impacts, and J would
-/// drift in proportion to their number.
-template <class T>
-inline Vec2<T> nearest_unit(const Vec2<T>& v) {
-    if constexpr (!std::is_same_v<T, double>) {
-        return v;  // no wider hardware type to measure the length in; the drift is below 2⁻¹¹ of double's
-    } else {
-        const auto excess = [](const Vec2<double>& a) {
-            const long double x = a.x, y = a.y;
-            return std::fabs((x * x - 0.5L) + (y * y - 0.5L));
-        };
-        Vec2<double> best = v;
-        for (int i = -2; i <= 2; ++i)
-            for (int j = -2; j <= 2; ++j) {
-                const Vec2<double> next{v.x + i * 0x1p-54, v.y + j * 0x1p-54};
-                if (excess(next) < excess(best)) best = next;
-            }
-        return best;
-    }
-}
-
-}  // namespace detail
-
 enum class Shape { disk, polygon };
 
 /// What a flight needs to know of the body and its container. Lengths in R_c.
@@ -50,7 +24,7 @@ struct Body {
     T spacing{};         ///< 2π/N, the angle from a vertex to the next
     T half_slope{};      ///< tan(π/N)
     std::vector<Vec2<T>> vertices;  ///< cis(2πk/N) for N small enough to be worth a table …
-    std::vector<Vec2<T>> rests;     ///< … and what rounding left out of it, which would add up (double only)
+    std::vector<Vec2<T>> rests;     ///< … and what rounding left out of it (double only)
 
     static constexpr int table_limit = 1024;
 
@@ -58,9 +32,13 @@ struct Body {
     Vec2<T> turned_to_vertex(const Vec2<T>& v, int k) const {
         if (k == 0) return v;
         if (vertices.empty()) return times(v, direction_by_formula(k));
-        const auto index = static_cast<std::size_t>(k);
-        if constexpr (std::is_same_v<T, double>) return times(v, vertices[index]) + times(v, rests[index]);
-        return times(v, vertices[index]);
+        return times(v, vertices[static_cast<std::size_t>(k)]);
+    }
+    /// What that leaves out because the table is rounded: some 10⁻¹⁷ of v, always the same way for the same k. Too
+    /// small to be added to the vector, it is added to the vertex's gap, where it keeps J from drifting.
+    Vec2<T> rest_of_vertex(const Vec2<T>& v, int k) const {
+        if (rests.empty()) return {T(0), T(0)};
+        return times(v, rests[static_cast<std::size_t>(k)]);
     }
     Vec2<T> direction_by_formula(int k) const {
         const int centred = 2 * k > sides ? k - sides : k;  // the shorter way round keeps the argument small
@@ -98,7 +76,7 @@ inline Body<T> make_body(const Scene<T>& scene) {
             body.vertices.push_back(entry.value);
             body.rests.push_back(entry.rest);
         } else {
-            body.vertices.push_back(detail::nearest_unit(body.direction_by_formula(k)));
+            body.vertices.push_back(body.direction_by_formula(k));
         }
     }
     return body;

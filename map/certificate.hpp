@@ -81,13 +81,15 @@ inline Gap<T> at_root(const Gap<T>& gap, const T& d) {
     return {T(0), gap.rate + d * gap.bend, gap.bend + d * gap.jerk, gap.jerk};
 }
 
-/// True if after a correction of this size the error that is left is below rounding (d⁴ against ε; scale g′/g″).
+/// True if after a correction of this size the error that is left is below rounding (d⁴ against ε; scale g′/g″). The
+/// gap itself must be as small as the correction says: far from a root the correction can vanish too (½gg″ = g′²).
 template <class T>
 inline bool is_converged(const Gap<T>& gap, const T& correction) {
     using std::fabs;
     const T small = fourth_root_of_epsilon<T>() / T(4);  // 3·10⁻⁵ in double
     const T size = fabs(correction);
-    return size <= small && size * fabs(gap.bend) <= small * gap.rate;
+    return size <= small && size * fabs(gap.bend) <= small * gap.rate &&
+           fabs(gap.value) <= T(2) * gap.rate * size;
 }
 
 /// A search for a root ahead that has no guarantees (those come from `clear_between` afterwards) gives up beyond these.

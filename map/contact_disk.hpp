@@ -61,6 +61,7 @@ Contact<T> certain_contact_disk(const Body<T>& body, const Flight<T>& flight) {
             return contact;
         }
         if (last || (!starting && gap.value >= 0 && gap.rate >= 0)) {
+            if (!last) advance<Shape::disk>(flight, contact.at, T(-overshoot(gap, contact.at.time)));
             touch_disk(body, contact);
             return contact;
         }

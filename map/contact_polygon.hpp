@@ -35,6 +35,16 @@ inline NextStep<T> step_among_vertices(const Body<T>& body, const Flight<T>& fli
     return {step, gap.value < 0 && is_last(gap, bounds.vertex_third, step, at.time)};
 }
 
+/// Takes a contact that was met from beyond back to its time.
+template <class T>
+inline void step_back(const Body<T>& body, const Flight<T>& flight, const NearestTwo<T>& pair, Contact<T>& contact) {
+    const Candidate<T>& chosen = contact.vertex == pair.first.vertex ? pair.first : pair.second;
+    const T back = overshoot(chosen.gap, contact.at.time);
+    if (back == 0) return;
+    advance<Shape::polygon>(flight, contact.at, T(-back));
+    contact.arm = body.turned_to_vertex(contact.at.arm, contact.vertex);
+}
+
 /// Advances by safe steps until a vertex touches. Away from the wall the circumscribed circle decides; in the ring
 /// 1 − α ≤ |X| where vertices can touch, the two nearest to the centre's direction do.
 template <class T>
@@ -62,6 +72,7 @@ Contact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight)
             }
             if (last || touches(pair.first, starting) || touches(pair.second, starting)) {
                 choose(pair, contact);
+                if (!last) step_back(body, flight, pair, contact);
                 return contact;
             }
             const T distance = magnitude(contact.at.centre);
@@ -80,8 +91,8 @@ Contact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight)
 template <class T>
 inline void bring_to(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, NearestTwo<T>& pair) {
     for (Candidate<T>* candidate : {&pair.first, &pair.second}) {
-        candidate->arm = candidate->vertex == 0 ? at.arm : times(at.arm, body.vertex_direction(candidate->vertex));
-        candidate->gap = gap_of(flight, at, *candidate);
+        candidate->arm = body.turned_to_vertex(at.arm, candidate->vertex);
+        candidate->gap = gap_of(body, flight, at, *candidate);
     }
 }
 
@@ -151,7 +162,9 @@ inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight,
         converged = is_converged(pair.first.gap, correction);
         advance<Shape::polygon>(flight, at, correction);
     }
+    const int striking = pair.first.vertex;
     look_around(body, flight, at, pair);
+    if (pair.first.vertex != striking) return false;  // its neighbour is nearer to the wall by now
     pair.first.gap.value = std::min(pair.first.gap.value, T(0));
     if (!(at.time > 0 && clear_flight(body, flight, bounds_of<Shape::polygon>(body, flight), at, pair))) return false;
     choose(pair, contact);

@@ -21,7 +21,7 @@ Collision<J> strike_along(const CollisionMap<J, shape, rule>& map, const Flight<
             using std::sqrt;
             return Vec2<J>((map.body().alpha / sqrt(dot(at.centre, at.centre))) * at.centre);
         } else {
-            return times(at.arm, map.body().vertex_direction(vertex));
+            return map.body().turned_to_vertex(at.arm, vertex);
         }
     };
     const Instant<J> nominal = instant_at<shape>(flight, J(time));

@@ -38,8 +38,21 @@ constexpr Vec2<double> small_turn_minus_one(double d) {
 
 inline constexpr int turn_table_size = 65;
 
-/// cis(k/2) − 1, k = 0 … 64, from Taylor's series for ½ in long double and repeated composition, rounded once.
-constexpr std::array<Vec2<double>, turn_table_size> turn_table() {
+/// A tabled vector with what rounding it to double left out. A table's rounding errors do not average out, since
+/// the same few entries are used again and again: the rest is added back.
+struct TabledVector {
+    Vec2<double> value;
+    Vec2<double> rest;
+};
+
+constexpr TabledVector tabled(const Vec2<long double>& v) {
+    const Vec2<double> value{static_cast<double>(v.x), static_cast<double>(v.y)};
+    return {value, {static_cast<double>(v.x - static_cast<long double>(value.x)),
+                    static_cast<double>(v.y - static_cast<long double>(value.y))}};
+}
+
+/// cis(k/2) − 1, k = 0 … 64, from Taylor's series for ½ in long double and repeated composition.
+constexpr std::array<TabledVector, turn_table_size> turn_table() {
     long double sine = 0;
     long double cosine = 0;  // cos ½ − 1
     long double term = 1;
@@ -48,10 +61,10 @@ constexpr std::array<Vec2<double>, turn_table_size> turn_table() {
         (n % 2 ? sine : cosine) += n % 4 < 2 ? term : -term;
     }
     const Vec2<long double> half{cosine, sine};
-    std::array<Vec2<double>, turn_table_size> table{};
+    std::array<TabledVector, turn_table_size> table{};
     Vec2<long double> turn{0, 0};
     for (auto& entry : table) {
-        entry = {static_cast<double>(turn.x), static_cast<double>(turn.y)};
+        entry = tabled(turn);
         turn = compose(turn, half);
     }
     return table;
@@ -71,9 +84,12 @@ inline Vec2<T> turn_minus_one(const T& angle) {
             return {full.x - 1, full.y};
         }
         const int k = static_cast<int>(angle + angle + std::copysign(0.5, angle));
-        const Vec2<double> tabled = detail::half_radians[static_cast<std::size_t>(k < 0 ? -k : k)];
-        const Vec2<double> coarse{tabled.x, k < 0 ? -tabled.y : tabled.y};
-        return compose(coarse, detail::small_turn_minus_one(angle - 0.5 * k));
+        const detail::TabledVector& entry = detail::half_radians[static_cast<std::size_t>(k < 0 ? -k : k)];
+        const double side = k < 0 ? -1 : 1;
+        const Vec2<double> coarse{entry.value.x, side * entry.value.y};
+        const Vec2<double> fine = detail::small_turn_minus_one(angle - 0.5 * k);
+        const Vec2<double> rest{entry.rest.x, side * entry.rest.y};
+        return coarse + (fine + (rest + times(coarse, fine)));
     } else {
         const Vec2<T> half = cis(T(angle * T(0.5)));
         return {T(-2) * half.y * half.y, T(2) * half.y * half.x};

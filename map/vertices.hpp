@@ -31,26 +31,28 @@ inline void turn_to_nearest(const Body<T>& body, const Vec2<T>& centre, const Ve
     if (fabs(cross(c.arm, centre)) <= body.half_slope * dot(c.arm, centre)) return;
     const T angle = atan2(cross(reference, centre), dot(reference, centre));
     c.vertex = body.vertex_number(static_cast<long long>(round(angle / body.spacing)));
-    c.arm = times(reference, body.vertex_direction(c.vertex));
+    c.arm = body.turned_to_vertex(reference, c.vertex);
 }
 
 template <class T>
-inline Gap<T> gap_of(const Flight<T>& flight, const Instant<T>& at, const Candidate<T>& candidate) {
-    return flight.struck && candidate.vertex == 0 ? struck_gap(flight, at)
-                                                  : vertex_gap(flight, at, candidate.arm);
+inline Gap<T> gap_of(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, const Candidate<T>& candidate) {
+    if (flight.struck && candidate.vertex == 0) return struck_gap(flight, at);
+    Gap<T> gap = vertex_gap(flight, at, candidate.arm);
+    gap.value = gap.value + T(2) * dot(at.centre + candidate.arm, body.rest_of_vertex(at.arm, candidate.vertex));
+    return gap;
 }
 
 /// Brings the pair up to date at a moment.
 template <class T>
 inline void look_around(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, NearestTwo<T>& pair) {
     const Vec2<T>& reference = at.arm;
-    pair.first.arm = pair.first.vertex == 0 ? reference : times(reference, body.vertex_direction(pair.first.vertex));
+    pair.first.arm = body.turned_to_vertex(reference, pair.first.vertex);
     turn_to_nearest(body, at.centre, reference, pair.first);
     const int side = cross(pair.first.arm, at.centre) >= 0 ? 1 : -1;
     pair.second.vertex = body.vertex_number(pair.first.vertex + side);
-    pair.second.arm = times(reference, body.vertex_direction(pair.second.vertex));
-    pair.first.gap = gap_of(flight, at, pair.first);
-    pair.second.gap = gap_of(flight, at, pair.second);
+    pair.second.arm = body.turned_to_vertex(reference, pair.second.vertex);
+    pair.first.gap = gap_of(body, flight, at, pair.first);
+    pair.second.gap = gap_of(body, flight, at, pair.second);
 }
 
 /// How long the third nearest vertex stays out of it: it is at least 2π/N away from the centre's direction and would

@@ -1,0 +1,184 @@
+// No missed contact: random flights against an independent scan, with what is hard over-represented.
+#include "map/laboratory.hpp"
+#include "tests/map/container_scan.hpp"
+#include "tests/map/random_scenes.hpp"
+#include "tests/sample_count.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace swirl {
+namespace {
+
+using tests::Random;
+using tests::Real;
+using tests::ScannedFlight;
+
+constexpr double eps = 0x1p-52;
+
+enum Kind { generic, grazing, two_at_once, large_spin, wide_swirl, large_body, slow, kinds };
+constexpr const char* kind_names[kinds] = {"generic",    "grazing",    "two at once", "large spin",
+                                           "wide swirl", "large body", "slow"};
+
+/// A flight as the map takes it, and as the scan does.
+struct Case {
+    Scene<double> scene;
+    std::optional<SectionPoint<double>> point;  ///< begins with an impact
+    LabStart<double> start;                     ///< or in flight
+    ScannedFlight flight;
+};
+
+Scene<double> scene_of(Random& random, Kind kind) {
+    const int sides = random.one_of({disk_sides, 3, 3, 4, 5, 6, 7, 8, 12, 30, 100, 1000, 10000, 100000});
+    Scene<double> scene = tests::random_scene(random, sides, 0, 1, Law::poisson);
+    if (kind == wide_swirl) scene.beta = 5;
+    if (kind == large_body) scene.alpha = random.chance(0.5) ? 0.99 : random.between(0.95, 0.9999);
+    if (random.chance(0.05)) scene.beta = 0;
+    return scene;
+}
+
+double spin_of(Random& random, Kind kind) {
+    return kind == large_spin ? random.sign() * random.log_between(10, 1000) : random.between(-4, 4);
+}
+
+double speed_of(Random& random, Kind kind) { return kind == slow ? random.log_between(1e-6, 1e-2) : random.log_between(0.01, 4); }
+
+/// Just after an impact; u_n from grazing to hard.
+Case struck_case(Random& random, Kind kind) {
+    Case c;
+    c.scene = scene_of(random, kind);
+    const double leaving = kind == grazing ? random.log_between(1e-9, 1e-3) : speed_of(random, kind);
+    SectionPoint<double> z = tests::random_point(random, c.scene, leaving, speed_of(random, kind));
+    const double spin = spin_of(random, kind);
+    z.vn += c.scene.alpha * (spin - z.spin) * std::sin(z.chi);
+    z.spin = spin;
+    if (kind == two_at_once) {  // a neighbour all but touches as well
+        const double chi = random.sign() * tests::largest_chi(c.scene) * (1 - random.log_between(1e-12, 1e-2));
+        z.vn += c.scene.alpha * z.spin * (std::sin(chi) - std::sin(z.chi));
+        z.chi = chi;
+    }
+    c.point = z;
+    const Real chi = z.chi, psi = z.psi;
+    c.flight = {c.scene.sides, c.scene.alpha, c.scene.beta, 1 - c.scene.alpha * std::cos(chi), -c.scene.alpha * std::sin(chi),
+                z.vn,          z.vt,          -psi,         chi,           z.spin, true};
+    return c;
+}
+
+/// In flight, and aimed: `t` later vertex 0 would be where it grazes (u_n = 0, or a hair from it), or where it and its
+/// neighbour arrive together; laid back in time from there. Nothing if the body would not begin inside.
+std::optional<Case> aimed_case(Random& random, Kind kind) {
+    Case c;
+    c.scene = scene_of(random, kind);
+    const double spin = spin_of(random, kind);
+    const double chi = tests::largest_chi(c.scene) *
+                       (kind == two_at_once ? random.sign() * (1 - random.log_between(1e-15, 1e-6)) : random.between(-1, 1));
+    const double psi = random.angle();
+    const double un = kind == grazing ? random.sign() * random.log_between(1e-12, 1e-3) : speed_of(random, kind);
+    const double ut = kind == grazing ? random.between(-0.3, 0.3) : random.between(-1, 1) * speed_of(random, kind);
+    const double beta = c.scene.beta, alpha = c.scene.alpha;
+    const double vn = un + alpha * spin * std::sin(chi) + beta * std::sin(psi);
+    const double vt = ut - alpha * spin * std::cos(chi) + beta * std::cos(psi);
+    const double depth = kind == grazing ? random.sign() * random.log_between(1e-15, 1e-4) : 0;
+    const double back = random.log_between(1e-3, 2);
+    // In the axes of that moment the swirl's arm is at −ψ; at the start at −ψ − back, and the laboratory's axes go along it.
+    const double x = 1 - depth - alpha * std::cos(chi) + beta * std::cos(psi) - vn * back;
+    const double y = -alpha * std::sin(chi) - beta * std::sin(psi) - vt * back;
+    const double turn = psi + back;
+    const double co = std::cos(turn), si = std::sin(turn);
+    c.start = {co * x - si * y, si * x + co * y, co * vn - si * vt, si * vn + co * vt, chi - spin * back + turn, spin};
+    c.flight = {c.scene.sides, alpha,        beta,         Real(c.start.x) - Real(beta), c.start.y, c.start.vx,
+                c.start.vy,    0,            c.start.angle, spin,                        false};
+    if (c.flight.gap(0) > -1e-10L) return std::nullopt;
+    return c;
+}
+
+struct Tally {
+    std::array<long, kinds> flights{};
+    long aimed = 0, contacts = 0, none = 0, scanned = 0, unresolved = 0, most_steps = 0, simultaneous = 0;
+    double worst_outside = 0, worst_early = 0;  ///< in units of what is allowed
+    long moments = 0;
+};
+
+void check(const Case& c, Kind kind, bool scanning, Tally& tally) {
+    with_collision_map(c.scene, [&](const auto& map) {
+        const Flight<double> flight =
+            c.point ? flight_from(map.body(), launch_from(*c.point)) : flight_from(map.body(), c.start);
+        const auto contact = first_contact<std::decay_t<decltype(map)>::shape>(map.body(), flight);
+        ++tally.flights[kind];
+        if (!c.point) ++tally.aimed;
+        tally.most_steps = std::max<long>(tally.most_steps, contact.steps);
+        if (contact.simultaneous) ++tally.simultaneous;
+        const bool found = contact.outcome == ContactOutcome::contact;
+        const double time = found ? contact.at.time : 30;
+        // What a gap may be by rounding of the positions, 10⁻¹² and 8 ε of the ways gone; a gap is twice a depth.
+        const Real allowed =
+            2 * (1e-12L + 8 * eps * (1 + c.flight.speed() * time + std::fabs(c.flight.spin) * time));
+        if (contact.outcome == ContactOutcome::sustained || contact.outcome == ContactOutcome::unresolved) {
+            ++tally.unresolved;
+            ADD_FAILURE() << "outcome " << static_cast<int>(contact.outcome) << " after " << contact.steps << " steps";
+            return;
+        }
+        if (found) {
+            ++tally.contacts;
+            const Real gap = c.flight.gap(time);
+            EXPECT_LE(gap, allowed) << kind_names[kind] << ": outside at its contact, N = " << c.scene.sides;
+            EXPECT_GE(gap, -allowed) << kind_names[kind] << ": not at the wall, N = " << c.scene.sides;
+            tally.worst_outside = std::max(tally.worst_outside, static_cast<double>(gap / allowed));
+            tally.worst_early = std::max(tally.worst_early, static_cast<double>(-gap / allowed));
+        } else {
+            ++tally.none;
+        }
+        if (!scanning) return;
+        ++tally.scanned;
+        const tests::Scan scan = tests::scan(c.flight, time, allowed);
+        tally.moments += scan.moments;
+        EXPECT_TRUE(scan.clear) << kind_names[kind] << ": contact missed at t = " << scan.earliest << " before " << time
+                                << ", N = " << c.scene.sides << ", alpha " << c.scene.alpha << ", beta " << c.scene.beta
+                                << ", S " << c.flight.spin;
+    });
+}
+
+/// Flights of all kinds, two in five of them aimed where that can be; every `scan_every`-th scanned.
+void check_flights(std::uint64_t seed, long count, long scan_every) {
+    Random random(seed);
+    Tally tally;
+    for (long i = 0; i < count && !testing::Test::HasFailure(); ++i) {
+        const Kind kind = static_cast<Kind>(random.one_of({0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6}));
+        std::optional<Case> c;
+        if (random.chance(0.4))
+            for (int tries = 0; tries < 20 && !c; ++tries) c = aimed_case(random, kind);
+        if (!c) c = struck_case(random, kind);
+        check(*c, kind, i % scan_every == 0, tally);
+    }
+    for (int k = 0; k < kinds; ++k) std::printf("  %-12s %8ld flights\n", kind_names[k], tally.flights[k]);
+    std::printf("%ld begin in flight, the others on the wall; %ld contacts, %ld without, %ld simultaneous, most moments "
+                "looked at %ld\n",
+                tally.aimed, tally.contacts, tally.none, tally.simultaneous, tally.most_steps);
+    EXPECT_GE(tally.aimed, count / 5);
+    std::printf("%ld flights scanned in long double (%ld moments); at its contact no vertex more outside than %.3f, more "
+                "inside than %.3f of what is allowed\n",
+                tally.scanned, tally.moments, tally.worst_outside, tally.worst_early);
+    EXPECT_EQ(tally.contacts + tally.none, count);
+}
+
+TEST(FirstContact, NoneIsMissedOnAMillionFlights) { check_flights(1, tests::sample_count(1'000'000), 10); }
+TEST(FirstContactNightly, NoneIsMissedOnAMillionScannedFlights) { check_flights(2, tests::sample_count(1'000'000), 1); }
+
+/// The scan itself must be able to fail: a wall passed for an instant is seen.
+TEST(ContainerScan, SeesAShortExcursion) {
+    // A disk at rest in the laboratory, β = 0.2: the wall comes nearest at t = π, to 10⁻⁹ beyond the disk.
+    const Real beta = 0.2L, alpha = 0.5L;
+    const Real x = 1 - alpha - 2 * beta + 1e-9L;
+    const ScannedFlight flight{disk_sides, alpha, beta, x, 0, 0, 0, 0, 0, 0, false};
+    const tests::Scan seen = tests::scan(flight, 6, 1e-12L);
+    EXPECT_FALSE(seen.clear);
+    EXPECT_NEAR(static_cast<double>(seen.earliest), M_PI, 1e-3);
+    EXPECT_TRUE(tests::scan(flight, 6, 2e-9L).clear);
+}
+
+}  // namespace
+}  // namespace swirl

@@ -1,0 +1,140 @@
+// Section coordinates both ways, and the laboratory's frame along an orbit.
+#include "map/derivative.hpp"
+#include "map/laboratory.hpp"
+#include "tests/map/random_scenes.hpp"
+#include "tests/sample_count.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <type_traits>
+
+namespace swirl {
+namespace {
+
+using tests::Random;
+
+TEST(Section, PointsGoToLaunchesAndBack) {
+    Random random(41);
+    for (long i = 0; i < tests::sample_count(100'000); ++i) {
+        const SectionPoint<double> z{random.angle(), random.angle(), random.between(-3, 3), random.between(-3, 3),
+                                     random.between(-9, 9)};
+        const SectionPoint<double> back = section_point(launch_from(z));
+        EXPECT_NEAR(back.psi, z.psi, 1e-15);
+        EXPECT_NEAR(back.chi, z.chi, 1e-15);
+        EXPECT_EQ(back.vn, z.vn);
+        EXPECT_EQ(back.vt, z.vt);
+        EXPECT_EQ(back.spin, z.spin);
+        const SectionPoint<double> polygon = section_point<Shape::polygon>(coordinates<Shape::polygon>(z));
+        EXPECT_EQ(polygon.psi, z.psi);
+        EXPECT_EQ(polygon.chi, z.chi);
+        EXPECT_EQ(polygon.spin, z.spin);
+        const SectionPoint<double> disk = section_point<Shape::disk>(coordinates<Shape::disk>(z));
+        EXPECT_EQ(disk.chi, 0);
+        EXPECT_EQ(disk.vn, z.vn);
+        EXPECT_EQ(disk.spin, z.spin);
+    }
+}
+
+TEST(Section, AnglesWrapToMinusPiExclusiveToPi) {
+    EXPECT_EQ(wrapped_angle(M_PI), M_PI);
+    EXPECT_EQ(wrapped_angle(-M_PI), M_PI);
+    EXPECT_EQ(wrapped_angle(0.0), 0.0);
+    EXPECT_NEAR(wrapped_angle(3 * M_PI - 0.1), M_PI - 0.1, 1e-15);
+    EXPECT_NEAR(wrapped_angle(-3 * M_PI + 0.1), -M_PI + 0.1, 1e-15);
+    Random random(42);
+    for (int i = 0; i < 10000; ++i) {
+        const double angle = random.between(-100, 100), wrapped = wrapped_angle(angle);
+        EXPECT_GT(wrapped, -M_PI);
+        EXPECT_LE(wrapped, M_PI);
+        EXPECT_NEAR(std::sin(wrapped), std::sin(angle), 1e-13);
+        EXPECT_NEAR(std::cos(wrapped), std::cos(angle), 1e-13);
+    }
+}
+
+TEST(Section, SlipVelocityIsWhatTheDesignSays) {
+    const Scene<double> scene{5, 0.4, 0.3, 0.2, 0.8, Law::poisson, 0.4};
+    const SectionPoint<double> z{0.7, -0.2, -0.5, 0.6, 1.5};
+    const auto approach = approach_of(make_body(scene), launch_from(z));
+    EXPECT_NEAR(approach.un, z.vn - 0.4 * z.spin * std::sin(z.chi) - 0.3 * std::sin(z.psi), 1e-15);
+    EXPECT_NEAR(approach.ut, z.vt + 0.4 * z.spin * std::cos(z.chi) - 0.3 * std::cos(z.psi), 1e-15);
+}
+
+TEST(WoundAngle, LosesNothingOverManyTurns) {
+    WoundAngle<double> angle;
+    for (int i = 0; i < 1'000'000; ++i) angle.add(i % 3 == 2 ? -0.7 : 1.1);
+    const long double expected = 666667 * 1.1L - 333333 * 0.7L;
+    EXPECT_GE(angle.phase, 0);
+    EXPECT_LT(angle.phase, 2 * M_PI);
+    // Each sum rounds a number below 8: half of 2⁻⁵⁰, a random walk of 10⁶ steps; and 1.1, 0.7 are doubles.
+    EXPECT_NEAR(angle.unwound(), static_cast<double>(expected), 1e-9);
+    angle.add(-angle.phase - 1e-20);
+    EXPECT_GE(angle.phase, 0);
+    EXPECT_LT(angle.phase, 2 * M_PI);
+}
+
+/// The laboratory's state half-way through a flight, turned so that the swirl's arm lies along x again.
+LabStart<double> half_way(const LabState<double>& s, const LabFrame<double>& frame, double half) {
+    const double turn = -(frame.time.phase + half);
+    const double co = std::cos(turn), si = std::sin(turn);
+    const double x = s.x + s.vx * half, y = s.y + s.vy * half;
+    return {co * x - si * y, si * x + co * y, co * s.vx - si * s.vy, si * s.vx + co * s.vy,
+            s.angle + s.spin * half + turn, s.spin};
+}
+
+/// Along orbits: the laboratory's state, taken half a flight on and started afresh there, leads to the same impact as
+/// the section does; and vertex 0, the vertex that strikes and the wall are where they should be.
+template <class Map>
+void check_orbit(const Map& map, const SectionPoint<double>& z, long& impacts) {
+    auto frame = LabFrame<double>::at_section(z);
+    Launch<double> launch = launch_from(z);
+    for (int k = 0; k < 8; ++k) {
+        const auto step = map.advance(launch);
+        if (step.contact != ContactOutcome::contact || step.simultaneous) return;
+        const double norm = DifferentiatedMap(map).linearise(section_point(launch)).derivative.norm();
+        if (norm > 1e3) return;  // rounding of the restart would be multiplied by it
+        const LabState<double> state = lab_state(map.body(), frame, launch);
+        const LabStart<double> start = half_way(state, frame, step.flight_time / 2);
+        const auto again = map.advance(flight_from(map.body(), start));
+        ASSERT_EQ(again.contact, ContactOutcome::contact);
+        const double allowed = 1e-14 * (10 + norm) * (10 + std::fabs(state.angle) + std::fabs(state.vx) + std::fabs(state.vy));
+        EXPECT_NEAR(again.flight_time, step.flight_time / 2, allowed);
+        const SectionPoint<double> a = section_point(again.after), b = section_point(step.after);
+        EXPECT_NEAR(wrapped_angle(a.psi - b.psi), 0, allowed);
+        EXPECT_NEAR(wrapped_angle(a.chi - b.chi), 0, allowed);
+        EXPECT_NEAR(a.vn, b.vn, allowed);
+        EXPECT_NEAR(a.vt, b.vt, allowed);
+        EXPECT_NEAR(a.spin, b.spin, allowed * (1 + std::fabs(b.spin)));
+        const double spin = launch.spin;
+        frame.follow(map, step, spin);
+        launch = step.after;
+        if constexpr (Map::shape == Shape::polygon) {
+            EXPECT_EQ(again.vertex_step, frame.vertex);  // counted from vertex 0, where LabStart counts from
+            const LabState<double> after = lab_state(map.body(), frame, launch);
+            const double direction = after.angle + map.body().spacing * frame.vertex;
+            const double cx = map.body().beta * std::cos(after.t), cy = map.body().beta * std::sin(after.t);
+            EXPECT_NEAR(std::hypot(after.x + map.body().alpha * std::cos(direction) - cx,
+                                   after.y + map.body().alpha * std::sin(direction) - cy), 1, allowed);
+        }
+        ++impacts;
+    }
+}
+
+TEST(LabFrame, FollowsTheSectionThroughTheLaboratory) {
+    Random random(43);
+    long impacts = 0;
+    const long orbits = tests::sample_count(5000);
+    for (long i = 0; i < orbits; ++i) {
+        const int sides = random.one_of({disk_sides, 3, 4, 5, 6, 12, 100});
+        const Scene<double> scene = tests::random_scene(random, sides, random.chance(0.5) ? 0 : 0.4,
+                                                        random.between(0.6, 1), Law::stronge);
+        const auto z = tests::random_point(random, scene, random.between(0.2, 2));
+        with_collision_map(scene, [&](const auto& map) { check_orbit(map, z, impacts); });
+    }
+    std::printf("%ld orbits, %ld impacts compared\n", orbits, impacts);
+    EXPECT_GE(impacts, 3 * orbits);
+}
+
+}  // namespace
+}  // namespace swirl

@@ -147,7 +147,7 @@ inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight,
     Vec2<T> turn = turn_minus_one(time);
     const CircleGap<T> circle = gap_along(path, time, turn);
     const T closer = refined(circle, root_correction(circle));
-    if (!(circle.rate > 0 && fabs(closer) <= T(longest_correction))) return false;
+    if (!(circle.rate > 0 && fabs(closer) <= time)) return false;
     time = time + closer;
     if (!(time > 0)) return false;
     turn = compose(turn, turn_minus_one(closer));
@@ -155,7 +155,7 @@ inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight,
 
     NearestTwo<T> pair;
     for (bool converged = false; !converged;) {  // ends: converged, or gives up
-        look_around(body, flight, at, pair);
+        look_at_nearest(body, flight, at, pair.first);
         if (++contact.steps > correction_limit) return false;
         const T correction = root_correction(pair.first.gap);
         if (!(pair.first.gap.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
@@ -167,8 +167,8 @@ inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight,
     if (pair.first.vertex != striking) return false;  // its neighbour is nearer to the wall by now
     pair.first.gap.value = std::min(pair.first.gap.value, T(0));
     if (!(at.time > 0 && clear_flight(body, flight, bounds_of<Shape::polygon>(body, flight), at, pair))) return false;
-    choose(pair, contact);
     contact.at = at;
+    choose(pair, contact);
     return true;
 }
 

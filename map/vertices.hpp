@@ -42,16 +42,21 @@ inline Gap<T> gap_of(const Body<T>& body, const Flight<T>& flight, const Instant
     return gap;
 }
 
+/// The one nearest to the centre's direction, from the last known number.
+template <class T>
+inline void look_at_nearest(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, Candidate<T>& nearest) {
+    nearest.arm = body.turned_to_vertex(at.arm, nearest.vertex);
+    turn_to_nearest(body, at.centre, at.arm, nearest);
+    nearest.gap = gap_of(body, flight, at, nearest);
+}
+
 /// Brings the pair up to date at a moment.
 template <class T>
 inline void look_around(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, NearestTwo<T>& pair) {
-    const Vec2<T>& reference = at.arm;
-    pair.first.arm = body.turned_to_vertex(reference, pair.first.vertex);
-    turn_to_nearest(body, at.centre, reference, pair.first);
+    look_at_nearest(body, flight, at, pair.first);
     const int side = cross(pair.first.arm, at.centre) >= 0 ? 1 : -1;
     pair.second.vertex = body.vertex_number(pair.first.vertex + side);
-    pair.second.arm = body.turned_to_vertex(reference, pair.second.vertex);
-    pair.first.gap = gap_of(body, flight, at, pair.first);
+    pair.second.arm = body.turned_to_vertex(at.arm, pair.second.vertex);
     pair.second.gap = gap_of(body, flight, at, pair.second);
 }
 

@@ -80,9 +80,10 @@ inline T return_guess(const CircleGap<T>& start) {
     return slope > 0 && guess > T(0.25) * s && guess < T(4) * s ? guess : s;
 }
 
-/// The zero of the Taylor polynomial of fifth order near d, by one Newton step.
+/// The way to the zero of the Taylor polynomial of fifth order: Halley's step, then one of Newton's.
 template <class T>
-inline T refined(const CircleGap<T>& gap, const T& d) {
+inline T far_correction(const CircleGap<T>& gap) {
+    const T d = -(gap.value * gap.rate) / (gap.rate * gap.rate - T(0.5) * gap.value * gap.bend);
     const T d2 = d * d;
     const T half = T(0.5) * gap.bend;
     const T cubic = T(1.0 / 6) * gap.jerk;

@@ -27,7 +27,7 @@ inline bool direct_contact_disk(const Body<T>& body, const Flight<T>& flight, Co
     if (!(time > 0 && time <= T(longest_guess))) return false;
     Vec2<T> turn = turn_minus_one(time);
     CircleGap<T> gap = gap_along(path, time, turn);
-    T correction = refined(gap, root_correction(gap));
+    T correction = far_correction(gap);
     while (true) {  // ends: converged, or gives up
         if (!(gap.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
         const bool converged = is_converged(gap, correction);

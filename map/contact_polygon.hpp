@@ -146,7 +146,7 @@ inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight,
     if (!(time > 0 && time <= T(longest_guess))) return false;
     Vec2<T> turn = turn_minus_one(time);
     const CircleGap<T> circle = gap_along(path, time, turn);
-    const T closer = refined(circle, root_correction(circle));
+    const T closer = far_correction(circle);
     if (!(circle.rate > 0 && fabs(closer) <= time)) return false;
     time = time + closer;
     if (!(time > 0)) return false;

@@ -36,6 +36,12 @@ constexpr Vec2<double> small_turn_minus_one(double d) {
     return {s * cosine, d + d * (s * sine)};
 }
 
+/// The same for |δ| ≤ 2⁻¹³, where two terms are enough: the last correction of a search is that small.
+constexpr Vec2<double> tiny_turn_minus_one(double d) {
+    const double s = d * d;
+    return {s * (-0.5 + s * (1.0 / 24)), d + d * (s * (-1.0 / 6))};
+}
+
 inline constexpr int turn_table_size = 65;
 
 /// A tabled vector with what rounding it to double left out. A table's rounding errors do not average out, since
@@ -78,16 +84,19 @@ inline constexpr auto half_radians = turn_table();
 template <class T>
 inline Vec2<T> turn_minus_one(const T& angle) {
     if constexpr (std::is_same_v<T, double>) {
+        if (std::fabs(angle) <= 0x1p-13) return detail::tiny_turn_minus_one(angle);
         if (std::fabs(angle) <= 0.25) return detail::small_turn_minus_one(angle);
         if (!(std::fabs(angle) < 32)) {
             const Vec2<double> full = cis(angle);
             return {full.x - 1, full.y};
         }
-        const int k = static_cast<int>(angle + angle + std::copysign(0.5, angle));
+        // Adding and taking away 1.5·2⁵² rounds to the nearest integer; far quicker than a conversion and back.
+        const double nearest = (angle + angle + 0x1.8p52) - 0x1.8p52;
+        const int k = static_cast<int>(nearest);
         const detail::TabledVector& entry = detail::half_radians[static_cast<std::size_t>(k < 0 ? -k : k)];
         const double side = k < 0 ? -1 : 1;
         const Vec2<double> coarse{entry.value.x, side * entry.value.y};
-        const Vec2<double> fine = detail::small_turn_minus_one(angle - 0.5 * k);
+        const Vec2<double> fine = detail::small_turn_minus_one(angle - 0.5 * nearest);
         const Vec2<double> rest{entry.rest.x, side * entry.rest.y};
         return coarse + (fine + (rest + times(coarse, fine)));
     } else {

@@ -109,12 +109,19 @@ inline bool has_recurred(const Body<T>& body, const Flight<T>& flight, const Ins
     return at.time > turn && (shape == Shape::disk || floor(flight.spin) == flight.spin);
 }
 
+/// The rounding of g′ at a start on the wall: below this a normal velocity can't be told from zero.
+template <class T>
+inline T rate_rounding(const Body<T>& body, const Flight<T>& flight) {
+    using std::fabs;
+    const T speed = fabs(flight.velocity.x) + fabs(flight.velocity.y);
+    return T(16) * epsilon<T>() * (speed + body.beta + fabs(flight.spin) * body.alpha);
+}
+
 /// Is a vertex that starts on the wall held there? Its normal velocity is zero within rounding, and the wall does not
 /// fall away.
 template <class T>
-inline bool stays(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, Gap<T>& gap) {
-    using std::fabs;
-    const T rounding = T(16) * epsilon<T>() * (bounds.drift + fabs(flight.spin) * body.alpha);
+inline bool stays(const Body<T>& body, const Flight<T>& flight, Gap<T>& gap) {
+    const T rounding = rate_rounding(body, flight);
     if (gap.rate < -rounding) return false;
     if (gap.rate > rounding) return true;  // pressed into the wall: no flight begins here
     if (gap.bend < 0) gap.rate = std::min(gap.rate, T(0));

@@ -23,6 +23,7 @@ inline bool direct_contact_disk(const Body<T>& body, const Flight<T>& flight, Co
     using std::fabs;
     const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase), T(0));
     const CircleGap<T> start = gap_at_start(path);
+    if (!(start.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
     T time = return_guess(start);
     if (!(time > 0 && time <= T(longest_guess))) return false;
     Vec2<T> turn = turn_minus_one(time);
@@ -56,7 +57,7 @@ Contact<T> certain_contact_disk(const Body<T>& body, const Flight<T>& flight) {
         Gap<T> gap = centre_gap(body, flight, contact.at);
         const bool starting = flight.struck && contact.steps == 0;
         ++contact.steps;
-        if (starting && stays(body, flight, bounds, gap)) {
+        if (starting && stays(body, flight, gap)) {
             contact.outcome = ContactOutcome::sustained;
             return contact;
         }

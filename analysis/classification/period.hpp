@@ -29,7 +29,7 @@ struct PeriodOptions {
 template <int D>
 struct FoundCycle {
     std::int64_t period = 0;  ///< 0: none found
-    Vector<D> point;          ///< on the cycle, polished
+    Vector<D> point = Vector<D>::Zero();  ///< on the cycle, polished
     double closure = 0;       ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
     double residual = 0;      ///< |Fᵏ(z) − z| at the point
     double distance = 0;      ///< from the orbit's last state to the point

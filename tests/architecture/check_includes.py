@@ -43,7 +43,7 @@ def violation(root, folder, bracket, name):
     target = name.split("/")[0]
     ours = target in FOLDERS or target == "tests"
     if bracket == "<":
-        if ours:
+        if ours and "/" in name:  # <map> is the standard library's
             return f"<{name}>: the project's own headers are included in quotes"
         allowed = LIBRARIES.get(folder)
         if allowed is None or STANDARD.match(name) or name.startswith(allowed):

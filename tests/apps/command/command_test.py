@@ -1,0 +1,259 @@
+"""Drives the built `swirl` as a user does. Arguments: the binary, the project's root, the folder of references."""
+
+import json
+import math
+import re
+import resource
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import xarray
+
+SWIRL, ROOT, SHARED = (sys.argv.pop(1) for _ in range(3))
+HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+ROW = """t x y vx vy angle spin vertex psi chi vn vt flight_time impulse_normal impulse_tangential contact_mode jacobi
+jacobi_restitution jacobi_friction""".split()
+
+
+def run(arguments, **options):
+    return subprocess.run([SWIRL, *shlex.split(arguments)], capture_output=True, text=True, timeout=120, **options)
+
+
+def document(arguments, code=0):
+    result = run(arguments + " --json")
+    assert result.returncode == code, (arguments, result.returncode, result.stderr)
+    return json.loads(result.stdout)
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def file(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+
+class BadInput(InFolder):
+    def check(self, arguments, *mentions):
+        result = run(arguments)
+        self.assertEqual(result.returncode, 2, arguments)
+        self.assertEqual(result.stdout, "", arguments)
+        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+        for mention in mentions:
+            self.assertIn(mention, result.stderr)
+
+    def test_scene_parameters_out_of_range(self):
+        rest = {"sides": "6", "alpha": "0.4", "beta": "0.5", "mu": "0.5", "restitution": "0.9"}
+        for name, value in [("alpha", "1.2"), ("alpha", "0"), ("sides", "2"), ("sides", "1000001"), ("sides", "six"),
+                            ("restitution", "nan"), ("restitution", "1.01"), ("mu", "-1"), ("beta", "-0.1"),
+                            ("beta", "inf"), ("alpha", "abc")]:
+            flags = " ".join(f"--{k} {v}" for k, v in {**rest, name: value}.items())
+            for command in ("simulate", "classify"):
+                self.check(f"{command} {flags}", name, value)
+
+    def test_flags_and_files(self):
+        self.check(f"simulate {HEXAGON} --bogus 3", "--bogus")
+        self.check("nonsense", "nonsense")
+        self.check("", "command")
+        self.check("simulate --sides 6", "missing")
+        self.check(f"simulate --scene {self.folder}/none.toml", "none.toml")
+        for name, text, mention in [
+                ("key.toml", "[scene]\nsides = 6\nalhpa = 0.4\n", "alhpa"),
+                ("table.toml", "[scene]\nsides = 6\n[bogus]\nx = 1\n", "bogus"),
+                ("cut.toml", "[scene]\nsides = 6\nalpha = ", "line"),
+                ("empty.toml", "", "[scene]")]:
+            self.check(f"simulate --scene {self.file(name, text)}", mention)
+
+    def test_starts(self):
+        self.check(f"simulate {HEXAGON} --x 3", "start")
+        self.check(f"simulate {HEXAGON} --x 1.2", "start")  # inside, but a vertex is not
+        self.check("simulate --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --x 1.2", "start")
+        self.check(f"simulate {HEXAGON} --point 0,0,1,0,0", "leaving")
+        self.check(f"simulate {HEXAGON} --point 0,1.5,-1,0,0", "point")
+        self.check(f"simulate {HEXAGON} --point 0,0,-1,0", "5")
+        self.check(f"simulate {HEXAGON} --point 0,0,-1,0,nan", "S")
+        self.check(f"simulate {HEXAGON} --point 0,0,-1,0,0 --x 0.5", "--point")
+        self.check(f"simulate {HEXAGON} --seed 3 --x 0.5", "--seed")
+        self.check(f"simulate {HEXAGON} --collisions 5 --time 3", "--time")
+        self.check(f"simulate {HEXAGON} --accuracy half", "half")
+
+    def test_an_output_that_cannot_be_created(self):
+        self.check(f"simulate {HEXAGON} -o {self.folder}/no/such/a.h5", "no/such")
+        self.check(f"classify {HEXAGON} -o {self.folder}", str(self.folder))
+        kept = self.file("kept.h5", "not touched")
+        self.check(f"simulate {HEXAGON} --alpha 0.4 --x 3 -o {kept}")
+        self.assertEqual(kept.read_text(), "not touched")
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["kept.h5"])
+
+
+class Simulate(InFolder):
+    def test_rows_have_the_keys_of_the_contract(self):
+        rows = document(f"simulate {HEXAGON} --collisions 3")["collisions"]
+        self.assertEqual(len(rows), 3)
+        for row in rows:
+            self.assertLessEqual(set(ROW), set(row))
+        disk = document("simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --collisions 3")
+        self.assertEqual(disk["scene"]["sides"], "disk")
+        for row in disk["collisions"]:
+            self.assertNotIn("chi", row)
+            self.assertEqual(row["vertex"], 0)
+
+    def orbits(self):
+        return json.loads((Path(SHARED) / "oracle/trajectories.json").read_text())["cases"]
+
+    def check_orbit(self, case, accuracy, tolerance):
+        scene = {k: case[k] for k in ("alpha", "beta", "mu", "restitution", "law")}
+        scene["sides"] = "disk" if case["sides"] == 0 else case["sides"]
+        flags = " ".join(f"--{k} {v}" for k, v in {**scene, **case["initial"]}.items())
+        rows = document(f"simulate {flags} --collisions {len(case['collisions'])} --accuracy {accuracy}")["collisions"]
+        self.assertEqual(len(rows), len(case["collisions"]))
+        for row, expected in zip(rows, case["collisions"]):
+            if expected["amplification"] > 1e10 and accuracy == "double":
+                break
+            self.assertEqual(row["vertex"], expected["vertex"])
+            for key in "t x y vx vy angle spin psi".split():
+                allowed = tolerance(expected["amplification"], abs(float(expected[key])))
+                self.assertLessEqual(abs(row[key] - float(expected[key])), allowed, (flags, key))
+
+    def test_reference_orbits_in_double(self):
+        for case in self.orbits():
+            self.check_orbit(case, "double", lambda amplification, _: max(1e-12, 1e-13 * amplification))
+
+    def test_reference_orbits_in_quad_are_right_to_the_printed_double(self):
+        for case in self.orbits()[:12]:
+            self.check_orbit(case, "quad", lambda _, size: 3e-16 * (1 + size))
+
+    def test_endings_exit_with_3(self):
+        for sides in ("disk", "6"):
+            ended = document(f"simulate --sides {sides} --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.9 --x 0.1", 3)
+            self.assertEqual((ended["outcome"], ended["collisions"]), ("no-contact", []))
+        chatter = document("simulate --sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9 --collisions 9999", 3)
+        self.assertEqual(chatter["outcome"], "chatter")
+        self.assertLess(len(chatter["collisions"]), 1000)
+        for row in chatter["collisions"]:
+            for value in row.values():
+                self.assertFalse(value is None)
+
+    def test_a_scene_file_and_physical_units_give_the_same_orbit(self):
+        flags = document(f"simulate {HEXAGON} --collisions 5")["collisions"]
+        file = self.file("s.toml", "[scene]\nsides = 6\nalpha = 0.9\nbeta = 0.5\nmu = 0.5\nrestitution = 0.9\n")
+        self.assertEqual(document(f"simulate --scene {file} --alpha 0.4 --collisions 5")["collisions"], flags)
+        physical = document("simulate --sides 6 --container-radius 2 --polygon-radius 0.8 --swirl-radius 1 --mu 0.5 "
+                            "--restitution 0.9 --swirl-rate 4 --mass 3 --collisions 5")
+        self.assertEqual(physical["collisions"], flags)
+        self.assertEqual(physical["units"], {"length": 2, "time": 0.25, "mass": 3})
+
+    def test_skip_every_and_time(self):
+        every = document(f"simulate {HEXAGON} --collisions 20")["collisions"]
+        some = document(f"simulate {HEXAGON} --collisions 20 --skip 3 --every 5")["collisions"]
+        self.assertEqual(some, every[3::5])
+        until = document(f"simulate {HEXAGON} --time 10")["collisions"]
+        self.assertEqual(until, [row for row in every if row["t"] <= 10])
+
+    def test_equal_work_gives_equal_files_that_open_in_xarray(self):
+        for name in ("a.h5", "b.h5"):
+            self.assertEqual(run(f"simulate {HEXAGON} --collisions 500 -o {self.folder / name}").returncode, 0)
+        self.assertEqual((self.folder / "a.h5").read_bytes(), (self.folder / "b.h5").read_bytes())
+        rows = document(f"simulate {HEXAGON} --collisions 500")["collisions"]
+        with xarray.open_dataset(self.folder / "a.h5", group="collisions", engine="h5netcdf") as data:
+            self.assertEqual(dict(data.sizes), {"collision": 500})
+            self.assertEqual(list(data["psi"].values), [row["psi"] for row in rows])
+            self.assertEqual(data["t"].attrs["units"], "1/omega_s")
+        for group in ("/", "scene", "start", "settings", "result"):
+            xarray.open_dataset(self.folder / "a.h5", group=group, engine="h5netcdf").close()
+
+    def test_an_interrupted_orbit_is_kept(self):
+        record = self.folder / "long.h5"
+        process = subprocess.Popen([SWIRL, *shlex.split(f"simulate {HEXAGON} --collisions 1000000000 --every 1000 "
+                                                        f"--quiet -o {record}")])
+        time.sleep(2)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(60), 130)
+        with xarray.open_dataset(record, group="result", engine="h5netcdf") as result:
+            self.assertEqual(result.attrs["outcome"], "interrupted")
+            impacts = int(result.attrs["impacts"])
+        with xarray.open_dataset(record, group="collisions", engine="h5netcdf") as data:
+            self.assertEqual(data.sizes["collision"], (impacts - 1) // 1000 + 1)
+
+    def test_memory_does_not_grow_with_the_number_of_impacts(self):
+        def peak(collisions):
+            code = (f"import resource, subprocess; subprocess.run({[SWIRL, *shlex.split(f'simulate {HEXAGON} --quiet --every 1000000000 --collisions {collisions}')]!r}, check=True); "
+                    "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
+            return int(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout)
+        self.assertLess(peak(2_000_000) - peak(20_000), 8 * 1024)  # KiB; the allocator's own scatter is below this
+
+
+class Classify(unittest.TestCase):
+    def test_the_modes_of_the_references(self):
+        steady = document(f"classify {HEXAGON}")
+        self.assertEqual((steady["mode"], steady["kind"], steady["period"]), ("steady", "fixed-point", 1))
+        self.assertAlmostEqual(steady["mean_S"], -0.97926605821858726645, delta=1e-9)
+        self.assertLess(steady["largest_exponent"], 0)
+        cycle = document("classify --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95")
+        self.assertEqual((cycle["mode"], cycle["kind"], cycle["period"]), ("quasi-steady", "cycle", 8))
+        self.assertAlmostEqual(cycle["recurrence_rate"], 1 / 8, delta=1e-9)
+        chaotic = document("classify --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1")
+        self.assertEqual((chaotic["mode"], chaotic["kind"], chaotic["period"]), ("chaotic", "chaotic", None))
+        self.assertGreater(chaotic["mean_S"], 0)
+        self.assertLess(chaotic["mean_S_per_impact"], 0)
+        family = document("classify --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1")
+        self.assertEqual((family["mode"], family["kind"], family["period"]), ("steady", "family", 1))
+        self.assertTrue(any(math.hypot(re - 1, im) < 1e-9 for re, im in family["multipliers"]))
+
+    def test_every_cycle_of_the_references_by_its_period(self):
+        for case in json.loads((Path(SHARED) / "oracle/cycles.json").read_text())["cycles"]:
+            flags = " ".join(f"--{k} {case[k]}" for k in ("sides", "alpha", "beta", "mu", "restitution", "law"))
+            point = ",".join(case["point"][k] for k in ("psi", "chi", "vn", "vt", "S"))
+            verdict = document(f"classify {flags} --point {point} --transient 100 --collisions 1000")
+            self.assertEqual(verdict["period"], case["period"], flags)
+            self.assertEqual(verdict["mode"], "steady" if case["period"] == 1 else "quasi-steady")
+            largest = max(math.hypot(*m) for m in case["multipliers"])
+            self.assertAlmostEqual(max(math.hypot(*m) for m in verdict["multipliers"]), largest, delta=1e-8)
+
+    def test_chatter_is_no_mode(self):
+        verdict = document("classify --sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9")
+        self.assertEqual((verdict["mode"], verdict["outcome"]), ("undecided", "chatter"))
+        self.assertIsNone(verdict["mean_S"])
+
+    def test_no_contact_is_no_mode(self):
+        verdict = document("classify --sides 6 --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.9 --x 0.1")
+        self.assertEqual((verdict["mode"], verdict["outcome"]), ("undecided", "no-contact"))
+
+
+class Help(InFolder):
+    def test_every_example_runs(self):
+        for command in ("simulate", "classify", "tour"):
+            text = run(f"{command} --help")
+            self.assertEqual(text.returncode, 0)
+            examples = re.findall(r"^\s*swirl (.*)$", text.stdout, re.M)
+            self.assertTrue(examples, command)
+            for example in examples:
+                self.assertEqual(run(example, cwd=self.folder).returncode, 0, example)
+
+    def test_every_example_of_the_readme_runs(self):
+        examples = re.findall(r"^swirl (.*?)(?:\s+#.*)?$", (Path(ROOT) / "README.md").read_text(), re.M)
+        self.assertTrue(examples)
+        for example in examples:
+            self.assertEqual(run(example, cwd=self.folder).returncode, 0, example)
+
+    def test_version(self):
+        self.assertRegex(run("--version").stdout, r"^swirl \d+\.\d+\.\d+")
+
+    def test_tour_names_five_scenes(self):
+        scenes = document("tour")
+        self.assertEqual([v["mode"] for v in scenes.values()],
+                         ["chaotic", "quasi-steady", "steady", "steady", "chaotic"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -69,7 +69,10 @@ void decide(const Findings& findings, const ClassifyOptions& options, Classifica
     }
     if (findings.has_cycle) return;  // settles on an attracting cycle and yet grows: a transient
     describe_rotation(findings, result);
-    if (findings.rotation.outcome == RotationOutcome::quasi_periodic) {
+    const bool settled = std::abs(std::log(findings.spread_change)) <= std::log(options.settled_spread);
+    result.evidence.push_back({"change of spread along the tail", findings.spread_change, options.settled_spread,
+                               settled ? "the orbit keeps its size" : "the orbit is still settling"});
+    if (settled && findings.rotation.outcome == RotationOutcome::quasi_periodic) {
         result.mode = Mode::quasi_steady;
         result.kind = Kind::quasi_periodic;
         result.rotation = findings.rotation.rotation;

@@ -19,6 +19,7 @@ struct ClassifyOptions {
     std::int64_t transient = 10'000;   ///< steps before the tail
     std::int64_t collisions = 10'000;  ///< steps of the tail
     double recurrence_threshold = 1e-6;  ///< δ of RC
+    double settled_spread = 1.1;       ///< a torus' spread changes by less than this factor along the tail
     double sigmas = 5;                 ///< standard errors from zero that make an exponent positive
     PeriodOptions period;
 };
@@ -59,6 +60,7 @@ struct Findings {
     bool has_cycle = false;
     bool is_family = false;
     double closure = 0, residual = 0, distance = 0, slowest_multiplier = 0;
+    double spread_change = 1;  ///< of the tail's last quarter over its first; far from 1: still settling
     SignEvidence exponent;
     LyapunovOutcome exponent_outcome = LyapunovOutcome::completed;
     RotationNumber rotation;
@@ -82,6 +84,34 @@ Means means_of(const std::vector<Vector<D>>& states, const std::vector<double>& 
         plain += states[i][coordinate];
     }
     return {weighted / time, plain / static_cast<double>(states.size())};
+}
+
+/// The spread (root mean square about the mean) of a tail's last quarter over that of its first, of the coordinate in
+/// which it changed most. A torus keeps its size; what is still settling shrinks, however slowly.
+template <SectionMap M>
+double spread_change(const M& map, const Tail<M::dimension>& tail) {
+    constexpr int D = M::dimension;
+    const std::size_t quarter = tail.states.size() / 4;
+    const auto spread = [&](std::size_t begin) {
+        const Vector<D> origin = tail.states[begin];
+        Vector<D> sum = Vector<D>::Zero(), squares = Vector<D>::Zero();
+        for (std::size_t i = begin; i < begin + quarter; ++i) {
+            const Vector<D> d = difference(map, tail.states[i], origin);
+            sum += d;
+            squares += d.cwiseProduct(d);
+        }
+        const Vector<D> mean = sum / static_cast<double>(quarter);
+        return Vector<D>((squares / static_cast<double>(quarter) - mean.cwiseProduct(mean)).cwiseMax(0).cwiseSqrt());
+    };
+    const Vector<D> first = spread(0);
+    const Vector<D> last = spread(tail.states.size() - quarter);
+    double change = 1;
+    for (int i = 0; i < D; ++i) {
+        if (!(first[i] > 0 && last[i] > 0)) continue;
+        const double ratio = last[i] / first[i];
+        if (std::abs(std::log(ratio)) > std::abs(std::log(change))) change = ratio;
+    }
+    return change;
 }
 
 /// The rotation number, from the first coordinate that gives a converged one: a torus shows in any of them.
@@ -108,7 +138,7 @@ RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
 /// Follows an orbit from `start` and names its mode.
 ///   observable  the coordinate whose means and recurrence rate are reported (S)
 /// In this order: does the tail return to itself (`find_period`)? Is the largest exponent positive (`judge_sign`)? If
-/// neither, has it a rotation number? Disagreement gives `undecided`. Cost: transient + 2 collisions steps of the map,
+/// neither, has it a rotation number and a size that lasts? Disagreement gives `undecided`. Cost: transient + 2 collisions steps of the map,
 /// `collisions` derivatives.
 template <SectionMap M>
 Classification classify(const M& map, const Vector<M::dimension>& start, int observable,
@@ -159,6 +189,7 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
         result.largest_exponent = findings.exponent.exponent;
         result.largest_exponent_error = findings.exponent.standard_error;
     }
+    findings.spread_change = detail::spread_change(map, tail);
     if (!findings.has_cycle && findings.exponent.sign != ExponentSign::positive)
         findings.rotation = detail::rotation_of(map, tail);
     detail::decide(findings, options, result);

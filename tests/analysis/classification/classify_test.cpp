@@ -1,0 +1,98 @@
+// One oracle per regime for the naming of modes: fixed, periodic, quasi-periodic, chaotic, transient, ended.
+#include "analysis/classification/classify.hpp"
+#include "tests/analysis/maps/circle_map.hpp"
+#include "tests/analysis/maps/henon.hpp"
+#include "tests/analysis/maps/linear_map.hpp"
+#include "tests/analysis/maps/logistic.hpp"
+#include "tests/analysis/maps/normal_forms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace swirl::analysis {
+namespace {
+
+using maps::Logistic;
+
+TEST(Classify, AnAttractingFixedPointIsSteady) {
+    const auto verdict = classify(Logistic{2.8}, Vector<1>{0.3}, 0);
+    EXPECT_EQ(verdict.mode, Mode::steady);
+    EXPECT_EQ(verdict.kind, Kind::fixed_point);
+    EXPECT_EQ(verdict.period, 1);
+    EXPECT_NEAR(verdict.mean, 1 - 1 / 2.8, 1e-12);
+    EXPECT_NEAR(verdict.largest_exponent, std::log(0.8), 1e-9);  // multiplier 2 − r
+    EXPECT_EQ(verdict.recurrence_rate, 1);
+}
+
+TEST(Classify, AnAttractingCycleIsQuasiSteadyWithItsMinimalPeriod) {
+    for (const auto& [r, period] : {std::pair(3.2, 2), std::pair(3.5, 4), std::pair(3.55, 8), std::pair(3.832, 3)}) {
+        const auto verdict = classify(Logistic{r}, Vector<1>{0.3}, 0);
+        EXPECT_EQ(verdict.mode, Mode::quasi_steady) << r;
+        EXPECT_EQ(verdict.kind, Kind::cycle) << r;
+        EXPECT_EQ(verdict.period, period) << r;
+        // k equally visited values: RC = 1/k; 10,000 states are not a multiple of 3, so visits differ by one.
+        EXPECT_NEAR(verdict.recurrence_rate, 1.0 / period, period * 1e-8) << r;
+    }
+}
+
+TEST(Classify, ChaosIsNamedByItsExponent) {
+    const auto logistic = classify(Logistic{4}, Vector<1>{0.3}, 0);
+    EXPECT_EQ(logistic.mode, Mode::chaotic);
+    EXPECT_NEAR(logistic.largest_exponent, std::log(2), 5 * logistic.largest_exponent_error);
+    const auto henon = classify(maps::Henon{}, Vector<2>{0.1, 0.1}, 0);
+    EXPECT_EQ(henon.mode, Mode::chaotic);
+    EXPECT_NEAR(henon.largest_exponent, 0.41922, 5 * henon.largest_exponent_error);
+    EXPECT_EQ(henon.period, 0);
+}
+
+TEST(Classify, AnIrrationalRotationIsQuasiPeriodic) {
+    const auto verdict = classify(maps::ConjugatedRotation{}, Vector<1>{0.3}, 0);
+    EXPECT_EQ(verdict.mode, Mode::quasi_steady);
+    EXPECT_EQ(verdict.kind, Kind::quasi_periodic);
+    const double rotation = verdict.rotation - std::floor(verdict.rotation);
+    EXPECT_NEAR(rotation, maps::golden_mean - std::floor(maps::golden_mean), 1e-9);
+}
+
+/// r = 3: the multiplier is −1 and the approach falls off as n^(−1/2); it has not arrived, and no cycle attracts.
+TEST(Classify, AnAlgebraicTransientIsNotGivenAName) {
+    ClassifyOptions options;
+    options.transient = 1000;
+    options.collisions = 1000;
+    const auto verdict = classify(Logistic{3}, Vector<1>{0.3}, 0, options);
+    EXPECT_EQ(verdict.mode, Mode::undecided);
+    EXPECT_EQ(verdict.kind, Kind::transient);
+}
+
+/// Multiplier −0.999: after 1,200 steps the orbit is still 10⁻² … 10⁻¹ of its start away; Newton's method sees where to.
+TEST(Classify, AnOrbitStillApproachingIsNamedAfterTheCycleItApproaches) {
+    ClassifyOptions options;
+    options.transient = 600;
+    options.collisions = 600;
+    const double r = 2.999;
+    const auto verdict = classify(Logistic{r}, Vector<1>{0.66}, 0, options);
+    EXPECT_EQ(verdict.mode, Mode::steady);
+    EXPECT_EQ(verdict.period, 1);
+    ASSERT_EQ(verdict.point.size(), 1u);
+    EXPECT_NEAR(verdict.point[0], 1 - 1 / r, 1e-12);
+    EXPECT_NEAR(verdict.mean, 1 - 1 / r, 1e-12);
+}
+
+TEST(Classify, AMapThatEndsIsNotNamed) {
+    const auto verdict = classify(Logistic{4.5}, Vector<1>{0.3}, 0);
+    EXPECT_TRUE(verdict.ended);
+    EXPECT_EQ(verdict.mode, Mode::undecided);
+    EXPECT_EQ(verdict.kind, Kind::none);
+    EXPECT_TRUE(std::isnan(verdict.mean));
+}
+
+TEST(Classify, EveryVerdictListsItsEvidence) {
+    for (const double r : {2.8, 3.2, 4.0}) {
+        const auto verdict = classify(Logistic{r}, Vector<1>{0.3}, 0);
+        EXPECT_GE(verdict.evidence.size(), 3u);
+        for (const auto& evidence : verdict.evidence) EXPECT_FALSE(evidence.says.empty());
+    }
+}
+
+}  // namespace
+}  // namespace swirl::analysis

@@ -85,10 +85,11 @@ double polish(const M& map, Vector<M::dimension>& z, std::int64_t k, double goal
             break;
         }
         if (residual <= 0.01 * goal) break;
-        Eigen::CompleteOrthogonalDecomposition<Matrix<D>> solver;
+        // Sizes known at run time: GCC 12 sees an overrun in Eigen's solver for 1 × 1.
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
         solver.setThreshold(1e-9);
         solver.compute(Matrix<D>::Identity() - derivative);
-        z += solver.solve(gap);
+        z += Vector<D>(solver.solve(Eigen::VectorXd(gap)));
     }
     z = best_point;
     return best;

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <exception>
+#include <system_error>
 #include <vector>
 
 namespace swirl::apps {
@@ -37,8 +37,13 @@ Commands add_commands(CLI::App& app) {
 }
 
 int run_command(const Commands& commands) {
-    for (const auto& [command, run] : commands)
-        if (command->parsed()) return run();
+    for (const auto& [command, run] : commands) {
+        if (!command->parsed()) continue;
+        const int code = run();
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+            return fail(exit_io_failed, "cannot write to standard output");
+        return code;
+    }
     return fail(exit_bad_input, "no command given; swirl --help lists them");
 }
 
@@ -63,6 +68,8 @@ int run(int argc, char** argv) {
     } catch (const RecordError& error) {
         return fail(exit_io_failed, error.what());
     } catch (const JsonError& error) {
+        return fail(exit_io_failed, error.what());
+    } catch (const std::system_error& error) {  // fmt, when a line can't be printed
         return fail(exit_io_failed, error.what());
     }
 }

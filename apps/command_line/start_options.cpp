@@ -3,7 +3,9 @@
 #include <Random123/philox.h>
 #include <Random123/uniform.hpp>
 
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 namespace swirl::apps {
 
@@ -20,6 +22,19 @@ LabStart<double> random_start(double beta, double speed, std::uint64_t seed, std
     return start;
 }
 
+namespace {
+
+/// CLI11 would take −1 for 2⁶⁴ − 1.
+std::uint64_t seed_from(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw CLI::ValidationError("--seed", text + " is outside its range: 0 to 18446744073709551615");
+    return seed;
+}
+
+}  // namespace
+
 void StartOptions::add_to(CLI::App& command) {
     constexpr std::pair<const char*, const char*> lab_names[] = {
         {"x", "centre, from the swirl's centre (default beta)"}, {"y", "centre"},
@@ -33,9 +48,9 @@ void StartOptions::add_to(CLI::App& command) {
         ->type_name("")->group("Start");
     command.add_option("--speed", speed_, "random start at the container's centre with this speed (default 1/7)")
         ->type_name("")->group("Start");
-    command.add_option_function<std::uint64_t>(
-        "--seed", [this](std::uint64_t seed) { seed_ = seed; seed_given_ = true; }, "of the random start (default 1)")
-        ->type_name("")->group("Start");
+    command.add_option_function<std::string>(
+        "--seed", [this](const std::string& text) { seed_ = seed_from(text); seed_given_ = true; },
+        "of the random start (default 1)")->type_name("")->group("Start");
 }
 
 double StartOptions::speed() const {

@@ -84,6 +84,7 @@ class BadInput(InFolder):
         self.check(f"simulate {HEXAGON} --point 0,0,-1,0,nan", "S")
         self.check(f"simulate {HEXAGON} --point 0,0,-1,0,0 --x 0.5", "--point")
         self.check(f"simulate {HEXAGON} --seed 3 --x 0.5", "--seed")
+        self.check(f"simulate {HEXAGON} --seed -1", "--seed", "-1")
         self.check(f"simulate {HEXAGON} --collisions 5 --time 3", "--time")
         self.check(f"simulate {HEXAGON} --accuracy half", "half")
 
@@ -191,6 +192,15 @@ class Simulate(InFolder):
                     "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
             return int(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout)
         self.assertLess(peak(2_000_000) - peak(20_000), 8 * 1024)  # KiB; the allocator's own scatter is below this
+
+
+    def test_a_full_disk_exits_with_4(self):
+        for layout in ("", "--json"):
+            with open("/dev/full", "w") as full:
+                result = subprocess.run([SWIRL, *shlex.split(f"simulate {HEXAGON} --collisions 3 {layout}")], stdout=full,
+                                        stderr=subprocess.PIPE, text=True, timeout=60)
+            self.assertEqual(result.returncode, 4)
+            self.assertEqual(len(result.stderr.splitlines()), 1)
 
 
 class Classify(unittest.TestCase):

@@ -57,7 +57,8 @@ private:
     template <class Step>
     void fill(Step& step, const Launch<double>& launch, const Collision<double>& collision) const {
         step.alive = collision.contact == ContactOutcome::contact &&
-                     !ends_chatter(map().body(), map().scene().restitution, launch, collision.flight_time);
+                     !ends_chatter(map().body(), map().scene().restitution, launch, collision) &&
+                     !has_died_away(map().body(), collision.after);
         if (collision.contact != ContactOutcome::contact) return;
         step.state = state_of(section_point(collision.after));
         step.duration = collision.flight_time;

@@ -5,6 +5,7 @@
 #include "map/turn.hpp"
 #include "map/vec2.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <vector>
@@ -50,6 +51,13 @@ struct Body {
         return static_cast<int>(reduced < 0 ? reduced + sides : reduced);
     }
 };
+
+/// How fast any point of the body moves, to a factor: the largest of |V|'s components and α|S|.
+template <class T>
+inline T speed_of(const Body<T>& body, const T& vx, const T& vy, const T& spin) {
+    using std::fabs;
+    return std::max(std::max(T(fabs(vx)), T(fabs(vy))), T(body.alpha * fabs(spin)));
+}
 
 template <class T>
 inline Body<T> make_body(const Scene<T>& scene) {

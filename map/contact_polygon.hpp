@@ -66,7 +66,7 @@ Contact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight)
             if (has_recurred<Shape::polygon>(body, flight, contact.at)) return contact;
         } else {
             look_around(body, flight, contact.at, pair);
-            if (starting && stays(body, flight, pair.first.gap)) {
+            if (starting && stays(body, flight, struck_of(pair).gap)) {
                 contact.outcome = ContactOutcome::sustained;
                 return contact;
             }
@@ -128,7 +128,7 @@ inline bool clear_flight(const Body<T>& body, const Flight<T>& flight, const Fli
 
     NearestTwo<T> first;
     look_around(body, flight, start, first);
-    if (!(first.first.gap.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
+    if (!(struck_of(first).gap.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
     NearestTwo<T> first_later = first;
     bring_to(body, flight, outside, first_later);
     if (!both_clear(first, first_later, out, sixth.vertex)) return false;

@@ -18,11 +18,10 @@ struct LabStart {
 template <class T>
 Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
     using std::sqrt;
-    const auto finite = [](const T& value) { return value - value == T(0); };
     const T* values[] = {&start.x, &start.y, &start.vx, &start.vy, &start.angle, &start.spin};
     const char* names[] = {"x", "y", "vx", "vy", "angle", "spin"};
-    for (int i = 0; i < 6; ++i)
-        if (!finite(*values[i])) detail::out_of_range(names[i], *values[i], "any finite number");
+    for (int i = 0; i < 6; ++i) detail::require_finite(names[i], *values[i]);
+    detail::require_speed(speed_of(body, start.vx, start.vy, start.spin));
     Flight<T> flight;
     flight.centre = {start.x - body.beta, start.y};
     flight.velocity = {start.vx, start.vy};
@@ -45,18 +44,19 @@ Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
 template <class T>
 struct WoundAngle {
     T phase{};
-    long long turns = 0;
+    T turns{};  ///< a whole number: an orbit that dies away (β = 0, e < 1) outlives any integer type
 
     void add(const T& change) {
-        using std::floor;
+        using std::fmod;
+        using std::round;
         const T turn = T(2 * pi<T>());
-        phase = phase + change;
-        const T whole = floor(phase / turn);
-        phase = phase - whole * turn;
-        turns += static_cast<long long>(whole);
-        if (phase < 0) phase = T(0);  // −tiny + 2π rounds to 2π, then to just below 0
+        const T sum = phase + change;
+        phase = fmod(sum, turn);  // exact, however many turns
+        if (phase < 0) phase = phase + turn;
+        if (!(phase < turn)) phase = T(0);  // −tiny + 2π rounds to 2π
+        turns = turns + round((sum - phase) / turn);
     }
-    T unwound() const { return phase + T(2 * pi<T>()) * T(turns); }
+    T unwound() const { return phase + T(2 * pi<T>()) * turns; }
 };
 
 /// Where an orbit of the section is in the laboratory.
@@ -65,6 +65,10 @@ struct LabFrame {
     WoundAngle<T> time;   ///< t: (swirl phase, turns)
     WoundAngle<T> angle;  ///< vertex 0's direction
     int vertex = 0;       ///< the vertex that struck last
+    T direction{};        ///< of the axes that the next flight begins in: arg n of the last contact
+
+    /// A time whose rounding is a thousand times that of an angle.
+    static T long_flight() { return T(1024); }
 
     /// A start in flight.
     static LabFrame at_start(const T& angle) {
@@ -73,17 +77,28 @@ struct LabFrame {
         return frame;
     }
     /// A start on the section: t = 0 and vertex 0 has just struck.
-    static LabFrame at_section(const SectionPoint<T>& z) { return at_start(T(z.psi + z.chi)); }
+    static LabFrame at_section(const SectionPoint<T>& z) {
+        LabFrame frame = at_start(T(z.psi + z.chi));
+        frame.direction = z.psi;
+        return frame;
+    }
 
     /// Takes note of a collision; `spin` is S during the flight before it.
     template <class Map>
     void follow(const Map& map, const Collision<T>& collision, const T& spin) {
+        using std::atan2;
+        const SectionPoint<T> z = section_point(collision.after);
         time.add(collision.flight_time);
+        if (collision.flight_time > long_flight()) {
+            // So long a time no longer tells the swirl's phase; the new contact's ψ = arg n − t does.
+            const T phase = direction + atan2(collision.normal.y, collision.normal.x) - z.psi;
+            time.add(wrapped_angle(T(phase - time.phase)));
+        }
+        direction = time.phase + z.psi;
         angle.add(spin * collision.flight_time);
         if constexpr (Map::shape == Shape::polygon) {
             vertex = map.body().vertex_number(static_cast<long long>(vertex) + collision.vertex_step);
             // arg r − 2πk/N is vertex 0's direction too, and free of the rounding that the sum gathers.
-            const SectionPoint<T> z = section_point(collision.after);
             const T measured = time.phase + z.psi + z.chi - map.body().spacing * T(vertex);
             angle.add(wrapped_angle(T(measured - angle.phase)));
         }

@@ -25,11 +25,10 @@ inline Outcome outcome_of(ContactOutcome contact, const T& restitution) {
 /// @throws std::invalid_argument
 template <class T>
 void require_leaving(const Body<T>& body, const SectionPoint<T>& z) {
-    const auto finite = [](const T& value) { return value - value == T(0); };
     const T* values[] = {&z.psi, &z.chi, &z.vn, &z.vt, &z.spin};
     const char* names[] = {"psi", "chi", "vn", "vt", "S"};
-    for (int i = 0; i < 5; ++i)
-        if (!finite(*values[i])) detail::out_of_range(names[i], *values[i], "any finite number");
+    for (int i = 0; i < 5; ++i) detail::require_finite(names[i], *values[i]);
+    detail::require_speed(speed_of(body, z.vn, z.vt, z.spin));
     const Launch<T> launch = launch_from(z);
     const Approach<T> slip = approach_of(body, launch);
     if (slip.un > T(0)) detail::out_of_range("point: normal velocity u_n", slip.un, "at most 0, leaving the wall");
@@ -74,8 +73,10 @@ public:
         spin_ = collision_.after.spin;
         flight_ = flight_from(map_.body(), collision_.after);
         ++impacts_;
-        if (struck && ends_chatter(map_.body(), map_.scene().restitution, before, collision_.flight_time))
+        if (struck && ends_chatter(map_.body(), map_.scene().restitution, before, collision_))
             outcome_ = Outcome::chatter;
+        else if (has_died_away(map_.body(), collision_.after))
+            outcome_ = Outcome::resting;
         return true;
     }
 

@@ -9,7 +9,7 @@ enum class Outcome {
     completed,   ///< everything that was asked for
     no_contact,  ///< the body never meets the wall (again): proven
     chatter,     ///< impacts accumulate, or end on the wall at once (e = 0): sustained contact begins
-    resting,     ///< a body with e = 1 starts on the wall without normal velocity and is held there
+    resting,     ///< e = 1: starts on the wall without normal velocity and is held there; β = 0: motion has died away
     unresolved   ///< a single flight outlasted the step limit of the search for its contact
 };
 

@@ -28,12 +28,11 @@ inline T first_root(const T& g, const T& rate, const T& bend) {
 /// A bound from above for P's first positive root when the parabola without M has none (Lagrange, Kioustelidis).
 template <class T>
 inline T root_bound(const Gap<T>& gap, const T& third) {
+    using std::cbrt;
     using std::sqrt;
     const T leading = third / T(6);
     if (leading == 0) return std::numeric_limits<T>::infinity();
-    // Bounds the cube root too: ∛x ≤ √x above 1, ∜x below.
-    const T root = sqrt(-gap.value / leading);
-    T bound = std::max(root, T(sqrt(root)));
+    T bound = cbrt(T(-gap.value / leading));
     if (gap.rate < 0) bound = std::max(bound, T(sqrt(-gap.rate / leading)));
     if (gap.bend < 0) bound = std::max(bound, T(T(-0.5) * gap.bend / leading));
     return T(2) * bound;

@@ -60,22 +60,48 @@ template <class T>
     throw std::invalid_argument(message.str());
 }
 
+/// The numbers of a scene and of a start are 0 or within these bounds, so that their fourth powers can be held.
+inline constexpr double smallest_magnitude = 1e-75;
+inline constexpr double largest_magnitude = 1e75;
+
+template <class T>
+inline bool is_holdable(const T& value) {
+    return value == T(0) || ((value >= T(smallest_magnitude) || -value >= T(smallest_magnitude)) &&
+                             value <= T(largest_magnitude) && -value <= T(largest_magnitude));
+}
+
+/// @throws std::invalid_argument for a coordinate of a start that is not finite, or too large
+template <class T>
+inline void require_finite(const char* name, const T& value) {
+    if (!(value <= T(largest_magnitude) && -value <= T(largest_magnitude)))
+        out_of_range(name, value, "any finite number up to 1e75");
+}
+
+/// @throws std::invalid_argument for a start that is all but at rest; a single component may be as small as it likes
+template <class T>
+inline void require_speed(const T& speed) {
+    if (!is_holdable(speed)) out_of_range("speed", speed, "0 (at rest), or 1e-75 to 1e75");
+}
+
 }  // namespace detail
 
 /// Returns the scene if every parameter is within its range.
 /// @throws std::invalid_argument naming the parameter, its value and its range; a NaN is outside every range.
 template <class T>
 inline Scene<T> validated(const Scene<T>& scene) {
-    const auto finite = [](const T& value) { return value - value == T(0); };
+    using detail::is_holdable;
     if (scene.sides != disk_sides && (scene.sides < 3 || scene.sides > max_sides))
         detail::out_of_range("sides", scene.sides, "3 to 1000000, or disk");
-    if (!(scene.alpha > T(0) && scene.alpha < T(1))) detail::out_of_range("alpha", scene.alpha, "0 < alpha < 1");
-    if (!(scene.beta >= T(0) && finite(scene.beta))) detail::out_of_range("beta", scene.beta, "beta >= 0, finite");
-    if (!(scene.mu >= T(0) && finite(scene.mu))) detail::out_of_range("mu", scene.mu, "mu >= 0, finite");
+    if (!(scene.alpha > T(0) && scene.alpha < T(1) && is_holdable(scene.alpha)))
+        detail::out_of_range("alpha", scene.alpha, "0 < alpha < 1, at least 1e-75");
+    if (!(scene.beta >= T(0) && is_holdable(scene.beta)))
+        detail::out_of_range("beta", scene.beta, "beta >= 0, finite (0, or 1e-75 to 1e75)");
+    if (!(scene.mu >= T(0) && is_holdable(scene.mu)))
+        detail::out_of_range("mu", scene.mu, "mu >= 0, finite (0, or 1e-75 to 1e75)");
     if (!(scene.restitution >= T(0) && scene.restitution <= T(1)))
         detail::out_of_range("restitution", scene.restitution, "0 <= restitution <= 1");
-    if (!(scene.inertia_factor > T(0) && finite(scene.inertia_factor)))
-        detail::out_of_range("inertia-factor", scene.inertia_factor, "inertia-factor > 0, finite");
+    if (!(scene.inertia_factor > T(0) && is_holdable(scene.inertia_factor)))
+        detail::out_of_range("inertia-factor", scene.inertia_factor, "inertia-factor > 0, finite (1e-75 to 1e75)");
     return scene;
 }
 

@@ -69,6 +69,13 @@ inline T two_are_enough(const Body<T>& body, const Flight<T>& flight, const Flig
     return std::min(turning, T(distance / (T(2) * bounds.drift)));
 }
 
+/// The one that began the flight: at a start on the wall it is among the two, though not always the first (two vertices
+/// that strike together are equally near).
+template <class T>
+inline Candidate<T>& struck_of(NearestTwo<T>& pair) {
+    return pair.second.vertex == 0 ? pair.second : pair.first;
+}
+
 template <class T>
 inline bool touches(const Candidate<T>& candidate, bool starting) {
     return candidate.gap.value >= 0 && candidate.gap.rate >= 0 && !(starting && candidate.vertex == 0);
@@ -86,8 +93,9 @@ inline void choose(const NearestTwo<T>& pair, Contact<T>& contact) {
     using std::fabs;
     const T first = time_left(pair.first.gap);
     const T second = time_left(pair.second.gap);
-    const T rounding = T(16) * epsilon<T>() * (T(1) + contact.at.time);
-    contact.simultaneous = fabs(first - second) <= rounding;
+    // A gap is known to some ε and so its root to ε/g′, beside the rounding of the time itself.
+    const T slower = std::min(fabs(pair.first.gap.rate), fabs(pair.second.gap.rate));
+    contact.simultaneous = fabs(first - second) <= T(16) * epsilon<T>() * (T(1) / slower + contact.at.time);
     bool take_second = second < first;
     if (first == second) {
         const T difference = pair.second.gap.rate - pair.first.gap.rate;  // g′ = 2 u_n

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace swirl::apps {
@@ -41,6 +42,13 @@ bool belongs(const NumberField& field, bool disk) {
     return !(disk && field.member == &ImpactRow::chi);
 }
 
+/// A number of the table: six decimals, or an exponent where they would show nothing or not fit.
+std::string cell(double value, int width) {
+    const double size = std::abs(value);
+    const bool fixed = value == 0 || (size >= 1e-5 && size < std::pow(10, width - 8));
+    return fixed ? fmt::format("{:>{}.6f}", value, width) : fmt::format("{:>{}.2e}", value, width);
+}
+
 }  // namespace
 
 JsonImpacts::JsonImpacts(JsonWriter& json, bool disk) : json_(json), disk_(disk) {
@@ -67,10 +75,11 @@ TableImpacts::TableImpacts(bool disk) : disk_(disk) {
 }
 
 void TableImpacts::add(const ImpactRow& row) {
-    fmt::print("{:>9} {:>14.6f} {:>7} {:>10.6f}{} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:<12}\n",
-               row.number, row.t, row.vertex, row.psi, disk_ ? "" : fmt::format(" {:>10.6f}", row.chi), row.vn, row.vt,
-               row.spin, row.impulse_normal, row.impulse_tangential, row.jacobi,
-               fmt::format("{}{}", name_of(row.contact_mode), row.simultaneous ? " simultaneous" : ""));
+    std::string line = fmt::format("{:>9} {} {:>7} {}", row.number, cell(row.t, 14), row.vertex, cell(row.psi, 10));
+    if (!disk_) line += " " + cell(row.chi, 10);
+    for (const double value : {row.vn, row.vt, row.spin, row.impulse_normal, row.impulse_tangential, row.jacobi})
+        line += " " + cell(value, 10);
+    fmt::print("{} {}{}\n", line, name_of(row.contact_mode), row.simultaneous ? " simultaneous" : "");
 }
 
 RecordImpacts::RecordImpacts(RecordGroup group, bool disk) {

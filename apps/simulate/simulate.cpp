@@ -11,7 +11,7 @@ namespace swirl::apps {
 
 const char* const simulate_details =
     R"(Outcomes: completed; no-contact (the body never meets the wall again: proven); chatter (impacts accumulate:
-sustained contact begins); resting (e = 1, held on the wall from the start); unresolved (one flight outlasted the
+sustained contact begins); resting (e = 1, held on the wall from the start; beta = 0, slower than 1e-75); unresolved (one flight outlasted the
 search for its contact); interrupted. All but the first exit with 3, interrupted with 130.
 
 Examples:
@@ -19,8 +19,6 @@ Examples:
   swirl simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --collisions 100000 --every 10 -o disk.h5)";
 
 namespace {
-
-constexpr std::int64_t default_collisions = 100;
 
 /// Everything that takes impacts.
 class Sinks {
@@ -58,9 +56,9 @@ struct Ending {
 
 template <class Map>
 Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, Sinks& sinks) {
-    const std::int64_t limit = options.collisions > 0 ? options.collisions : default_collisions;
-    const bool by_time = options.time > 0;
-    Progress progress("simulate", by_time ? options.time : static_cast<double>(limit), options.output.quiet);
+    const std::int64_t limit = options.limit();
+    const bool by_time = options.time.has_value();
+    Progress progress("simulate", by_time ? *options.time : static_cast<double>(limit), options.output.quiet);
     Ending ending;
     double turned = 0;
     double flown = 0;
@@ -70,7 +68,7 @@ Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, Sinks& sinks) {
         const bool first = orbit.impacts() == 0;
         if (!orbit.advance()) break;
         const double now = static_cast<double>(orbit.frame().time.unwound());
-        if (by_time && now > options.time) {
+        if (by_time && now > *options.time) {
             ending.outcome = "completed";
             break;
         }
@@ -122,9 +120,11 @@ void check_start(const SimulateOptions& options, const Scene<double>& scene) {
 }
 
 void check_limits(const SimulateOptions& options) {
-    if (options.collisions > 0 && options.time > 0) throw BadInput("--collisions and --time are both given; give one");
-    if (options.time < 0 || !std::isfinite(options.time))
-        throw BadInput(fmt::format("time = {} is outside its range: time > 0, finite", options.time));
+    if (options.collisions && options.time) throw BadInput("--collisions and --time are both given; give one");
+    if (options.time && !(*options.time > 0 && std::isfinite(*options.time)))
+        throw BadInput(fmt::format("time = {} is outside its range: time > 0, finite", *options.time));
+    if (!options.time && options.skip >= options.limit())
+        throw BadInput(fmt::format("skip = {} leaves nothing of {} collisions: give less", options.skip, options.limit()));
 }
 
 }  // namespace
@@ -168,8 +168,11 @@ int simulate(SimulateOptions& options) {
     sinks.finish();
     const Settings result = {{"outcome", ending.outcome}, {"impacts", ending.impacts}, {"time", ending.time},
                              {"mean_S", ending.mean_spin}};
-    const Settings settings = {{"collisions", options.collisions}, {"time", options.time}, {"skip", options.skip},
-                               {"every", options.every}, {"accuracy", options.output.accuracy_name}};
+    const Settings settings = {options.time ? Settings::value_type{"time", *options.time}
+                                            : Settings::value_type{"collisions", options.limit()},
+                               {"skip", options.skip},
+                               {"every", options.every},
+                               {"accuracy", options.output.accuracy_name}};
     if (record) {
         const RecordGroup root = record->root();
         write_attributes(root.group("scene"), scene_settings(scene));
@@ -190,7 +193,7 @@ int simulate(SimulateOptions& options) {
         json->end_object();
         json->finish();
     } else if (!options.output.quiet) {
-        fmt::print("{}: {} after {} impacts, t = {:.6f}, time mean of S = {:.8f}\n", describe(scene), ending.outcome,
+        fmt::print("{}: {} after {} impacts, t = {:.10g}, time mean of S = {:.8g}\n", describe(scene), ending.outcome,
                    ending.impacts, ending.time, ending.mean_spin);
     }
     if (ending.outcome == "interrupted") return exit_interrupted;

@@ -6,6 +6,7 @@
 #include "apps/command_line/start_options.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace swirl::apps {
 
@@ -13,12 +14,13 @@ struct SimulateOptions {
     SceneOptions scene;
     StartOptions start;
     OutputOptions output;
-    std::int64_t collisions = 0;  ///< 0: not given
-    double time = 0;
+    std::optional<std::int64_t> collisions;
+    std::optional<double> time;
     std::int64_t skip = 0;
     std::int64_t every = 1;
 
     void add_to(CLI::App& command);
+    std::int64_t limit() const { return collisions.value_or(100); }
 };
 
 /// The text under --help: outcomes and examples.

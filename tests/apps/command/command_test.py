@@ -56,7 +56,7 @@ class BadInput(InFolder):
         rest = {"sides": "6", "alpha": "0.4", "beta": "0.5", "mu": "0.5", "restitution": "0.9"}
         for name, value in [("alpha", "1.2"), ("alpha", "0"), ("sides", "2"), ("sides", "1000001"), ("sides", "six"),
                             ("restitution", "nan"), ("restitution", "1.01"), ("mu", "-1"), ("beta", "-0.1"),
-                            ("beta", "inf"), ("alpha", "abc")]:
+                            ("beta", "inf"), ("alpha", "abc"), ("alpha", "1e-300"), ("mu", "1e+300")]:
             flags = " ".join(f"--{k} {v}" for k, v in {**rest, name: value}.items())
             for command in ("simulate", "classify"):
                 self.check(f"{command} {flags}", name, value)
@@ -86,6 +86,9 @@ class BadInput(InFolder):
         self.check(f"simulate {HEXAGON} --seed 3 --x 0.5", "--seed")
         self.check(f"simulate {HEXAGON} --seed -1", "--seed", "-1")
         self.check(f"simulate {HEXAGON} --collisions 5 --time 3", "--time")
+        self.check(f"simulate {HEXAGON} --time 0", "time", "0")
+        self.check(f"simulate {HEXAGON} --collisions 5 --skip 5", "skip", "5")
+        self.check(f"simulate {HEXAGON} --vx 1e-300", "speed", "1e-300")
         self.check(f"simulate {HEXAGON} --accuracy half", "half")
 
     def test_an_output_that_cannot_be_created(self):

@@ -24,24 +24,24 @@ double spherical_bessel_1(double x) {
 
 std::string_view name(Frame frame) {
     switch (frame) {
-        case Frame::laboratory: return "lab";
+        case Frame::laboratory: return "laboratory";
         case Frame::container: return "container";
-        case Frame::co_rotating: return "co-rotating";
+        case Frame::corotating: return "corotating";
     }
     return "unknown";
 }
 
 Frame frame_from_name(std::string_view word) {
-    for (const Frame frame : {Frame::laboratory, Frame::container, Frame::co_rotating}) {
+    for (const Frame frame : {Frame::laboratory, Frame::container, Frame::corotating}) {
         if (name(frame) == word) return frame;
     }
-    throw std::invalid_argument("frame = " + std::string(word) + ": must be lab, container or co-rotating");
+    throw std::invalid_argument("frame = " + std::string(word) + ": must be laboratory, container or corotating");
 }
 
 Complex position_at(const UniformMotion& motion, double t, Frame frame, double swirl_radius) {
     const Complex z = motion.position + motion.velocity * (t - motion.time);
     if (frame == Frame::container) return z - std::polar(swirl_radius, t);
-    if (frame == Frame::co_rotating) return z * std::polar(1.0, -t);
+    if (frame == Frame::corotating) return z * std::polar(1.0, -t);
     return z;
 }
 

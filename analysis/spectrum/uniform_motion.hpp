@@ -11,10 +11,10 @@ namespace swirl::analysis {
 enum class Frame {
     laboratory,   ///< z
     container,    ///< z − β e^{it}: axes parallel to the laboratory's, origin on the swirl
-    co_rotating,  ///< z e^{−it}: origin at the swirl's centre, the swirl at rest at β
+    corotating,  ///< z e^{−it}: origin at the swirl's centre, the swirl at rest at β
 };
 std::string_view name(Frame frame);
-Frame frame_from_name(std::string_view word);  ///< "lab", "container", "co-rotating"; throws std::invalid_argument
+Frame frame_from_name(std::string_view word);  ///< "laboratory", "container", "corotating"; throws std::invalid_argument
 
 /// z + v (t − t₀) for all t.
 struct UniformMotion {

@@ -1,5 +1,9 @@
 #include "apps/command_line/interruption.hpp"
 
+#include "apps/command_line/errors.hpp"
+
+#include <unistd.h>
+
 #include <csignal>
 
 namespace swirl::apps {
@@ -15,5 +19,11 @@ void note_interruptions() {
 }
 
 bool is_interrupted() { return interrupted != 0; }
+
+void exit_when_interrupted() {
+    const auto leave = [](int) { _exit(exit_interrupted); };
+    std::signal(SIGINT, leave);
+    std::signal(SIGTERM, leave);
+}
 
 }  // namespace swirl::apps

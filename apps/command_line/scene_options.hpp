@@ -35,6 +35,9 @@ public:
     /// The units, if any physical number was given. @throws BadInput
     std::optional<Units> units() const;
 
+    /// True if any flag of a scene, or a scene file, was given.
+    bool given() const { return !flags_.empty() || !file_.empty(); }
+
     /// Replaces one parameter (a sweep's or continuation's), as if its flag had been given.
     void set(const std::string& name, const std::string& text) { values_[name] = text; }
 

@@ -29,6 +29,8 @@ public:
 
     /// True if the start is one of many possible ones: neither a laboratory state nor a point was given.
     bool is_random() const { return lab_.empty() && point_.empty(); }
+    /// True if any flag of a start was given.
+    bool given() const { return !is_random() || !speed_.empty() || seed_given_; }
     double speed() const;
     std::uint64_t seed() const { return seed_; }
 

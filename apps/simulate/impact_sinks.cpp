@@ -1,46 +1,15 @@
 #include "apps/simulate/impact_sinks.hpp"
 
+#include "apps/simulate/impact_fields.hpp"
+
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 
 namespace swirl::apps {
 
 namespace {
-
-/// The numbers of a row, in the contract's order, with what a record says of them.
-struct NumberField {
-    const char* name;
-    double ImpactRow::*member;
-    const char* units;
-    const char* long_name;
-};
-
-constexpr std::array<NumberField, 17> number_fields = {{
-    {"t", &ImpactRow::t, "1/omega_s", "time"},
-    {"x", &ImpactRow::x, "R_c", "centre of the body, from the swirl's centre"},
-    {"y", &ImpactRow::y, "R_c", "centre of the body, from the swirl's centre"},
-    {"vx", &ImpactRow::vx, "R_c omega_s", "velocity of the centre just after the impact"},
-    {"vy", &ImpactRow::vy, "R_c omega_s", "velocity of the centre just after the impact"},
-    {"angle", &ImpactRow::angle, "rad", "direction of vertex 0, unwound"},
-    {"spin", &ImpactRow::spin, "omega_s", "S just after the impact"},
-    {"psi", &ImpactRow::psi, "rad", "section coordinate psi = arg n - t"},
-    {"chi", &ImpactRow::chi, "rad", "section coordinate chi = arg r - arg n"},
-    {"vn", &ImpactRow::vn, "R_c omega_s", "velocity of the centre along n"},
-    {"vt", &ImpactRow::vt, "R_c omega_s", "velocity of the centre along t"},
-    {"flight_time", &ImpactRow::flight_time, "1/omega_s", "duration of the flight before the impact"},
-    {"impulse_normal", &ImpactRow::impulse_normal, "m R_c omega_s", "p, the impulse is -p n + q t"},
-    {"impulse_tangential", &ImpactRow::impulse_tangential, "m R_c omega_s", "q"},
-    {"jacobi", &ImpactRow::jacobi, "m R_c^2 omega_s^2", "J, energy in the swirling frame"},
-    {"jacobi_restitution", &ImpactRow::jacobi_restitution, "m R_c^2 omega_s^2", "change of J by restitution, -p u_n"},
-    {"jacobi_friction", &ImpactRow::jacobi_friction, "m R_c^2 omega_s^2", "change of J by friction, q (u_t - 1)"},
-}};
-
-bool belongs(const NumberField& field, bool disk) {
-    return !(disk && field.member == &ImpactRow::chi);
-}
 
 /// A number of the table: six decimals, or an exponent where they would show nothing or not fit.
 std::string cell(double value, int width) {
@@ -59,7 +28,7 @@ JsonImpacts::JsonImpacts(JsonWriter& json, bool disk) : json_(json), disk_(disk)
 void JsonImpacts::add(const ImpactRow& row) {
     json_.begin_object();
     json_.member("number", row.number);
-    for (const auto& field : number_fields)
+    for (const auto& field : impact_fields)
         if (belongs(field, disk_)) json_.member(field.name, row.*field.member);
     json_.member("vertex", row.vertex);
     json_.member("contact_mode", name_of(row.contact_mode));
@@ -85,7 +54,7 @@ void TableImpacts::add(const ImpactRow& row) {
 RecordImpacts::RecordImpacts(RecordGroup group, bool disk) {
     group.dimension("collision", growing);
     index_.push_back(group.column<std::int64_t>("collision", {"collision"}, {"1", "number of the impact, from 1", {}}));
-    for (const auto& field : number_fields)
+    for (const auto& field : impact_fields)
         if (belongs(field, disk))
             numbers_.push_back({field.member, group.column<double>(field.name, {"collision"},
                                                                    {field.units, field.long_name, {}})});

@@ -12,7 +12,7 @@ using Complex = std::complex<double>;
 
 TEST(UniformMotion, TheIntegralIsThatOfThePosition) {
     const UniformMotion motion{{0.3, -0.2}, {0.7, 0.4}, 1.5};
-    for (const Frame frame : {Frame::laboratory, Frame::container, Frame::co_rotating}) {
+    for (const Frame frame : {Frame::laboratory, Frame::container, Frame::corotating}) {
         for (const double length : {1e-3, 0.15, 0.25, 1.0, 4.0}) {
             const double a = 2.1;
             const auto part = [&](auto component) {
@@ -29,8 +29,8 @@ TEST(UniformMotion, TheIntegralIsThatOfThePosition) {
 TEST(UniformMotion, TheSwirlItselfRestsInItsOwnFrames) {
     const UniformMotion resting{{0.5, 0}, {0, 0}, 0};
     EXPECT_EQ(position_at(resting, 0, Frame::container, 0.5), Complex(0, 0));
-    EXPECT_EQ(position_at(resting, 0, Frame::co_rotating, 0.5), Complex(0.5, 0));
-    EXPECT_EQ(frame_from_name("co-rotating"), Frame::co_rotating);
+    EXPECT_EQ(position_at(resting, 0, Frame::corotating, 0.5), Complex(0.5, 0));
+    EXPECT_EQ(frame_from_name("corotating"), Frame::corotating);
     EXPECT_THROW(frame_from_name("moon"), std::invalid_argument);
 }
 

@@ -1,0 +1,98 @@
+#include "apps/input/orbit_columns.hpp"
+
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/progress.hpp"
+#include "apps/simulate/impact_fields.hpp"
+
+#include <algorithm>
+
+namespace swirl::apps {
+
+namespace {
+
+const ImpactField* field_of(const std::string& column) {
+    for (const auto& field : impact_fields)
+        if (column == field.name) return &field;
+    return nullptr;
+}
+
+template <class Map>
+void follow(Orbit<Map>& orbit, const ImpactRange& range, bool quiet, OrbitColumns& columns) {
+    std::vector<const ImpactField*> fields;
+    for (const auto& name : columns.names) fields.push_back(field_of(column_of_observable(name)));
+    const std::int64_t limit = range.transient + range.collisions;
+    Progress progress("orbit", static_cast<double>(limit), quiet);
+    while (orbit.impacts() < limit && orbit.advance()) {
+        if (orbit.impacts() > range.transient) {
+            const ImpactRow row = impact_row(orbit);
+            for (std::size_t k = 0; k < fields.size(); ++k) columns.values[k].push_back(row.*(fields[k]->member));
+        }
+        if (orbit.impacts() % 1024 != 0) continue;
+        progress.at(static_cast<double>(orbit.impacts()));
+        if (is_interrupted()) break;
+    }
+    columns.impacts = orbit.impacts();
+    // The last impact that was asked for may be the one that ends the orbit: nothing is missing then.
+    columns.outcome = columns.impacts == limit ? "completed"
+                    : is_interrupted()         ? "interrupted"
+                                               : std::string(name_of(orbit.outcome()));
+}
+
+template <class T>
+void follow_in(const SceneOptions& scene_options, const StartOptions& start_options, const ImpactRange& range,
+               bool quiet, OrbitColumns& columns) {
+    const Scene<T> scene = scene_options.scene<T>();
+    const Start<T> start = start_options.start<T>(scene);
+    with_collision_map(scene, [&](const auto& map) {
+        std::visit(
+            [&](const auto& s) {
+                Orbit orbit(map, s);
+                follow(orbit, range, quiet, columns);
+            },
+            start);
+        return 0;
+    });
+}
+
+}  // namespace
+
+std::string column_of_observable(const std::string& observable) { return observable == "S" ? "spin" : observable; }
+
+double period_of(const std::string& column) {
+    return column == "psi" || column == "chi" || column == "angle" ? 2 * pi<double>() : 0;
+}
+
+void require_observables(const std::vector<std::string>& names, bool disk) {
+    for (const auto& name : names) {
+        const ImpactField* field = field_of(column_of_observable(name));
+        if (field != nullptr && belongs(*field, disk)) continue;
+        std::string known = "S";
+        for (const auto& f : impact_fields)
+            if (belongs(f, disk)) known += std::string(", ") + f.name;
+        throw BadInput(fmt::format("observable = '{}' is none of{}: {}", name, disk ? " a disk's" : "", known));
+    }
+}
+
+OrbitColumns follow_orbit(const SceneOptions& scene_options, const StartOptions& start_options,
+                          const OutputOptions& output, const ImpactRange& range,
+                          const std::vector<std::string>& names) {
+    const Scene<double> scene = scene_options.scene<double>();
+    OrbitColumns columns;
+    columns.scene = scene_settings(scene);
+    columns.start = start_settings(start_options, scene);
+    if (const auto units = scene_options.units()) columns.units = unit_settings(*units);
+    columns.beta = scene.beta;
+    columns.disk = scene.is_disk();
+    require_observables(names, columns.disk);
+    columns.names = names;
+    columns.values.resize(names.size());
+    note_interruptions();
+    switch (output.accuracy()) {
+        case Accuracy::double_precision: follow_in<double>(scene_options, start_options, range, output.quiet, columns); break;
+        case Accuracy::extended: follow_in<long double>(scene_options, start_options, range, output.quiet, columns); break;
+        case Accuracy::quad: follow_in<Quad>(scene_options, start_options, range, output.quiet, columns); break;
+    }
+    return columns;
+}
+
+}  // namespace swirl::apps

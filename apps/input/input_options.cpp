@@ -1,0 +1,101 @@
+#include "apps/input/input_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swirl::apps {
+
+const char* const input_details =
+    R"(What is analysed: the orbit of a scene (its flags, --transient, --collisions), a record that simulate -o wrote, or
+--series FILE: a text file (- for standard input), a sample a line, cells separated by tabs, semicolons, commas or
+blanks, with a header or none; lines that begin with # or % are skipped. The times are the column --time NAME (or its
+number from 1 on, or none), by default the header's t or time, without a header the first of several columns. The values
+are --column NAME, by default S or spin, else the last other column. Times must rise; an empty cell, nan or NA is a gap.)";
+
+void InputOptions::add_to(CLI::App& command) {
+    scene.add_to(command);
+    start.add_to(command);
+    const auto counts = CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000});
+    command.add_option("RECORD,--record", record, "a record that swirl simulate -o wrote")
+        ->type_name("FILE.h5")->group("Input");
+    command.add_option("--series", series.file, "a measured series, text; - reads standard input")
+        ->type_name("FILE.csv")->group("Input");
+    command.add_option("--column", series.column, "the series' values: name or number of the column")
+        ->type_name("NAME")->group("Input");
+    command.add_option("--time", series.time, "the series' times: name or number of the column, or none")
+        ->type_name("NAME")->group("Input");
+    command.add_option("--spacing", series.spacing, "time between samples where there is no column of times (default 1)")
+        ->type_name("DT")->group("Input");
+    command.add_option("--transient", transient, "impacts (samples) left out first (scene: 10000, else 0)")
+        ->type_name("K")->check(counts)->group("Input");
+    command.add_option("--collisions", collisions, "impacts (samples) taken then (scene: 10000, else all)")
+        ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}))->group("Input");
+}
+
+InputKind InputOptions::kind() const {
+    const bool from_scene = scene.given() || start.given();
+    if (!record.empty() && !series.file.empty()) throw BadInput("a record and --series are both given; give one");
+    if (from_scene && !record.empty()) throw BadInput("a scene and a record are both given; give one");
+    if (from_scene && !series.file.empty()) throw BadInput("a scene and --series are both given; give one");
+    if (series.file.empty() && !(series.column.empty() && series.time.empty()))
+        throw BadInput("--column and --time are a series'; --series FILE is missing");
+    if (!record.empty()) return InputKind::record;
+    if (!series.file.empty()) return InputKind::series;
+    if (!from_scene) throw BadInput("nothing to analyse: give a scene (--sides ...), a record, or --series FILE");
+    return InputKind::scene;
+}
+
+ImpactRange InputOptions::range() const {
+    if (kind() == InputKind::scene) return {transient.value_or(10'000), collisions.value_or(10'000)};
+    return {transient.value_or(0), collisions.value_or(-1)};
+}
+
+OrbitColumns InputOptions::orbit(const OutputOptions& output, const std::vector<std::string>& names) {
+    if (kind() == InputKind::record) return read_orbit(record, range(), names);
+    scene.read_file();
+    return follow_orbit(scene, start, output, range(), names);
+}
+
+MeasuredSeries InputOptions::measured() const {
+    MeasuredSeries whole = read_series(series);
+    if (!transient && !collisions) return whole;
+    const auto rows = static_cast<std::int64_t>(whole.values.size());
+    const std::int64_t first = transient.value_or(0);
+    const std::int64_t count = collisions.value_or(rows - first);
+    if (count < 2 || first + count > rows)
+        throw BadInput(fmt::format("series '{}' has {} samples; --transient {} and --collisions {} need {}", series.file,
+                                   rows, first, std::max<std::int64_t>(count, 2),
+                                   first + std::max<std::int64_t>(count, 2)));
+    return part_of(whole, static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+}
+
+void write_orbit(JsonWriter& json, const OrbitColumns& orbit) {
+    write_json(json, "scene", orbit.scene);
+    write_json(json, "start", orbit.start);
+    if (!orbit.units.empty()) write_json(json, "units", orbit.units);
+    json.member("outcome", std::string_view(orbit.outcome));
+    json.member("impacts", orbit.impacts);
+}
+
+void write_orbit(const RecordGroup& root, const OrbitColumns& orbit) {
+    write_attributes(root.group("scene"), orbit.scene);
+    write_attributes(root.group("start"), orbit.start);
+    if (!orbit.units.empty()) write_attributes(root.group("units"), orbit.units);
+    write_attributes(root.group("orbit"), {{"outcome", orbit.outcome}, {"impacts", orbit.impacts}});
+}
+
+Settings series_settings(const MeasuredSeries& s) {
+    return {{"column", s.column}, {"time", s.time}, {"samples", static_cast<std::int64_t>(s.values.size())},
+            {"missing", static_cast<std::int64_t>(s.missing)}, {"even", s.even}, {"spacing", s.spacing},
+            {"largest_step", s.largest_step}, {"largest_deviation", s.largest_deviation}};
+}
+
+void write_series(const RecordGroup& root, const MeasuredSeries& series) {
+    const RecordGroup group = root.group("series");
+    write_attributes(group, series_settings(series));
+    group.dimension("sample", series.values.size());
+    group.write<double>("time", {"sample"}, series.times, {"", "time, in the unit of the series", {}});
+    group.write<double>("value", {"sample"}, series.values, {"", "measured values, NaN where missing", {}});
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,48 @@
+// The impacts of an orbit as columns of numbers: followed from a scene, or read from a record of `swirl simulate`.
+#pragma once
+
+#include "apps/command_line/documents.hpp"
+#include "apps/command_line/output_options.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace swirl::apps {
+
+/// Which impacts: leave out `transient`, then take `collisions` (-1: all that a record has).
+struct ImpactRange {
+    std::int64_t transient = 0;
+    std::int64_t collisions = -1;
+};
+
+struct OrbitColumns {
+    Settings scene, start, units;             ///< as documents write them; units empty: dimensionless
+    double beta = 0;
+    bool disk = false;
+    std::vector<std::string> names;           ///< as asked for
+    std::vector<std::vector<double>> values;  ///< one column a name, an entry for each impact kept
+    std::string outcome = "completed";        ///< how the orbit ended
+    std::int64_t impacts = 0;                 ///< that the orbit has had, the transient included
+    std::int64_t every = 1;                   ///< of a thinned record: only every k-th impact is there
+};
+
+/// "S" is called spin among the columns of an orbit.
+std::string column_of_observable(const std::string& observable);
+
+/// 2π for an angle, 0 for a plain number.
+double period_of(const std::string& column);
+
+/// @throws BadInput unless every name is a number of an impact (simulate's keys, or S), chi not for a disk; lists them
+void require_observables(const std::vector<std::string>& names, bool disk);
+
+/// Follows the orbit, with progress; looks for interruptions. The outcome is "completed" when all impacts are there, else
+/// why not (chatter, no-contact, …, interrupted), and the columns hold what there was.
+/// @throws BadInput, std::invalid_argument for a scene or start out of range
+OrbitColumns follow_orbit(const SceneOptions& scene, const StartOptions& start, const OutputOptions& output,
+                          const ImpactRange& range, const std::vector<std::string>& names);
+
+/// @throws BadInput if the file is no record of an orbit, or has not this many impacts
+OrbitColumns read_orbit(const std::string& record, const ImpactRange& range, const std::vector<std::string>& names);
+
+}  // namespace swirl::apps

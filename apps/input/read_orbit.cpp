@@ -1,0 +1,81 @@
+#include "apps/input/orbit_columns.hpp"
+
+#include "apps/record/record_reader.hpp"
+
+#include <algorithm>
+
+namespace swirl::apps {
+
+namespace {
+
+Settings attributes_of(const RecordReader& record, const std::string& group) {
+    Settings settings;
+    if (!record.contains(group)) return settings;
+    for (const auto& name : record.attributes(group)) settings.emplace_back(name, record.attribute(group, name));
+    return settings;
+}
+
+template <class T>
+T setting(const Settings& settings, const std::string& name, T otherwise) {
+    for (const auto& [key, value] : settings)
+        if (key == name)
+            if (const T* typed = std::get_if<T>(&value)) return *typed;
+    return otherwise;
+}
+
+/// Whole settings or nothing: what HDF5 lists by name goes back into the order in which documents write it.
+Settings in_order(const Settings& settings, const std::vector<std::string>& order) {
+    Settings sorted;
+    for (const auto& name : order)
+        for (const auto& entry : settings)
+            if (entry.first == name) sorted.push_back(entry);
+    return sorted;
+}
+
+OrbitColumns columns_of(const RecordReader& record, const std::string& file, const ImpactRange& range,
+                        const std::vector<std::string>& names) {
+    if (!record.contains("/collisions") || record.datasets("/collisions").empty())
+        throw BadInput(fmt::format("record '{}' holds no impacts; one that swirl simulate -o wrote is needed", file));
+    OrbitColumns columns;
+    columns.scene = in_order(attributes_of(record, "/scene"),
+                             {"sides", "alpha", "beta", "mu", "restitution", "law", "inertia_factor"});
+    columns.start = in_order(attributes_of(record, "/start"), {"speed", "seed", "x", "y", "vx", "vy", "angle", "spin",
+                                                               "psi", "chi", "vn", "vt", "S"});
+    columns.units = in_order(attributes_of(record, "/units"), {"length", "time", "mass"});
+    columns.beta = setting<double>(columns.scene, "beta", 0);
+    columns.disk = setting<std::string>(columns.scene, "sides", "") == "disk";
+    columns.every = setting<std::int64_t>(attributes_of(record, "/settings"), "every", 1);
+    const Settings result = attributes_of(record, "/result");
+    columns.outcome = setting<std::string>(result, "outcome", "completed");
+    columns.impacts = setting<std::int64_t>(result, "impacts", 0);
+    require_observables(names, columns.disk);
+    columns.names = names;
+    for (const auto& name : names) {
+        const std::string path = "/collisions/" + column_of_observable(name);
+        if (!record.contains(path))
+            throw BadInput(fmt::format("record '{}' holds no {}; its columns are: {}", file, name,
+                                       fmt::join(record.datasets("/collisions"), ", ")));
+        const auto rows = static_cast<std::int64_t>(record.info(path).shape.at(0));
+        const std::int64_t left = rows - range.transient;
+        if (left < 1 || range.collisions > left)
+            throw BadInput(fmt::format("record '{}' has {} impacts; --transient {} and --collisions {} need {}", file,
+                                       rows, range.transient, std::max<std::int64_t>(range.collisions, 1),
+                                       range.transient + std::max<std::int64_t>(range.collisions, 1)));
+        const std::int64_t count = range.collisions < 0 ? left : range.collisions;
+        columns.values.push_back(record.read<double>(path, {{static_cast<std::uint64_t>(range.transient)},
+                                                            {static_cast<std::uint64_t>(count)}}));
+    }
+    return columns;
+}
+
+}  // namespace
+
+OrbitColumns read_orbit(const std::string& file, const ImpactRange& range, const std::vector<std::string>& names) {
+    try {
+        return columns_of(RecordReader(file), file, range, names);
+    } catch (const RecordError& error) {  // a named file that can't be read is bad input: no work has begun
+        throw BadInput(fmt::format("{} (a text file of numbers is given with --series)", error.what()));
+    }
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,125 @@
+#include "apps/recurrence/recurrence_command.hpp"
+
+#include "apps/command_line/interruption.hpp"
+#include "apps/recurrence/recurrence_document.hpp"
+
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+namespace swirl::apps {
+
+namespace recurrence = analysis::recurrence;
+
+const char* const recurrence_details =
+    R"(Several thresholds (--threshold 0.1,0.2) are counted in one pass; RR ... RC are then lists, in the order of the list
+`thresholds`. A cross recurrence (--cross, --cross-column) has the first series in its rows and no RC. An orbit that ends
+before its impacts are complete is quantified as far as it came; the outcome says why, and the exit code is 3.
+
+Examples:
+  swirl recurrence --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1 --collisions 2000
+  swirl recurrence --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --observable psi,chi --threshold 1e-6)";
+
+namespace {
+
+Quantification quantify(const RecurrenceOptions& options, const RecurrencePoints& points,
+                        const std::optional<RecurrencePoints>& cross) {
+    Quantification result;
+    result.conventions = options.conventions.settings();
+    result.thresholds = thresholds_of(options, points, cross.has_value(), result.conventions);
+    if (!points.enough || (cross && !cross->enough)) return result;
+    const std::size_t longest = std::max(points.points.count, cross ? cross->points.count : 0);
+    const int window = recurrence::theiler_window(result.conventions, cross.has_value());
+    if (window > 0 && static_cast<std::size_t>(window) >= longest)
+        throw BadInput(fmt::format("theiler = {} leaves no pair of {} points; allowed: 0 to {}", window, longest,
+                                   longest - 1));
+    const auto& deltas = result.thresholds.delta;
+    result.lines = cross ? recurrence::count_cross_lines(points.points, cross->points, deltas, result.conventions)
+                         : recurrence::count_lines(points.points, deltas, result.conventions);
+    recurrence::Settings paper;  // RC is always with <=
+    paper.norm = result.conventions.norm;
+    for (std::size_t k = 0; k < deltas.size(); ++k) {
+        result.measures.push_back(recurrence::measures(result.lines[k], result.conventions));
+        recurrence::RecurrenceRate rate;
+        if (!cross && result.conventions.strict) rate = recurrence::recurrence_rate(points.points, deltas[k], paper);
+        else if (!cross) rate = {result.lines[k].points, points.points.count, points.points.count};
+        result.rc.push_back(cross ? std::nan("") : rate.with_diagonal());
+        result.rc_without_diagonal.push_back(cross ? std::nan("") : rate.without_diagonal());
+    }
+    if (options.image > 0)
+        result.image = cross ? recurrence::cross_recurrence_image(points.points, cross->points, deltas.front(),
+                                                                  options.image, result.conventions)
+                             : recurrence::recurrence_image(points.points, deltas.front(), options.image,
+                                                            result.conventions);
+    return result;
+}
+
+void check_flags(const RecurrenceOptions& options) {
+    options.conventions.settings();
+    if (options.output.accuracy() != Accuracy::double_precision && options.input.kind() != InputKind::scene)
+        throw BadInput(fmt::format("accuracy = {} is an orbit's that is followed", options.output.accuracy_name));
+    if (options.image == 0) return;
+    if (options.output.record.empty() && !options.output.json)
+        throw BadInput("--image goes into a record or a document: give -o FILE.h5 or --json");
+    if (options.thresholds.size() + options.thresholds_std.size() + options.rates.size() > 1)
+        throw BadInput("--image takes one threshold");
+}
+
+}  // namespace
+
+void RecurrenceOptions::add_to(CLI::App& command) {
+    input.add_to(command);
+    conventions.add_to(command);
+    output.add_to(command);
+    const auto list = [&](const char* flag, std::vector<std::string>& target, const char* type, const char* help) {
+        command.add_option(flag, target, help)->type_name(type)->allow_extra_args(false)->group("Recurrence");
+    };
+    list("--threshold", thresholds, "D", "delta; several, separated by commas: one pass");
+    list("--threshold-std", thresholds_std, "F", "delta in standard deviations of the observable (default 0.1)");
+    list("--recurrence-rate", rates, "R", "the smallest delta that gives this recurrence rate");
+    command.add_option("--observable", observables,
+                       "of an orbit: S (default), psi, chi, vn, vt, x, y, ..., or a comma list of coordinates")
+        ->type_name("NAME")->group("Recurrence");
+    const auto whole = CLI::Range(1, 1'000'000);
+    command.add_option("--dimension", dimension, "of the delay embedding (default 1)")
+        ->type_name("M")->check(whole)->group("Recurrence");
+    command.add_option("--delay", delay, "of the embedding, in points (default 1)")
+        ->type_name("L")->check(CLI::Range(1, 1'000'000'000))->group("Recurrence");
+    command.add_option("--period", period, "the measured series is an angle of this period (360, say)")
+        ->type_name("P")->group("Recurrence");
+    command.add_option("--resample", resample, "make a measured series even: linear, this spacing; gaps stay")
+        ->type_name("DT")->group("Recurrence");
+    command.add_option("--cross", cross, "cross recurrence with another series, or another record")
+        ->type_name("FILE")->group("Recurrence");
+    command.add_option("--cross-column", cross_column, "the second series' column (of --cross, or of --series)")
+        ->type_name("NAME")->group("Recurrence");
+    command.add_option("--image", image, "the recurrence plot, down-sampled, into the record or the document")
+        ->type_name("PIXELS")->check(CLI::Range(1, 20'000))->group("Recurrence");
+}
+
+int quantify_recurrence(RecurrenceOptions& options) {
+    check_flags(options);
+    std::optional<RecordWriter> record;
+    if (!options.output.record.empty())
+        record.emplace(open_record(options.output.record, "Recurrence quantification"));
+    const RecurrencePoints points = main_points(options);
+    if (points.orbit && points.orbit->outcome == "interrupted" && is_interrupted()) return exit_interrupted;
+    const std::optional<RecurrencePoints> cross = cross_points(options);
+    exit_when_interrupted();
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                      options.output.threads > 0
+                                          ? static_cast<std::size_t>(options.output.threads)
+                                          : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    const Quantification result = quantify(options, points, cross);
+    const RecurrenceReport report{options, points, cross, result};
+    if (record) {
+        write_record(record->root(), report);
+        record->finish();
+    }
+    if (options.output.json) write_json(report);
+    else if (!options.output.quiet) print_table(report);
+    const bool cut = options.input.kind() == InputKind::scene && points.orbit->outcome != "completed";
+    return cut ? exit_numerical_ending : exit_done;
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,35 @@
+// The result of a quantification as JSON, as a record, and as lines for people.
+#pragma once
+
+#include "analysis/recurrence/image.hpp"
+#include "analysis/recurrence/lines.hpp"
+#include "analysis/recurrence/measures.hpp"
+#include "apps/recurrence/recurrence_points.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swirl::apps {
+
+struct Quantification {
+    analysis::recurrence::Settings conventions;
+    Thresholds thresholds;
+    std::vector<analysis::recurrence::LineHistograms> lines;  ///< one entry a threshold; empty: too few points
+    std::vector<analysis::recurrence::Measures> measures;
+    std::vector<double> rc, rc_without_diagonal;              ///< the paper's; NaN for a cross recurrence
+    std::optional<analysis::recurrence::Image> image;
+};
+
+struct RecurrenceReport {
+    const RecurrenceOptions& options;
+    const RecurrencePoints& points;
+    const std::optional<RecurrencePoints>& cross;
+    const Quantification& result;
+};
+
+void write_json(const RecurrenceReport& report);
+void write_record(const RecordGroup& root, const RecurrenceReport& report);
+void print_table(const RecurrenceReport& report);
+
+}  // namespace swirl::apps

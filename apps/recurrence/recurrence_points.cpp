@@ -1,0 +1,215 @@
+#include "apps/recurrence/recurrence_points.hpp"
+
+#include "analysis/spectrum/resample.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace swirl::apps {
+
+namespace recurrence = analysis::recurrence;
+
+namespace {
+
+double positive(const char* option, const std::string& text) {
+    const double value = number_from<double>(option, text);
+    if (!(value > 0 && std::isfinite(value)))
+        throw BadInput(fmt::format("{} = {} is outside its range: {} > 0, finite", option, text, option));
+    return value;
+}
+
+/// Delay vectors of a series with gaps: those that touch one are left out.
+recurrence::Points embed_around_gaps(const std::vector<double>& values, const RecurrenceOptions& options,
+                                     double period, std::size_t& left_out) {
+    const auto dimension = static_cast<std::size_t>(options.dimension);
+    const std::size_t reach = (dimension - 1) * static_cast<std::size_t>(options.delay);
+    std::vector<double> rows, row(dimension);
+    for (std::size_t i = 0; i + reach < values.size(); ++i) {
+        bool whole = true;
+        for (std::size_t m = 0; m < dimension; ++m) {
+            row[m] = values[i + m * static_cast<std::size_t>(options.delay)];
+            whole = whole && !std::isnan(row[m]);
+        }
+        if (whole) rows.insert(rows.end(), row.begin(), row.end());
+        else ++left_out;
+    }
+    if (rows.empty())
+        throw BadInput(fmt::format("series: no {} samples at delay {} lie free of gaps", dimension, options.delay));
+    if (dimension == 1) return recurrence::embed_series(rows, 1, 1, period);
+    return recurrence::section_points(rows, options.dimension, std::vector<double>(dimension, period));
+}
+
+RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& options) {
+    if (options.observables != "S")
+        throw BadInput(fmt::format("observable = '{}' is an orbit's; a series has --column", options.observables));
+    RecurrencePoints result;
+    result.measured = true;
+    std::vector<double> values = series.values;
+    if (!options.resample.empty()) {
+        analysis::ResampleOptions how;
+        how.spacing = positive("resample", options.resample);
+        const auto even = analysis::resample(series.times, values, how);
+        values = even.series.values;
+        result.resampled = {{"spacing", how.spacing}, {"interpolation", std::string(name(how.interpolation))},
+                            {"gap_factor", how.gap_factor}, {"gaps", static_cast<std::int64_t>(even.gaps)},
+                            {"missing_fraction", even.missing_fraction},
+                            {"samples", static_cast<std::int64_t>(values.size())}};
+    } else if (!series.even) {
+        result.notes.push_back(fmt::format("the times are uneven (steps up to {:g}, mean {:g}): points follow each other "
+                                           "by sample, not by time; --resample DT makes them even", series.largest_step,
+                                           series.spacing));
+    }
+    const double period = options.period.empty() ? 0 : positive("period", options.period);
+    const bool gaps = std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
+    if (gaps) {
+        result.points = embed_around_gaps(values, options, period, result.left_out);
+        result.notes.push_back(fmt::format("{} points touch a gap and are left out; lines count the points on either side "
+                                           "of one as neighbours", result.left_out));
+    } else {
+        result.points = recurrence::embed_series(values, options.dimension, options.delay, period);
+    }
+    result.series = std::move(series);
+    return result;
+}
+
+RecurrencePoints points_of(OrbitColumns orbit, const RecurrenceOptions& options) {
+    for (const auto& [given, flag] : {std::pair(!options.resample.empty(), "resample"),
+                                      std::pair(!options.period.empty(), "period")})
+        if (given) throw BadInput(fmt::format("--{} is a measured series'; an orbit's points are its impacts", flag));
+    const std::size_t names = orbit.names.size();
+    if (names > 1 && options.dimension > 1)
+        throw BadInput(fmt::format("dimension = {} embeds one observable; {} are given", options.dimension, names));
+    RecurrencePoints result;
+    const std::size_t count = orbit.values.front().size();
+    const std::size_t reach = static_cast<std::size_t>(options.dimension - 1) * static_cast<std::size_t>(options.delay);
+    if (orbit.every > 1)
+        result.notes.push_back(fmt::format("the record lists every {}th impact: points follow each other by row", orbit.every));
+    result.enough = count >= reach + 2;
+    const bool cut = orbit.outcome != "completed";
+    if (!result.enough && !cut)
+        throw BadInput(fmt::format("orbit of {} impacts: dimension {} and delay {} need {} or more", count,
+                                   options.dimension, options.delay, reach + 2));
+    if (result.enough && names == 1) {
+        result.points = recurrence::embed_series(orbit.values[0], options.dimension, options.delay,
+                                                 period_of(orbit.names[0]));
+    } else if (result.enough) {
+        std::vector<double> rows(count * names), periods(names);
+        for (std::size_t m = 0; m < names; ++m) {
+            periods[m] = period_of(orbit.names[m]);
+            for (std::size_t i = 0; i < count; ++i) rows[i * names + m] = orbit.values[m][i];
+        }
+        result.points = recurrence::section_points(rows, static_cast<int>(names), periods);
+    }
+    result.orbit = std::move(orbit);
+    return result;
+}
+
+/// The signature of HDF5 files.
+bool is_hdf5(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    char head[8] = {};
+    stream.read(head, sizeof head);
+    return stream && std::string_view(head, sizeof head) == "\x89HDF\r\n\x1a\n";
+}
+
+std::vector<double> numbers_in(const char* option, const std::vector<std::string>& texts) {
+    std::vector<double> numbers;
+    for (const auto& text : texts) {
+        const auto count = static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
+        for (const double number : numbers_from<double>(option, text, count)) numbers.push_back(number);
+    }
+    return numbers;
+}
+
+/// Distances below this are rounding: an orbit at a fixed point scatters by some units of ε times its own scale.
+double rounding_floor(const recurrence::Points& points) {
+    double largest = 0;
+    for (const double v : points.values) largest = std::max(largest, std::abs(v));
+    return 1e-12 * largest;
+}
+
+}  // namespace
+
+std::vector<std::string> observables_of(const std::string& text) {
+    std::vector<std::string> names;
+    std::size_t begin = 0;
+    while (true) {
+        const std::size_t comma = text.find(',', begin);
+        names.push_back(text.substr(begin, comma - begin));
+        if (names.back().empty()) throw BadInput(fmt::format("observable = '{}' has an empty name", text));
+        if (comma == std::string::npos) return names;
+        begin = comma + 1;
+    }
+}
+
+RecurrencePoints main_points(RecurrenceOptions& options) {
+    if (options.input.kind() == InputKind::series) return points_of(options.input.measured(), options);
+    return points_of(options.input.orbit(options.output, observables_of(options.observables)), options);
+}
+
+std::optional<RecurrencePoints> cross_points(const RecurrenceOptions& options) {
+    if (options.cross.empty() && options.cross_column.empty()) return std::nullopt;
+    if (!options.cross.empty() && is_hdf5(options.cross)) {
+        if (!options.cross_column.empty()) throw BadInput("--cross-column is a series'; --cross names a record");
+        return points_of(read_orbit(options.cross, {options.input.transient.value_or(0), -1},
+                                    observables_of(options.observables)), options);
+    }
+    InputOptions second = options.input;
+    if (!options.cross.empty()) second.series.file = options.cross;
+    if (second.series.file.empty()) throw BadInput("--cross-column needs --series FILE or --cross FILE");
+    if (!options.cross_column.empty()) second.series.column = options.cross_column;
+    RecurrenceOptions plain;
+    plain.dimension = options.dimension;
+    plain.delay = options.delay;
+    plain.period = options.period;
+    plain.resample = options.input.kind() == InputKind::series ? options.resample : "";
+    return points_of(second.measured(), plain);
+}
+
+Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoints& points, bool cross,
+                         const recurrence::Settings& settings) {
+    Thresholds thresholds;
+    int kinds = 0;
+    const auto take = [&](const char* option, const char* kind, const std::vector<std::string>& texts) {
+        if (texts.empty()) return;
+        if (++kinds > 1)
+            throw BadInput("of --threshold, --threshold-std and --recurrence-rate only one can be given");
+        thresholds.kind = kind;
+        thresholds.given = numbers_in(option, texts);
+        const bool rate = thresholds.kind == "recurrence_rate";
+        for (const double value : thresholds.given)
+            if (!(std::isfinite(value) && value >= 0 && (!rate || (value > 0 && value <= 1))))
+                throw BadInput(fmt::format("{} = {:g} is outside its range: {}", option, value,
+                                           rate ? "0 < recurrence-rate <= 1" : "0 or more, finite"));
+    };
+    take("threshold", "threshold", options.thresholds);
+    take("threshold-std", "threshold_std", options.thresholds_std);
+    take("recurrence-rate", "recurrence_rate", options.rates);
+    if (kinds == 0) {
+        thresholds.kind = "threshold_std";
+        thresholds.given = {0.1};
+    }
+    if (!points.enough) return thresholds;
+    if (thresholds.kind == "threshold_std") {
+        const double floor = rounding_floor(points.points);
+        const double deviation = recurrence::threshold_of_deviation(points.points, 1, options.conventions.deviation());
+        thresholds.floored = deviation <= floor;
+        if (thresholds.floored && points.measured)
+            throw BadInput(fmt::format("threshold-std: the series is constant (its standard deviation is {:g}); give "
+                                       "--threshold D", deviation));
+        for (const double factor : thresholds.given) thresholds.delta.push_back(
+            thresholds.floored ? floor
+                               : recurrence::threshold_of_deviation(points.points, factor, options.conventions.deviation()));
+        return thresholds;
+    }
+    if (thresholds.kind == "recurrence_rate" && cross)
+        throw BadInput("recurrence-rate sets the threshold of one trajectory; a cross recurrence takes --threshold");
+    for (const double value : thresholds.given)
+        thresholds.delta.push_back(thresholds.kind == "threshold"
+                                       ? value
+                                       : recurrence::threshold_of_rate(points.points, value, settings));
+    return thresholds;
+}
+
+}  // namespace swirl::apps

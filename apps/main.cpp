@@ -6,6 +6,7 @@
 #include "apps/record/record_error.hpp"
 #include "apps/recurrence/recurrence_command.hpp"
 #include "apps/simulate/simulate.hpp"
+#include "apps/spectrum/spectrum_command.hpp"
 #include "apps/tour/tour.hpp"
 
 #include <fmt/format.h>
@@ -30,12 +31,15 @@ using Commands = std::vector<std::pair<CLI::App*, std::function<int()>>>;
 
 Commands add_commands(CLI::App& app) {
     const std::string recurrence_text = fmt::format("{}\n{}", input_details, recurrence_details);
+    const std::string spectrum_text = fmt::format("{}\n{}", input_details, spectrum_details);
     return {
         add_command<SimulateOptions>(app, "simulate", "follow one orbit, impact by impact", simulate_details, simulate),
         add_command<ClassifyCommandOptions>(app, "classify", "name the mode of a scene, with its evidence",
                                             classify_details, classify_scene),
         add_command<RecurrenceOptions>(app, "recurrence", "quantify the recurrences of an orbit or a measured series",
                                        recurrence_text, quantify_recurrence),
+        add_command<SpectrumOptions>(app, "spectrum", "the power spectrum of an orbit or a measured series",
+                                     spectrum_text, find_spectrum),
         add_command<TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour_details, tour),
     };
 }

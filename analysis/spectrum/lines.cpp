@@ -68,25 +68,34 @@ double threshold(const PowerSpectrum& spectrum, double false_alarm) {
     return gsl_cdf_gamma_Qinv(false_alarm / static_cast<double>(spectrum.power.size()), k, 1 / k);
 }
 
-bool is_local_maximum(const std::vector<double>& power, std::size_t k) {
-    return k > 0 && k + 1 < power.size() && power[k] > power[k - 1] && power[k] >= power[k + 1];
+/// The last bin of a real series' spectrum, at half the sampling frequency.
+bool is_nyquist(const PowerSpectrum& spectrum, std::size_t k) {
+    return !spectrum.two_sided && 2 * k == spectrum.segment_length;
+}
+
+/// Compared two-sided: the Nyquist bin of a one-sided spectrum isn't doubled as its neighbour is.
+bool is_local_maximum(const PowerSpectrum& spectrum, std::size_t k) {
+    const auto level = [&](std::size_t j) { return (is_nyquist(spectrum, j) ? 2 : 1) * spectrum.power[j]; };
+    if (k == 0 || !(level(k) > level(k - 1))) return false;
+    return k + 1 < spectrum.power.size() ? level(k) >= level(k + 1) : is_nyquist(spectrum, k);
 }
 
 SpectralPeak refine(const PowerSpectrum& spectrum, std::size_t k, double window_power) {
     const Window window = spectrum.settings.window;
     const std::size_t n = spectrum.segment_length;
     const double centre = modulus(spectrum, k, window_power);
-    const double x = place_between(window, n, modulus(spectrum, k - 1, window_power), centre,
-                                   modulus(spectrum, k + 1, window_power));
+    const bool nyquist = is_nyquist(spectrum, k);
+    const double x = nyquist ? 0 : place_between(window, n, modulus(spectrum, k - 1, window_power), centre,
+                                                 modulus(spectrum, k + 1, window_power));
     SpectralPeak peak;
     peak.bin = k;
     peak.frequency = spectrum.frequency[k] + x * spectrum.frequency_step;
-    peak.amplitude = (spectrum.two_sided ? 1 : 2) * centre / window_transform(window, n, x);
+    peak.amplitude = (spectrum.two_sided || nyquist ? 1 : 2) * centre / window_transform(window, n, x);
     if (spectrum.settings.compensate_bin_average) {
         peak.amplitude /=
             std::sqrt(bin_average_gain(peak.frequency * spectrum.spacing / spectrum.settings.cycle_time));
     }
-    peak.power = peak.amplitude * peak.amplitude / (spectrum.two_sided ? 1 : 2);
+    peak.power = peak.amplitude * peak.amplitude / (spectrum.two_sided || nyquist ? 1 : 2);
     peak.spread = spectrum.spread.empty() ? std::numeric_limits<double>::quiet_NaN() : spectrum.spread[k];
     return peak;
 }
@@ -100,7 +109,7 @@ std::vector<SpectralPeak> peaks_above(const PowerSpectrum& spectrum, const std::
     std::vector<SpectralPeak> peaks;
     for (std::size_t k = 0; k < spectrum.power.size(); ++k) {
         const double power = spectrum.power[k];
-        if (spectrum.frequency[k] == 0 || !is_local_maximum(spectrum.power, k)) continue;
+        if (spectrum.frequency[k] == 0 || !is_local_maximum(spectrum, k)) continue;
         if (power <= factor * floor[k] || power < options.smallest_power * strongest) continue;
         if (!spectrum.spread.empty() && spectrum.spread[k] > options.largest_spread) continue;
         peaks.push_back(refine(spectrum, k, window_power));

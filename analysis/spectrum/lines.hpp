@@ -33,7 +33,8 @@ struct SpectralPeak {
 std::vector<double> noise_floor(const PowerSpectrum& spectrum, std::size_t half_width);
 
 /// Local maxima that stand above the floor with `false_alarm` over all bins (Γ distribution of K averaged
-/// periodograms) and are steady (`spread`), strongest first. Frequency 0 is no candidate.
+/// periodograms) and are steady (`spread`), strongest first. Frequency 0 is no candidate. A line at half the sampling frequency (a series of
+/// period 2) is its own mirror image: it stays at its bin, A (−1)^j of power A².
 /// The sub-bin place x solves |W(x − 1)|/|W(x + 1)| = √(P₊/P₋) of the bins beside the maximum (rectangular window:
 /// the maximum and its larger neighbour), W the window's own transform, and A = |X|/|W(x)|: exact for one line, limited
 /// by what leaks from others: side lobes of the window and, below about 2 lobes, the mirror image at −f.

@@ -27,9 +27,9 @@ struct MeasuredSeries {
     double largest_deviation = 0;  ///< of a time from the even grid, in spacings; up to even_within counts as even
 };
 
-/// 2 % of a spacing: what times that were printed with two digits less than needed deviate by (30 frames a second in
-/// milliseconds: 1.5 %). At the Nyquist frequency it is a phase of 0.06.
-inline constexpr double even_within = 0.02;
+/// In spacings: 30 frames a second printed in whole milliseconds are up to 3 % off (half a millisecond of their own and
+/// half of the ends'). At the Nyquist frequency 4 % is a phase of 0.13.
+inline constexpr double even_within = 0.04;
 
 /// Reads a series. The column of times is the one that `time` names ("none": there is none), by default the header's t
 /// or time (a unit may follow: "time [s]"), or without a header the first of two or more. The values are the column that

@@ -180,4 +180,22 @@ TEST(Lines, WhiteNoiseHasNoneMoreOftenThanSaid) {
     EXPECT_LT(with_lines, 4);
 }
 
+// Its image and its mirror image fall together: the whole variance A² is in the line, in every window.
+TEST(Lines, APeriodOfTwoSamplesIsALineAtHalfTheSamplingFrequency) {
+    std::vector<double> series(5000);
+    for (std::size_t j = 0; j < series.size(); ++j) series[j] = j % 2 == 0 ? 0.9 : -0.5;
+    for (const Window window : all_windows) {
+        SpectrumOptions options;
+        options.window = window;
+        options.cycle_time = 1;
+        const auto spectrum = power_spectrum(series, 1, options);
+        ASSERT_EQ(spectrum.segment_length % 2, 0u);
+        const auto peaks = find_peaks(spectrum);
+        ASSERT_EQ(peaks.size(), 1u) << name(window);
+        EXPECT_EQ(peaks[0].frequency, 0.5);
+        EXPECT_NEAR(peaks[0].power, 0.49, 1e-12);
+        EXPECT_EQ(line_share(spectrum).verdict, SpectrumVerdict::lines);
+    }
+}
+
 }  // namespace

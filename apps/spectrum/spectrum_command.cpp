@@ -1,0 +1,114 @@
+#include "apps/spectrum/spectrum_command.hpp"
+
+#include "analysis/spectrum/power_spectrum.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/spectrum/spectrum_document.hpp"
+
+#include <cmath>
+
+namespace swirl::apps {
+
+const char* const spectrum_details =
+    R"(An orbit's S(t) is constant between impacts and is averaged exactly over equal time bins; its frequencies are in units
+of the swirl's. A series' frequencies are cycles per unit of its times; uneven times are resampled, and the document says
+how; gaps stay open, and segments that touch one are left out. The integral of the power is the variance. An orbit that
+ends early is analysed as far as it came, with exit code 3.
+
+Examples:
+  swirl spectrum --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95
+  swirl spectrum --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1 --observable x --frame corotating)";
+
+namespace {
+
+constexpr std::size_t fewest_samples = 8;  // as analysis::power_spectrum
+
+/// As many samples as make `segments` overlapping segments of n.
+std::size_t segment_length(std::size_t n, std::int64_t segments, double overlap) {
+    if (segments == 0) return 0;
+    const auto length = static_cast<std::size_t>(static_cast<double>(n) /
+                                                 (1 + static_cast<double>(segments - 1) * (1 - overlap)));
+    if (length < fewest_samples)
+        throw BadInput(fmt::format("segments = {} leaves {} of {} samples for each; {} or more are needed", segments, length,
+                                   n, fewest_samples));
+    return length;
+}
+
+analysis::SpectrumOptions settings_for(const SpectrumOptions& options, const SpectrumSignal& signal, std::size_t n) {
+    analysis::SpectrumOptions settings;
+    settings.window = analysis::window_from_name(options.window);
+    settings.detrend = analysis::detrend_from_name(options.detrend);
+    settings.overlap = options.overlap;
+    settings.compensate_bin_average = options.compensate;
+    settings.cycle_time = signal.cycle_time;
+    settings.segment_length = segment_length(n, options.segments, options.overlap);
+    return settings;
+}
+
+void check_flags(const SpectrumOptions& options) {
+    analysis::window_from_name(options.window);
+    analysis::detrend_from_name(options.detrend);
+    if (!(options.overlap >= 0 && options.overlap < 1))
+        throw BadInput(fmt::format("overlap = {:g} is outside its range: 0 <= overlap < 1", options.overlap));
+    if (options.output.accuracy() != Accuracy::double_precision && options.input.kind() != InputKind::scene)
+        throw BadInput(fmt::format("accuracy = {} is an orbit's that is followed", options.output.accuracy_name));
+}
+
+SpectrumReport report_of(const SpectrumOptions& options, const SpectrumSignal& signal) {
+    SpectrumReport report{options, signal, {}, {}, {}, std::nan("")};
+    if (!signal.enough) return report;
+    const bool complex = !signal.positions.empty();
+    const std::size_t n = complex ? signal.positions.size() : signal.values.size();
+    if (n < fewest_samples)
+        throw BadInput(fmt::format("series of {} samples: a spectrum needs {} or more", n, fewest_samples));
+    const auto settings = settings_for(options, signal, n);
+    report.spectrum = complex ? analysis::power_spectrum(signal.positions, signal.spacing, settings)
+                              : analysis::power_spectrum(signal.values, signal.spacing, settings);
+    report.peaks = analysis::find_peaks(report.spectrum);
+    report.share = analysis::line_share(report.spectrum);
+    report.entropy = analysis::spectral_entropy(report.spectrum);
+    return report;
+}
+
+}  // namespace
+
+void SpectrumOptions::add_to(CLI::App& command) {
+    input.add_to(command);
+    output.add_to(command);
+    const auto text = [&](const char* flag, std::string& target, const char* type, const char* help) {
+        command.add_option(flag, target, help)->type_name(type)->group("Spectrum");
+    };
+    text("--observable", observable, "NAME", "of an orbit: S (default), x, y, or position (x + iy, two-sided)");
+    text("--frame", frame, "NAME", "of positions: laboratory (default), container or corotating");
+    command.add_option("--bins", bins, "equal time bins of an orbit (default 4 or more an impact, a power of 2)")
+        ->type_name("B")->check(CLI::Range(std::int64_t{8}, std::int64_t{1} << 28))->group("Spectrum");
+    text("--window", window, "NAME", "rectangular, hann (default), hamming, blackman-harris or flat-top");
+    text("--detrend", detrend, "NAME", "what is subtracted: none, mean (default) or linear");
+    command.add_option("--segments", segments, "of Welch's method (default about 16; 1: the finest resolution)")
+        ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))->group("Spectrum");
+    command.add_option("--overlap", overlap, "of neighbouring segments, 0 <= overlap < 1 (default 0.5)")
+        ->type_name("F")->group("Spectrum");
+    command.add_flag("--compensate", compensate, "undo what averaging over bins takes from the power")->group("Spectrum");
+    text("--resample", resample, "DT", "make a measured series even with this spacing (default, if uneven: the median)");
+}
+
+int find_spectrum(SpectrumOptions& options) {
+    check_flags(options);
+    options.input.kind();
+    std::optional<RecordWriter> record;
+    if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Power spectrum"));
+    const SpectrumSignal signal = signal_of(options);
+    if (is_interrupted()) return exit_interrupted;
+    exit_when_interrupted();
+    const SpectrumReport report = report_of(options, signal);
+    if (record) {
+        write_record(record->root(), report);
+        record->finish();
+    }
+    if (options.output.json) write_json(report);
+    else if (!options.output.quiet) print_table(report);
+    const bool cut = options.input.kind() == InputKind::scene && signal.orbit->outcome != "completed";
+    const bool none = report.spectrum.outcome == analysis::SpectrumOutcome::no_complete_segment;
+    return cut || none ? exit_numerical_ending : exit_done;
+}
+
+}  // namespace swirl::apps

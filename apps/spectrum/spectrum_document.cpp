@@ -1,0 +1,146 @@
+#include "apps/spectrum/spectrum_document.hpp"
+
+#include <array>
+#include <algorithm>
+
+namespace swirl::apps {
+
+namespace {
+
+using analysis::SpectralPeak;
+
+struct PeakField {
+    const char* name;
+    double SpectralPeak::*member;
+    const char* long_name;
+};
+
+constexpr std::array<PeakField, 5> peak_fields = {{
+    {"frequency", &SpectralPeak::frequency, "between bins"},
+    {"power", &SpectralPeak::power, "variance of the line"},
+    {"amplitude", &SpectralPeak::amplitude, "A of A cos(2 pi f t + phase)"},
+    {"prominence", &SpectralPeak::prominence, "power over the noise floor"},
+    {"spread", &SpectralPeak::spread, "scatter between segments: 0 a line, 1 a continuum"},
+}};
+
+Settings settings_of(const SpectrumReport& report) {
+    const auto& options = report.options;
+    const auto& s = report.spectrum;
+    const ImpactRange range = options.input.range();
+    Settings settings = {{"transient", range.transient}};
+    if (range.collisions >= 0) settings.emplace_back("collisions", range.collisions);
+    if (report.signal.orbit) {
+        settings.emplace_back("observable", options.observable);
+        if (options.observable != "S") settings.emplace_back("frame", options.frame);
+        settings.emplace_back("bins", static_cast<std::int64_t>(s.samples));
+        settings.emplace_back("compensate", options.compensate);
+        settings.emplace_back("accuracy", options.output.accuracy_name);
+    }
+    const Settings rest = {{"window", options.window}, {"detrend", options.detrend}, {"overlap", options.overlap},
+                           {"segment_length", static_cast<std::int64_t>(s.segment_length)},
+                           {"spacing", report.signal.spacing}, {"cycle_time", report.signal.cycle_time}};
+    settings.insert(settings.end(), rest.begin(), rest.end());
+    return settings;
+}
+
+Settings result_of(const SpectrumReport& report) {
+    const auto& s = report.spectrum;
+    const std::string state = report.signal.enough ? std::string(name(s.outcome)) : "too-short";
+    return {{"spectrum_outcome", state},
+            {"two_sided", s.two_sided},
+            {"frequency_step", s.frequency_step},
+            {"variance", s.variance},
+            {"entropy", report.entropy},
+            {"verdict", std::string(name(report.share.verdict))},
+            {"line_fraction", report.share.line_fraction},
+            {"nonstationarity", s.nonstationarity},
+            {"segments", static_cast<std::int64_t>(s.segments)},
+            {"segments_skipped", static_cast<std::int64_t>(s.segments_skipped)},
+            {"variance_scale", s.variance_scale}};
+}
+
+void write_numbers(JsonWriter& json, const char* key, const std::vector<double>& numbers) {
+    json.key(key);
+    json.begin_array();
+    for (const double number : numbers) json.value(number);
+    json.end_array();
+}
+
+const char* frequency_unit(const SpectrumReport& report) { return report.signal.orbit ? "omega_s" : ""; }
+
+}  // namespace
+
+void write_json(const SpectrumReport& report) {
+    JsonWriter json(stdout);
+    json.begin_object(JsonLayout::rows);
+    if (report.signal.orbit) write_orbit(json, *report.signal.orbit);
+    if (report.signal.series) write_json(json, "series", series_settings(*report.signal.series));
+    if (!report.signal.resampled.empty()) write_json(json, "resampled", report.signal.resampled);
+    write_numbers(json, "frequency", report.spectrum.frequency);
+    write_numbers(json, "power", report.spectrum.power);
+    json.key("peaks");
+    json.begin_array(JsonLayout::rows);
+    for (const auto& peak : report.peaks) {
+        json.begin_object();
+        for (const auto& field : peak_fields) json.member(field.name, peak.*field.member);
+        json.end_object();
+    }
+    json.end_array();
+    for (const auto& [key, content] : result_of(report))
+        std::visit([&json, &name = key](const auto& value) {
+            using Value = std::decay_t<decltype(value)>;
+            if constexpr (std::is_arithmetic_v<Value>) json.member(name, value);
+            else if constexpr (std::is_same_v<Value, std::string>) json.member(name, std::string_view(value));
+        }, content);
+    json.key("notes");
+    json.begin_array(JsonLayout::rows);
+    for (const auto& note : report.signal.notes) json.value(std::string_view(note));
+    json.end_array();
+    write_json(json, "settings", settings_of(report));
+    json.member("swirl_version", std::string_view(version()));
+    json.end_object();
+    json.finish();
+}
+
+void write_record(const RecordGroup& root, const SpectrumReport& report) {
+    if (report.signal.orbit) write_orbit(root, *report.signal.orbit);
+    if (report.signal.series) write_series(root, *report.signal.series);
+    if (!report.signal.resampled.empty()) write_attributes(root.group("resampled"), report.signal.resampled);
+    write_attributes(root.group("settings"), settings_of(report));
+    const RecordGroup group = root.group("spectrum");
+    write_attributes(group, result_of(report));
+    group.attribute("notes", fmt::format("{}", fmt::join(report.signal.notes, "; ")));
+    const auto& s = report.spectrum;
+    if (!s.frequency.empty()) {
+        group.dimension("frequency", s.frequency.size());
+        group.write<double>("frequency", {"frequency"}, s.frequency, {frequency_unit(report), "frequency", {}});
+        group.write<double>("power", {"frequency"}, s.power, {"", "power per unit of frequency; its integral is the variance", {}});
+    }
+    if (report.peaks.empty()) return;
+    const RecordGroup peaks = root.group("peaks");
+    peaks.dimension("peak", report.peaks.size());
+    for (const auto& field : peak_fields) {
+        std::vector<double> values;
+        for (const auto& peak : report.peaks) values.push_back(peak.*field.member);
+        peaks.write<double>(field.name, {"peak"}, values, {"", field.long_name, {}});
+    }
+}
+
+void print_table(const SpectrumReport& report) {
+    if (report.signal.orbit)
+        fmt::print("{} after {} impacts\n", report.signal.orbit->outcome, report.signal.orbit->impacts);
+    const auto& s = report.spectrum;
+    fmt::print("{} samples at {:g}, {} segments of {}; variance {:.8g}, entropy {:.4f}, {} ({:.1f} % in lines)\n", s.samples,
+               report.signal.spacing, s.segments, s.segment_length, s.variance, report.entropy,
+               name(report.share.verdict), 100 * report.share.line_fraction);
+    constexpr std::size_t most = 20;
+    if (!report.peaks.empty()) fmt::print("{:>16} {:>14} {:>14} {:>12}\n", "peak: frequency", "power", "amplitude", "prominence");
+    for (std::size_t i = 0; i < std::min(most, report.peaks.size()); ++i) {
+        const auto& p = report.peaks[i];
+        fmt::print("{:>16.9g} {:>14.6g} {:>14.6g} {:>12.4g}\n", p.frequency, p.power, p.amplitude, p.prominence);
+    }
+    if (report.peaks.size() > most) fmt::print("and {} more (--json, -o)\n", report.peaks.size() - most);
+    for (const auto& note : report.signal.notes) fmt::print("note: {}\n", note);
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,22 @@
+// A spectrum as JSON, as a record, and as lines for people.
+#pragma once
+
+#include "analysis/spectrum/lines.hpp"
+#include "apps/spectrum/spectrum_signal.hpp"
+
+namespace swirl::apps {
+
+struct SpectrumReport {
+    const SpectrumOptions& options;
+    const SpectrumSignal& signal;
+    analysis::PowerSpectrum spectrum;
+    std::vector<analysis::SpectralPeak> peaks;
+    analysis::LineShare share;
+    double entropy;
+};
+
+void write_json(const SpectrumReport& report);
+void write_record(const RecordGroup& root, const SpectrumReport& report);
+void print_table(const SpectrumReport& report);
+
+}  // namespace swirl::apps

@@ -1,0 +1,118 @@
+#include "apps/spectrum/spectrum_signal.hpp"
+
+#include "analysis/spectrum/bin_average.hpp"
+#include "analysis/spectrum/resample.hpp"
+#include "analysis/spectrum/uniform_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace swirl::apps {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// A power of two, four bins or more for a flight: above its Nyquist frequency S(t) has little that could fold back.
+std::size_t automatic_bins(std::size_t flights) {
+    constexpr std::size_t most = std::size_t{1} << 22;
+    std::size_t bins = 64;
+    while (bins < 4 * flights && bins < most) bins *= 2;
+    return bins;
+}
+
+bool is_spin(const SpectrumOptions& options) { return options.observable == "S" || options.observable == "spin"; }
+
+std::vector<std::string> columns_for(const SpectrumOptions& options) {
+    if (is_spin(options)) return {"t", "S"};
+    if (options.observable == "x" || options.observable == "y" || options.observable == "position")
+        return {"t", "x", "y", "vx", "vy"};
+    throw BadInput(fmt::format("observable = '{}' is none of: S, x, y, position", options.observable));
+}
+
+/// Exact averages of the position over `bins` equal bins of the flights.
+std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bins, analysis::Frame frame) {
+    const auto& t = orbit.values[0];
+    const double width = (t.back() - t.front()) / static_cast<double>(bins);
+    analysis::BinAverager<Complex> averager(t.front(), width);
+    const double last_edge = t.front() + static_cast<double>(bins) * width;  // can lie an ulp beyond t.back()
+    for (std::size_t i = 0; i + 1 < t.size(); ++i) {
+        const analysis::UniformMotion motion{{orbit.values[1][i], orbit.values[2][i]},
+                                             {orbit.values[3][i], orbit.values[4][i]}, t[i]};
+        const double until = i + 2 < t.size() ? t[i + 1] : std::max(t[i + 1], last_edge);
+        averager.add(until, [&](double a, double b) {
+            return analysis::position_integral(motion, a, b, frame, orbit.beta);
+        });
+    }
+    return averager.averages();
+}
+
+SpectrumSignal signal_of_orbit(SpectrumOptions& options) {
+    if (!options.resample.empty()) throw BadInput("--resample is a measured series'; an orbit has --bins");
+    SpectrumSignal signal;
+    const analysis::Frame frame = analysis::frame_from_name(options.frame);
+    signal.orbit = options.input.orbit(options.output, columns_for(options));
+    const auto& orbit = *signal.orbit;
+    if (orbit.every > 1)
+        throw BadInput(fmt::format("the record lists every {}th impact; a spectrum needs all: simulate with --every 1",
+                                   orbit.every));
+    signal.cycle_time = 2 * std::numbers::pi;
+    const auto& t = orbit.values[0];
+    signal.enough = t.size() >= 2 && t.back() > t.front();
+    if (!signal.enough) {
+        if (orbit.outcome == "completed")
+            throw BadInput(fmt::format("orbit of {} impacts: a spectrum needs 2 or more", t.size()));
+        return signal;
+    }
+    const std::size_t bins = options.bins > 0 ? static_cast<std::size_t>(options.bins) : automatic_bins(t.size() - 1);
+    signal.duration = t.back() - t.front();
+    signal.spacing = signal.duration / static_cast<double>(bins);
+    if (is_spin(options)) {
+        signal.values = analysis::bin_averages(t, {orbit.values[1].data(), t.size() - 1}, bins).values;
+        return signal;
+    }
+    signal.positions = position_averages(orbit, bins, frame);
+    if (options.observable == "position") return signal;
+    for (const auto& z : signal.positions) signal.values.push_back(options.observable == "x" ? z.real() : z.imag());
+    signal.positions.clear();
+    return signal;
+}
+
+SpectrumSignal signal_of_series(const SpectrumOptions& options) {
+    if (options.observable != "S")
+        throw BadInput(fmt::format("observable = '{}' is an orbit's; a series has --column", options.observable));
+    if (options.bins > 0 || options.compensate)
+        throw BadInput("--bins and --compensate belong to an orbit's bins; a series has samples");
+    SpectrumSignal signal;
+    signal.series = options.input.measured();
+    const auto& series = *signal.series;
+    signal.spacing = series.spacing;
+    signal.values = series.values;
+    signal.duration = series.times.back() - series.times.front();
+    if (options.resample.empty() && series.even) return signal;
+    analysis::ResampleOptions how;
+    if (!options.resample.empty()) {
+        how.spacing = number_from<double>("resample", options.resample);
+        if (!(how.spacing > 0 && std::isfinite(how.spacing)))
+            throw BadInput(fmt::format("resample = {} is outside its range: resample > 0, finite", options.resample));
+    }
+    const auto even = analysis::resample(series.times, series.values, how);
+    signal.spacing = even.series.spacing;
+    signal.values = even.series.values;
+    signal.resampled = {{"spacing", signal.spacing}, {"interpolation", std::string(name(how.interpolation))},
+                        {"gap_factor", how.gap_factor}, {"gaps", static_cast<std::int64_t>(even.gaps)},
+                        {"missing_fraction", even.missing_fraction},
+                        {"samples", static_cast<std::int64_t>(signal.values.size())}};
+    signal.notes.push_back(fmt::format("resampled by straight lines to a spacing of {:g}{}; {} gaps are left open",
+                                       signal.spacing, series.even ? "" : " (the times are uneven)", even.gaps));
+    return signal;
+}
+
+}  // namespace
+
+SpectrumSignal signal_of(SpectrumOptions& options) {
+    return options.input.kind() == InputKind::series ? signal_of_series(options) : signal_of_orbit(options);
+}
+
+}  // namespace swirl::apps

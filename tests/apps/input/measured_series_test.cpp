@@ -1,0 +1,104 @@
+#include "apps/command_line/errors.hpp"
+#include "apps/input/measured_series.hpp"
+#include "tests/apps/input/written_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace swirl::apps;
+using swirl::tests::WrittenFile;
+using testing::HasSubstr;
+using Numbers = std::vector<double>;
+
+MeasuredSeries read(const std::string& content, const std::string& column = "", const std::string& time = "",
+                    double spacing = 1) {
+    const WrittenFile file(content);
+    return read_series({file.path(), column, time, spacing});
+}
+
+std::string refusal(const std::string& content, const std::string& column = "", const std::string& time = "") {
+    try {
+        read(content, column, time);
+    } catch (const BadInput& error) {
+        return error.what();
+    }
+    return "nothing was refused";
+}
+
+TEST(MeasuredSeries, OneColumnIsTheValuesAtUnitSpacing) {
+    const auto series = read("3\n1\n2\n");
+    EXPECT_EQ(series.values, (Numbers{3, 1, 2}));
+    EXPECT_EQ(series.times, (Numbers{0, 1, 2}));
+    EXPECT_EQ(series.column, "1");
+    EXPECT_EQ(series.time, "");
+    EXPECT_TRUE(series.even);
+    EXPECT_EQ(read("3\n1\n2\n", "", "", 0.5).times, (Numbers{0, 0.5, 1}));
+}
+
+TEST(MeasuredSeries, WithoutAHeaderTheFirstOfSeveralColumnsIsTheTime) {
+    const auto series = read("10 1 5\n20 2 6\n30 3 7\n");
+    EXPECT_EQ(series.times, (Numbers{10, 20, 30}));
+    EXPECT_EQ(series.values, (Numbers{5, 6, 7}));
+    EXPECT_EQ(read("10 1 5\n20 2 6\n", "1", "none").values, (Numbers{10, 20}));
+    EXPECT_EQ(read("10 1 5\n20 2 6\n", "1", "2").times, (Numbers{1, 2}));
+}
+
+TEST(MeasuredSeries, AHeadersTimeMayComeAnywhereWithAUnit) {
+    for (const std::string name : {"t", "Time", "time [s]", "t_ms", "T"}) {
+        const auto series = read("a," + name + "\n7,1\n8,2\n");
+        EXPECT_EQ(series.time, name);
+        EXPECT_EQ(series.column, "a");
+    }
+    for (const std::string name : {"theta", "timer", "t2"}) EXPECT_EQ(read(name + ",b\n7,1\n8,2\n").time, "") << name;
+}
+
+TEST(MeasuredSeries, TheSpinIsTakenBeforeTheLastColumn) {
+    EXPECT_EQ(read("t,S,x\n0,1,2\n1,3,4\n").column, "S");
+    EXPECT_EQ(read("t,y,x\n0,1,2\n1,3,4\n").column, "x");
+    EXPECT_EQ(read("t,S,x\n0,1,2\n1,3,4\n", "x").column, "x");
+}
+
+TEST(MeasuredSeries, GapsStayAndAreCounted) {
+    const auto series = read("t,S\n0,1\n1,\n2,nan\n3,4\n");
+    EXPECT_EQ(series.missing, 2u);
+    EXPECT_TRUE(std::isnan(series.values[1]) && std::isnan(series.values[2]));
+    EXPECT_THAT(refusal("t,S\n0,1\n1,\n"), HasSubstr("1 values; at least 2"));
+}
+
+TEST(MeasuredSeries, TimesThatAreEvenUpToPrintingAreEven) {
+    // 30 frames a second in whole milliseconds: half a millisecond off, and the grid through both ends as much again.
+    std::string frames = "t,S\n", dropped = "t,S\n";
+    for (int i = 0; i < 60; ++i) {
+        const std::string row = std::to_string(std::lround(i * 1000 / 30.0)) + "," + std::to_string(i) + "\n";
+        frames += row;
+        if (i != 20) dropped += row;
+    }
+    EXPECT_TRUE(read(frames).even);
+    EXPECT_LE(read(frames).largest_deviation, 0.03);
+    EXPECT_GT(read(frames).largest_deviation, 0);
+    EXPECT_FALSE(read(dropped).even);
+    EXPECT_EQ(read(dropped).largest_step, 67);
+}
+
+TEST(MeasuredSeries, TimesMustRise) {
+    EXPECT_THAT(refusal("t,S\n0,1\n1,2\n1,3\n"), HasSubstr("line 4: time 1 repeats 1 of line 3"));
+    EXPECT_THAT(refusal("t,S\n0,1\n2,2\n1,3\n"), HasSubstr("line 4: time 1 falls behind 2 of line 3"));
+    EXPECT_THAT(refusal("t,S\n0,1\nnan,2\n"), HasSubstr("line 3: 'nan' in column t is not a number"));
+    EXPECT_EQ(read("t,S\n0,1\n0,2\n", "", "none").values, (Numbers{1, 2}));
+}
+
+TEST(MeasuredSeries, APartIsDescribedByItself) {
+    const auto series = read("t,S\n0,1\n1,2\n2,\n4,5\n");
+    const auto part = part_of(series, 0, 2);
+    EXPECT_EQ(part.values, (Numbers{1, 2}));
+    EXPECT_EQ(part.missing, 0u);
+    EXPECT_TRUE(part.even);
+    EXPECT_FALSE(series.even);
+    EXPECT_THROW(part_of(series, 1, 2), BadInput);  // one value
+}
+
+}  // namespace

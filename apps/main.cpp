@@ -30,12 +30,13 @@ int fail(int code, const std::string& message) {
 using Commands = std::vector<std::pair<CLI::App*, std::function<int()>>>;
 
 Commands add_commands(CLI::App& app) {
+    const std::string classify_text = fmt::format("{}\n\n{}", classify_series_details, classify_details);
     const std::string recurrence_text = fmt::format("{}\n{}", input_details, recurrence_details);
     const std::string spectrum_text = fmt::format("{}\n{}", input_details, spectrum_details);
     return {
         add_command<SimulateOptions>(app, "simulate", "follow one orbit, impact by impact", simulate_details, simulate),
         add_command<ClassifyCommandOptions>(app, "classify", "name the mode of a scene, with its evidence",
-                                            classify_details, classify_scene),
+                                            classify_text, classify_scene),
         add_command<RecurrenceOptions>(app, "recurrence", "quantify the recurrences of an orbit or a measured series",
                                        recurrence_text, quantify_recurrence),
         add_command<SpectrumOptions>(app, "spectrum", "the power spectrum of an orbit or a measured series",

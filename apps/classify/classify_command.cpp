@@ -29,9 +29,12 @@ void ClassifyCommandOptions::add_to(CLI::App& command) {
         ->type_name("D")->check(CLI::NonNegativeNumber);
     command.add_option("--max-period", settings.period.max_period, "longest period looked for (default 256)")
         ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
+    input.add_to(command);
 }
 
 int classify_scene(ClassifyCommandOptions& options) {
+    if (options.input.is_series(options.scene, options.start)) return classify_measured(options.input, options.output);
+    options.input.take_record(options.scene, options.start, options.output.quiet);
     options.scene.read_file();
     const Scene<double> scene = options.scene.scene<double>();
     if (options.output.accuracy() != Accuracy::double_precision)

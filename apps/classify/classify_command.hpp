@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/classification/classify.hpp"
+#include "apps/classify/classify_series.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"
@@ -16,6 +17,7 @@ struct ClassifyCommandOptions {
     StartOptions start;
     OutputOptions output;
     analysis::ClassifyOptions settings;
+    ClassifyInput input;
 
     void add_to(CLI::App& command);
 };

@@ -53,6 +53,19 @@ void StartOptions::add_to(CLI::App& command) {
         "of the random start (default 1)")->type_name("")->group("Start");
 }
 
+void StartOptions::set(const std::string& name, const std::string& text) {
+    if (name == "point") {
+        point_ = text;
+    } else if (name == "speed") {
+        speed_ = text;
+    } else if (name == "seed") {
+        seed_ = seed_from(text);
+        seed_given_ = true;
+    } else {
+        lab_[name] = text;
+    }
+}
+
 double StartOptions::speed() const {
     if (speed_.empty()) return paper_speed;
     const double value = number_from<double>("speed", speed_);

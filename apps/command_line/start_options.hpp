@@ -31,6 +31,8 @@ public:
     bool is_random() const { return lab_.empty() && point_.empty(); }
     /// True if any flag of a start was given.
     bool given() const { return !is_random() || !speed_.empty() || seed_given_; }
+    /// As if the flag `name` had been given (a record's start). @throws BadInput for a seed out of range
+    void set(const std::string& name, const std::string& text);
     double speed() const;
     std::uint64_t seed() const { return seed_; }
 

@@ -1,5 +1,7 @@
 #include "apps/input/input_options.hpp"
 
+#include "apps/record/record_reader.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,6 +90,25 @@ Settings series_settings(const MeasuredSeries& s) {
     return {{"column", s.column}, {"time", s.time}, {"samples", static_cast<std::int64_t>(s.values.size())},
             {"missing", static_cast<std::int64_t>(s.missing)}, {"even", s.even}, {"spacing", s.spacing},
             {"largest_step", s.largest_step}, {"largest_deviation", s.largest_deviation}};
+}
+
+bool is_series_record(const std::string& file) {
+    try {
+        const RecordReader record(file);
+        return record.contains("/series/value") && !record.contains("/collisions");
+    } catch (const RecordError& error) {
+        throw BadInput(fmt::format("{} (a text file of numbers is given with --series)", error.what()));
+    }
+}
+
+MeasuredSeries read_series_record(const std::string& file) {
+    const RecordReader record(file);
+    MeasuredSeries series;
+    series.column = record.attribute<std::string>("/series", "column");
+    series.time = record.attribute<std::string>("/series", "time");
+    series.times = record.read<double>("/series/time");
+    series.values = record.read<double>("/series/value");
+    return part_of(series, 0, series.values.size());
 }
 
 void write_series(const RecordGroup& root, const MeasuredSeries& series) {

@@ -48,6 +48,11 @@ void write_orbit(const RecordGroup& root, const OrbitColumns& orbit);
 /// What documents say of a series: column, time, samples, missing, spacing, even, ….
 Settings series_settings(const MeasuredSeries& series);
 
+/// True if the file is a record that holds a measured series and no orbit. @throws BadInput if it is no record
+bool is_series_record(const std::string& file);
+/// The series that write_series() wrote.
+MeasuredSeries read_series_record(const std::string& file);
+
 /// Writes the series itself, group `series`: a record holds what made it, but no path.
 void write_series(const RecordGroup& root, const MeasuredSeries& series);
 

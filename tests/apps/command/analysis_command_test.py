@@ -4,9 +4,11 @@ import json
 import math
 import random
 import shlex
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -342,6 +344,73 @@ class UnevenRecurrence(InFolder):
         self.assertEqual(document(f"recurrence --series {whole} --dimension 3 --delay 5")["notes"], [])
 
 
+class ClassifySeries(InFolder):
+    def test_each_regime_by_its_series_alone(self):
+        noise = random.Random(5)
+        n = 2000
+        henon, (a, b) = [], (0.1, 0.1)
+        for _ in range(n):
+            a, b = 1 - 1.4 * a * a + b, 0.3 * a
+            henon.append(a)
+        regimes = {("quasi-steady", "cycle"): [[-1.0, 0.2, 0.9, 0.5][i % 4] for i in range(n)],
+                   ("quasi-steady", "quasi-periodic"): [math.cos(2 * math.pi * GOLDEN * i) for i in range(n)],
+                   ("chaotic", "chaotic"): henon,
+                   ("undecided", "transient"): [math.exp(-i / 100) for i in range(n)]}
+        for size in (0, 0.01):
+            for expected, values in regimes.items():
+                file = self.series("s.csv", [v + noise.gauss(0, size) for v in values])
+                found = document(f"classify --series {file}")
+                self.assertEqual((found["mode"], found["kind"]), expected, size)
+                self.assertEqual(found["period"], 4 if found["kind"] == "cycle" else None)
+                self.assertEqual(found["largest_exponent"] is None, found["mode"] != "chaotic")
+                self.assertIsNone(found["mean_S"])  # no times, no mean over time
+        # Noise lowers the rate at which neighbours part: 10 % of 0.41922 (references.md).
+        self.assertAlmostEqual(document(f"classify --series {self.series('h.csv', henon)}")["largest_exponent"], 0.41922,
+                               delta=0.02)
+
+    def test_a_noisy_constant_is_steady_only_for_who_knows_the_noise(self):
+        noise = random.Random(6)
+        file = self.series("c.csv", [0.25 + noise.gauss(0, 0.0025) for _ in range(1000)])
+        self.assertEqual(document(f"classify --series {file}")["mode"], "undecided")
+        known = document(f"classify --series {file} --noise 0.0025")
+        self.assertEqual((known["mode"], known["kind"], known["period"]), ("steady", "fixed-point", 1))
+
+    def test_a_record_is_followed_on_from_its_scene_and_start(self):
+        record = self.folder / "o.h5"
+        for start in ("", "--seed 3 --speed 0.2", "--x 0.45 --vx 0.1 --spin 0.3",
+                      "--point -0.0839222884192122,0.0279667948111745,-0.554206442503235,0.889793543857900,-0.97926606"):
+            self.assertEqual(run(f"simulate {STEADY} {start} --collisions 5 --quiet -o {record}").returncode, 0)
+            found, scene = document(f"classify {record}"), document(f"classify {STEADY} {start}")
+            found.pop("swirl_version"), scene.pop("swirl_version")
+            self.assertEqual(found, scene)
+        self.assertIn("followed", run(f"classify {record}").stderr)
+
+    def test_a_record_without_a_scene_is_a_series(self):
+        file = self.series("s.csv", [[-1.0, 0.2, 0.9][i % 3] for i in range(300)], [0.5 * i for i in range(300)])
+        record = self.folder / "r.h5"
+        run(f"recurrence --series {file} --quiet -o {record}")
+        for flags in ("", "--rows impacts"):
+            direct, kept = document(f"classify --series {file} {flags}"), document(f"classify {record} {flags}")
+            self.assertEqual(direct, kept)
+        self.assertEqual((kept["mode"], kept["period"]), ("quasi-steady", 3))
+        again = self.folder / "again.h5"
+        self.assertEqual(run(f"classify {record} --quiet -o {again}").returncode, 0)
+        with xarray.open_dataset(again, group="mode", engine="h5netcdf") as data:
+            self.assertEqual(data.attrs["mode"], "quasi-steady")
+
+    def test_bad_input(self):
+        short = self.series("short.csv", [float(i) for i in range(20)])
+        series = self.series("s.csv", [float(i % 5) for i in range(100)])
+        for flags, mention in ((f"--series {short}", "20 samples"), (f"--series {series} --noise -1", "noise"),
+                               (f"--series {series} --rows both", "impacts, samples"),
+                               (f"--series {series} --sides 6", "one"), ("--column S", "--series"),
+                               (f"{series}", "--series"), (f"--series {self.folder}", "directory"),
+                               (f"--series {series} --transient 99", "100 samples")):
+            result = run(f"classify {flags}")
+            self.assertEqual((result.returncode, result.stdout), (2, ""), flags)
+            self.assertIn(mention, result.stderr, flags)
+
+
 class BadInput(InFolder):
     def check(self, arguments, *mentions, commands=("recurrence", "spectrum"), **options):
         for command in commands:
@@ -434,6 +503,15 @@ class Input(InFolder):
         flags = f"{STEADY} --transient 500 --collisions 100 --threshold 1e-6"
         self.assertEqual(document(f"recurrence {flags} --accuracy quad")["RC"], 1)
         self.assertEqual(run(f"recurrence --series {ORACLE / 'rossler_250.txt'} --accuracy quad").returncode, 2)
+
+    def test_an_interrupted_orbit_leaves_nothing_half_done(self):
+        for command in ("recurrence", "spectrum"):
+            process = subprocess.Popen([SWIRL, *shlex.split(f"{command} {CHAOTIC} --collisions 100000000 --quiet -o "
+                                                            f"{self.folder}/long.h5")])
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(60), 130)
+            self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_examples_of_the_help_run(self):
         for command in ("recurrence", "spectrum"):

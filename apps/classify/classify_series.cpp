@@ -1,0 +1,226 @@
+#include "apps/classify/classify_series.hpp"
+
+#include "analysis/classification/classify_series.hpp"
+#include "apps/input/input_options.hpp"
+#include "apps/record/record_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace swirl::apps {
+
+const char* const classify_series_details =
+    R"(A record of simulate holds its scene and start: the orbit is followed again from there. A measured series (--series, or a
+record without a scene) is judged without the map: does it repeat within its noise, are there lines in its spectrum, is it
+predicted better than noise and do neighbours part at a rate that all embeddings agree on? Little or disagreeing evidence
+gives undecided. With --noise SIGMA a constant with noise is known for steady. The longest stretch without a gap counts.)";
+
+namespace {
+
+/// The longest run of samples without a gap.
+MeasuredSeries longest_stretch(const MeasuredSeries& series) {
+    std::size_t best = 0, best_begin = 0, begin = 0;
+    for (std::size_t i = 0; i <= series.values.size(); ++i) {
+        if (i < series.values.size() && !std::isnan(series.values[i])) continue;
+        if (i - begin > best) best = i - begin, best_begin = begin;
+        begin = i + 1;
+    }
+    return part_of(series, best_begin, best);
+}
+
+/// S holds from one impact to the next.
+double time_mean(const MeasuredSeries& series) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < series.values.size(); ++i)
+        sum += series.values[i] * (series.times[i + 1] - series.times[i]);
+    return sum / (series.times.back() - series.times.front());
+}
+
+struct SeriesVerdict {
+    MeasuredSeries whole, used;
+    analysis::ClassifySeriesOptions options;
+    analysis::Classification verdict;
+};
+
+std::vector<std::pair<const char*, double>> numbers_of(const SeriesVerdict& v) {
+    const double none = analysis::Classification::unknown;
+    const bool flow = v.options.sampled_flow;
+    const double exponent = v.verdict.largest_exponent, error = v.verdict.largest_exponent_error;
+    return {{"mean_S", flow ? v.verdict.mean : v.used.time.empty() ? none : time_mean(v.used)},
+            {"mean_S_per_impact", flow ? none : v.verdict.mean_per_step},
+            {"recurrence_rate", v.verdict.recurrence_rate},
+            {"recurrence_rate_without_diagonal", v.verdict.recurrence_rate_without_diagonal},
+            {"largest_exponent", flow ? none : exponent},
+            {"largest_exponent_error", flow ? none : error},
+            {"largest_exponent_per_time", flow ? exponent / v.used.spacing : none},
+            {"largest_exponent_per_time_error", flow ? error / v.used.spacing : none}};
+}
+
+Settings settings_of(const SeriesVerdict& v) {
+    return {{"rows", std::string(v.options.sampled_flow ? "samples" : "impacts")},
+            {"samples_used", static_cast<std::int64_t>(v.used.values.size())},
+            {"first_time_used", v.used.times.front()},
+            {"noise", v.options.noise},
+            {"largest_noise", v.options.largest_noise},
+            {"threshold", v.options.recurrence_threshold},
+            {"max_period", std::int64_t{v.options.max_period}}};
+}
+
+void write_document(const SeriesVerdict& v) {
+    JsonWriter json(stdout);
+    json.begin_object(JsonLayout::rows);
+    write_json(json, "series", series_settings(v.whole));
+    json.member("mode", name_of(v.verdict.mode));
+    json.key("kind");
+    if (v.verdict.kind == analysis::Kind::none) json.null();
+    else json.value(name_of(v.verdict.kind));
+    json.key("period");
+    if (v.verdict.period > 0) json.value(v.verdict.period);
+    else json.null();
+    for (const auto& [name, value] : numbers_of(v)) json.member(name, value);
+    json.key("evidence");
+    json.begin_array(JsonLayout::rows);
+    for (const auto& e : v.verdict.evidence) {
+        json.begin_object();
+        json.member("name", std::string_view(e.name));
+        json.member("value", e.value);
+        json.member("threshold", e.threshold);
+        json.member("says", std::string_view(e.says));
+        json.end_object();
+    }
+    json.end_array();
+    write_json(json, "settings", settings_of(v));
+    json.member("swirl_version", std::string_view(version()));
+    json.end_object();
+    json.finish();
+}
+
+void write_to_record(const RecordGroup& root, const SeriesVerdict& v) {
+    write_series(root, v.whole);
+    const RecordGroup group = root.group("mode");
+    group.attribute("mode", std::string(name_of(v.verdict.mode)));
+    group.attribute("kind", std::string(name_of(v.verdict.kind)));
+    group.attribute("period", v.verdict.period);
+    for (const auto& [name, value] : numbers_of(v)) group.attribute(name, value);
+    write_attributes(group.group("settings"), settings_of(v));
+    if (v.verdict.evidence.empty()) return;
+    std::vector<std::string> names, says;
+    std::vector<double> values, thresholds;
+    for (const auto& e : v.verdict.evidence) {
+        names.push_back(e.name);
+        says.push_back(e.says);
+        values.push_back(e.value);
+        thresholds.push_back(e.threshold);
+    }
+    group.dimension("evidence", names.size());
+    group.write_strings("evidence", {"evidence"}, names);
+    group.write<double>("value", {"evidence"}, values);
+    group.write<double>("threshold", {"evidence"}, thresholds);
+    group.write_strings("says", {"evidence"}, says);
+}
+
+void print_table(const SeriesVerdict& v) {
+    fmt::print("series of {} samples\n  mode {}{}{}\n", v.used.values.size(), name_of(v.verdict.mode),
+               v.verdict.kind == analysis::Kind::none ? "" : fmt::format(" ({})", name_of(v.verdict.kind)),
+               v.verdict.period > 0 ? fmt::format(", period {}", v.verdict.period) : "");
+    for (const auto& [name, value] : numbers_of(v))
+        if (std::isfinite(value)) fmt::print("  {:<33} {:>16.8g}\n", name, value);
+    for (const auto& e : v.verdict.evidence)
+        fmt::print("  evidence: {:<40} {:>12.4g}  against {:>10.3g}  {}\n", e.name, e.value, e.threshold, e.says);
+}
+
+bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {
+    if (input.rows == "samples") return true;
+    if (input.rows == "impacts") return false;
+    if (!input.rows.empty()) throw BadInput(fmt::format("rows = '{}' is none of: impacts, samples", input.rows));
+    return !series.time.empty() && series.even;
+}
+
+/// A number or a word as its flag would give it; 17 digits give the same double back.
+std::string text_of(const AttributeValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.17g}", *number);
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
+    if (const auto* natural = std::get_if<std::uint64_t>(&value)) return fmt::format("{}", *natural);
+    throw BadInput("record: a value of its scene or start is neither a number nor a word");
+}
+
+}  // namespace
+
+void ClassifyInput::add_to(CLI::App& command) {
+    command.add_option("RECORD,--record", record, "a record of swirl simulate, followed on from its scene and start")
+        ->type_name("FILE.h5")->group("Input");
+    command.add_option("--series", series.file, "a measured series, text; - reads standard input")
+        ->type_name("FILE.csv")->group("Input");
+    command.add_option("--column", series.column, "the series' values: name or number of the column")
+        ->type_name("NAME")->group("Input");
+    command.add_option("--time", series.time, "the series' times: name or number of the column, or none")
+        ->type_name("NAME")->group("Input");
+    command.add_option("--rows", rows, "of a series: impacts, or samples in time (default: samples if times are even)")
+        ->type_name("NAME")->group("Input");
+    command.add_option("--noise", noise, "standard deviation of a series' noise, if known")
+        ->type_name("SIGMA")->group("Input");
+    transient_ = command.get_option("--transient");
+    collisions_ = command.get_option("--collisions");
+    threshold_ = command.get_option("--threshold");
+    max_period_ = command.get_option("--max-period");
+}
+
+bool ClassifyInput::is_series(const SceneOptions& scene, const StartOptions& start) const {
+    const bool from_scene = scene.given() || start.given();
+    if (!record.empty() && !series.file.empty()) throw BadInput("a record and --series are both given; give one");
+    if (from_scene && !record.empty()) throw BadInput("a scene and a record are both given; give one");
+    if (from_scene && !series.file.empty()) throw BadInput("a scene and --series are both given; give one");
+    if (!series.file.empty()) return true;
+    if (record.empty() || !is_series_record(record)) {
+        if (!(series.column.empty() && series.time.empty() && rows.empty() && noise == 0))
+            throw BadInput("--column, --time, --rows and --noise are a series'; --series FILE is missing");
+        return false;
+    }
+    return true;
+}
+
+void ClassifyInput::take_record(SceneOptions& scene, StartOptions& start, bool quiet) const {
+    if (record.empty()) return;
+    const OrbitColumns orbit = read_orbit(record, {}, {"S"});
+    for (const auto& [name, value] : orbit.scene)
+        scene.set(name == "inertia_factor" ? "inertia-factor" : name, text_of(value));
+    std::string point;
+    const bool on_section = std::any_of(orbit.start.begin(), orbit.start.end(),
+                                        [](const auto& entry) { return entry.first == "psi"; });
+    for (const auto& [name, value] : orbit.start) {
+        if (on_section) point += (point.empty() ? "" : ",") + text_of(value);
+        else start.set(name, text_of(value));
+    }
+    if (on_section) start.set("point", point);
+    if (!quiet) fmt::print(stderr, "record: the orbit is followed again from its scene and start\n");
+}
+
+int classify_measured(const ClassifyInput& input, const OutputOptions& output) {
+    if (output.accuracy() != Accuracy::double_precision)
+        throw BadInput(fmt::format("accuracy = {} is an orbit's that is followed", output.accuracy_name));
+    InputOptions source;
+    source.series = input.series;
+    if (input.transient_->count() > 0) source.transient = input.transient_->as<std::int64_t>();
+    if (input.collisions_->count() > 0) source.collisions = input.collisions_->as<std::int64_t>();
+    SeriesVerdict v;
+    v.whole = input.record.empty() ? source.measured() : read_series_record(input.record);
+    v.used = longest_stretch(v.whole);
+    v.options.noise = input.noise;
+    v.options.sampled_flow = is_sampled_flow(input, v.used);
+    if (input.threshold_->count() > 0) v.options.recurrence_threshold = input.threshold_->as<double>();
+    if (input.max_period_->count() > 0) v.options.max_period = input.max_period_->as<int>();
+    std::optional<RecordWriter> record;
+    if (!output.record.empty()) record.emplace(open_record(output.record, "Mode of a measured series"));
+    v.verdict = analysis::classify_series(v.used.values, v.options);
+    if (record) {
+        write_to_record(record->root(), v);
+        record->finish();
+    }
+    if (output.json) write_document(v);
+    else if (!output.quiet) print_table(v);
+    return exit_done;
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,122 @@
+// Modes of series alone: one oracle per regime, without and with 1 % of noise; nothing is guessed.
+#include "analysis/classification/classify_series.hpp"
+
+#include "tests/analysis/maps/angle.hpp"
+#include "tests/sample_count.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace swirl::analysis;
+using Series = std::vector<double>;
+
+constexpr int n = 2000;
+
+/// `noise` times the standard deviation of the signal is added.
+Series made(const std::function<double(int)>& signal, double noise = 0, int count = n) {
+    Series x(static_cast<std::size_t>(count));
+    double mean = 0, squares = 0;
+    for (int i = 0; i < count; ++i) x[static_cast<std::size_t>(i)] = signal(i);
+    for (const double v : x) mean += v / count;
+    for (const double v : x) squares += (v - mean) * (v - mean) / count;
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    for (double& v : x) v += noise * std::sqrt(squares) * normal(random);
+    return x;
+}
+
+std::function<double(int)> logistic(double r) {
+    return [r, x = 0.4](int) mutable { return x = r * x * (1 - x); };
+}
+
+class WithNoise : public testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(ClassifySeries, WithNoise, testing::Values(0.0, 0.01));
+
+TEST_P(WithNoise, ACycleHasItsPeriod) {
+    for (const int k : {2, 3, 7}) {
+        const auto found = classify_series(made([k](int i) { return std::cos(2.0 * (i % k) * (i % k)); }, GetParam()));
+        EXPECT_EQ(found.mode, Mode::quasi_steady);
+        EXPECT_EQ(found.kind, Kind::cycle);
+        EXPECT_EQ(found.period, k);
+    }
+}
+
+TEST_P(WithNoise, ARotationIsATorus) {
+    const auto found = classify_series(
+        made([](int i) { return std::cos(maps::two_pi * maps::golden_mean * i); }, GetParam()));
+    EXPECT_EQ(found.mode, Mode::quasi_steady);
+    EXPECT_EQ(found.kind, Kind::quasi_periodic);
+    EXPECT_TRUE(std::isnan(found.largest_exponent));
+}
+
+TEST_P(WithNoise, ChaosHasItsExponent) {
+    const auto found = classify_series(made(logistic(4), GetParam()));
+    EXPECT_EQ(found.mode, Mode::chaotic);
+    // ln 2; 1 % of noise lowers what is seen of the rise.
+    EXPECT_NEAR(found.largest_exponent, std::log(2), GetParam() > 0 ? 0.12 : 0.02);
+}
+
+TEST_P(WithNoise, ChaosOnNarrowBandsIsNoTorusAndNoCycle) {
+    const auto found = classify_series(made(logistic(3.58), GetParam()));
+    EXPECT_TRUE(found.mode == Mode::undecided || found.mode == Mode::chaotic) << name_of(found.mode);
+}
+
+TEST_P(WithNoise, WhatStillSettlesIsATransient) {
+    for (const double time : {100.0, 600.0}) {
+        const auto found = classify_series(made([time](int i) { return std::exp(-i / time); }, GetParam()));
+        EXPECT_EQ(found.mode, Mode::undecided);
+        EXPECT_EQ(found.kind, Kind::transient);
+    }
+}
+
+TEST(ClassifySeries, AConstantIsSteady) {
+    const auto found = classify_series(Series(100, 0.25));
+    EXPECT_EQ(found.mode, Mode::steady);
+    EXPECT_EQ(found.period, 1);
+}
+
+// The classical traps: noise that a correlation dimension or an exponent alone takes for chaos.
+TEST(ClassifySeries, LinearNoiseIsNeverChaotic) {
+    std::mt19937_64 random(11);
+    std::normal_distribution<double> normal;
+    int chaotic = 0;
+    const long cases = swirl::tests::sample_count(20);
+    for (long i = 0; i < cases; ++i)
+        for (const auto& [a, b] : {std::pair(0.0, 0.0), std::pair(0.95, 0.0), std::pair(1.8, -0.97)}) {
+            double last = 0, before = 0;
+            const auto found = classify_series(made([&, a = a, b = b](int) {
+                const double next = a * last + b * before + normal(random);
+                before = last;
+                return last = next;
+            }, 0, 1000));
+            chaotic += found.mode == Mode::undecided ? 0 : 1;
+        }
+    EXPECT_EQ(chaotic, 0) << "of " << 3 * cases;
+}
+
+TEST(ClassifySeries, AFlowsLinesAreQuasiSteadyWithoutAPeriodInSamples) {
+    ClassifySeriesOptions options;
+    options.sampled_flow = true;
+    const auto found = classify_series(made([](int i) { return std::sin(0.37 * i) + 0.3 * std::sin(0.74 * i); }), options);
+    EXPECT_EQ(found.mode, Mode::quasi_steady);
+    EXPECT_EQ(found.kind, Kind::none);
+    EXPECT_EQ(found.period, 0);
+}
+
+TEST(ClassifySeries, InvalidInputIsRefused) {
+    EXPECT_THROW(classify_series(Series(63, 1.0)), std::invalid_argument);
+    Series gap(100, 1.0);
+    gap[5] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(classify_series(gap), std::invalid_argument);
+    ClassifySeriesOptions options;
+    options.noise = -1;
+    EXPECT_THROW(classify_series(Series(100, 1.0), options), std::invalid_argument);
+}
+
+}  // namespace

@@ -106,12 +106,14 @@ void name_irregular(std::span<const double> x, Classification& result) {
     const SurrogateTest surrogates = test_surrogates(x);
     const bool deterministic = surrogates.error < surrogates.smallest_of_surrogates;
     result.evidence.push_back({"prediction error", surrogates.error, surrogates.smallest_of_surrogates,
-                               deterministic ? "smaller than that of each of 39 surrogates: deterministic, not linear noise"
-                                             : "not smaller than that of linear noise (the smallest of 39 surrogates)"});
+                               deterministic
+                                   ? "smaller than that of each of 39 surrogates: deterministic, not linear noise"
+                                   : "not smaller than that of linear noise (the smallest of 39 surrogates)"});
     const SeriesExponent exponent = exponent_of_series(x);
     result.evidence.push_back({"divergence of neighbours per sample", exponent.exponent, exponent.spread,
-                               exponent.trusted ? "a straight rise, the same in dimensions 2, 3 and 4 (threshold: their spread)"
-                                                : "no straight rise that embedding dimensions 2, 3 and 4 agree on"});
+                               exponent.trusted
+                                   ? "a straight rise, the same in dimensions 2, 3 and 4 (threshold: their spread)"
+                                   : "no straight rise that embedding dimensions 2, 3 and 4 agree on"});
     if (!exponent.trusted) return;
     result.largest_exponent = exponent.exponent;
     result.largest_exponent_error = exponent.spread * exponent.exponent / 2;

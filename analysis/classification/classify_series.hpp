@@ -1,18 +1,19 @@
 // Names the mode of a measured series: no map, no derivative, noise of unknown size.
 //
 // Evidence, in this order; what is disagreeing or not enough gives `undecided`:
-//   1. Does it last? The means of the halves differ by less than half a standard deviation, and the variances by less than
-//      3 : 1. If not: transient.
+//   1. Does it last? The means of the halves differ by less than half a standard deviation, and the variances by
+//      less than 3 : 1. If not: transient.
 //   2. Does it repeat? The smallest k for which the k phase means leave a residual within the noise (given, or at most
 //      `largest_noise` of the standard deviation) that is white: no autocorrelation up to lag 2k + 8 beyond 4/√n. A
 //      structured residual is a torus, a band or a drift, and no noise.
-//   3. Is the spectrum all lines, and do neighbours stay neighbours (their distance less than doubles, on the mean, over a
-//      quarter of the series)? Then the series is quasi-periodic; of a flow, periodic or quasi-periodic. Lines with
+//   3. Is the spectrum all lines, and do neighbours stay neighbours (their distance less than doubles, on the
+//      mean, over a quarter of the series)? Then the series is quasi-periodic; of a flow, periodic or quasi-periodic. Lines with
 //      neighbours that part are chaos on narrow bands, or noise: undecided.
 //   4. Is it deterministic and does it diverge? Its nonlinear prediction error is smaller than that of all of 39
 //      amplitude-adjusted surrogates (Theiler et al., Physica D 58 (1992) 77), which share its linear correlations and
-//      its distribution; and the mean logarithmic distance of nearest neighbours grows along a straight line (Rosenstein
-//      et al., Physica D 65 (1993) 117), whose slope agrees in embedding dimensions 2, 3 and 4 within 20 %. Both: chaotic.
+//      its distribution; and the mean logarithmic distance of nearest neighbours grows along a straight line
+//      (Rosenstein et al., Physica D 65 (1993) 117), whose slope agrees in embedding dimensions 2, 3 and 4 within 20 %.
+//      Both: chaotic.
 #pragma once
 
 #include "analysis/classification/classify.hpp"
@@ -40,8 +41,8 @@ struct SeriesExponent {
 /// Uses the last 4000 samples at most. O(n²).
 SeriesExponent exponent_of_series(std::span<const double> series);
 
-/// ln of the factor by which the distance of nearest neighbours (embedding dimension 3, the last 4000 samples at most) has
-/// grown, on the mean, in the last quarter of n/4 samples: 0 on a torus. NaN if no two points differ. O(n²).
+/// ln of the factor by which the distance of nearest neighbours (embedding dimension 3, the last 4000 samples at most)
+/// has grown, on the mean, in the last quarter of n/4 samples: 0 on a torus. NaN if no two points differ. O(n²).
 double separation_of_neighbours(std::span<const double> series);
 
 /// Nonlinear prediction error of the series (last 1000 samples at most) and the smallest of its surrogates'. The

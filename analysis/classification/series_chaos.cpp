@@ -104,8 +104,8 @@ std::vector<std::size_t> ranks_of(std::span<const double> x) {
     return ranks;
 }
 
-/// Amplitude-adjusted Fourier surrogate: Gaussian values in the order of x, phases drawn anew, then x's own values in the
-/// order of those.
+/// Amplitude-adjusted Fourier surrogate: Gaussian values in the order of x, phases drawn anew, then x's own values in
+/// the order of those.
 std::vector<double> surrogate(std::span<const double> x, std::mt19937_64& random) {
     const std::size_t n = x.size();
     std::vector<double> sorted(x.begin(), x.end());
@@ -186,7 +186,8 @@ SurrogateTest test_surrogates(std::span<const double> series) {
     test.smallest_of_surrogates = std::numeric_limits<double>::infinity();
     std::mt19937_64 random(1);
     for (int i = 0; i < test.surrogates; ++i)
-        test.smallest_of_surrogates = std::min(test.smallest_of_surrogates, prediction_error(surrogate(x, random), delay));
+        test.smallest_of_surrogates =
+            std::min(test.smallest_of_surrogates, prediction_error(surrogate(x, random), delay));
     return test;
 }
 

@@ -11,10 +11,11 @@
 namespace swirl::apps {
 
 const char* const classify_series_details =
-    R"(A record of simulate holds its scene and start: the orbit is followed again from there. A measured series (--series, or a
-record without a scene) is judged without the map: does it repeat within its noise, are there lines in its spectrum, is it
-predicted better than noise and do neighbours part at a rate that all embeddings agree on? Little or disagreeing evidence
-gives undecided. With --noise SIGMA a constant with noise is known for steady. The longest stretch without a gap counts.)";
+    R"(A record of simulate holds its scene and start: the orbit is followed again from there. A measured series
+(--series, or a record without a scene) is judged without the map: does it repeat within its noise, are there
+lines in its spectrum, is it predicted better than noise and do neighbours part at a rate that all embeddings
+agree on? Little or disagreeing evidence gives undecided. With --noise SIGMA a constant with noise is known for
+steady. The longest stretch without a gap counts.)";
 
 namespace {
 

@@ -21,7 +21,7 @@ struct ClassifyInput {
     /// After the command's own --transient, --collisions, --threshold and --max-period.
     void add_to(CLI::App& command);
 
-    /// Takes scene and start from the record, if one was given that has them. @throws BadInput if flags gave a scene, too
+    /// Takes scene and start from the record, if one was given. @throws BadInput if it holds no orbit
     void take_record(SceneOptions& scene, StartOptions& start, bool quiet) const;
 
     /// A series, or a record without a scene. @throws BadInput if flags gave a scene, too

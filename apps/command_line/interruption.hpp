@@ -8,8 +8,8 @@ void note_interruptions();
 
 bool is_interrupted();
 
-/// From now on SIGINT and SIGTERM end the process with exit code 130 at once: for work that can't look, when nothing of it
-/// is finished yet. A record that is being written stays as its partial file, which the next writer replaces.
+/// From now on SIGINT and SIGTERM end the process with exit code 130 at once: for work that can't look, when nothing of
+/// it is finished yet. A record that is being written stays as its partial file, which the next writer replaces.
 void exit_when_interrupted();
 
 }  // namespace swirl::apps

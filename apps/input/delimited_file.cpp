@@ -39,7 +39,8 @@ std::string content_of(const std::string& name) {
     if (!file) throw BadInput(fmt::format("series '{}' cannot be opened: {}", name, std::strerror(errno)));
     std::string content;
     char buffer[65536];
-    for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) content.append(buffer, got);
+    for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;)
+        content.append(buffer, got);
     if (std::ferror(file.get()) != 0)
         throw BadInput(fmt::format("series '{}' cannot be read: {}", name, std::strerror(errno)));
     if (content.find('\0') != std::string::npos)
@@ -193,7 +194,8 @@ std::vector<std::vector<double>> numbers_of(const DelimitedFile& file, const std
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
         const auto cells = cells_of(file.rows[row].text, file.separator);
         if (cells.size() != file.columns)
-            throw BadInput(at_line(file, row, fmt::format("{} cells, where {} are needed", cells.size(), file.columns)));
+            throw BadInput(
+                at_line(file, row, fmt::format("{} cells, where {} are needed", cells.size(), file.columns)));
         for (std::size_t k = 0; k < wanted.size(); ++k) {
             const std::string& cell = cells[wanted[k]];
             const auto number = number_in(cell);

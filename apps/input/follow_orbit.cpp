@@ -88,8 +88,12 @@ OrbitColumns follow_orbit(const SceneOptions& scene_options, const StartOptions&
     columns.values.resize(names.size());
     note_interruptions();
     switch (output.accuracy()) {
-        case Accuracy::double_precision: follow_in<double>(scene_options, start_options, range, output.quiet, columns); break;
-        case Accuracy::extended: follow_in<long double>(scene_options, start_options, range, output.quiet, columns); break;
+        case Accuracy::double_precision:
+            follow_in<double>(scene_options, start_options, range, output.quiet, columns);
+            break;
+        case Accuracy::extended:
+            follow_in<long double>(scene_options, start_options, range, output.quiet, columns);
+            break;
         case Accuracy::quad: follow_in<Quad>(scene_options, start_options, range, output.quiet, columns); break;
     }
     return columns;

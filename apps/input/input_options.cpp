@@ -8,11 +8,12 @@
 namespace swirl::apps {
 
 const char* const input_details =
-    R"(What is analysed: the orbit of a scene (its flags, --transient, --collisions), a record that simulate -o wrote, or
---series FILE: a text file (- for standard input), a sample a line, cells separated by tabs, semicolons, commas or
-blanks, with a header or none; lines that begin with # or % are skipped. The times are the column --time NAME (or its
-number from 1 on, or none), by default the header's t or time, without a header the first of several columns. The values
-are --column NAME, by default S or spin, else the last other column. Times must rise; an empty cell, nan or NA is a gap.)";
+    R"(What is analysed: the orbit of a scene (its flags, --transient, --collisions), a record that simulate -o wrote,
+or --series FILE: a text file (- for standard input), a sample a line, cells separated by tabs, semicolons,
+commas or blanks, with a header or none; lines that begin with # or % are skipped. The times are the column
+--time NAME (or its number from 1 on, or none), by default the header's t or time, without a header the first of
+several columns. The values are --column NAME, by default S or spin, else the last other column. Times must
+rise; an empty cell, nan or NA is a gap.)";
 
 void InputOptions::add_to(CLI::App& command) {
     scene.add_to(command);
@@ -26,8 +27,10 @@ void InputOptions::add_to(CLI::App& command) {
         ->type_name("NAME")->group("Input");
     command.add_option("--time", series.time, "the series' times: name or number of the column, or none")
         ->type_name("NAME")->group("Input");
-    command.add_option("--spacing", series.spacing, "time between samples where there is no column of times (default 1)")
-        ->type_name("DT")->group("Input");
+    command
+        .add_option("--spacing", series.spacing, "time between samples where there is no column of times (default 1)")
+        ->type_name("DT")
+        ->group("Input");
     command.add_option("--transient", transient, "impacts (samples) left out first (scene: 10000, else 0)")
         ->type_name("K")->check(counts)->group("Input");
     command.add_option("--collisions", collisions, "impacts (samples) taken then (scene: 10000, else all)")
@@ -65,8 +68,8 @@ MeasuredSeries InputOptions::measured() const {
     const std::int64_t first = transient.value_or(0);
     const std::int64_t count = collisions.value_or(rows - first);
     if (count < 2 || first + count > rows)
-        throw BadInput(fmt::format("series '{}' has {} samples; --transient {} and --collisions {} need {}", series.file,
-                                   rows, first, std::max<std::int64_t>(count, 2),
+        throw BadInput(fmt::format("series '{}' has {} samples; --transient {} and --collisions {} need {}",
+                                   series.file, rows, first, std::max<std::int64_t>(count, 2),
                                    first + std::max<std::int64_t>(count, 2)));
     return part_of(whole, static_cast<std::size_t>(first), static_cast<std::size_t>(count));
 }

@@ -32,8 +32,8 @@ struct MeasuredSeries {
 inline constexpr double even_within = 0.04;
 
 /// Reads a series. The column of times is the one that `time` names ("none": there is none), by default the header's t
-/// or time (a unit may follow: "time [s]"), or without a header the first of two or more. The values are the column that
-/// `column` names, by default S or spin, or else the last that isn't the times. A missing value is kept as NaN.
+/// or time (a unit may follow: "time [s]"), or without a header the first of two or more. The values are the column
+/// that `column` names, by default S or spin, or else the last that isn't the times. A missing value is kept as NaN.
 /// @throws BadInput naming file, line, its text and what is allowed: see delimited_file.hpp; a missing, repeated or
 /// falling time; fewer than two values
 MeasuredSeries read_series(const SeriesChoice& choice);

@@ -36,8 +36,8 @@ double period_of(const std::string& column);
 /// @throws BadInput unless every name is a number of an impact (simulate's keys, or S), chi not for a disk; lists them
 void require_observables(const std::vector<std::string>& names, bool disk);
 
-/// Follows the orbit, with progress; looks for interruptions. The outcome is "completed" when all impacts are there, else
-/// why not (chatter, no-contact, …, interrupted), and the columns hold what there was.
+/// Follows the orbit, with progress; looks for interruptions. The outcome is "completed" when all impacts are there,
+/// else why not (chatter, no-contact, …, interrupted), and the columns hold what there was.
 /// @throws BadInput, std::invalid_argument for a scene or start out of range
 OrbitColumns follow_orbit(const SceneOptions& scene, const StartOptions& start, const OutputOptions& output,
                           const ImpactRange& range, const std::vector<std::string>& names);

@@ -3,6 +3,7 @@
 #include "apps/recurrence/convention_names.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace swirl::apps {
 

@@ -5,6 +5,7 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace swirl::apps {
@@ -12,9 +13,10 @@ namespace swirl::apps {
 namespace recurrence = analysis::recurrence;
 
 const char* const recurrence_details =
-    R"(Several thresholds (--threshold 0.1,0.2) are counted in one pass; RR ... RC are then lists, in the order of the list
-`thresholds`. A cross recurrence (--cross, --cross-column) has the first series in its rows and no RC. An orbit that ends
-before its impacts are complete is quantified as far as it came; the outcome says why, and the exit code is 3.
+    R"(Several thresholds (--threshold 0.1,0.2) are counted in one pass; RR ... RC are then lists, in the order of the
+list `thresholds`. A cross recurrence (--cross, --cross-column) has the first series in its rows and no RC. An
+orbit that ends before its impacts are complete is quantified as far as it came; the outcome says why, and the
+exit code is 3.
 
 Examples:
   swirl recurrence --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1 --collisions 2000
@@ -106,10 +108,10 @@ int quantify_recurrence(RecurrenceOptions& options) {
     if (points.orbit && points.orbit->outcome == "interrupted" && is_interrupted()) return exit_interrupted;
     const std::optional<RecurrencePoints> cross = cross_points(options);
     exit_when_interrupted();
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                      options.output.threads > 0
-                                          ? static_cast<std::size_t>(options.output.threads)
-                                          : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    const tbb::global_control threads(
+        tbb::global_control::max_allowed_parallelism,
+        options.output.threads > 0 ? static_cast<std::size_t>(options.output.threads)
+                                   : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     const Quantification result = quantify(options, points, cross);
     const RecurrenceReport report{options, points, cross, result};
     if (record) {

@@ -175,7 +175,8 @@ void write_record(const RecordGroup& root, const RecurrenceReport& report) {
     group.attribute("notes", fmt::format("{}", fmt::join(notes_of(report), "; ")));
     if (result.lines.empty()) return;
     group.dimension("threshold", result.lines.size());
-    group.write<double>("threshold", {"threshold"}, result.thresholds.delta, {"1", "distance within which points recur", {}});
+    group.write<double>("threshold", {"threshold"}, result.thresholds.delta,
+                        {"1", "distance within which points recur", {}});
     for (const auto& list : lists_of(result))
         group.write<double>(list.name, {"threshold"}, list.values, {"1", list.long_name, {}});
     write_counts(group, "diagonal_lines", "diagonal_length", "number of diagonal lines by length", result.lines,

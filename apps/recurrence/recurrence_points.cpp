@@ -2,6 +2,7 @@
 
 #include "analysis/spectrum/resample.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -56,16 +57,19 @@ RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& optio
                             {"missing_fraction", even.missing_fraction},
                             {"samples", static_cast<std::int64_t>(values.size())}};
     } else if (!series.even) {
-        result.notes.push_back(fmt::format("the times are uneven (steps up to {:g}, mean {:g}): points follow each other "
-                                           "by sample, not by time; --resample DT makes them even", series.largest_step,
-                                           series.spacing));
+        result.notes.push_back(
+            fmt::format("the times are uneven (steps up to {:g}, mean {:g}): points follow each other "
+                        "by sample, not by time; --resample DT makes them even",
+                        series.largest_step, series.spacing));
     }
     const double period = options.period.empty() ? 0 : positive("period", options.period);
     const bool gaps = std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
     if (gaps) {
         result.points = embed_around_gaps(values, options, period, result.left_out);
-        result.notes.push_back(fmt::format("{} points touch a gap and are left out; lines count the points on either side "
-                                           "of one as neighbours", result.left_out));
+        result.notes.push_back(
+            fmt::format("{} points touch a gap and are left out; lines count the points on either side "
+                        "of one as neighbours",
+                        result.left_out));
     } else {
         result.points = recurrence::embed_series(values, options.dimension, options.delay, period);
     }
@@ -84,7 +88,8 @@ RecurrencePoints points_of(OrbitColumns orbit, const RecurrenceOptions& options)
     const std::size_t count = orbit.values.front().size();
     const std::size_t reach = static_cast<std::size_t>(options.dimension - 1) * static_cast<std::size_t>(options.delay);
     if (orbit.every > 1)
-        result.notes.push_back(fmt::format("the record lists every {}th impact: points follow each other by row", orbit.every));
+        result.notes.push_back(
+            fmt::format("the record lists every {}th impact: points follow each other by row", orbit.every));
     result.enough = count >= reach + 2;
     const bool cut = orbit.outcome != "completed";
     if (!result.enough && !cut)
@@ -198,9 +203,11 @@ Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoint
         if (thresholds.floored && points.measured)
             throw BadInput(fmt::format("threshold-std: the series is constant (its standard deviation is {:g}); give "
                                        "--threshold D", deviation));
-        for (const double factor : thresholds.given) thresholds.delta.push_back(
-            thresholds.floored ? floor
-                               : recurrence::threshold_of_deviation(points.points, factor, options.conventions.deviation()));
+        for (const double factor : thresholds.given)
+            thresholds.delta.push_back(
+                thresholds.floored
+                    ? floor
+                    : recurrence::threshold_of_deviation(points.points, factor, options.conventions.deviation()));
         return thresholds;
     }
     if (thresholds.kind == "recurrence_rate" && cross)

@@ -9,10 +9,10 @@
 namespace swirl::apps {
 
 const char* const spectrum_details =
-    R"(An orbit's S(t) is constant between impacts and is averaged exactly over equal time bins; its frequencies are in units
-of the swirl's. A series' frequencies are cycles per unit of its times; uneven times are resampled, and the document says
-how; gaps stay open, and segments that touch one are left out. The integral of the power is the variance. An orbit that
-ends early is analysed as far as it came, with exit code 3.
+    R"(An orbit's S(t) is constant between impacts and is averaged exactly over equal time bins; its frequencies are in
+units of the swirl's. A series' frequencies are cycles per unit of its times; uneven times are resampled, and
+the document says how; gaps stay open, and segments that touch one are left out. The integral of the power is
+the variance. An orbit that ends early is analysed as far as it came, with exit code 3.
 
 Examples:
   swirl spectrum --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95
@@ -28,8 +28,8 @@ std::size_t segment_length(std::size_t n, std::int64_t segments, double overlap)
     const auto length = static_cast<std::size_t>(static_cast<double>(n) /
                                                  (1 + static_cast<double>(segments - 1) * (1 - overlap)));
     if (length < fewest_samples)
-        throw BadInput(fmt::format("segments = {} leaves {} of {} samples for each; {} or more are needed", segments, length,
-                                   n, fewest_samples));
+        throw BadInput(fmt::format("segments = {} leaves {} of {} samples for each; {} or more are needed", segments,
+                                   length, n, fewest_samples));
     return length;
 }
 
@@ -87,8 +87,10 @@ void SpectrumOptions::add_to(CLI::App& command) {
         ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))->group("Spectrum");
     command.add_option("--overlap", overlap, "of neighbouring segments, 0 <= overlap < 1 (default 0.5)")
         ->type_name("F")->group("Spectrum");
-    command.add_flag("--compensate", compensate, "undo what averaging over bins takes from the power")->group("Spectrum");
-    text("--resample", resample, "DT", "make a measured series even with this spacing (default, if uneven: the median)");
+    command.add_flag("--compensate", compensate, "undo what averaging over bins takes from the power")
+        ->group("Spectrum");
+    text("--resample", resample, "DT",
+         "make a measured series even with this spacing (default, if uneven: the median)");
 }
 
 int find_spectrum(SpectrumOptions& options) {

@@ -114,7 +114,8 @@ void write_record(const RecordGroup& root, const SpectrumReport& report) {
     if (!s.frequency.empty()) {
         group.dimension("frequency", s.frequency.size());
         group.write<double>("frequency", {"frequency"}, s.frequency, {frequency_unit(report), "frequency", {}});
-        group.write<double>("power", {"frequency"}, s.power, {"", "power per unit of frequency; its integral is the variance", {}});
+        group.write<double>("power", {"frequency"}, s.power,
+                            {"", "power per unit of frequency; its integral is the variance", {}});
     }
     if (report.peaks.empty()) return;
     const RecordGroup peaks = root.group("peaks");
@@ -130,11 +131,12 @@ void print_table(const SpectrumReport& report) {
     if (report.signal.orbit)
         fmt::print("{} after {} impacts\n", report.signal.orbit->outcome, report.signal.orbit->impacts);
     const auto& s = report.spectrum;
-    fmt::print("{} samples at {:g}, {} segments of {}; variance {:.8g}, entropy {:.4f}, {} ({:.1f} % in lines)\n", s.samples,
-               report.signal.spacing, s.segments, s.segment_length, s.variance, report.entropy,
+    fmt::print("{} samples at {:g}, {} segments of {}; variance {:.8g}, entropy {:.4f}, {} ({:.1f} % in lines)\n",
+               s.samples, report.signal.spacing, s.segments, s.segment_length, s.variance, report.entropy,
                name(report.share.verdict), 100 * report.share.line_fraction);
     constexpr std::size_t most = 20;
-    if (!report.peaks.empty()) fmt::print("{:>16} {:>14} {:>14} {:>12}\n", "peak: frequency", "power", "amplitude", "prominence");
+    if (!report.peaks.empty())
+        fmt::print("{:>16} {:>14} {:>14} {:>12}\n", "peak: frequency", "power", "amplitude", "prominence");
     for (std::size_t i = 0; i < std::min(most, report.peaks.size()); ++i) {
         const auto& p = report.peaks[i];
         fmt::print("{:>16.9g} {:>14.6g} {:>14.6g} {:>12.4g}\n", p.frequency, p.power, p.amplitude, p.prominence);

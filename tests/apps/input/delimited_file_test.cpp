@@ -41,7 +41,8 @@ TEST(DelimitedFile, EverySeparatorGivesTheSameNumbers) {
 
 TEST(DelimitedFile, LineEndsCommentsBlankLinesAndAMarkAreNoData) {
     for (const std::string end : {"\n", "\r\n"}) {
-        const WrittenFile file("\xEF\xBB\xBF# camera 3" + end + end + "t,S" + end + "  % note" + end + "0,1" + end + "1,2");
+        const WrittenFile file("\xEF\xBB\xBF# camera 3" + end + end + "t,S" + end + "  % note" + end + "0,1" + end +
+                               "1,2");
         const auto read = read_delimited(file.path());
         EXPECT_EQ(read.header, (Words{"t", "S"}));
         EXPECT_EQ(all_columns(read), (Columns{{0, 1}, {1, 2}}));

@@ -13,7 +13,7 @@ function(swirl_install_library target folder)
 endfunction()
 
 install(TARGETS swirl_options EXPORT SwirlTargets)
-swirl_install_library(swirl_map map INTERFACE)
+swirl_install_library(swirl_map map PUBLIC)
 swirl_install_library(swirl_analysis analysis PUBLIC)
 
 set(swirl_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Swirl)

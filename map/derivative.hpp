@@ -54,16 +54,22 @@ public:
     LinearisedCollision<T, shape> linearise(const SectionPoint<T>& z) const {
         LinearisedCollision<T, shape> result;
         result.collision = map_.advance(launch_from(z));
-        if (result.collision.contact != ContactOutcome::contact) return result;
-        auto c = coordinates<shape>(z);
+        if (result.collision.contact == ContactOutcome::contact) result.derivative = derivative_of(z, result.collision);
+        return result;
+    }
+
+    /// DF(z) where the next collision is known already.
+    auto derivative_of(const SectionPoint<T>& z, const Collision<T>& known) const {
+        decltype(LinearisedCollision<T, shape>::derivative) derivative;
+        const auto c = coordinates<shape>(z);
         std::array<Jet, dimension> seeded;
         for (int i = 0; i < dimension; ++i) seeded[i] = Jet(c[i], i);
         const Flight<Jet> flight = flight_from(jet_map_.body(), launch_from(section_point<shape>(seeded)));
         const Collision<Jet> collision =
-            strike_along(jet_map_, flight, result.collision.flight_time, result.collision.vertex_step);
+            strike_along(jet_map_, flight, known.flight_time, known.vertex_step);
         const auto next = coordinates<shape>(section_point(collision.after));
-        for (int i = 0; i < dimension; ++i) result.derivative.row(i) = next[i].v.transpose();
-        return result;
+        for (int i = 0; i < dimension; ++i) derivative.row(i) = next[i].v.transpose();
+        return derivative;
     }
 
 private:

@@ -83,9 +83,9 @@ struct LabFrame {
         return frame;
     }
 
-    /// Takes note of a collision; `spin` is S during the flight before it.
+    /// Takes note of a collision; `turned` is ∫S dt since the one before.
     template <class Map>
-    void follow(const Map& map, const Collision<T>& collision, const T& spin) {
+    void follow(const Map& map, const Collision<T>& collision, const T& turned) {
         using std::atan2;
         const SectionPoint<T> z = section_point(collision.after);
         time.add(collision.flight_time);
@@ -95,7 +95,7 @@ struct LabFrame {
             time.add(wrapped_angle(T(phase - time.phase)));
         }
         direction = time.phase + z.psi;
-        angle.add(spin * collision.flight_time);
+        angle.add(turned);
         if constexpr (Map::shape == Shape::polygon) {
             vertex = map.body().vertex_number(static_cast<long long>(vertex) + collision.vertex_step);
             // arg r − 2πk/N is vertex 0's direction too, and free of the rounding that the sum gathers.

@@ -1,25 +1,13 @@
 // An orbit, impact by impact, with its place in the laboratory.
 #pragma once
 
-#include "map/chatter.hpp"
+#include "map/dying.hpp"
 #include "map/laboratory.hpp"
-#include "map/outcome.hpp"
+#include "map/sustained/return_map.hpp"
 
 #include <algorithm>
 
 namespace swirl {
-
-/// What an ended search for a contact means for an orbit.
-template <class T>
-inline Outcome outcome_of(ContactOutcome contact, const T& restitution) {
-    switch (contact) {
-        case ContactOutcome::contact: return Outcome::completed;
-        case ContactOutcome::no_contact: return Outcome::no_contact;
-        case ContactOutcome::sustained: return restitution < T(1) ? Outcome::chatter : Outcome::resting;
-        case ContactOutcome::unresolved: return Outcome::unresolved;
-    }
-    return Outcome::unresolved;
-}
 
 /// Checks that z can be the state just after an impact: finite, leaving the wall, no other vertex outside.
 /// @throws std::invalid_argument
@@ -49,51 +37,51 @@ public:
 
     /// @throws std::invalid_argument if the start is not inside the container
     Orbit(const Map& map, const LabStart<T>& start)
-        : map_(map), flight_(flight_from(map.body(), start)),
-          frame_(LabFrame<T>::at_start(start.angle)), spin_(start.spin) {}
+        : return_(map), flight_(flight_from(map.body(), start)), frame_(LabFrame<T>::at_start(start.angle)) {}
 
     /// Vertex 0 has just struck at t = 0. @throws std::invalid_argument if z is not leaving or another vertex is outside
     Orbit(const Map& map, const SectionPoint<T>& z)
-        : map_(map), frame_(LabFrame<T>::at_section(z)), spin_(z.spin) {
+        : return_(map), frame_(LabFrame<T>::at_section(z)) {
         require_leaving(map.body(), z);
-        collision_.after = launch_from(z);
-        flight_ = flight_from(map.body(), collision_.after);
+        passage_.collision.after = launch_from(z);
     }
 
-    /// To just after the next impact. False if there is none: `outcome()` says why.
-    bool advance() {
+    /// To just after the next impact. False if there is none: `outcome()` says why; `contacts()` then tells what came
+    /// after the last impact.
+    ///   horizon  for how long contact without an impact is followed
+    bool advance(double horizon = contact_horizon, const ContactSink& sink = {}) {
         if (outcome_ != Outcome::completed) return false;
-        const Launch<T> before = collision_.after;
-        const bool struck = flight_.struck;
-        const Collision<T> next = map_.advance(flight_);
-        outcome_ = outcome_of(next.contact, map_.scene().restitution);
-        if (outcome_ != Outcome::completed) return false;
-        collision_ = next;
-        frame_.follow(map_, collision_, spin_);
-        spin_ = collision_.after.spin;
-        flight_ = flight_from(map_.body(), collision_.after);
+        Passage<T> next = flight_ ? return_.advance(*flight_) : return_.advance(launch(), horizon, sink);
+        outcome_ = next.outcome;
+        flight_.reset();
+        if (outcome_ != Outcome::completed) {
+            passage_.contacts = std::move(next.contacts);
+            return false;
+        }
+        passage_ = std::move(next);
+        frame_.follow(map(), passage_.collision, passage_.turned);
         ++impacts_;
-        if (struck && ends_chatter(map_.body(), map_.scene().restitution, before, collision_))
-            outcome_ = Outcome::chatter;
-        else if (has_died_away(map_.body(), collision_.after))
-            outcome_ = Outcome::resting;
+        if (has_died_away(map().body(), launch())) outcome_ = Outcome::resting;
         return true;
     }
 
-    const Map& map() const { return map_; }
-    const Collision<T>& collision() const { return collision_; }
-    const Launch<T>& launch() const { return collision_.after; }
+    const Map& map() const { return return_.map(); }
+    const Collision<T>& collision() const { return passage_.collision; }
+    const Launch<T>& launch() const { return passage_.collision.after; }
     const LabFrame<T>& frame() const { return frame_; }
+    /// Sustained contact on the way to the last impact, or after it if there was no other. Times count from the impact before.
+    const std::vector<ContactSegment>& contacts() const { return passage_.contacts; }
+    /// The last passage: ∫S dt over it, and what friction in contact added to J.
+    const Passage<T>& passage() const { return passage_; }
     Outcome outcome() const { return outcome_; }
     long long impacts() const { return impacts_; }
-    LabState<T> lab() const { return lab_state(map_.body(), frame_, collision_.after); }
+    LabState<T> lab() const { return lab_state(map().body(), frame_, launch()); }
 
 private:
-    const Map& map_;
-    Flight<T> flight_;
+    ReturnMap<Map> return_;
+    std::optional<Flight<T>> flight_;  ///< of a start in the laboratory, until the first impact
     LabFrame<T> frame_;
-    T spin_;
-    Collision<T> collision_;
+    Passage<T> passage_;
     Outcome outcome_ = Outcome::completed;
     long long impacts_ = 0;
 };

@@ -8,16 +8,16 @@ namespace swirl {
 enum class Outcome {
     completed,   ///< everything that was asked for
     no_contact,  ///< the body never meets the wall (again): proven
-    chatter,     ///< impacts accumulate, or end on the wall at once (e = 0): sustained contact begins
+    in_contact,  ///< e < 1: the body has come to stay on the wall: no impact for a long time (`contact_horizon`)
     resting,     ///< e = 1: starts on the wall without normal velocity and is held there; β = 0: motion has died away
-    unresolved   ///< a single flight outlasted the step limit of the search for its contact
+    unresolved   ///< a flight outlasted the step limit of the search, or no contact motion was consistent
 };
 
 inline std::string_view name_of(Outcome outcome) {
     switch (outcome) {
         case Outcome::completed: return "completed";
         case Outcome::no_contact: return "no-contact";
-        case Outcome::chatter: return "chatter";
+        case Outcome::in_contact: return "in-contact";
         case Outcome::resting: return "resting";
         case Outcome::unresolved: return "unresolved";
     }

@@ -3,6 +3,9 @@
 
 #include "map/orbit.hpp"
 
+#include <string_view>
+#include <vector>
+
 namespace swirl::apps {
 
 struct ImpactRow {
@@ -45,6 +48,32 @@ ImpactRow impact_row(const Orbit<Map>& orbit) {
     row.jacobi_restitution = number(c.jacobi_restitution);
     row.jacobi_friction = number(c.jacobi_friction);
     return row;
+}
+
+/// One piece of sustained contact as it is listed.
+struct ContactRow {
+    double t_start = 0, t_end = 0;
+    std::vector<int> vertices;  ///< one, or the two of an edge (clockwise first); a disk has 0
+    std::string_view begin, end, motion;
+    double mean_spin = 0, jacobi_friction = 0;
+
+    double turned() const { return mean_spin * (t_end - t_start); }
+};
+
+/// The pieces of contact of the orbit's last passage.
+///   t, vertex  time and vertex of the impact before it
+template <class Map>
+std::vector<ContactRow> contact_rows(const Orbit<Map>& orbit, double t, int vertex) {
+    std::vector<ContactRow> rows;
+    const auto& body = orbit.map().body();
+    for (const ContactSegment& piece : orbit.contacts()) {
+        ContactRow row{t + piece.start, t + piece.end, {0}, name_of(piece.begin), name_of(piece.finish),
+                       name_of(piece.support, piece.motion), piece.end > piece.start ? piece.turned / (piece.end - piece.start) : piece.from.spin, piece.work};
+        if (piece.support != Support::rim) row.vertices[0] = body.vertex_number(vertex + piece.vertex_step);
+        if (piece.support == Support::edge) row.vertices.push_back(body.vertex_number(row.vertices[0] + 1));
+        rows.push_back(row);
+    }
+    return rows;
 }
 
 }  // namespace swirl::apps

@@ -10,15 +10,18 @@
 namespace swirl::apps {
 
 /// Writes "collisions": [...] into an open JSON object.
+/// and then "contacts": [...]; those are kept until then.
 class JsonImpacts {
 public:
     JsonImpacts(JsonWriter& json, bool disk);
     void add(const ImpactRow& row);
+    void add(const ContactRow& row) { contacts_.push_back(row); }
     void finish();
 
 private:
     JsonWriter& json_;
     bool disk_;
+    std::vector<ContactRow> contacts_;
 };
 
 /// Prints aligned columns to standard output.
@@ -26,9 +29,24 @@ class TableImpacts {
 public:
     explicit TableImpacts(bool disk);
     void add(const ImpactRow& row);
+    void add(const ContactRow& row);
 
 private:
     bool disk_;
+};
+
+/// Group `contacts` of a record, dimension `contact`: the pieces of sustained contact.
+class RecordContacts {
+public:
+    explicit RecordContacts(RecordGroup group);
+    void add(const ContactRow& row);
+
+private:
+    std::vector<Column<double>> numbers_;        // t_start, t_end, mean_S, jacobi_friction
+    std::vector<Column<std::int32_t>> vertices_;  // first, second (−1: none)
+    std::vector<Column<std::uint8_t>> names_;    // begin, end, motion
+    std::vector<Column<std::int64_t>> index_;
+    std::int64_t count_ = 0;
 };
 
 /// Group `collisions` of a record, dimension `collision`.

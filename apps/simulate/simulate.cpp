@@ -10,8 +10,8 @@
 namespace swirl::apps {
 
 const char* const simulate_details =
-    R"(Outcomes: completed; no-contact (the body never meets the wall again: proven); chatter (impacts accumulate:
-sustained contact begins); resting (e = 1, held on the wall from the start; beta = 0, slower than 1e-75); unresolved (one flight outlasted the
+    R"(Outcomes: completed; no-contact (the body never meets the wall again: proven); in-contact (e < 1: the body came to stay
+on the wall, with no impact for 1,000 time units); resting (e = 1, held on the wall from the start; beta = 0, slower than 1e-75); unresolved (one flight outlasted the
 search for its contact); interrupted. All but the first exit with 3, interrupted with 130.
 
 Examples:
@@ -24,7 +24,10 @@ namespace {
 class Sinks {
 public:
     Sinks(const SimulateOptions& options, const Scene<double>& scene, RecordWriter* record, JsonWriter* json) {
-        if (record != nullptr) record_.emplace(record->root().group("collisions"), scene.is_disk());
+        if (record != nullptr) {
+            record_.emplace(record->root().group("collisions"), scene.is_disk());
+            contacts_.emplace(record->root().group("contacts"));
+        }
         if (json != nullptr)
             json_.emplace(*json, scene.is_disk());
         else if (!(options.output.quiet || record != nullptr))
@@ -37,12 +40,19 @@ public:
         if (table_) table_->add(row);
     }
 
+    void add(const ContactRow& row) {
+        if (contacts_) contacts_->add(row);
+        if (json_) json_->add(row);
+        if (table_) table_->add(row);
+    }
+
     void finish() {
         if (json_) json_->finish();
     }
 
 private:
     std::optional<RecordImpacts> record_;
+    std::optional<RecordContacts> contacts_;
     std::optional<JsonImpacts> json_;
     std::optional<TableImpacts> table_;
 };
@@ -63,21 +73,28 @@ Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, Sinks& sinks) {
     double turned = 0;
     double flown = 0;
     bool cut = false;
-    double spin = 0;
     while (by_time || orbit.impacts() < limit) {
         const bool first = orbit.impacts() == 0;
-        if (!orbit.advance()) break;
+        const int vertex = orbit.frame().vertex;
+        const bool struck = orbit.advance(by_time ? *options.time - ending.time : contact_horizon);
+        const auto contacts = contact_rows(orbit, ending.time, vertex);
+        for (const ContactRow& row : contacts) sinks.add(row);
+        if (!struck) {
+            for (const ContactRow& row : contacts) turned += row.turned();
+            if (!contacts.empty()) flown += contacts.back().t_end - ending.time;
+            if (!contacts.empty()) ending.time = contacts.back().t_end;
+            if (by_time && orbit.outcome() == Outcome::in_contact) ending.outcome = "completed";
+            break;
+        }
         const double now = static_cast<double>(orbit.frame().time.unwound());
         if (by_time && now > *options.time) {
             ending.outcome = "completed";
             break;
         }
-        const double flight = static_cast<double>(orbit.collision().flight_time);
         if (!first) {
-            flown += flight;
-            turned += spin * flight;
+            flown += static_cast<double>(orbit.collision().flight_time);
+            turned += static_cast<double>(orbit.passage().turned);
         }
-        spin = static_cast<double>(orbit.launch().spin);
         ending.impacts = orbit.impacts();
         ending.time = now;
         const std::int64_t kept = orbit.impacts() - 1 - options.skip;
@@ -87,7 +104,7 @@ Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, Sinks& sinks) {
             if ((cut = is_interrupted())) break;
         }
     }
-    ending.mean_spin = flown > 0 ? turned / flown : spin;
+    ending.mean_spin = flown > 0 ? turned / flown : static_cast<double>(orbit.launch().spin);
     if (cut || is_interrupted())
         ending.outcome = "interrupted";
     else if (ending.outcome.empty())
@@ -183,9 +200,6 @@ int simulate(SimulateOptions& options) {
         record->finish();
     }
     if (json) {
-        json->key("contacts");
-        json->begin_array();
-        json->end_array();
         json->member("outcome", std::string_view(ending.outcome));
         write_json(*json, "settings", settings);
         write_json(*json, "result", result);

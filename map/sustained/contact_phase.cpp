@@ -1,0 +1,117 @@
+#include "map/sustained/contact_phase.hpp"
+
+#include "map/sustained/motion_choice.hpp"
+
+#include <cmath>
+
+namespace swirl {
+
+namespace {
+
+/// More pieces than this without time passing, and contact is called unresolved.
+constexpr int most_idle_pieces = 50;
+
+/// The neighbour's chatter on a standing vertex has come to its end: its next rebound would lift it by less than rounding
+/// before it came back (standing.hpp), with L|χ″| its acceleration towards the wall.
+bool ends_second_chatter(const ContactScene& scene, ContactMotion motion, const ContactState& z) {
+    const Reaction r = reaction_of(scene, Support::vertex, motion, z);
+    const double side = z.chi > 0 ? -1 : 1;
+    const double lever = scene.body.alpha * std::abs(std::sin(z.chi) - std::sin(z.chi + side * scene.body.spacing));
+    const double acceleration = lever * side * -(r.spin_rate - r.ut_rate);
+    const double v = scene.restitution * lever * std::abs(z.spin - z.ut);
+    return acceleration > 0 &&
+           2 * v * v <= 16 * std::numeric_limits<double>::epsilon() * acceleration * (1 - scene.restitution);
+}
+
+struct Follower {
+    const ContactScene& scene;
+    const ContactSink& sink;
+    ContactPhase phase;
+
+    void finish(ContactEvent event, const Launch<double>& launch, int vertex_step) {
+        phase.finish = event;
+        phase.strike.after = launch;
+        phase.vertex_step = vertex_step;
+    }
+
+    void jam(const MotionChoice& choice) {
+        Launch<double> launch = launch_from(scene, choice.state);
+        phase.strike.impulse = strike_once(scene, launch, scene.restitution, phase.strike);
+        phase.resolved = phase.strike.impulse.normal > 0;
+        finish(ContactEvent::jam, launch, choice.vertex_step);
+    }
+
+    void strike(const ContactSegment& segment) {
+        const bool plastic = ends_second_chatter(scene, segment.motion, segment.to);
+        ContactState z = segment.to;
+        z.chi = std::copysign(scene.widest_chi, z.chi);
+        phase.strike = strike_while_standing(scene, launch_from(scene, z), plastic);
+        phase.resolved = phase.strike.resolved;
+        finish(ContactEvent::strike, phase.strike.after, segment.vertex_step + (z.chi > 0 ? -1 : 1));
+    }
+
+    /// One piece; returns the next state to choose a motion at, or nothing if the phase is over.
+    std::optional<MotionChoice> piece(const MotionChoice& choice, ContactEvent begin, double left) {
+        const ContactSink shifted = !sink ? ContactSink{} : [&](double t, Support s, ContactMotion m, const ContactState& z) {
+            sink(phase.sums.time + t, s, m, z);
+        };
+        const ContactEnd end = run_contact(scene, choice.support, choice.motion, choice.state, left, shifted);
+        const double start = phase.sums.time;
+        phase.sums.time += end.sums.time;
+        phase.sums.turned += end.sums.turned;
+        phase.sums.work += end.sums.work;
+        phase.segments.push_back({start, phase.sums.time, choice.vertex_step, choice.support, choice.motion, begin,
+                                  end.event, choice.state, end.state, end.sums.turned, end.sums.work});
+        const ContactSegment& segment = phase.segments.back();
+        MotionChoice next = choice;
+        next.state = end.state;
+        switch (end.event) {
+            case ContactEvent::strike: strike(segment); return {};
+            case ContactEvent::jam: jam(next); return {};
+            case ContactEvent::horizon:
+            case ContactEvent::release:
+                finish(end.event, launch_from(scene, end.state), choice.vertex_step);
+                return {};
+            case ContactEvent::stick: next.state.ut = 0; return next;
+            case ContactEvent::lift:
+                next.support = Support::vertex;
+                if (end.first_lifts) {
+                    next.state = {end.state.psi + 2 * scene.half_chord, scene.widest_chi, end.state.ut, end.state.spin};
+                    ++next.vertex_step;
+                }
+                return next;
+            default: return next;
+        }
+    }
+
+    void follow(MotionChoice at, ContactEvent begin, double horizon) {
+        int idle = 0;
+        while (true) {  // ends at: an end of the phase, the horizon, or too many idle pieces
+            const MotionChoice choice = choose_motion(scene, at.support, at.state, at.vertex_step);
+            if (!choice.stays) {
+                if (choice.ends == ContactEvent::jam) return jam(choice);
+                return finish(ContactEvent::release, launch_from(scene, choice.state), choice.vertex_step);
+            }
+            const double before = phase.sums.time;
+            const auto next = piece(choice, begin, horizon - phase.sums.time);
+            if (!next) return;
+            begin = phase.segments.back().finish;
+            idle = phase.sums.time > before ? 0 : idle + 1;
+            at = *next;
+            if (idle < most_idle_pieces) continue;
+            phase.resolved = false;
+            return finish(ContactEvent::horizon, launch_from(scene, at.state), at.vertex_step);
+        }
+    }
+};
+
+}  // namespace
+
+ContactPhase follow_contact(const ContactScene& scene, const Standing& standing, double horizon, const ContactSink& sink) {
+    Follower follower{scene, sink, {}};
+    follower.follow({true, standing.support, ContactMotion::sticking, standing.state, standing.vertex_step,
+                     ContactEvent::release}, ContactEvent::landing, horizon);
+    return follower.phase;
+}
+
+}  // namespace swirl

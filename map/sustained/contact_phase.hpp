@@ -1,0 +1,38 @@
+// Contact from landing to the next flight or impact: pieces of one kind of motion, joined by events.
+#pragma once
+
+#include "map/sustained/contact_run.hpp"
+#include "map/sustained/standing.hpp"
+#include "map/sustained/strike.hpp"
+
+#include <vector>
+
+namespace swirl {
+
+/// One piece of sustained contact. Times and vertices count from the impact before it.
+struct ContactSegment {
+    double start = 0, end = 0;
+    int vertex_step = 0;  ///< the vertex it stands on; an edge's clockwise one
+    Support support = Support::vertex;
+    ContactMotion motion = ContactMotion::sticking;
+    ContactEvent begin = ContactEvent::landing;
+    ContactEvent finish = ContactEvent::horizon;
+    ContactState from, to;
+    double turned = 0;    ///< ∫ S dt
+    double work = 0;      ///< ∫ f (u_t − 1) dt: what friction added to J
+};
+
+struct ContactPhase {
+    ContactEvent finish = ContactEvent::horizon;  ///< horizon, release, strike or jam
+    bool resolved = true;          ///< false: no motion is consistent with the wall and friction
+    Strike strike;                 ///< `after` is the launch at the end: leaving, or just after the impact (strike, jam)
+    int vertex_step = 0;           ///< the vertex of that launch, from the one that had struck
+    ContactSums sums;
+    std::vector<ContactSegment> segments;
+};
+
+/// Follows contact until the body leaves the wall, another vertex strikes, or `horizon` is over.
+ContactPhase follow_contact(const ContactScene& scene, const Standing& standing, double horizon,
+                            const ContactSink& sink = {});
+
+}  // namespace swirl

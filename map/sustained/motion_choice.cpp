@@ -1,0 +1,66 @@
+#include "map/sustained/motion_choice.hpp"
+
+namespace swirl {
+
+namespace {
+
+bool pushes(Support support, const Reaction& r) {
+    return r.stiffness > 0 && r.normal >= 0 && (support != Support::edge || r.second >= 0);
+}
+
+/// The motion that is consistent on this support; none if there is none.
+std::optional<ContactMotion> consistent_motion(const ContactScene& scene, Support support, const ContactState& z) {
+    using enum ContactMotion;
+    if (scene.mu == 0 || z.ut != 0) {
+        const ContactMotion motion = z.ut < 0 && scene.mu > 0 ? sliding_backward : sliding_forward;
+        if (pushes(support, reaction_of(scene, support, motion, z))) return motion;
+        return {};
+    }
+    const Reaction held = reaction_of(scene, support, sticking, z);
+    if (held.reserve >= 0 && (support == Support::edge || held.normal >= 0)) return sticking;
+    for (const ContactMotion motion : {sliding_forward, sliding_backward}) {
+        const Reaction r = reaction_of(scene, support, motion, z);
+        const double sign = motion == sliding_forward ? 1 : -1;
+        if (pushes(support, r) && sign * r.ut_rate > 0) return motion;
+    }
+    return {};
+}
+
+/// The state on an edge's other vertex.
+ContactState other_end(const ContactScene& scene, const ContactState& z) {
+    return {z.psi + 2 * scene.half_chord, scene.widest_chi, z.ut, z.spin};
+}
+
+/// An edge that stands up on one of its vertices: the other must leave the wall.
+std::optional<MotionChoice> stand_up(const ContactScene& scene, const ContactState& edge, int vertex_step) {
+    for (const int step : {0, 1}) {
+        const ContactState z = step == 0 ? edge : other_end(scene, edge);
+        const auto motion = consistent_motion(scene, Support::vertex, z);
+        if (!motion) continue;
+        const Reaction r = reaction_of(scene, Support::vertex, *motion, z);
+        const double turning = r.spin_rate - r.ut_rate;  // χ″: away from |χ| = χ_m
+        if (step == 0 ? turning > 0 : turning < 0)
+            return MotionChoice{true, Support::vertex, *motion, z, vertex_step + step, ContactEvent::lift};
+    }
+    return {};
+}
+
+}  // namespace
+
+MotionChoice choose_motion(const ContactScene& scene, Support support, const ContactState& state, int vertex_step) {
+    MotionChoice choice{true, support, ContactMotion::sticking, state, vertex_step, ContactEvent::release};
+    if (const auto motion = consistent_motion(scene, support, state)) {
+        choice.motion = *motion;
+        return choice;
+    }
+    if (support == Support::edge)
+        if (const auto up = stand_up(scene, state, vertex_step)) return *up;
+    choice.stays = false;
+    if (support == Support::vertex && scene.mu > 0 && state.ut != 0) {
+        const auto motion = state.ut > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
+        if (reaction_of(scene, support, motion, state).stiffness <= 0) choice.ends = ContactEvent::jam;
+    }
+    return choice;
+}
+
+}  // namespace swirl

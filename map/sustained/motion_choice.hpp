@@ -1,0 +1,24 @@
+// Which contact motion begins at a state: the one whose forces are consistent with it.
+#pragma once
+
+#include "map/sustained/contact_run.hpp"
+
+#include <optional>
+
+namespace swirl {
+
+/// How the body moves from here on, or what ends its contact at once.
+struct MotionChoice {
+    bool stays = false;
+    Support support = Support::vertex;
+    ContactMotion motion = ContactMotion::sticking;
+    ContactState state;
+    int vertex_step = 0;                          ///< an edge may lift: −1, 0 or 1
+    ContactEvent ends = ContactEvent::release;    ///< if it does not stay: release or jam
+};
+
+/// Sliding where u_t ≠ 0; from rest sticking where friction can hold it, else the slip that its own forces drive. An edge
+/// that can do none of it stands up on one of its vertices.
+MotionChoice choose_motion(const ContactScene& scene, Support support, const ContactState& state, int vertex_step);
+
+}  // namespace swirl

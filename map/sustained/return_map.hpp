@@ -1,0 +1,135 @@
+// The return map: from one impact to the next, through chatter and sustained contact where there is any.
+#pragma once
+
+#include "map/collision_map.hpp"
+#include "map/outcome.hpp"
+#include "map/sustained/contact_phase.hpp"
+#include "map/sustained/release.hpp"
+
+#include <optional>
+
+namespace swirl {
+
+/// From just after an impact to just after the next.
+template <class T>
+struct Passage {
+    Outcome outcome = Outcome::completed;  ///< completed: `collision` is the next impact
+    Collision<T> collision;  ///< its flight_time, normal and vertex_step are those of the whole passage
+    T turned{};              ///< ∫ S dt on the way
+    T contact_work{};        ///< ∫ f (u_t − 1) dt: what friction in contact added to J
+    std::vector<ContactSegment> contacts;
+};
+
+/// How long contact may last without an impact before the orbit ends as `in_contact`, in 1/ω_s.
+inline constexpr double contact_horizon = 1000;
+
+/// F with sustained contact. For e = 1 it is the collision map itself. Contact is integrated in double, whatever T is.
+template <class Map>
+class ReturnMap {
+public:
+    using T = typename Map::Number;
+    static constexpr Shape shape = Map::shape;
+
+    /// The map must outlive it.
+    explicit ReturnMap(const Map& map) : map_(map) {
+        if (!(map.scene().restitution < T(1))) return;
+        const auto& s = map.scene();
+        Scene<double> scene{s.sides, static_cast<double>(s.alpha), static_cast<double>(s.beta),
+                            static_cast<double>(s.mu), static_cast<double>(s.restitution), s.law,
+                            static_cast<double>(s.inertia_factor)};
+        contact_ = contact_scene(make_body(scene), scene.mu, scene.restitution, Map::rule);
+    }
+
+    const Map& map() const { return map_; }
+
+    /// The first impact of a flight in the laboratory.
+    Passage<T> advance(const Flight<T>& flight) const {
+        Passage<T> passage;
+        passage.collision = map_.advance(flight);
+        passage.turned = flight.spin * passage.collision.flight_time;
+        passage.outcome = outcome_of(passage.collision.contact);
+        return passage;
+    }
+
+    /// From just after an impact.
+    ///   horizon  for how long contact without an impact is followed
+    ///   sink     looks at contact on its way
+    Passage<T> advance(const Launch<T>& launch, double horizon = contact_horizon, const ContactSink& sink = {}) const {
+        if (contact_)
+            if (const Standing standing = standing_of(*contact_, plain_launch(launch)); standing.in_contact)
+                return through_contact(launch, standing, horizon, sink);
+        Passage<T> passage = advance(flight_from(map_.body(), launch));
+        if (contact_ && passage.collision.contact == ContactOutcome::sustained) {
+            // The search found the body held that `standing_of` saw leave: on the border between the two.
+            Standing standing;
+            standing.support = shape == Shape::disk ? Support::rim : Support::vertex;
+            standing.state = contact_state(*contact_, plain_launch(launch));
+            return through_contact(launch, standing, horizon, sink);
+        }
+        return passage;
+    }
+
+private:
+    static Launch<double> plain_launch(const Launch<T>& l) {
+        const auto d = [](const T& x) { return static_cast<double>(x); };
+        return {{d(l.psi.x), d(l.psi.y)}, {d(l.chi.x), d(l.chi.y)}, d(l.vn), d(l.vt), d(l.spin)};
+    }
+    static Launch<T> launch_of(const Launch<double>& l) {
+        return {{T(l.psi.x), T(l.psi.y)}, {T(l.chi.x), T(l.chi.y)}, T(l.vn), T(l.vt), T(l.spin)};
+    }
+    Outcome outcome_of(ContactOutcome contact) const {
+        switch (contact) {
+            case ContactOutcome::contact: return Outcome::completed;
+            case ContactOutcome::no_contact: return Outcome::no_contact;
+            case ContactOutcome::sustained: return contact_ ? Outcome::unresolved : Outcome::resting;
+            case ContactOutcome::unresolved: return Outcome::unresolved;
+        }
+        return Outcome::unresolved;
+    }
+
+    Passage<T> through_contact(const Launch<T>& launch, const Standing& standing, double horizon,
+                               const ContactSink& sink) const {
+        const ContactPhase phase = follow_contact(*contact_, standing, horizon, sink);
+        Passage<T> passage;
+        const Launch<T> end = launch_of(phase.strike.after);
+        Collision<T>& collision = passage.collision;
+        T flight_time{}, flight_turned{};
+        Vec2<T> flight_normal{T(1), T(0)};
+        if (!phase.resolved) {
+            passage.outcome = Outcome::unresolved;
+        } else if (phase.finish == ContactEvent::horizon) {
+            passage.outcome = Outcome::in_contact;
+        } else if (phase.finish == ContactEvent::release) {
+            Flight<T> flight = flight_from(map_.body(), end);
+            const T before = leave_released<shape>(map_.body(), flight);
+            collision = map_.advance(flight);
+            flight_time = before + collision.flight_time;
+            flight_turned = flight.spin * flight_time;
+            flight_normal = collision.normal;
+            passage.outcome = outcome_of(collision.contact);
+        } else {
+            collision.contact = ContactOutcome::contact;
+            const Impulse<double>& j = phase.strike.impulse;
+            collision.impulse = {T(j.normal), T(j.tangential), j.mode};
+            collision.jacobi_restitution = T(phase.strike.jacobi_restitution);
+            collision.jacobi_friction = T(phase.strike.jacobi_friction);
+        }
+        if (phase.finish != ContactEvent::release) collision.after = end;
+        // The whole passage: arg n has gone on by Δψ + t in contact, and by the flight's own turn after it.
+        const T duration(phase.sums.time);
+        const Vec2<T> advance = times(seen_from(launch.psi, end.psi), cis(duration));
+        collision.normal = times(advance, flight_normal);
+        collision.flight_time = duration + flight_time;
+        if constexpr (shape == Shape::polygon)
+            collision.vertex_step = map_.body().vertex_number(static_cast<long long>(collision.vertex_step) + phase.vertex_step);
+        passage.turned = T(phase.sums.turned) + flight_turned;
+        passage.contact_work = T(phase.sums.work);
+        passage.contacts = phase.segments;
+        return passage;
+    }
+
+    const Map& map_;
+    std::optional<ContactScene> contact_;
+};
+
+}  // namespace swirl

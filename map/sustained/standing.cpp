@@ -1,0 +1,98 @@
+#include "map/sustained/standing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swirl {
+
+namespace {
+
+/// Chatter has come to its end once what is left moves the body by less than this, in R_c.
+constexpr double chatter_tolerance = 16 * std::numeric_limits<double>::epsilon();
+
+/// The acceleration towards the wall of the point that touches, in free flight with u_n = 0.
+double free_acceleration(const ContactScene& scene, const Launch<double>& launch, double ut) {
+    const Body<double>& body = scene.body;
+    const double wn = body.beta * launch.psi.x;
+    if (scene.is_disk()) {
+        const double along = ut - body.alpha * launch.spin;
+        return wn + along * along / body.inner;
+    }
+    return wn + ut * ut - launch.spin * launch.spin * body.alpha * launch.chi.x;
+}
+
+/// Error vT of ending the chatter of a point now; infinite if it does not come back.
+double chatter_error(const ContactScene& scene, double v, double acceleration) {
+    if (!(acceleration > 0)) return std::numeric_limits<double>::infinity();
+    return 2 * v * v / (acceleration * (1 - scene.restitution));
+}
+
+struct Touch {
+    bool rests;   ///< no normal velocity but rounding and the end of chatter
+    bool pressed; ///< free flight would take it into the wall
+    double error;
+};
+
+Touch touch_of(const ContactScene& scene, const Launch<double>& launch) {
+    const Approach<double> u = approach_of(scene.body, launch);
+    const double rounding = velocity_rounding(scene, launch);
+    const double acceleration = free_acceleration(scene, launch, u.ut);
+    const double error = chatter_error(scene, u.un, acceleration);
+    return {std::abs(u.un) <= rounding || (u.un < 0 && error <= chatter_tolerance), acceleration > 0, error};
+}
+
+/// Takes v out by the impulse that contact would have needed less of: p = u_n/c < 0, friction with it.
+ContactState without_normal_velocity(const ContactScene& scene, const Launch<double>& launch) {
+    const Approach<double> u = approach_of(scene.body, launch);
+    ContactState state = contact_state(scene, launch);
+    const double rounding = velocity_rounding(scene, launch);
+    const double sign = u.ut > 0 ? 1 : -1;
+    const bool slides = scene.mu > 0 && std::abs(u.ut) > rounding;
+    const double ratio = scene.mu == 0 ? 0 : slides ? -scene.mu * sign : -u.b3() / u.b1();  // q/p
+    const double c = u.b2() + u.b3() * ratio;
+    const double p = c > 0 ? u.un / c : 0;
+    const double q = ratio * p;
+    state.ut += u.b3() * p + u.b1() * q;
+    state.spin += (u.rn * q + u.rt * p) / u.inertia;
+    if (scene.mu > 0 && (!slides || state.ut * sign <= 0)) state.ut = 0;
+    return state;
+}
+
+}  // namespace
+
+double velocity_rounding(const ContactScene& scene, const Launch<double>& launch) {
+    return 64 * std::numeric_limits<double>::epsilon() *
+           (std::abs(launch.vn) + std::abs(launch.vt) + scene.body.beta + scene.body.alpha * std::abs(launch.spin));
+}
+
+Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
+    Standing standing;
+    const Touch here = touch_of(scene, launch);
+    bool there_rests = false;
+    Launch<double> neighbour;
+    Touch there{false, false, 0};
+    if (!scene.is_disk()) {
+        const double angle = std::abs(std::atan2(launch.chi.y, launch.chi.x));
+        if (std::abs(angle - scene.widest_chi) <= 64 * std::numeric_limits<double>::epsilon()) {
+            neighbour = seen_from_neighbour(scene, launch);
+            there = touch_of(scene, neighbour);
+            there_rests = there.rests;
+        }
+    }
+    const int step = launch.chi.y > 0 ? -1 : 1;
+    if (here.rests && there_rests) {
+        const bool clockwise = launch.chi.y < 0;
+        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step, 0};
+        standing.state.chi = -scene.widest_chi;
+        const bool still = std::abs(standing.state.ut) <= velocity_rounding(scene, launch);
+        standing.state.ut = standing.state.spin = still && scene.mu > 0 ? 0 : standing.state.ut;
+    } else if (here.rests && here.pressed) {
+        standing = {true, scene.is_disk() ? Support::rim : Support::vertex, without_normal_velocity(scene, launch), 0,
+                    here.error};
+    } else if (there_rests && there.pressed) {
+        standing = {true, Support::vertex, without_normal_velocity(scene, neighbour), step, there.error};
+    }
+    return standing;
+}
+
+}  // namespace swirl

@@ -1,0 +1,28 @@
+// Does the body stand on the wall just after an impact, and on what? Where chatter ends and contact begins.
+//
+// After an impact that leaves the wall at v = −u_n ≥ 0 with the free normal acceleration a > 0 (towards the wall) the
+// remaining flights last 2v/a, 2ve/a, 2ve²/a …: they end after T = 2v/(a(1 − e)). To first order in T their impulses add
+// up to what contact would have given in the same time, less v: the rest of the sequence equals the removal of v, with
+// friction, at its beginning, followed by contact (complete chatter: Nordmark & Piiroinen, Nonlinear Dyn. 58 (2009) 85).
+// The next order moves the body by at most vT: contact begins once that is below 16 ε of R_c. There is no speed threshold.
+#pragma once
+
+#include "map/sustained/contact_state.hpp"
+
+namespace swirl {
+
+struct Standing {
+    bool in_contact = false;
+    Support support = Support::vertex;
+    ContactState state;   ///< u_n removed
+    int vertex_step = 0;  ///< from the vertex that struck to the one that the state belongs to: −1, 0 or 1
+    double error = 0;     ///< vT, the error in the body's place, in R_c
+};
+
+/// The standing of a body just after an impact. Cost: a few operations for one that plainly leaves.
+Standing standing_of(const ContactScene& scene, const Launch<double>& launch);
+
+/// The largest normal velocity that is rounding only.
+double velocity_rounding(const ContactScene& scene, const Launch<double>& launch);
+
+}  // namespace swirl

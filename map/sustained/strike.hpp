@@ -1,0 +1,26 @@
+// A vertex strikes while its neighbour stands on the wall: repeated impulses, to rest or separation.
+#pragma once
+
+#include "map/sustained/contact_state.hpp"
+
+namespace swirl {
+
+struct Strike {
+    Launch<double> after;           ///< on the vertex that struck
+    Impulse<double> impulse;        ///< what it received in all, and the mode of the first impulse
+    double jacobi_restitution = 0;  ///< Σ −p ū_n over all impulses, the neighbour's too
+    double jacobi_friction = 0;     ///< Σ q (ū_t − 1)
+    bool resolved = false;          ///< false: the impulses did not come to an end
+};
+
+/// The impact at one contact by the scene's law, with restitution e: changes the launch (that of the contact) and adds
+/// to the changes of J. Returns the impulse.
+Impulse<double> strike_once(const ContactScene& scene, Launch<double>& launch, double restitution, Strike& strike);
+
+/// The neighbour of a vertex that stands (u_n = 0, |χ| = χ_m) strikes. Impulses alternate between the two, each by the
+/// scene's law, as long as one approaches. None creates energy under Poisson's and Stronge's law, so the whole does not.
+/// With e < 1 an endless alternation shrinks geometrically; it is ended where both are at rest to rounding.
+///   plastic  the striking vertex' own chatter has come to its end: e = 0
+Strike strike_while_standing(const ContactScene& scene, const Launch<double>& standing, bool plastic);
+
+}  // namespace swirl

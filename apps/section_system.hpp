@@ -81,7 +81,8 @@ private:
     template <class Step>
     void fill(Step& step, const Passage<double>& passage) const {
         const Collision<double>& collision = passage.collision;
-        step.alive = passage.outcome == Outcome::completed && !has_died_away(map().body(), collision.after);
+        step.alive = passage.outcome == Outcome::completed && !has_died_away(map().body(), collision.after) &&
+                     !has_diverged(map().body(), collision.after);
         if (passage.outcome != Outcome::completed) return;
         step.state = state_of(section_point(collision.after));
         step.duration = collision.flight_time;

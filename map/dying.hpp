@@ -1,4 +1,4 @@
-// Orbits that die away in a container at rest.
+// Orbits whose speeds leave the numbers: those that die away in a container at rest, and those that grow without end.
 #pragma once
 
 #include "map/section.hpp"
@@ -12,6 +12,12 @@ bool has_died_away(const Body<T>& body, const Launch<T>& launch) {
     if (body.beta != T(0)) return false;
     const T speed = speed_of(body, launch.vn, launch.vt, launch.spin);
     return speed != T(0) && speed < T(detail::smallest_magnitude);
+}
+
+/// True if a body has become so fast that its squares will soon not be held (Newton's law with friction creates energy).
+template <class T>
+bool has_diverged(const Body<T>& body, const Launch<T>& launch) {
+    return !(speed_of(body, launch.vn, launch.vt, launch.spin) <= T(detail::largest_magnitude));
 }
 
 }  // namespace swirl

@@ -62,6 +62,7 @@ public:
         frame_.follow(map(), passage_.collision, passage_.turned);
         ++impacts_;
         if (has_died_away(map().body(), launch())) outcome_ = Outcome::resting;
+        if (has_diverged(map().body(), launch())) outcome_ = Outcome::diverged;
         return true;
     }
 

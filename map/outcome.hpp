@@ -10,6 +10,7 @@ enum class Outcome {
     no_contact,  ///< the body never meets the wall (again): proven
     in_contact,  ///< e < 1: the body has come to stay on the wall: no impact for a long time (`contact_horizon`)
     resting,     ///< e = 1: starts on the wall without normal velocity and is held there; β = 0: motion has died away
+    diverged,    ///< faster than 1e75: Newton's law with friction creates energy without end
     unresolved   ///< a flight outlasted the step limit of the search, or no contact motion was consistent
 };
 
@@ -19,6 +20,7 @@ inline std::string_view name_of(Outcome outcome) {
         case Outcome::no_contact: return "no-contact";
         case Outcome::in_contact: return "in-contact";
         case Outcome::resting: return "resting";
+        case Outcome::diverged: return "diverged";
         case Outcome::unresolved: return "unresolved";
     }
     return "";

@@ -10,9 +10,10 @@
 namespace swirl::apps {
 
 const char* const simulate_details =
-    R"(Outcomes: completed; no-contact (the body never meets the wall again: proven); in-contact (e < 1: the body came to stay
-on the wall, with no impact for 1,000 time units); resting (e = 1, held on the wall from the start; beta = 0, slower than 1e-75); unresolved (one flight outlasted the
-search for its contact); interrupted. All but the first exit with 3, interrupted with 130.
+    R"(Outcomes: completed; no-contact (the body never meets the wall again: proven); in-contact (e < 1: the body came to
+stay on the wall, with no impact for 1,000 time units); resting (e = 1: held on the wall from the start; beta = 0: slower
+than 1e-75); diverged (Newton's law with friction creates energy without end); unresolved (one flight outlasted the search for its contact, or no contact motion was consistent);
+interrupted. All but the first exit with 3, interrupted with 130.
 
 Examples:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 20

@@ -50,6 +50,19 @@ struct Follower {
         finish(ContactEvent::strike, phase.strike.after, segment.vertex_step + (z.chi > 0 ? -1 : 1));
     }
 
+    /// A neighbour that is on the wall without approaching: its rebound is lost in rounding. It rests there, no impact.
+    std::optional<MotionChoice> settled_neighbour(const ContactSegment& segment) const {
+        ContactState z = segment.to;
+        z.chi = std::copysign(scene.widest_chi, z.chi);
+        const Launch<double> standing = launch_from(scene, z);
+        if (approach_of(scene.body, seen_from_neighbour(scene, standing)).un > 0) return {};
+        const Strike rest = strike_while_standing(scene, standing, true);
+        const Standing on = standing_of(scene, rest.after);
+        if (!on.in_contact || on.support != Support::edge) return {};
+        const int step = segment.vertex_step + (z.chi > 0 ? -1 : 1) + on.vertex_step;
+        return MotionChoice{true, Support::edge, ContactMotion::sticking, on.state, step, ContactEvent::strike};
+    }
+
     /// One piece; returns the next state to choose a motion at, or nothing if the phase is over.
     std::optional<MotionChoice> piece(const MotionChoice& choice, ContactEvent begin, double left) {
         const ContactSink shifted = !sink ? ContactSink{} : [&](double t, Support s, ContactMotion m, const ContactState& z) {
@@ -66,7 +79,10 @@ struct Follower {
         MotionChoice next = choice;
         next.state = end.state;
         switch (end.event) {
-            case ContactEvent::strike: strike(segment); return {};
+            case ContactEvent::strike:
+                if (const auto settled = settled_neighbour(segment)) return settled;
+                strike(segment);
+                return {};
             case ContactEvent::jam: jam(next); return {};
             case ContactEvent::horizon:
             case ContactEvent::release:
@@ -87,7 +103,8 @@ struct Follower {
     void follow(MotionChoice at, ContactEvent begin, double horizon) {
         int idle = 0;
         while (true) {  // ends at: an end of the phase, the horizon, or too many idle pieces
-            const MotionChoice choice = choose_motion(scene, at.support, at.state, at.vertex_step);
+            const bool broken = begin == ContactEvent::slip;
+            const MotionChoice choice = choose_motion(scene, at.support, at.state, at.vertex_step, broken);
             if (!choice.stays) {
                 if (choice.ends == ContactEvent::jam) return jam(choice);
                 return finish(ContactEvent::release, launch_from(scene, choice.state), choice.vertex_step);

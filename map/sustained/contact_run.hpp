@@ -53,9 +53,9 @@ struct ContactEnd {
 using ContactSink = std::function<void(double, Support, ContactMotion, const ContactState&)>;
 
 /// Integrates one kind of contact motion until an event, at most for `duration`.
-/// Runge–Kutta–Prince–Dormand 8(9) (GSL odeiv2) with local errors below 10⁻¹⁴ and steps short against the motion; each
-/// step's ends and middle are checked for events, which are located to rounding by re-stepping from the step's beginning.
-/// Cost: some 40 evaluations of the forces per step, some ten steps per radian of swirl or turn.
+/// Runge–Kutta–Prince–Dormand 8(9) (GSL odeiv2) with local errors below 10⁻¹⁵ and steps short against the motion; each
+/// step's quarters are checked for events, which are located to rounding by re-stepping from the step's beginning.
+/// Cost: some 60 evaluations of the forces per step, a few steps per radian of swirl or turn.
 ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& start,
                        double duration, const ContactSink& sink = {});
 

@@ -9,7 +9,9 @@ bool pushes(Support support, const Reaction& r) {
 }
 
 /// The motion that is consistent on this support; none if there is none.
-std::optional<ContactMotion> consistent_motion(const ContactScene& scene, Support support, const ContactState& z) {
+///   broken  friction has just stopped holding: not sticking
+std::optional<ContactMotion> consistent_motion(const ContactScene& scene, Support support, const ContactState& z,
+                                               bool broken = false) {
     using enum ContactMotion;
     if (scene.mu == 0 || z.ut != 0) {
         const ContactMotion motion = z.ut < 0 && scene.mu > 0 ? sliding_backward : sliding_forward;
@@ -17,11 +19,16 @@ std::optional<ContactMotion> consistent_motion(const ContactScene& scene, Suppor
         return {};
     }
     const Reaction held = reaction_of(scene, support, sticking, z);
-    if (held.reserve >= 0 && (support == Support::edge || held.normal >= 0)) return sticking;
-    for (const ContactMotion motion : {sliding_forward, sliding_backward}) {
+    const double margin = stick_margin(scene, z);
+    if (!broken && held.reserve >= -0.5 * margin && (support == Support::edge || held.normal >= 0)) return sticking;
+    // Where friction has just let go, slip against it still has all but the forces of sticking.
+    const double rounding = broken ? margin : 0;
+    const ContactMotion against = held.friction < 0 ? sliding_forward : sliding_backward;
+    const ContactMotion along = held.friction < 0 ? sliding_backward : sliding_forward;
+    for (const ContactMotion motion : {against, along}) {
         const Reaction r = reaction_of(scene, support, motion, z);
         const double sign = motion == sliding_forward ? 1 : -1;
-        if (pushes(support, r) && sign * r.ut_rate > 0) return motion;
+        if (pushes(support, r) && sign * r.ut_rate > (motion == against ? -rounding : 0)) return motion;
     }
     return {};
 }
@@ -47,9 +54,10 @@ std::optional<MotionChoice> stand_up(const ContactScene& scene, const ContactSta
 
 }  // namespace
 
-MotionChoice choose_motion(const ContactScene& scene, Support support, const ContactState& state, int vertex_step) {
+MotionChoice choose_motion(const ContactScene& scene, Support support, const ContactState& state, int vertex_step,
+                           bool broken) {
     MotionChoice choice{true, support, ContactMotion::sticking, state, vertex_step, ContactEvent::release};
-    if (const auto motion = consistent_motion(scene, support, state)) {
+    if (const auto motion = consistent_motion(scene, support, state, broken)) {
         choice.motion = *motion;
         return choice;
     }

@@ -19,6 +19,8 @@ struct MotionChoice {
 
 /// Sliding where u_t ≠ 0; from rest sticking where friction can hold it, else the slip that its own forces drive. An edge
 /// that can do none of it stands up on one of its vertices.
-MotionChoice choose_motion(const ContactScene& scene, Support support, const ContactState& state, int vertex_step);
+///   broken  friction has just stopped holding: not sticking
+MotionChoice choose_motion(const ContactScene& scene, Support support, const ContactState& state, int vertex_step,
+                           bool broken = false);
 
 }  // namespace swirl

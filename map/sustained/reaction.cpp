@@ -106,6 +106,10 @@ Reaction reaction_of(const ContactScene& scene, Support support, ContactMotion m
     return {};
 }
 
+double stick_margin(const ContactScene& scene, const ContactState& state) {
+    return 1e-12 * (scene.body.beta + scene.body.alpha * state.spin * state.spin);
+}
+
 double normal_rate(const ContactScene& scene, Support support, const ContactState& state) {
     if (support == Support::rim) return (state.ut - scene.body.alpha * state.spin) / scene.body.inner;
     return support == Support::vertex ? state.ut : state.spin;

@@ -25,6 +25,9 @@ struct Reaction {
 
 Reaction reaction_of(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& state);
 
+/// Friction is said to hold a little beyond its limit, so that the slip that follows has a direction beyond doubt.
+double stick_margin(const ContactScene& scene, const ContactState& state);
+
 /// dν/dt of the contact's normal.
 double normal_rate(const ContactScene& scene, Support support, const ContactState& state);
 

@@ -24,28 +24,42 @@ inline T fourth_bound(const Body<T>& body, const Flight<T>& flight) {
 
 }  // namespace detail
 
-/// At a release g = g′ = g″ = 0 and g‴ < 0, so the gap is as small as τ³ and drowns in rounding at first. On [0, τ₀],
-/// τ₀ = 2|g‴|/M with |g⁗| ≤ M, g ≤ τ³(g‴ + Mτ/4)/6 < 0: no contact; the search begins there. Returns τ₀ and turns `flight`
-/// into what follows; 0 (and an unchanged flight) if g‴ is not negative, or another vertex is too near for that.
+namespace detail {
+
+/// How long a gap that is (all but) closed and at rest certainly stays inside: with g = g′ = 0 and g″ < 0 by the advance
+/// off the wall; with g″ = 0 too and g‴ < 0 for τ₀ = 2|g‴|/M, |g⁗| ≤ M, where g ≤ τ³(g‴ + Mτ/4)/6 < 0. 0 if neither.
+template <class T>
+inline T leaving_time(const Gap<T>& gap, const T& third, const T& fourth, const T& rounding) {
+    if (gap.bend < -rounding) return safe_step_off_the_wall(Gap<T>{T(0), T(0), gap.bend, gap.jerk}, third);
+    return gap.bend <= rounding && gap.jerk < T(0) ? T(T(-2) * gap.jerk / fourth) : T(0);
+}
+
+}  // namespace detail
+
+/// At a release the gap of what leaves the wall is as small as τ² or τ³ and drowns in rounding at first. Both vertices of
+/// an edge may leave at once. Returns a time for which nothing can touch, and turns `flight` into what follows; 0 (and an
+/// unchanged flight) if there is none that lifts the gap out of rounding: then the ordinary search decides.
 template <Shape shape, class T>
 T leave_released(const Body<T>& body, Flight<T>& flight) {
+    using std::fabs;
     Instant<T> at = instant_at_start(flight);
-    Gap<T> gap;
-    T clear = std::numeric_limits<T>::infinity();
+    const auto bounds = detail::bounds_of<shape>(body, flight);
+    const T fourth = detail::fourth_bound<shape>(body, flight);
+    const T rounding = T(1e-11) * (T(1) + bounds.drift * bounds.drift);
+    T time;
     if constexpr (shape == Shape::disk) {
-        gap = centre_gap(body, flight, at);
+        time = detail::leaving_time(centre_gap(body, flight, at), bounds.centre_third, fourth, rounding);
     } else {
         detail::NearestTwo<T> pair;
         detail::look_around(body, flight, at, pair);
-        const auto bounds = detail::bounds_of<shape>(body, flight);
-        const auto& other = pair.second.vertex == 0 ? pair.first : pair.second;
-        gap = detail::struck_of(pair).gap;
-        clear = std::min(other.gap.value < T(0) ? detail::safe_step(other.gap, bounds.vertex_third) : T(0),
-                         detail::two_are_enough(body, flight, bounds, detail::magnitude(at.centre)));
+        time = detail::two_are_enough(body, flight, bounds, detail::magnitude(at.centre));
+        for (const auto* candidate : {&pair.first, &pair.second}) {
+            const Gap<T>& gap = candidate->gap;
+            const bool closed = gap.value > T(-1e-12) && fabs(gap.rate) <= T(1e-12) * (T(1) + bounds.drift);
+            time = std::min(time, closed ? detail::leaving_time(gap, bounds.vertex_third, fourth, rounding)
+                                         : gap.value < T(0) ? detail::safe_step(gap, bounds.vertex_third) : T(0));
+        }
     }
-    if (!(gap.jerk < T(0))) return T(0);
-    const T time = std::min(clear, T(T(-2) * gap.jerk / detail::fourth_bound<shape>(body, flight)));
-    // Below this g‴τ³/12 is not told from rounding; then the ordinary search decides.
     if (!(time > T(1e-4))) return T(0);
     advance<shape>(flight, at, time);
     flight.centre = at.centre;

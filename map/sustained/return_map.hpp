@@ -16,7 +16,7 @@ struct Passage {
     Outcome outcome = Outcome::completed;  ///< completed: `collision` is the next impact
     Collision<T> collision;  ///< its flight_time, normal and vertex_step are those of the whole passage
     T turned{};              ///< ∫ S dt on the way
-    T contact_work{};        ///< ∫ f (u_t − 1) dt: what friction in contact added to J
+    T contact_work{};        ///< ∫ f (u_t − 1) dt: what friction in contact and the end of chatter added to J
     std::vector<ContactSegment> contacts;
 };
 
@@ -123,7 +123,7 @@ private:
         if constexpr (shape == Shape::polygon)
             collision.vertex_step = map_.body().vertex_number(static_cast<long long>(collision.vertex_step) + phase.vertex_step);
         passage.turned = T(phase.sums.turned) + flight_turned;
-        passage.contact_work = T(phase.sums.work);
+        passage.contact_work = T(phase.sums.work + standing.jacobi);
         passage.contacts = phase.segments;
         return passage;
     }

@@ -10,6 +10,9 @@ namespace {
 /// Chatter has come to its end once what is left moves the body by less than this, in R_c.
 constexpr double chatter_tolerance = 16 * std::numeric_limits<double>::epsilon();
 
+/// A neighbour touches too if χ is this close to χ_m: the rounding of an arrival on both.
+constexpr double neighbour_tolerance = 1e-12;
+
 /// The acceleration towards the wall of the point that touches, in free flight with u_n = 0.
 double free_acceleration(const ContactScene& scene, const Launch<double>& launch, double ut) {
     const Body<double>& body = scene.body;
@@ -42,7 +45,7 @@ Touch touch_of(const ContactScene& scene, const Launch<double>& launch) {
 }
 
 /// Takes v out by the impulse that contact would have needed less of: p = u_n/c < 0, friction with it.
-ContactState without_normal_velocity(const ContactScene& scene, const Launch<double>& launch) {
+ContactState without_normal_velocity(const ContactScene& scene, const Launch<double>& launch, double& jacobi) {
     const Approach<double> u = approach_of(scene.body, launch);
     ContactState state = contact_state(scene, launch);
     const double rounding = velocity_rounding(scene, launch);
@@ -54,6 +57,7 @@ ContactState without_normal_velocity(const ContactScene& scene, const Launch<dou
     const double q = ratio * p;
     state.ut += u.b3() * p + u.b1() * q;
     state.spin += (u.rn * q + u.rt * p) / u.inertia;
+    jacobi = -p * 0.5 * u.un + q * (0.5 * (u.ut + state.ut) - 1);
     if (scene.mu > 0 && (!slides || state.ut * sign <= 0)) state.ut = 0;
     return state;
 }
@@ -73,7 +77,7 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     Touch there{false, false, 0};
     if (!scene.is_disk()) {
         const double angle = std::abs(std::atan2(launch.chi.y, launch.chi.x));
-        if (std::abs(angle - scene.widest_chi) <= 64 * std::numeric_limits<double>::epsilon()) {
+        if (std::abs(angle - scene.widest_chi) <= neighbour_tolerance) {
             neighbour = seen_from_neighbour(scene, launch);
             there = touch_of(scene, neighbour);
             there_rests = there.rests;
@@ -82,15 +86,16 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     const int step = launch.chi.y > 0 ? -1 : 1;
     if (here.rests && there_rests) {
         const bool clockwise = launch.chi.y < 0;
-        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step, 0};
+        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step, 0, 0};
         standing.state.chi = -scene.widest_chi;
         const bool still = std::abs(standing.state.ut) <= velocity_rounding(scene, launch);
         standing.state.ut = standing.state.spin = still && scene.mu > 0 ? 0 : standing.state.ut;
     } else if (here.rests && here.pressed) {
-        standing = {true, scene.is_disk() ? Support::rim : Support::vertex, without_normal_velocity(scene, launch), 0,
-                    here.error};
+        standing = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, here.error, 0};
+        standing.state = without_normal_velocity(scene, launch, standing.jacobi);
     } else if (there_rests && there.pressed) {
-        standing = {true, Support::vertex, without_normal_velocity(scene, neighbour), step, there.error};
+        standing = {true, Support::vertex, {}, step, there.error, 0};
+        standing.state = without_normal_velocity(scene, neighbour, standing.jacobi);
     }
     return standing;
 }

@@ -17,6 +17,7 @@ struct Standing {
     ContactState state;   ///< u_n removed
     int vertex_step = 0;  ///< from the vertex that struck to the one that the state belongs to: −1, 0 or 1
     double error = 0;     ///< vT, the error in the body's place, in R_c
+    double jacobi = 0;    ///< what taking u_n out (the rest of chatter) adds to J, −p ū_n + q (ū_t − 1)
 };
 
 /// The standing of a body just after an impact. Cost: a few operations for one that plainly leaves.

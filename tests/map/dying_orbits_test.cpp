@@ -54,10 +54,10 @@ TEST(TwoVerticesAtOnce, ThatRockToRestEnd) {
         for (int i = 0; i < 25; ++i) {
             const LabStart<double> start{0.5, 0, 0.3 * std::cos(i), 0.3 * std::sin(i), 0.1 * i, 0};
             const auto followed = follow(scene_of(sides, 0.4, 0.5, 0, 0.3), start, 100'000);
-            EXPECT_EQ(followed.outcome, Outcome::chatter) << sides << " sides, start " << i;
-            ended += followed.outcome == Outcome::chatter;
+            EXPECT_EQ(followed.outcome, Outcome::in_contact) << sides << " sides, start " << i;
+            ended += followed.outcome == Outcome::in_contact;
         }
-    std::printf("%ld of 100 end in chatter\n", ended);
+    std::printf("%ld of 100 end in contact\n", ended);
 }
 
 TEST(DyingOrbit, AtRestTheContainerHasNoScaleOfTime) {
@@ -83,7 +83,7 @@ TEST(DyingOrbit, TimeGoesForwardUntilItRests) {
         for (const int sides : {disk_sides, 3, 4, 5, 7}) {
             const auto followed = follow(scene_of(sides, 0.4, 0, 1.5, 0.5, law), {0, 0, 0.14, 0.02, 0.3, 0}, 20'000);
             // A disk that rolls, or a vertex that is pressed on, may end in contact instead.
-            EXPECT_TRUE(followed.outcome == Outcome::resting || followed.outcome == Outcome::chatter)
+            EXPECT_TRUE(followed.outcome == Outcome::resting || followed.outcome == Outcome::in_contact)
                 << name_of(followed.outcome) << ", " << sides << " sides, " << name_of(law);
             for (std::size_t i = 1; i < followed.states.size(); ++i)
                 ASSERT_GE(followed.states[i].t, followed.states[i - 1].t) << i;

@@ -15,6 +15,12 @@ enum class Kind {
     family,          ///< F(z) = z, a member of a family: a multiplier is 1
     cycle,           ///< Fᵏ(z) = z, k > 1
     quasi_periodic,  ///< a closed curve or torus, with an irrational rotation number
+    landing,              ///< a cycle that comes to stand on the wall and leaves it again
+    rolling,              ///< in contact for ever, at rest in the co-rotating frame (also called snaking)
+    rolling_librating,    ///< in contact for ever, swinging about a direction of the co-rotating frame
+    rolling_circulating,  ///< in contact for ever, turning on and on against the co-rotating frame
+    sliding,              ///< in contact for ever and slipping
+    two_vertex,           ///< in contact for ever on the two vertices of an edge
     chaotic,         ///< a positive largest exponent
     transient        ///< still settling, or the evidence disagrees
 };
@@ -37,6 +43,12 @@ inline std::string_view name_of(Kind kind) {
         case Kind::family: return "family";
         case Kind::cycle: return "cycle";
         case Kind::quasi_periodic: return "quasi-periodic";
+        case Kind::landing: return "landing";
+        case Kind::rolling: return "rolling";
+        case Kind::rolling_librating: return "rolling-librating";
+        case Kind::rolling_circulating: return "rolling-circulating";
+        case Kind::sliding: return "sliding";
+        case Kind::two_vertex: return "two-vertex";
         case Kind::chaotic: return "chaotic";
         case Kind::transient: return "transient";
     }

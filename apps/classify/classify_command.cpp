@@ -11,7 +11,9 @@ namespace swirl::apps {
 
 const char* const classify_details =
     R"(Modes: steady (one state), quasi-steady (a cycle or a torus of states), chaotic, undecided. A verdict lists its
-evidence. Where impacts accumulate the outcome is chatter and the mode undecided.
+evidence. An orbit that comes to stay on the wall (outcome in-contact) is named by its
+contact: rolling (at rest in the co-rotating frame, steady; also called snaking), rolling-librating, rolling-circulating,
+sliding, two-vertex; a cycle that lands and leaves again is a landing. Without any contact the mode is undecided.
 
 Example:
   swirl classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9)";

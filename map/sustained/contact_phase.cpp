@@ -51,7 +51,7 @@ struct Follower {
     }
 
     /// A neighbour that is on the wall without approaching: its rebound is lost in rounding. It rests there, no impact.
-    std::optional<MotionChoice> settled_neighbour(const ContactSegment& segment) const {
+    std::optional<MotionChoice> settled_neighbour(const ContactSegment& segment) {
         ContactState z = segment.to;
         z.chi = std::copysign(scene.widest_chi, z.chi);
         const Launch<double> standing = launch_from(scene, z);
@@ -59,14 +59,16 @@ struct Follower {
         const Strike rest = strike_while_standing(scene, standing, true);
         const Standing on = standing_of(scene, rest.after);
         if (!on.in_contact || on.support != Support::edge) return {};
+        phase.sums.work += rest.jacobi_restitution + rest.jacobi_friction + on.jacobi;
         const int step = segment.vertex_step + (z.chi > 0 ? -1 : 1) + on.vertex_step;
         return MotionChoice{true, Support::edge, ContactMotion::sticking, on.state, step, ContactEvent::strike};
     }
 
     /// One piece; returns the next state to choose a motion at, or nothing if the phase is over.
     std::optional<MotionChoice> piece(const MotionChoice& choice, ContactEvent begin, double left) {
-        const ContactSink shifted = !sink ? ContactSink{} : [&](double t, Support s, ContactMotion m, const ContactState& z) {
-            sink(phase.sums.time + t, s, m, z);
+        const ContactSink shifted = !sink ? ContactSink{} : [&](const ContactSums& sums, Support s, ContactMotion m,
+                                                                     const ContactState& z) {
+            sink({phase.sums.time + sums.time, phase.sums.turned + sums.turned, phase.sums.work + sums.work}, s, m, z);
         };
         const ContactEnd end = run_contact(scene, choice.support, choice.motion, choice.state, left, shifted);
         const double start = phase.sums.time;

@@ -207,7 +207,7 @@ ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion
         y = to;
         time = duration - time <= h ? duration : time + h;
         trial = 2 * h;
-        if (sink) sink(time, support, motion, y.contact());
+        if (sink) sink({time, y.value[4], y.value[5]}, support, motion, y.contact());
     }
     return finish(ContactEvent::horizon, y, time);
 }

@@ -49,8 +49,8 @@ struct ContactEnd {
     bool first_lifts = false;  ///< of an edge: it is the clockwise vertex that lifts
 };
 
-/// Looks at a contact on its way: time since its beginning, support, motion, state.
-using ContactSink = std::function<void(double, Support, ContactMotion, const ContactState&)>;
+/// Looks at a contact on its way: what accumulated since its beginning, support, motion, state.
+using ContactSink = std::function<void(const ContactSums&, Support, ContactMotion, const ContactState&)>;
 
 /// Integrates one kind of contact motion until an event, at most for `duration`.
 /// Runge–Kutta–Prince–Dormand 8(9) (GSL odeiv2) with local errors below 10⁻¹⁵ and steps short against the motion; each

@@ -41,6 +41,8 @@ public:
     }
 
     const Map& map() const { return map_; }
+    /// What contact needs of the scene; only for e < 1.
+    const ContactScene& contact() const { return *contact_; }
 
     /// The first impact of a flight in the laboratory.
     Passage<T> advance(const Flight<T>& flight) const {

@@ -90,6 +90,7 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
         standing.state.chi = -scene.widest_chi;
         const bool still = std::abs(standing.state.ut) <= velocity_rounding(scene, launch);
         standing.state.ut = standing.state.spin = still && scene.mu > 0 ? 0 : standing.state.ut;
+        standing.jacobi = jacobi_of(scene.body, launch_from(scene, standing.state)) - jacobi_of(scene.body, launch);
     } else if (here.rests && here.pressed) {
         standing = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, here.error, 0};
         standing.state = without_normal_velocity(scene, launch, standing.jacobi);

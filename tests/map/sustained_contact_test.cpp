@@ -56,8 +56,8 @@ TEST(DiskInContact, IsAPendulumForAHundredPeriods) {
             const double period = 4 * boost::math::ellint_1(k < 1 ? k : 1 / k) / (omega * std::max(1.0, k));
             double largest = 0;
             const auto end = run_contact(scene, Support::rim, motion, z, 100 * period,
-                                         [&](double t, Support, ContactMotion, const ContactState& at) {
-                                             largest = std::max(largest, std::abs(at.psi - pendulum(omega, k, t)));
+                                         [&](const ContactSums& sums, Support, ContactMotion, const ContactState& at) {
+                                             largest = std::max(largest, std::abs(at.psi - pendulum(omega, k, sums.time)));
                                          });
             EXPECT_EQ(end.event, ContactEvent::horizon) << name_of(end.event);
             std::printf("disk, mu = %g, k = %g: largest error of psi over 100 periods %.1e\n", mu, k, largest);
@@ -216,7 +216,7 @@ Tally follow(const Scene<double>& scene, const LabStart<double>& start, double u
         Tally tally;
         const ContactScene contact = contact_of(scene);
         const auto& body = map.body();
-        const auto look = [&](double, Support support, ContactMotion, const ContactState& z) {
+        const auto look = [&](const ContactSums&, Support support, ContactMotion, const ContactState& z) {
             if (support == Support::vertex) tally.outside = std::max(tally.outside, std::abs(z.chi) - contact.widest_chi);
         };
         Orbit orbit(map, start);

@@ -131,10 +131,10 @@ class RecurrenceOfOrbits(InFolder):
 
     def test_chatter_is_told_with_exit_3_and_what_there_was_is_quantified(self):
         none = document(f"recurrence {CHATTER}", 3)
-        self.assertEqual(none["outcome"], "chatter")
+        self.assertEqual(none["outcome"], "in-contact")
         self.assertTrue(all(none[name] is None for name in MEASURES))
         some = document(f"recurrence {CHATTER} --transient 0", 3)
-        self.assertEqual((some["outcome"], some["settings"]["points"]), ("chatter", some["impacts"]))
+        self.assertEqual((some["outcome"], some["settings"]["points"]), ("in-contact", some["impacts"]))
         self.assertIsNotNone(some["RR"])
 
     def test_several_thresholds_in_one_pass_are_those_one_by_one(self):
@@ -308,8 +308,8 @@ class Spectra(InFolder):
 
     def test_chatter_is_told_with_exit_3(self):
         found = document(f"spectrum {CHATTER}", 3)
-        self.assertEqual((found["outcome"], found["power"], found["peaks"]), ("chatter", [], []))
-        self.assertEqual(document(f"spectrum {CHATTER} --transient 0", 3)["outcome"], "chatter")
+        self.assertEqual((found["outcome"], found["power"], found["peaks"]), ("in-contact", [], []))
+        self.assertEqual(document(f"spectrum {CHATTER} --transient 0", 3)["outcome"], "in-contact")
 
     def test_the_record_opens_in_xarray(self):
         record = self.folder / "s.h5"

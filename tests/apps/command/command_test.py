@@ -142,8 +142,11 @@ class Simulate(InFolder):
             ended = document(f"simulate --sides {sides} --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.9 --x 0.1", 3)
             self.assertEqual((ended["outcome"], ended["collisions"]), ("no-contact", []))
         chatter = document("simulate --sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9 --collisions 9999", 3)
-        self.assertEqual(chatter["outcome"], "chatter")
+        self.assertEqual(chatter["outcome"], "in-contact")
         self.assertLess(len(chatter["collisions"]), 1000)
+        last = chatter["contacts"][-1]
+        self.assertEqual((last["vertices"], last["begin"], last["end"], last["motion"]), ([0], "landing", "horizon", "rolling"))
+        self.assertAlmostEqual(last["t_end"] - last["t_start"], 1000, delta=1e-9)
         for row in chatter["collisions"]:
             for value in row.values():
                 self.assertFalse(value is None)
@@ -233,10 +236,15 @@ class Classify(unittest.TestCase):
             largest = max(math.hypot(*m) for m in case["multipliers"])
             self.assertAlmostEqual(max(math.hypot(*m) for m in verdict["multipliers"]), largest, delta=1e-8)
 
-    def test_chatter_is_no_mode(self):
-        verdict = document("classify --sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9")
-        self.assertEqual((verdict["mode"], verdict["outcome"]), ("undecided", "chatter"))
-        self.assertIsNone(verdict["mean_S"])
+    def test_an_orbit_that_stays_on_the_wall_is_named_by_its_contact(self):
+        for scene, mode, kind, mean in [
+                ("disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9", "quasi-steady", "rolling-librating", -1.5),
+                ("disk --alpha 0.15 --beta 1 --mu 0.4 --restitution 0.97", "quasi-steady", "rolling-librating", -0.85 / 0.15),
+                ("disk --alpha 0.4 --beta 0.3 --mu 0 --restitution 0.5", "steady", "sliding", 0),
+                ("3 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.3", "steady", "two-vertex", 1)]:
+            verdict = document(f"classify --sides {scene}")
+            self.assertEqual((verdict["mode"], verdict["kind"], verdict["outcome"]), (mode, kind, "in-contact"), scene)
+            self.assertAlmostEqual(verdict["mean_S"], mean, delta=1e-6)
 
     def test_no_contact_is_no_mode(self):
         verdict = document("classify --sides 6 --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.9 --x 0.1")

@@ -1,0 +1,32 @@
+// The mode of an orbit that has come to stay on the wall.
+#pragma once
+
+#include "analysis/classification/classify.hpp"
+#include "analysis/classification/swing.hpp"
+#include "map/sustained/return_map.hpp"
+
+namespace swirl::apps {
+
+/// What was seen of a contact that lasts: the second half of the time that it was followed.
+class ContactTail {
+public:
+    ContactTail(const ContactScene& scene, double followed) : scene_(scene), followed_(followed) {}
+
+    /// A ContactSink.
+    void add(const ContactSums& sums, Support support, ContactMotion motion, const ContactState& state);
+
+    /// Fills mode, kind, mean S and evidence. At rest in the co-rotating frame: rolling, steady; swinging or turning on with
+    /// a period: quasi-steady (steady if S is constant all the same); slipping: sliding; on an edge: two-vertex; else
+    /// undecided.
+    void judge(analysis::Classification& verdict) const;
+    double followed() const { return followed_; }
+
+private:
+    ContactScene scene_;
+    double followed_;
+    std::vector<analysis::SwingSample> samples_;
+    bool slides_ = false;
+    bool on_edge_ = true;
+};
+
+}  // namespace swirl::apps

@@ -3,6 +3,7 @@
 #include "apps/command_line/command.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/json/json_writer.hpp"
+#include "apps/lyapunov/lyapunov_command.hpp"
 #include "apps/record/record_error.hpp"
 #include "apps/recurrence/recurrence_command.hpp"
 #include "apps/simulate/simulate.hpp"
@@ -41,6 +42,8 @@ Commands add_commands(CLI::App& app) {
                                        recurrence_text, quantify_recurrence),
         add_command<SpectrumOptions>(app, "spectrum", "the power spectrum of an orbit or a measured series",
                                      spectrum_text, find_spectrum),
+        add_command<LyapunovCommandOptions>(app, "lyapunov", "the whole Lyapunov spectrum of an orbit", lyapunov_details,
+                                            lyapunov),
         add_command<TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour_details, tour),
     };
 }

@@ -8,6 +8,7 @@
 #include "apps/recurrence/recurrence_command.hpp"
 #include "apps/simulate/simulate.hpp"
 #include "apps/spectrum/spectrum_command.hpp"
+#include "apps/sweep/sweep_command.hpp"
 #include "apps/tour/tour.hpp"
 
 #include <fmt/format.h>
@@ -44,6 +45,7 @@ Commands add_commands(CLI::App& app) {
                                      spectrum_text, find_spectrum),
         add_command<LyapunovCommandOptions>(app, "lyapunov", "the whole Lyapunov spectrum of an orbit", lyapunov_details,
                                             lyapunov),
+        add_command<SweepOptions>(app, "sweep", "the modes across parameters", sweep_details, sweep),
         add_command<TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour_details, tour),
     };
 }

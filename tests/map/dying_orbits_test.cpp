@@ -47,17 +47,27 @@ TEST(TwoVerticesAtOnce, AreNoChatter) {
             }
 }
 
-TEST(TwoVerticesAtOnce, ThatRockToRestEnd) {
-    // Without friction and with e < 1 a polygon comes to rest in the co-rotating frame, on a vertex or on an edge.
-    long ended = 0;
+TEST(TwoVerticesAtOnce, ThatRockLoseEnergyAndGoOn) {
+    // Without friction and with e < 1 J falls at every impact (contact between them keeps it to its 1e-13 margins), and a polygon ends on a vertex or rocks on an edge for long.
+    long ended = 0, impacts = 0;
     for (const int sides : {3, 4, 5, 12})
-        for (int i = 0; i < 25; ++i) {
-            const LabStart<double> start{0.5, 0, 0.3 * std::cos(i), 0.3 * std::sin(i), 0.1 * i, 0};
-            const auto followed = follow(scene_of(sides, 0.4, 0.5, 0, 0.3), start, 100'000);
-            EXPECT_EQ(followed.outcome, Outcome::in_contact) << sides << " sides, start " << i;
-            ended += followed.outcome == Outcome::in_contact;
+        for (int i = 0; i < 10; ++i) {
+            const auto scene = scene_of(sides, 0.4, 0.5, 0, 0.3);
+            with_collision_map(scene, [&](const auto& map) {
+                Orbit orbit(map, LabStart<double>{0.5, 0, 0.3 * std::cos(i), 0.3 * std::sin(i), 0.1 * i, 0});
+                double jacobi = HUGE_VAL;
+                while (orbit.impacts() < 5'000 && orbit.advance()) {
+                    const double now = jacobi_of(map.body(), orbit.launch());
+                    ASSERT_LE(now, jacobi + 1e-12) << sides << " sides, start " << i << ", impact " << orbit.impacts();
+                    jacobi = now;
+                }
+                EXPECT_TRUE(orbit.outcome() == Outcome::in_contact || orbit.frame().time.unwound() > 100)
+                    << sides << " sides, start " << i << ": " << name_of(orbit.outcome());
+                ended += orbit.outcome() == Outcome::in_contact;
+                impacts += orbit.impacts();
+            });
         }
-    std::printf("%ld of 100 end in contact\n", ended);
+    std::printf("%ld of 40 end in contact, after %ld impacts in all\n", ended, impacts);
 }
 
 TEST(DyingOrbit, AtRestTheContainerHasNoScaleOfTime) {

@@ -107,7 +107,7 @@ void check_orbit(const Map& map, const SectionPoint<double>& z, long& impacts) {
         EXPECT_NEAR(a.vt, b.vt, allowed);
         EXPECT_NEAR(a.spin, b.spin, allowed * (1 + std::fabs(b.spin)));
         const double spin = launch.spin;
-        frame.follow(map, step, spin);
+        frame.follow(map, step, spin * step.flight_time);
         launch = step.after;
         if constexpr (Map::shape == Shape::polygon) {
             EXPECT_EQ(again.vertex_step, frame.vertex);  // counted from vertex 0, where LabStart counts from

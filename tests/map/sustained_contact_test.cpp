@@ -311,7 +311,7 @@ void check_random_scenes(int count) {
     EXPECT_LE(outside, 1e-12);
 }
 
-TEST(RandomScenes, EveryOneEndsWithAName) { check_random_scenes(static_cast<int>(tests::sample_count(300))); }
+TEST(RandomScenes, EveryOneEndsWithAName) { check_random_scenes(static_cast<int>(tests::sample_count(200))); }
 TEST(RandomScenesNightly, EveryOneOfTwentyThousandEndsWithAName) { check_random_scenes(20'000); }
 
 }  // namespace

@@ -59,7 +59,7 @@ void follow(const Map& map, const json& orbit, const Tolerance& tolerance, Tally
         const double amplification = row["amplification"];
         if (k++ > 0) collision = map.advance(collision.after);
         ASSERT_EQ(collision.contact, ContactOutcome::contact) << "impact " << k;
-        frame.follow(map, collision, spin);
+        frame.follow(map, collision, spin * collision.flight_time);
         spin = collision.after.spin;
         if (amplification > tolerance.reach) continue;
         EXPECT_EQ(frame.vertex, row["vertex"].get<int>()) << "impact " << k;

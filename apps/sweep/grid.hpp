@@ -1,0 +1,31 @@
+// The grid of a sweep: one to three parameters of the scene, each from A to B in COUNT steps.
+#pragma once
+
+#include "apps/command_line/scene_options.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace swirl::apps {
+
+/// NAME=A:B:COUNT. Point i is A + (B − A) i/(COUNT − 1).
+struct GridAxis {
+    std::string name;  ///< as the scene's flag
+    std::string text;  ///< as it was given
+    std::vector<double> points;
+};
+
+/// @throws BadInput naming the axis, its value and what is allowed: an unknown or repeated name, more than three axes,
+/// COUNT < 1, COUNT = 1 with A ≠ B, numbers that are not finite, sides that are not whole
+std::vector<GridAxis> grid_from(const std::vector<std::string>& texts);
+
+std::size_t cell_count(const std::vector<GridAxis>& grid);
+
+/// The axes' points of a cell; the last axis runs fastest.
+std::vector<double> cell_point(const std::vector<GridAxis>& grid, std::size_t cell);
+
+/// The scene of a cell. @throws BadInput, std::invalid_argument if the scene is not complete or out of range
+Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, std::size_t cell);
+
+}  // namespace swirl::apps

@@ -1,0 +1,53 @@
+#include "apps/sweep/sweep_results.hpp"
+
+#include <gsl/gsl_statistics_double.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace swirl::apps {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<double> measured(std::span<const RunResult> runs, double RunResult::*member) {
+    std::vector<double> values;
+    for (const auto& run : runs)
+        if (std::isfinite(run.*member)) values.push_back(run.*member);
+    return values;
+}
+
+double mean_of(const std::vector<double>& values) {
+    return values.empty() ? unknown : gsl_stats_mean(values.data(), 1, values.size());
+}
+
+}  // namespace
+
+RunResult sweep_run(const Scene<double>& scene, double speed, std::uint64_t seed, std::uint64_t run,
+                    const analysis::ClassifyOptions& settings) {
+    const NamedMode named = name_mode(scene, random_start(scene.beta, speed, seed + run, 0), settings);
+    const auto& v = named.verdict;
+    return {static_cast<double>(v.mode), static_cast<double>(v.kind), static_cast<double>(named.outcome),
+            static_cast<double>(v.period), v.mean, v.recurrence_rate, v.largest_exponent,
+            static_cast<double>(named.impacts)};
+}
+
+CellSummary summary_of(std::span<const RunResult> runs) {
+    CellSummary cell;
+    for (int m = 0; m < mode_count; ++m) {
+        double count = 0;
+        for (const auto& run : runs) count += run.mode == static_cast<double>(all_modes[static_cast<std::size_t>(m)]);
+        cell.shares[static_cast<std::size_t>(m)] = count / static_cast<double>(runs.size());
+    }
+    const auto spins = measured(runs, &RunResult::mean_spin);
+    cell.mean_spin = mean_of(spins);
+    cell.mean_spin_error = spins.size() < 2 ? unknown
+        : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
+    cell.recurrence_rate = mean_of(measured(runs, &RunResult::recurrence_rate));
+    cell.largest_exponent = mean_of(measured(runs, &RunResult::largest_exponent));
+    return cell;
+}
+
+}  // namespace swirl::apps

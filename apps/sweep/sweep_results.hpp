@@ -1,0 +1,39 @@
+// What a sweep finds: one result per run, and what a cell says of its runs.
+#pragma once
+
+#include "apps/classify/classify_command.hpp"
+
+#include <array>
+#include <map>
+#include <span>
+
+namespace swirl::apps {
+
+/// One start of one cell. All numbers, so that it is its own entry of the journal.
+struct RunResult {
+    double mode = 0, kind = 0, outcome = 0;  ///< the enumerators' numbers
+    double period = 0;                       ///< 0: none
+    double mean_spin = 0, recurrence_rate = 0, largest_exponent = 0;  ///< NaN where not measured
+    double impacts = 0;
+};
+
+/// Run `run` of a scene: a pure function of its arguments. Its start is that of `swirl classify --seed (seed + run)`.
+RunResult sweep_run(const Scene<double>& scene, double speed, std::uint64_t seed, std::uint64_t run,
+                    const analysis::ClassifyOptions& settings);
+
+inline constexpr int mode_count = 4;
+inline constexpr std::array<analysis::Mode, mode_count> all_modes = {
+    analysis::Mode::steady, analysis::Mode::quasi_steady, analysis::Mode::chaotic, analysis::Mode::undecided};
+
+/// What the runs of a cell have in common.
+struct CellSummary {
+    std::array<double, mode_count> shares{};  ///< by all_modes
+    double mean_spin = 0;        ///< mean of the runs' mean_S
+    double mean_spin_error = 0;  ///< its standard error over the runs; NaN for fewer than two
+    double recurrence_rate = 0;  ///< mean over the runs
+    double largest_exponent = 0; ///< mean over the runs
+};
+
+CellSummary summary_of(std::span<const RunResult> runs);
+
+}  // namespace swirl::apps

@@ -1,0 +1,115 @@
+"""swirl sweep, from outside: sweep_command_test.py SWIRL"""
+
+import json
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+SWIRL = sys.argv[1]
+sys.argv = sys.argv[:1]
+BASE = "--sides 6 --mu 0.5 --restitution 0.95 --transient 300 --collisions 300"
+GRID = f"{BASE} --grid alpha=0.2:0.7:6 --grid beta=0.1:0.9:5 --runs 2"
+LONG = f"{BASE} --grid alpha=0.2:0.7:26 --grid beta=0.1:0.9:25 --runs 4"
+
+
+def run(arguments, **options):
+    return subprocess.run([SWIRL, *shlex.split(arguments)], capture_output=True, text=True, timeout=300, **options)
+
+
+def document(arguments):
+    result = run(arguments + " --json")
+    assert result.returncode == 0, (arguments, result.stderr)
+    return json.loads(result.stdout)
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+        self.addCleanup(self.temporary.cleanup)
+
+
+class BadGrids(InFolder):
+    def test_each_is_one_line_and_exit_2(self):
+        rest = "--sides 6 --mu 0.5 --restitution 0.95 --beta 0.5"
+        for grid, mention in [("alpha=0.2:0.6:0", "COUNT"), ("alpha=0.2:0.6:1", "COUNT"), ("foo=1:2:3", "NAME"),
+                              ("alpha=0.2:nan:3", "finite"), ("alpha=0.2:1.6:3", "1.6"), ("sides=3:6:3", "whole"),
+                              ("alpha=0.2", "NAME=A:B:COUNT"), ("alpha=0.2:x:3", "x"), ("alpha=0.3:0.3:2", "COUNT = 1"),
+                              ("alpha=0.2:0.6:3 --grid alpha=0.1:0.2:2", "twice"),
+                              ("alpha=0.2:0.6:3 --grid mu=0:1:2 --grid restitution=0:1:2 --grid beta=0:1:2", "3"),
+                              ("alpha=0.2:0.6:3 --x 0.3", "random"), ("alpha=0.2:0.6:3 --runs 0", "runs")]:
+            result = run(f"sweep {rest} --grid {grid} -o {self.folder}/a.h5")
+            self.assertEqual((result.returncode, result.stdout), (2, ""), grid)
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+            self.assertIn(mention, result.stderr)
+            self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class Sweeps(InFolder):
+    def test_a_run_is_what_classify_gives(self):
+        swept = document(f"sweep {GRID} --seed 5")
+        self.assertEqual(len(swept["cells"]), 30)
+        for cell in swept["cells"][3::7]:
+            parameters = cell["parameters"]
+            for r, found in enumerate(cell["runs"]):
+                alone = document(f"classify {BASE} --alpha {parameters['alpha']!r} --beta {parameters['beta']!r} --seed {5 + r}")
+                self.assertEqual((alone["mode"], alone["mean_S"], alone["largest_exponent"]),
+                                 (found["mode"], found["mean_S"], found["largest_exponent"]))
+            self.assertAlmostEqual(sum(cell["modes"].values()), 1, delta=1e-15)
+
+    def test_threads_do_not_change_a_bit_and_xarray_opens_the_grid(self):
+        import xarray
+        for threads in (1, 2):
+            self.assertEqual(run(f"sweep {GRID} --threads {threads} -o {self.folder}/{threads}.h5 --quiet").returncode, 0)
+        self.assertEqual((self.folder / "1.h5").read_bytes(), (self.folder / "2.h5").read_bytes())
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["1.h5", "2.h5"])
+        with xarray.open_dataset(self.folder / "1.h5", group="sweep", engine="h5netcdf") as grid:
+            self.assertEqual(grid["share"].dims, ("alpha", "beta", "mode"))
+            self.assertEqual(grid["run_mode"].sizes, {"alpha": 6, "beta": 5, "run": 2})
+            self.assertAlmostEqual(float(grid["alpha"][-1]), 0.7)
+
+    def test_killed_and_continued_is_the_same_record(self):
+        whole, cut = self.folder / "whole.h5", self.folder / "cut.h5"
+        begin = time.monotonic()
+        self.assertEqual(run(f"sweep {LONG} -o {whole} --quiet").returncode, 0)
+        half = (time.monotonic() - begin) / 2
+        for signal_, code in ((signal.SIGKILL, -9), (signal.SIGINT, 130)):
+            process = subprocess.Popen([SWIRL, *shlex.split(f"sweep {LONG} -o {cut} --quiet")])
+            time.sleep(half)
+            process.send_signal(signal_)
+            ended = process.wait(timeout=60)
+            self.assertIn(ended, (code, 0))
+            if ended == 0:  # it was quicker this time
+                continue
+            self.assertFalse(cut.exists())
+            self.assertTrue((self.folder / ".cut.h5.journal").exists())
+            other = run(f"sweep {LONG} --seed 9 -o {cut}")
+            self.assertEqual((other.returncode, len(other.stderr.splitlines())), (2, 1))
+        if not cut.exists():
+            self.assertEqual(run(f"sweep {LONG} -o {cut} --quiet").returncode, 0)
+        self.assertEqual(whole.read_bytes(), cut.read_bytes())
+        self.assertFalse((self.folder / ".cut.h5.journal").exists())
+
+    def test_a_finished_record_is_used_and_one_of_other_options_refused(self):
+        file = self.folder / "a.h5"
+        first = document(f"sweep {GRID} -o {file}")
+        bytes_ = file.read_bytes()
+        self.assertEqual(document(f"sweep {GRID} -o {file}"), first)
+        for change, name in (("--seed 2", "seed"), ("--runs 3", "runs"), ("--collisions 400", "collisions")):
+            refused = run(f"sweep {GRID} {change} -o {file}" if "--seed" in change else
+                          f"sweep {GRID.replace('--runs 2', '') if 'runs' in change else GRID.replace('--collisions 300', '')} {change} -o {file}")
+            self.assertEqual(refused.returncode, 2, refused.stderr)
+            self.assertIn(name, refused.stderr)
+        self.assertEqual(file.read_bytes(), bytes_)
+        file.write_text("not a record")
+        self.assertEqual(run(f"sweep {GRID} -o {file}").returncode, 2)
+        self.assertEqual(file.read_text(), "not a record")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -51,10 +51,12 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     std::vector<std::string> axes;
     for (const auto& axis : grid) axes.push_back(axis.text);
     settings.emplace_back("grid", axes);
-    for (const auto& [name, value] : scene_settings(first)) {
-        const bool gridded = std::any_of(grid.begin(), grid.end(), [&](const GridAxis& a) { return a.name == name; });
-        const bool follows = name == "inertia-factor" && std::any_of(grid.begin(), grid.end(), [](const GridAxis& a) { return a.name == "sides"; });
-        if (!gridded && !follows) settings.emplace_back(name, value);
+    const auto gridded = [&](const std::string& name) {
+        return std::any_of(grid.begin(), grid.end(), [&](const GridAxis& axis) { return axis.name == name; });
+    };
+    for (const auto& parameter : scene_settings(first)) {
+        const bool follows = parameter.first == "inertia-factor" && gridded("sides");  // the uniform lamina's depends on N
+        if (!gridded(parameter.first) && !follows) settings.push_back(parameter);
     }
     settings.emplace_back("runs", options.runs);
     settings.emplace_back("speed", options.start.speed());

@@ -84,7 +84,8 @@ Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, Sinks& sinks) {
             for (const ContactRow& row : contacts) turned += row.turned();
             if (!contacts.empty()) flown += contacts.back().t_end - ending.time;
             if (!contacts.empty()) ending.time = contacts.back().t_end;
-            if (by_time && orbit.outcome() == Outcome::in_contact) ending.outcome = "completed";
+            const bool reached = by_time && ending.time >= *options.time * (1 - 1e-12);
+            if (reached && orbit.outcome() == Outcome::in_contact) ending.outcome = "completed";
             break;
         }
         const double now = static_cast<double>(orbit.frame().time.unwound());

@@ -11,6 +11,9 @@ namespace {
 /// More pieces than this without time passing, and contact is called unresolved.
 constexpr int most_idle_pieces = 50;
 
+/// Contact is given up, as at its horizon, after so many pieces.
+constexpr std::size_t most_pieces = 100'000;
+
 /// The neighbour's chatter on a standing vertex has come to its end: its next rebound would lift it by less than rounding
 /// before it came back (standing.hpp), with L|χ″| its acceleration towards the wall.
 bool ends_second_chatter(const ContactScene& scene, ContactMotion motion, const ContactState& z) {
@@ -111,6 +114,8 @@ struct Follower {
                 if (choice.ends == ContactEvent::jam) return jam(choice);
                 return finish(ContactEvent::release, launch_from(scene, choice.state), choice.vertex_step);
             }
+            if (phase.segments.size() >= most_pieces)
+                return finish(ContactEvent::horizon, launch_from(scene, choice.state), choice.vertex_step);
             const double before = phase.sums.time;
             const auto next = piece(choice, begin, horizon - phase.sums.time);
             if (!next) return;

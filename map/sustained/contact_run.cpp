@@ -168,8 +168,11 @@ Failure first_failure(const Problem& problem, const Stepper& stepper, const Stat
     return {};
 }
 
-/// A step whose quarters are short against the swirl and the body's own motion.
-double longest_step(const ContactState& z) { return 0.4 / (1 + std::abs(z.spin) + std::abs(z.ut)); }
+/// A step whose quarters are short against the swirl and the body's own motion (a disk's spin moves nothing).
+double longest_step(const ContactScene& scene, Support support, const ContactState& z) {
+    const double spin = support == Support::rim ? 0 : std::abs(z.spin);
+    return 0.25 / (1 + spin + std::abs(normal_rate(scene, support, z)));
+}
 
 constexpr double local_error = 1e-15;
 
@@ -182,15 +185,16 @@ ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion
     State y{{start.psi, start.chi, start.ut, start.spin, 0, 0}, {}};
     ContactEnd end;
     double time = 0;
-    double trial = longest_step(start);
+    double trial = longest_step(scene, support, start);
+    long steps = 0;
     const auto finish = [&](ContactEvent event, const State& at, double t) {
         end.event = event;
         end.state = at.contact();
         end.sums = {t, at.value[4], at.value[5]};
         return end;
     };
-    while (time < duration) {  // ends at: an event, or the duration (steps have a shortest length)
-        double h = std::min({trial, longest_step(y.contact()), duration - time});
+    while (time < duration && ++steps <= most_contact_steps) {  // ends at: an event, the duration, or the step limit
+        double h = std::min({trial, longest_step(scene, support, y.contact()), duration - time});
         double error;
         State to = stepper.step(y, h, error);
         while (error > local_error && h > 1e-9) {

@@ -52,7 +52,12 @@ struct ContactEnd {
 /// Looks at a contact on its way: what accumulated since its beginning, support, motion, state.
 using ContactSink = std::function<void(const ContactSums&, Support, ContactMotion, const ContactState&)>;
 
-/// Integrates one kind of contact motion until an event, at most for `duration`.
+/// Contact motion of one kind is given up after so many steps (some 2 s): a body that swings so fast against the swirl's
+/// turn that the duration holds millions of swings.
+inline constexpr long most_contact_steps = 1'000'000;
+
+/// Integrates one kind of contact motion until an event, at most for `duration` (or `most_contact_steps`: event horizon,
+/// with a shorter time).
 /// Runge–Kutta–Prince–Dormand 8(9) (GSL odeiv2) with local errors below 10⁻¹⁵ and steps short against the motion; each
 /// step's quarters are checked for events, which are located to rounding by re-stepping from the step's beginning.
 /// Cost: some 60 evaluations of the forces per step, a few steps per radian of swirl or turn.

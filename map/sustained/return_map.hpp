@@ -20,7 +20,8 @@ struct Passage {
     std::vector<ContactSegment> contacts;
 };
 
-/// How long contact may last without an impact before the orbit ends as `in_contact`, in 1/ω_s.
+/// How long contact may last without an impact before the orbit ends as `in_contact`, in 1/ω_s (less where the body
+/// swings very fast: `most_contact_steps`).
 inline constexpr double contact_horizon = 1000;
 
 /// F with sustained contact. For e = 1 it is the collision map itself. Contact is integrated in double, whatever T is.

@@ -275,7 +275,8 @@ void check_plastic_polygons(double until, int starts) {
 TEST(PlasticPolygons, GoOnWithoutAStall) { check_plastic_polygons(200, 5); }
 TEST(PlasticPolygonsNightly, GoOnWithoutAStallForAHundredThousandTimeUnits) { check_plastic_polygons(1e5, 20); }
 
-void check_random_scenes(int count) {
+/// The first `shapes` of the list; the last one, N = 1000, rolls on its vertices with thousands of impacts per unit of time.
+void check_random_scenes(int count, int shapes) {
     std::mt19937_64 random(2026);
     std::uniform_real_distribution<double> unit(0, 1);
     std::map<std::string, long> outcomes;
@@ -283,7 +284,7 @@ void check_random_scenes(int count) {
     double busiest = 0, outside = 0, balance = 0;
     for (int i = 0; i < count; ++i) {
         const int sides[] = {disk_sides, 3, 4, 5, 6, 8, 12, 20, 50, 1000};
-        const auto scene = scene_of(sides[i % 10], 0.02 + 0.96 * unit(random), 2 * unit(random) * unit(random), i % 7 == 0 ? 0 : 2 * unit(random),
+        const auto scene = scene_of(sides[i % shapes], 0.02 + 0.96 * unit(random), 2 * unit(random) * unit(random), i % 7 == 0 ? 0 : 2 * unit(random),
                                     i % 11 == 0 ? 0 : i % 11 == 1 ? 1 : unit(random), static_cast<Law>(i % 3));
         const double direction = 2 * pi<double>() * unit(random);
         const LabStart<double> start{scene.beta, 0, std::cos(direction) / 7, std::sin(direction) / 7, 6 * unit(random), 0};
@@ -311,8 +312,8 @@ void check_random_scenes(int count) {
     EXPECT_LE(outside, 1e-12);
 }
 
-TEST(RandomScenes, EveryOneEndsWithAName) { check_random_scenes(static_cast<int>(tests::sample_count(200))); }
-TEST(RandomScenesNightly, EveryOneOfTwentyThousandEndsWithAName) { check_random_scenes(20'000); }
+TEST(RandomScenes, EveryOneEndsWithAName) { check_random_scenes(static_cast<int>(tests::sample_count(200)), 9); }
+TEST(RandomScenesNightly, EveryOneOfTwentyThousandEndsWithAName) { check_random_scenes(20'000, 10); }
 
 }  // namespace
 }  // namespace swirl

@@ -70,7 +70,15 @@ Contact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight)
                 contact.outcome = ContactOutcome::sustained;
                 return contact;
             }
-            if (last || touches(pair.first, starting) || touches(pair.second, starting)) {
+            if (starting) {
+                if (const auto* neighbour = touching_neighbour(pair, rate_rounding(body, flight))) {
+                    contact.outcome = ContactOutcome::contact;
+                    contact.vertex = neighbour->vertex;
+                    contact.arm = neighbour->arm;
+                    contact.simultaneous = true;
+                    return contact;
+                }
+            } else if (last || touches(pair.first) || touches(pair.second)) {
                 choose(pair, contact);
                 if (!last) step_back(body, flight, pair, contact);
                 return contact;

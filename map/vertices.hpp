@@ -77,8 +77,18 @@ inline Candidate<T>& struck_of(NearestTwo<T>& pair) {
 }
 
 template <class T>
-inline bool touches(const Candidate<T>& candidate, bool starting) {
-    return candidate.gap.value >= 0 && candidate.gap.rate >= 0 && !(starting && candidate.vertex == 0);
+inline bool touches(const Candidate<T>& candidate) {
+    return candidate.gap.value >= 0 && candidate.gap.rate >= 0;
+}
+
+/// The neighbour that touches where a flight begins on the wall. One that has no normal velocity but for `rounding` only
+/// does if the wall does not fall away from it: two vertices may leave together.
+template <class T>
+inline const Candidate<T>* touching_neighbour(const NearestTwo<T>& pair, const T& rounding) {
+    const Candidate<T>& other = pair.second.vertex == 0 ? pair.first : pair.second;
+    if (other.vertex == 0 || other.gap.value < 0) return nullptr;
+    const bool touches = other.gap.rate > rounding || (other.gap.rate >= -rounding && other.gap.bend >= 0);
+    return touches ? &other : nullptr;
 }
 
 /// Time until an approaching vertex touches, to first order; +∞ for one that does not approach.

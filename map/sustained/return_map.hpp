@@ -69,6 +69,11 @@ public:
             standing.state = contact_state(*contact_, plain_launch(launch));
             return through_contact(launch, standing, horizon, sink);
         }
+        // An impact without time and without impulse changes nothing: it would come again for ever. (A release while the
+        // neighbour is about to strike can end so: its gap drowns in rounding before the search can tell it from zero.)
+        const Collision<T>& c = passage.collision;
+        if (contact_ && passage.outcome == Outcome::completed && c.flight_time == T(0) && c.impulse.normal == T(0))
+            passage.outcome = Outcome::unresolved;
         return passage;
     }
 

@@ -294,11 +294,10 @@ void check_random_scenes(int count, int shapes) {
         std::string name(name_of(tally.outcome));
         if (tally.outcome == Outcome::completed && tally.time < 1000) name = "too many impacts";
         ++outcomes[name];
-        EXPECT_TRUE(name == "completed" || name == "in-contact" || name == "no-contact" || name == "resting" ||
-                    (name == "diverged" && scene.law == Law::newton))
-            << name << ": N = " << scene.sides << " alpha " << scene.alpha << " beta " << scene.beta << " mu " << scene.mu << " e "
-            << scene.restitution << " law " << name_of(scene.law) << " after " << tally.impacts << " impacts, t = " << tally.time
-            << ", start vx = " << start.vx << " vy = " << start.vy << " angle = " << start.angle;
+        EXPECT_TRUE(name != "too many impacts" && (name != "diverged" || scene.law == Law::newton))
+            << name << ": N = " << scene.sides << " alpha " << scene.alpha << " beta " << scene.beta << " mu " << scene.mu
+            << " e " << scene.restitution << " law " << name_of(scene.law) << " after " << tally.impacts << " impacts, t = "
+            << tally.time << ", start vx = " << start.vx << " vy = " << start.vy << " angle = " << start.angle;
         const double events = static_cast<double>(tally.impacts + tally.pieces);
         busiest = std::max(busiest, events / 1000);
         cost.push_back(seconds / (events + 1000));
@@ -306,6 +305,8 @@ void check_random_scenes(int count, int shapes) {
         if (tally.exchanged > 0 && scene.beta > 0) balance = std::max(balance, std::abs(tally.balance) / (tally.exchanged + 1));
     }
     for (const auto& [name, n] : outcomes) std::printf("%-18s %ld\n", name.c_str(), n);
+    // A named ending, but not one that anybody asked for: see map/sustained/README.md, limits.
+    EXPECT_LE(outcomes["unresolved"], count / 50);
     std::sort(cost.begin(), cost.end());
     std::printf("most events per unit time %.0f; seconds per event (and unit of time): median %.1e, largest %.1e (%.1f medians); outside by %.1e; balance %.1e\n",
                 busiest, cost[cost.size() / 2], cost.back(), cost.back() / cost[cost.size() / 2], outside, balance);

@@ -27,6 +27,7 @@ struct Body {
     T inner{};           ///< 1 − α: the centre's distance at which the circumscribed circle touches
     T outer{};           ///< the largest distance the centre can have (next to an edge's middle); inner for the disk
     T spacing{};         ///< 2π/N, the angle from a vertex to the next
+    T per_spacing{};     ///< N/2π
     T half_slope{};      ///< tan(π/N)
     std::vector<Vec2<T>> vertices;  ///< cis(2πk/N) for N small enough to be worth a table …
     std::vector<Vec2<T>> rests;     ///< … and what rounding left out of it (double only)
@@ -83,6 +84,7 @@ inline Body<T> make_body(const Scene<T>& scene) {
     const T across = scene.alpha * half.y;
     body.outer = sqrt(T(1) - across * across) - scene.alpha * half.x;
     body.spacing = T(2 * pi<T>() / scene.sides);
+    body.per_spacing = T(1) / body.spacing;
     body.half_slope = half.y / half.x;
     if (scene.sides > Body<T>::table_limit) return body;
     for (int k = 0; k < scene.sides; ++k) {

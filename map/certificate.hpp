@@ -72,15 +72,51 @@ inline T fourth_root_of_epsilon() {
     }
 }
 
-/// True if after a correction of this size the error that is left is below rounding (d⁴ against ε; scale g′/g″). The
-/// gap itself must be as small as the correction says: far from a root the correction can vanish too (½gg″ = g′²).
+/// True if after a correction d of fourth order what is left is below rounding: d⁴ against ε in the scales g′/g″ and
+/// √(g′/g‴), and the next derivative's term, |g⁗| ≤ M. The gap itself must be as small as the correction says: far from
+/// a root the correction can vanish too (½gg″ = g′²).
 template <class T>
-inline bool is_converged(const Gap<T>& gap, const T& correction) {
+[[gnu::always_inline]] inline bool is_converged(const Gap<T>& gap, const T& correction, const T& time, const T& fourth) {
     using std::fabs;
     const T small = fourth_root_of_epsilon<T>() / T(4);  // 3·10⁻⁵ in double
     const T size = fabs(correction);
+    const T square = size * size;
     return size <= small && size * fabs(gap.bend) <= small * gap.rate &&
-           fabs(gap.value) <= T(2) * gap.rate * size;
+           square * fabs(gap.jerk) <= small * small * gap.rate &&
+           fourth * (square * square) <= epsilon<T>() * gap.rate * time && fabs(gap.value) <= T(2) * gap.rate * size;
+}
+
+/// True if a gap is closed for a time t, by |g‴| ≤ M: up to t it is at most g + g′s + ½b s² with b = (g″ + M t/3)⁺, and
+/// that is convex. Backwards in time g′ changes sign.
+template <class T>
+[[gnu::always_inline]] inline bool stays_closed(const T& value, const T& rate, const T& bend, const T& t, const T& third) {
+    const T b = std::max(bend + T(1.0 / 3) * third * t, T(0));
+    return value <= 0 && value + t * (rate + T(0.5) * b * t) <= 0;
+}
+
+/// A gap that is open by a little at one end or both and closed in between: until `out` after the one end and from
+/// `in` before the other it may be open, no longer.
+template <class T>
+struct ClosedBetween {
+    bool proven = false;
+    T out{}, in{};
+};
+
+/// By the same polynomial: if only c₀ and c₅ are positive, c₀B₀ + c₁B₁ = (1 − s)⁴(c₀(1 − s) + 5c₁s) is not from
+/// s = c₀/(c₀ − 5c₁) on.
+template <class T>
+[[gnu::always_inline]] inline ClosedBetween<T> closed_between(const Gap<T>& from, const Gap<T>& to, const T& h,
+                                                              const T& sixth) {
+    const T c0 = std::max(from.value, T(0)) + T(4) * epsilon<T>();
+    const T c5 = std::max(to.value, T(0)) + T(4) * epsilon<T>();
+    const T h2 = h * h;
+    const T remainder = sixth * (h2 * h2 * h2) * T(1.0 / 14400);
+    const T c1 = from.value + T(0.2) * h * from.rate;
+    const T c4 = to.value - T(0.2) * h * to.rate;
+    const T c2 = from.value + T(0.4) * h * from.rate + T(0.05) * h2 * from.bend + remainder;
+    const T c3 = to.value - T(0.4) * h * to.rate + T(0.05) * h2 * to.bend + remainder;
+    if (!(c1 < 0 && c4 < 0 && c2 <= 0 && c3 <= 0)) return {};
+    return {true, h * c0 / (c0 - T(5) * c1), h * c5 / (c5 - T(5) * c4)};
 }
 
 /// A search for a root ahead that has no guarantees (those come from `clear_between` afterwards) gives up beyond these.

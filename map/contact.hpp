@@ -49,20 +49,29 @@ inline T magnitude(const Vec2<T>& v) {
     return sqrt(dot(v, v));
 }
 
+/// Bounds |g‴| of the centre's gap, |W| ≤ `drift`.
+template <class T>
+inline T centre_third(const Body<T>& body, const T& drift) {
+    return T(2) * body.beta * (T(3) * drift + body.outer);
+}
+
+/// Bounds |g‴| of any vertex: (2 X·a)‴ = 2 (X‴·a + 3 X″·a′ + 3 X′·a″ + X·a‴), |X| ≤ outer, |X″| = |X‴| = β, |a⁽ᵏ⁾| = α|S|ᵏ.
+template <class T>
+inline T vertex_third(const Body<T>& body, const Flight<T>& flight, const T& drift) {
+    using std::fabs;
+    const T s = fabs(flight.spin);
+    return centre_third(body, drift) +
+           T(2) * body.alpha * (body.beta + s * (T(3) * body.beta + s * (T(3) * drift + s * body.outer)));
+}
+
 template <Shape shape, class T>
 inline FlightBounds<T> bounds_of(const Body<T>& body, const Flight<T>& flight) {
-    using std::fabs;
     FlightBounds<T> bounds;
     bounds.speed = magnitude(flight.velocity);
     bounds.drift = bounds.speed + body.beta;
-    bounds.centre_third = T(2) * body.beta * (T(3) * bounds.drift + body.outer);
+    bounds.centre_third = centre_third(body, bounds.drift);
     bounds.vertex_third = bounds.centre_third;
-    if constexpr (shape == Shape::polygon) {
-        // (2 X·a)‴ = 2 (X‴·a + 3 X″·a′ + 3 X′·a″ + X·a‴), |X| ≤ outer, |X″| = |X‴| = β, |a⁽ᵏ⁾| = α|S|ᵏ.
-        const T s = fabs(flight.spin);
-        bounds.vertex_third = bounds.centre_third +
-            T(2) * body.alpha * (body.beta + s * (T(3) * body.beta + s * (T(3) * bounds.drift + s * body.outer)));
-    }
+    if constexpr (shape == Shape::polygon) bounds.vertex_third = vertex_third(body, flight, bounds.drift);
     return bounds;
 }
 

@@ -3,6 +3,7 @@
 
 #include "map/contact_disk.hpp"
 #include "map/contact_polygon.hpp"
+#include "map/direct_polygon.hpp"
 
 namespace swirl {
 

@@ -22,13 +22,48 @@ struct NearestTwo {
     Candidate<T> second;
 };
 
-/// Turns arm and number by whole vertices until the arm is the nearest one to X: |X × a| ≤ tan(π/N) X·a.
+/// atan2 to 2·10⁻⁶: enough to number the vertices of a polygon that has a table of them.
+inline double rough_angle(double y, double x) {
+    const double a = std::fabs(x), b = std::fabs(y);
+    const double t = std::min(a, b) / std::max(a, b);
+    const double s = t * t, s2 = s * s;
+    double angle = t * ((0.99997726 - 0.33262347 * s) +
+                        s2 * ((0.19354346 - 0.11643287 * s) + s2 * (0.05265332 - 0.01172120 * s)));
+    if (b > a) angle = M_PI / 2 - angle;
+    if (x < 0) angle = M_PI - angle;
+    return y < 0 ? -angle : angle;
+}
+
+/// The number of the vertex nearest to the direction of X, or one next to it.
+template <class T>
+[[gnu::always_inline]] inline int vertex_towards(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& reference) {
+    using std::atan2;
+    using std::round;
+    const Vec2<T> between = seen_from(reference, centre);
+    if constexpr (std::is_same_v<T, double>) {
+        if (!body.vertices.empty()) {
+            const double number = rough_angle(between.y, between.x) * body.per_spacing;
+            if (!(std::fabs(number) < body.sides)) return 0;  // there is no direction
+            const int k = static_cast<int>((number + 0x1.8p52) - 0x1.8p52);
+            return k < 0 ? k + body.sides : k;
+        }
+    }
+    return body.vertex_number(static_cast<long long>(round(atan2(between.y, between.x) / body.spacing)));
+}
+
+/// True if no vertex's arm is nearer to X: |X × a| ≤ tan(π/N) X·a.
+template <class T>
+[[gnu::always_inline]] inline bool is_nearest(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& arm) {
+    using std::fabs;
+    return fabs(cross(arm, centre)) <= body.half_slope * dot(arm, centre);
+}
+
+/// Turns arm and number by whole vertices until the arm is the nearest one to X.
 template <class T>
 inline void turn_to_nearest(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& reference, Candidate<T>& c) {
     using std::atan2;
-    using std::fabs;
     using std::round;
-    if (fabs(cross(c.arm, centre)) <= body.half_slope * dot(c.arm, centre)) return;
+    if (is_nearest(body, centre, c.arm)) return;
     const T angle = atan2(cross(reference, centre), dot(reference, centre));
     c.vertex = body.vertex_number(static_cast<long long>(round(angle / body.spacing)));
     c.arm = body.turned_to_vertex(reference, c.vertex);
@@ -97,15 +132,23 @@ inline T time_left(const Gap<T>& gap) {
     return gap.rate > 0 ? T(-gap.value / gap.rate) : std::numeric_limits<T>::infinity();
 }
 
+/// True if both touch within rounding of the same time. A gap is known to some ε and so its root to ε/g′, beside the
+/// rounding of the time itself.
+template <class T>
+inline bool touch_together(const Gap<T>& first, const Gap<T>& second, const T& time) {
+    using std::fabs;
+    if (!(first.rate > 0 && second.rate > 0)) return false;
+    // |g₁/g₁′ − g₂/g₂′| ≤ 16ε (1/min g′ + τ), without the divisions
+    const T apart = fabs(first.value * second.rate - second.value * first.rate);
+    return apart <= T(16) * epsilon<T>() * (std::max(first.rate, second.rate) + first.rate * second.rate * time);
+}
+
 /// Settles which of the two it is: the earlier; on an exact tie the larger u_n, then the lower number.
 template <class T>
 inline void choose(const NearestTwo<T>& pair, Contact<T>& contact) {
-    using std::fabs;
     const T first = time_left(pair.first.gap);
     const T second = time_left(pair.second.gap);
-    // A gap is known to some ε and so its root to ε/g′, beside the rounding of the time itself.
-    const T slower = std::min(fabs(pair.first.gap.rate), fabs(pair.second.gap.rate));
-    contact.simultaneous = fabs(first - second) <= T(16) * epsilon<T>() * (T(1) / slower + contact.at.time);
+    contact.simultaneous = touch_together(pair.first.gap, pair.second.gap, contact.at.time);
     bool take_second = second < first;
     if (first == second) {
         const T difference = pair.second.gap.rate - pair.first.gap.rate;  // g′ = 2 u_n

@@ -29,6 +29,8 @@ struct Body {
     T spacing{};         ///< 2π/N, the angle from a vertex to the next
     T per_spacing{};     ///< N/2π
     T half_slope{};      ///< tan(π/N)
+    Vec2<T> next_turn;   ///< cis(2π/N) − 1
+    T side{};            ///< the length of a side, 2α sin(π/N)
     std::vector<Vec2<T>> vertices;  ///< cis(2πk/N) for N small enough to be worth a table …
     std::vector<Vec2<T>> rests;     ///< … and what rounding left out of it (double only)
 
@@ -86,6 +88,8 @@ inline Body<T> make_body(const Scene<T>& scene) {
     body.spacing = T(2 * pi<T>() / scene.sides);
     body.per_spacing = T(1) / body.spacing;
     body.half_slope = half.y / half.x;
+    body.side = T(2) * scene.alpha * half.y;
+    body.next_turn = {T(-2) * half.y * half.y, T(2) * half.y * half.x};
     if (scene.sides > Body<T>::table_limit) return body;
     for (int k = 0; k < scene.sides; ++k) {
         if constexpr (std::is_same_v<T, double>) {

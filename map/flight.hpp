@@ -143,4 +143,15 @@ inline Gap<T> struck_gap(const Flight<T>& flight, const Instant<T>& at) {
     return gap;
 }
 
+/// At the start, where that vertex is at (1, 0).
+template <class T>
+[[gnu::always_inline]] inline Gap<T> struck_gap_at_start(const Flight<T>& flight) {
+    const Vec2<T> swirl = flight.beta * flight.phase;
+    const Vec2<T> rate = flight.velocity + quarter_turned(Vec2<T>(flight.spin * flight.arm - swirl));
+    const T spin2 = flight.spin * flight.spin;
+    const Vec2<T> bend = swirl - spin2 * flight.arm;
+    return {T(0), T(2) * rate.x, T(2) * (dot(rate, rate) + bend.x),
+            T(2) * (T(3) * dot(rate, bend) - (swirl.y - spin2 * flight.spin * flight.arm.y))};
+}
+
 }  // namespace swirl

@@ -75,7 +75,7 @@ template <Shape shape, class T>
 
 /// The moment `step` later (or earlier, if negative).
 template <Shape shape, class T>
-inline void advance(const Flight<T>& flight, Instant<T>& at, const T& step) {
+[[gnu::always_inline]] inline void advance(const Flight<T>& flight, Instant<T>& at, const T& step) {
     const Vec2<T> turn = turn_minus_one(step);
     at.time = at.time + step;
     at.moved = at.moved + (step * flight.velocity - times(at.swirl, turn));
@@ -114,7 +114,7 @@ struct Gap {
 
 /// g = |X|² − (1 − α)²: the disk's gap, and the polygon's circumscribed circle's. X″ = w, X‴ = i w.
 template <class T>
-inline Gap<T> centre_gap(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
+[[gnu::always_inline]] inline Gap<T> centre_gap(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
     const T value = flight.struck && body.sides == disk_sides
                         ? T(T(2) * body.inner * at.moved.x + dot(at.moved, at.moved))
                         : T(dot(at.centre, at.centre) - body.inner * body.inner);
@@ -124,7 +124,7 @@ inline Gap<T> centre_gap(const Body<T>& body, const Flight<T>& flight, const Ins
 
 /// g = |x|² − 1 of the vertex at x = X + a; x′ = W + iSa, x″ = w − S²a, x‴ = i(w − S³a).
 template <class T>
-inline Gap<T> vertex_gap(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm) {
+[[gnu::always_inline]] inline Gap<T> vertex_gap(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm) {
     const T spin2 = flight.spin * flight.spin;
     const Vec2<T> x = at.centre + arm;
     const Vec2<T> rate = at.drift + flight.spin * quarter_turned(arm);
@@ -136,7 +136,7 @@ inline Gap<T> vertex_gap(const Flight<T>& flight, const Instant<T>& at, const Ve
 
 /// The same for the vertex that began the flight: |(1, 0) + d|² − 1 = 2 d_x + |d|², with d what it has moved.
 template <class T>
-inline Gap<T> struck_gap(const Flight<T>& flight, const Instant<T>& at) {
+[[gnu::always_inline]] inline Gap<T> struck_gap(const Flight<T>& flight, const Instant<T>& at) {
     const Vec2<T> moved = at.moved + at.arm_moved;
     Gap<T> gap = vertex_gap(flight, at, at.arm);
     gap.value = T(2) * moved.x + dot(moved, moved);

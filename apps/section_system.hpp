@@ -38,7 +38,7 @@ public:
         analysis::Linearised<dimension> step;
         fill(step, passage);
         if (!step.alive) return step;
-        step.derivative = passage.contacts.empty() ? map_.derivative_of(point_of(z), passage.collision) : difference_quotients(z, step);
+        step.derivative = passage.contacts.empty() ? map_.derivative_of(point_of(z), passage.collision) : difference_quotients(z);
         return step;
     }
 
@@ -59,11 +59,10 @@ public:
         return state;
     }
 
-private:
     /// Central differences. A column is left out (zero) where a neighbour takes another way: the map is not smooth there.
-    auto difference_quotients(const State& z, const analysis::Linearised<dimension>& centre) const {
+    analysis::Matrix<dimension> difference_quotients(const State& z) const {
         constexpr double h = 1e-5;
-        auto derivative = centre.derivative;
+        analysis::Matrix<dimension> derivative;
         for (int j = 0; j < dimension; ++j) {
             State up = z, down = z;
             up[j] += h;
@@ -78,6 +77,7 @@ private:
         return derivative;
     }
 
+    /// What a step says of a passage.
     template <class Step>
     void fill(Step& step, const Passage<double>& passage) const {
         const Collision<double>& collision = passage.collision;
@@ -86,10 +86,12 @@ private:
         if (passage.outcome != Outcome::completed) return;
         step.state = state_of(section_point(collision.after));
         step.duration = collision.flight_time;
+        step.integral = passage.turned;
         const int letter = 6 * collision.vertex_step + static_cast<int>(collision.impulse.mode);
         step.letter = passage.contacts.empty() ? letter : -1 - letter;
     }
 
+private:
     DifferentiatedMap<double, shape, rule> map_;
     ReturnMap<CollisionMap<double, shape, rule>> return_;
 };

@@ -22,6 +22,7 @@ Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p)
         closing.by_points.block(i * d, next * d, d, d) -= Eigen::MatrixXd::Identity(d, d);
         if (map.has_parameter) closing.by_parameter.segment(i * d, d) = step.by_parameter;
         closing.duration += step.duration;
+        closing.integral += step.integral;
         closing.steps.push_back(std::move(step));
     }
     closing.alive = closing.gap.allFinite() && closing.by_points.allFinite();

@@ -17,6 +17,7 @@ struct Closing {
     Eigen::VectorXd by_parameter;     ///< ∂G/∂p; empty without a parameter
     std::vector<ShootingStep> steps;  ///< the k steps
     double duration = 0;              ///< the cycle's return time
+    double integral = 0;              ///< of the map's observable over it
 
     double residual() const { return gap.lpNorm<Eigen::Infinity>(); }
 };

@@ -61,6 +61,7 @@ bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle) {
     if (exponents.outcome != CycleOutcome::completed) return false;
     cycle.residual = closing.residual();
     cycle.return_time = closing.duration;
+    cycle.mean = closing.integral / closing.duration;
     cycle.word = word_of(closing);
     cycle.multipliers = exponents.multipliers;
     sort_multipliers(cycle.multipliers);

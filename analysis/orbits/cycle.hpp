@@ -25,6 +25,7 @@ struct Cycle {
     CyclePoints points;
     double residual = 0;                            ///< max-norm of G
     double return_time = 0;
+    double mean = 0;                                ///< time mean of the map's observable over the cycle
     std::vector<std::int64_t> word;
     std::vector<std::complex<double>> multipliers;  ///< of DFᵏ, by falling modulus
     int index = 0;                                  ///< how many lie outside the unit circle

@@ -21,6 +21,7 @@ struct ShootingStep {
     Eigen::VectorXd by_parameter;   ///< ∂F/∂p; empty for a map without a parameter
     double duration = 1;            ///< time that the step took
     std::int64_t letter = 0;        ///< which smooth branch of the map was taken
+    double integral = 0;            ///< of an observable over the step's duration, for maps that have one
 };
 
 /// z ↦ F(z; p). A map without a parameter ignores p.
@@ -62,6 +63,7 @@ ShootingMap shooting_map(const M& map) {
         step.by_state = linearised.derivative;
         step.duration = linearised.duration;
         step.letter = linearised.letter;
+        step.integral = linearised.integral;
         return step;
     };
     return result;

@@ -22,7 +22,9 @@ std::vector<CurvePoint> walk(const ShootingMap& map, const CurvePoint& start, do
     closed = false;
     while (static_cast<int>(members.size()) < options.most_steps) {  // ends: too many, too short a step, or closed
         CurvePoint next;
-        if (correct(map, here, h, next) != Correction::converged ||
+        CorrectorOptions corrector;
+        corrector.keep_word = false;  // a family goes on where sticking becomes sliding, with a kink at most
+        if (correct(map, here, h, next, corrector) != Correction::converged ||
             curve_product(here.tangent, next.tangent, false, here.points.size()) < 0.98) {
             h *= 0.5;
             if (h < options.shortest) return members;
@@ -75,7 +77,9 @@ std::vector<CyclePoints> pinned_members(const ShootingMap& map, const FamilyCurv
         const double length = curve_product(a.tangent, across, false, a.points.size());
         CurvePoint member;
         const auto gap = [&](double h) {
-            return correct(map, a, h, member) == Correction::converged ? value(member) - goal
+            CorrectorOptions corrector;
+            corrector.keep_word = false;
+            return correct(map, a, h, member, corrector) == Correction::converged ? value(member) - goal
                                                                        : std::numeric_limits<double>::quiet_NaN();
         };
         std::uintmax_t most = 100;
@@ -110,22 +114,22 @@ bool belongs_to(const ShootingMap& map, const FamilyCurve& curve, const CyclePoi
 }
 
 bool is_reachable(const ShootingMap& map, double p, const CyclePoints& a, const CyclePoints& b) {
-    constexpr double longest = 0.02;
+    constexpr double longest = 0.1;
     CyclePoints here = a;
     double left = std::numeric_limits<double>::infinity();
-    for (int step = 0; step < 2000; ++step) {
+    for (int step = 0; step < 200; ++step) {
         Eigen::VectorXd across(static_cast<Eigen::Index>(here.size()) * map.dimension);
         for (std::size_t i = 0; i < here.size(); ++i)
             across.segment(static_cast<Eigen::Index>(i) * map.dimension, map.dimension) =
                 map.difference(b[i], here[i]);
         const double distance = across.lpNorm<Eigen::Infinity>();
         if (distance < 1e-6) return true;
-        if (!(distance < left)) return false;  // it leads away
+        if (!(distance < left - 0.1 * std::min(left, longest))) return false;  // it leads away
         left = distance;
         if (distance > longest) across *= longest / distance;
         for (std::size_t i = 0; i < here.size(); ++i)
             here[i] += across.segment(static_cast<Eigen::Index>(i) * map.dimension, map.dimension);
-        if (!(polish_cycle(map, here, p, 1e-12) <= 1e-9)) return false;
+        if (!(polish_cycle(map, here, p, 1e-10) <= 1e-9)) return false;
     }
     return false;
 }

@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -18,6 +19,15 @@ struct Solved {
     double residual = 0;
 };
 
+double shortest_step(const ShootingMap& map, const CyclePoints& points, double p) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto& z : points) {
+        const ShootingStep step = map.step(z, p);
+        shortest = std::min(shortest, step.alive ? step.duration : 0);
+    }
+    return shortest;
+}
+
 std::vector<Solved> solve_all(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
                               const SearchOptions& options, SearchResult& result) {
     std::vector<Solved> solved(candidates.size());
@@ -27,7 +37,7 @@ std::vector<Solved> solve_all(const ShootingMap& map, double p, const std::vecto
         tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
             if (options.stop && options.stop()) return;
             const ShootingResult shot = solve_shooting(map, candidates[i], p, options.accept, options.shooting);
-            if (shot.converged) solved[i] = {minimal_cycle(map, shot.points, options.same), shot.residual};
+            if (shot.converged && shortest_step(map, shot.points, p) > options.shortest_step) solved[i] = {minimal_cycle(map, shot.points, options.same), shot.residual};
             const std::lock_guard lock(mutex);
             ++result.tried;
             if (options.progress) options.progress(static_cast<double>(result.tried));

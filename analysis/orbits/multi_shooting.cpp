@@ -77,6 +77,8 @@ ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, 
                               const ShootingOptions& options) {
     ShootingResult result;
     result.points = guess;
+    result.residual = std::numeric_limits<double>::infinity();
+    if (!close_cycle(map, guess, p).alive) return result;
     const auto k = guess.size();
     ceres::Problem problem;
     for (std::size_t i = 0; i < k; ++i) {
@@ -90,7 +92,6 @@ ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, 
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
     result.iterations = static_cast<int>(summary.iterations.size());
-    result.residual = std::numeric_limits<double>::infinity();
     if (!summary.IsSolutionUsable() || !(summary.final_cost < 1e-6)) return result;  // |G| ≈ 10⁻³: too far for Newton
     result.residual = polish_cycle(map, result.points, p);
     result.converged = result.residual <= accept;

@@ -38,6 +38,7 @@ double longest_flight(const Scene<double>& scene) {
 }
 
 constexpr double tau_step = 0.01;
+constexpr double fastest_spin = 5;  // without friction S is free: that of what a user may see
 constexpr std::size_t most_guesses = 20'000;
 
 std::vector<CyclePoints> guesses_on_grid(const Scene<double>& scene, bool no_slip) {
@@ -47,9 +48,14 @@ std::vector<CyclePoints> guesses_on_grid(const Scene<double>& scene, bool no_sli
             guesses.push_back({steady_point(scene, tau, spin_without_slip(scene, tau))});
             continue;
         }
-        const int sides = scene.is_disk() ? 1 : scene.sides;
-        for (int j = -4; j <= 8; ++j)
-            guesses.push_back({steady_point(scene, tau, 1 - 2 * pi<double>() * j / (sides * tau))});
+        if (scene.is_disk()) {  // any S will do
+            guesses.push_back({steady_point(scene, tau, 0)});
+            continue;
+        }
+        for (int j = -4; j <= 8; ++j) {
+            const double spin = 1 - 2 * pi<double>() * j / (scene.sides * tau);
+            if (std::abs(spin) <= fastest_spin) guesses.push_back({steady_point(scene, tau, spin)});
+        }
     }
     return guesses;
 }

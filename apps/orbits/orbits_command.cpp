@@ -51,7 +51,8 @@ std::pair<int, int> OrbitsOptions::periods() const {
 
 namespace {
 
-constexpr double accepted = 1e-11;  // residual of a cycle; those found end near 10⁻¹⁵
+constexpr double accepted = 1e-11;         // residual of a cycle; those found end near 10⁻¹⁵
+constexpr double shortest_flight = 1e-6;   // u_n → 0 makes every point a "fixed point": rest, not a cycle
 
 struct Pin {
     bool by_time = false;
@@ -76,18 +77,15 @@ double pinned_value(const analysis::CurvePoint& point, bool by_time) {
 
 /// Replaces the families by their members where S or the return time has the value.
 void pin_families(const analysis::ShootingMap& map, const Pin& pin, FoundOrbits& found) {
-    std::vector<analysis::Cycle> members;
+    analysis::KnownCycles members(map, 0, 1e-7, false);
     for (const auto& cycle : found.cycles) {
         if (cycle.tangents.cols() != 1) continue;
         const auto family = analysis::walk_family(map, 0, cycle);
         const auto value = [&](const analysis::CurvePoint& point) { return pinned_value(point, pin.by_time); };
-        for (const auto& points : analysis::pinned_members(map, family, value, pin.value)) {
-            analysis::Cycle member;
-            member.points = points;
-            if (analysis::complete_cycle(map, 0, member)) members.push_back(std::move(member));
-        }
+        for (const auto& points : analysis::pinned_members(map, family, value, pin.value))
+            members.add(points, analysis::close_cycle(map, points, 0).residual());
     }
-    found.cycles = std::move(members);
+    found.cycles = members.cycles();
 }
 
 /// z and the k − 1 states after it.
@@ -133,6 +131,7 @@ FoundOrbits find_all(const OrbitsOptions& options, const Scene<double>& scene, c
         analysis::SearchOptions search;
         search.period = k;
         search.accept = accepted;
+        search.shortest_step = shortest_flight;
         search.threads = options.output.threads;
         search.progress = [&](double done) { progress.at(done); };
         search.stop = is_interrupted;

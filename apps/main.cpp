@@ -4,6 +4,7 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/json/json_writer.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
+#include "apps/plot/plot_command.hpp"
 #include "apps/record/record_error.hpp"
 #include "apps/recurrence/recurrence_command.hpp"
 #include "apps/simulate/simulate.hpp"
@@ -46,6 +47,7 @@ Commands add_commands(CLI::App& app) {
         add_command<LyapunovCommandOptions>(app, "lyapunov", "the whole Lyapunov spectrum of an orbit", lyapunov_details,
                                             lyapunov),
         add_command<SweepOptions>(app, "sweep", "the modes across parameters", sweep_details, sweep),
+        add_command<PlotOptions>(app, "plot", "a figure of a record", plot_details, plot),
         add_command<TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour_details, tour),
     };
 }

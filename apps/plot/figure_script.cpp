@@ -15,7 +15,8 @@ namespace swirl::apps {
 namespace {
 
 constexpr const char* script_name = "plot_record.py";
-constexpr const char* packages = "python3 python3-numpy python3-h5py python3-h5netcdf python3-xarray python3-matplotlib";
+constexpr const char* packages =
+    "python3 python3-numpy python3-h5py python3-h5netcdf python3-xarray python3-matplotlib";
 
 /// Debian's Python packages belong to this interpreter; another python3 first on PATH may not see them.
 constexpr const char* system_python = "/usr/bin/python3";
@@ -50,12 +51,14 @@ std::filesystem::path figure_script() {
     if (is_file(installed)) return installed.lexically_normal();
     const auto source = std::filesystem::path(SWIRL_FIGURES_SOURCE) / script_name;
     if (is_file(source)) return source;
-    throw BadInput(fmt::format("{} is not where swirl was installed; set SWIRL_FIGURES to the folder that holds it", script_name));
+    throw BadInput(fmt::format("{} is not where swirl was installed; set SWIRL_FIGURES to the folder that holds it",
+                               script_name));
 }
 
 void become_python(const std::filesystem::path& script, const std::vector<std::string>& arguments) {
     const std::string chosen = environment("SWIRL_PYTHON");
-    std::vector<std::string> words = {chosen.empty() ? system_python : chosen, "-B", script.string()};  // -B: leaves no files
+    // -B: it leaves no compiled files beside the script
+    std::vector<std::string> words = {chosen.empty() ? system_python : chosen, "-B", script.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (auto& word : words) argv.push_back(word.data());

@@ -16,13 +16,13 @@ namespace swirl::apps {
 
 const char* const plot_details =
     R"(The figure follows from what the record holds:
-  simulate            orbit (the default: the next two in one), spin (S(t) with its running time mean), path (of the centre,
-                      in the laboratory, the container, and the frame that turns with the swirl)
+  simulate            orbit (the default: the next two in one), spin (S(t) with its running time mean), path (of the
+                      centre, in the laboratory, in the container, and co-rotating with the swirl)
   sweep               modes: bands, a map or panels, by the number of parameters
   bifurcate, continue bifurcation: samples, branches and the points where they change
   orbits              multipliers: in the complex plane, with the mean spin of each orbit
-It is drawn by the Python package swirl_figures, which notebooks can use as well. SWIRL_FIGURES names another folder that
-holds plot_record.py, SWIRL_PYTHON another interpreter than /usr/bin/python3.
+It is drawn by the Python package swirl_figures, which notebooks can use as well. The environment's SWIRL_FIGURES names
+another folder that holds plot_record.py, SWIRL_PYTHON another interpreter than /usr/bin/python3.
 
 Example:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 200 -o orbit.h5
@@ -30,7 +30,8 @@ Example:
 
 void PlotOptions::add_to(CLI::App& command) {
     command.add_option("record", record, "a record of another command")->type_name("RECORD.h5")->required();
-    command.add_option("-o,--output", figure, "the figure to write: .png, .svg or .pdf")->type_name("FIGURE")->required();
+    command.add_option("-o,--output", figure, "the figure to write: .png, .svg or .pdf")
+        ->type_name("FIGURE")->required();
     command.add_option("--kind", kind, "which figure, where there are several")->type_name("NAME");
     command.add_flag("--json", json, "one JSON document on standard output: figure, kind, record");
     command.add_flag("--quiet", quiet, "no messages");

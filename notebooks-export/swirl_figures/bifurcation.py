@@ -11,7 +11,7 @@ from .symbols import SPIN, axis_label, scene_title
 
 #: By the record's `origin`: name, colour, size. Light, for the branches lie over them; of falling size, for attractors
 #: that are found in several ways lie on one another.
-_ORIGINS = {0: ("random starts", "#8A8A8A", 9), 1: ("followed up", SKY, 4), 2: ("followed down", ORANGE, 1)}
+_ORIGINS = {0: ("random starts", "#8A8A8A", 7), 1: ("followed up", SKY, 4), 2: ("followed down", ORANGE, 2)}
 
 _PERIODS = (BLUE, VERMILION, GREEN, PURPLE, "#7A5C00", BLACK)
 
@@ -23,7 +23,7 @@ def _draw_samples(axes, record):
     parameter, spin = record.column("samples", "parameter"), record.column("samples", "S")
     origin = record.column("samples", "origin")
     handles = []
-    scale = 0.4 if len(spin) > 5_000 else 1
+    scale = 0.5 if len(spin) > 5_000 else 1
     only_one = len(numpy.unique(origin)) == 1
     for value, (label, colour, size) in _ORIGINS.items():
         of = origin == value

@@ -40,8 +40,9 @@ def _draw_rings(axes, multiplier):
         radius = 1.0 + power
         if power > 0:
             axes.add_patch(Circle((0, 0), radius, fill=False, ec="0.7", lw=0.7, ls=(0, (4, 3)), zorder=0))
-        axes.text(radius * direction.real, radius * direction.imag, f"$10^{{{power}}}$" if power else "1", size=7,
-                  color="0.25", ha="center", va="center", bbox={"fc": "white", "ec": "none", "pad": 0.6}, zorder=1.5)
+        name = ("1", "10")[power] if power < 2 else f"$10^{{{power}}}$"
+        axes.text(radius * direction.real, radius * direction.imag, name, size=7, color="0.25", ha="center",
+                  va="center", bbox={"fc": "white", "ec": "none", "pad": 0.6}, zorder=1.5)
 
 
 def _draw_plane(axes, multiplier, logarithmic):
@@ -69,7 +70,8 @@ def _handles(colours, names, stable):
                for name, colour in dict(zip(names, colours)).items()]
     for flag, label in ((True, "stable"), (False, "not stable")):
         if (stable == flag).any():
-            handles.append(Line2D([], [], ls="", marker="o", ms=5, mec="0.3", mfc="0.3" if flag else "none", label=label))
+            fill = "0.3" if flag else "none"
+            handles.append(Line2D([], [], ls="", marker="o", ms=5, mec="0.3", mfc=fill, label=label))
     return handles
 
 

@@ -2,6 +2,7 @@
 
 import numpy
 from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 from matplotlib.ticker import MaxNLocator
@@ -92,9 +93,10 @@ def draw_path_into(figure, panels, record):
     shown = flights.last(MOST_FLIGHTS)
     beta = record.scene()["beta"]
     curves = sample(shown)
+    times = Normalize(shown.begin[0], shown.end[-1])
     for axes, (name, into) in zip(panels, FRAMES.items()):
         lines = LineCollection([numpy.column_stack(into(x, y, t, beta)) for t, x, y in curves],
-                               cmap="cividis_r", array=shown.end, linewidths=0.8, capstyle="round")
+                               cmap="cividis_r", norm=times, array=shown.end, linewidths=0.8, capstyle="round")
         axes.add_collection(lines)
         axes.set_aspect("equal")
         axes.set(title=name, xlabel=r"$x/R_c$")
@@ -103,7 +105,8 @@ def draw_path_into(figure, panels, record):
         _draw_container(axes, name, shown.end[-1], beta)
         _draw_body(axes, name, record)
     panels[0].set_ylabel(r"$y/R_c$")
-    figure.colorbar(lines, ax=panels, label=TIME, shrink=0.75, pad=0.01, aspect=25)
+    bar = figure.colorbar(lines, ax=panels, label=TIME, shrink=0.75, pad=0.01, aspect=25)
+    bar.ax.ticklabel_format(useOffset=False, style="plain")
     return _title(flights, record)
 
 

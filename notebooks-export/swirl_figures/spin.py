@@ -2,11 +2,13 @@
 
 import numpy
 from matplotlib.collections import LineCollection
+from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from .flights import flights_of
 from .record import open_record
-from .style import BLUE, GREEN, MANY_POINTS, ORANGE, VERMILION, styled
+from .style import BLUE, MANY_POINTS, ORANGE, VERMILION, styled
 from .symbols import SPIN, TIME, number, scene_title
 
 #: More flights than these are a solid band as steps; then dots show all of them and steps the last.
@@ -58,7 +60,7 @@ def _draw_contacts(axes, record, after=-numpy.inf):
 def _draw_mean(axes, times, means):
     if len(times):
         axes.plot(times, means, color=VERMILION, lw=1.3,
-                  label=rf"running time mean, at the end {number(means[-1])}")
+                  label=f"running time mean, at last {number(means[-1])}")
 
 
 def _end_before_the_long_rest(axes, record, begin):
@@ -76,6 +78,9 @@ def _finish(axes, title):
     axes.margins(x=0.01)
     axes.autoscale_view()
     axes.set(xlabel=TIME, ylabel=SPIN, title=title)
+    if axes.get_xlim()[1] >= 1e5:
+        axes.xaxis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
+    axes.ticklabel_format(axis="x", useOffset=False, style="plain")
     axes.axhline(0, color="0.8", lw=0.7, zorder=0)
     bottom, top = axes.get_ylim()
     axes.set_ylim(bottom, top + 0.24 * (top - bottom))  # room for the legend
@@ -84,13 +89,16 @@ def _finish(axes, title):
 
 def _draw_all(axes, record, flights):
     t, spin = record.column("collisions", "t"), record.column("collisions", "spin")
-    size, alpha = (7, 0.9) if len(t) < 2000 else (2, 0.6)
-    axes.scatter(t, spin, s=size, color=BLUE, alpha=alpha, lw=0, rasterized=len(t) > MANY_POINTS)
-    axes.plot([], [], "o", color=BLUE, ms=3.5, mec="none", label="just after each impact")
+    many = len(t) > MANY_POINTS
+    if many:
+        axes.hist2d(t, spin, bins=(300, 150), cmin=1, norm=LogNorm(), cmap="Blues", rasterized=True)
+    else:
+        axes.scatter(t, spin, s=7 if len(t) < 2000 else 2, color=BLUE, alpha=0.8, lw=0)
+    axes.plot([], [], "o", color=BLUE, ms=3.5, mec="none", label="after each impact")
     _draw_contacts(axes, record)
     _draw_mean(axes, *running_mean(record))
     rest = _end_before_the_long_rest(axes, record, t[0])
-    _finish(axes, f"Spin, {len(flights):,} listed impacts{rest}")
+    _finish(axes, f"Spin, {len(flights):,} listed impacts{' (darker: more)' * many}{rest}")
 
 
 def _draw_steps(axes, record, flights, title):

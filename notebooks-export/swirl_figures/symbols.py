@@ -35,7 +35,7 @@ def number(value):
 def _body(sides):
     if sides == "disk":
         return "disk"
-    return _POLYGONS.get(int(sides), f"polygon, N = {int(sides)}")
+    return _POLYGONS.get(int(sides), f"polygon, N = {int(sides):,}")
 
 
 def _uniform_inertia(sides):

@@ -14,8 +14,13 @@ from .symbols import MEAN_SPIN, number, scene_title
 LINEAR_UP_TO = 2.0
 
 
-def _is_stable(names):
-    return numpy.array([name == "stable" for name in names])
+#: How full a marker is; a stability that is not here is drawn as unstable.
+_FILLS = {"stable": "full", "neutral": "left", "unstable": "none"}
+
+
+def _marker(colour, stability):
+    return {"ls": "", "marker": "o", "ms": 5, "color": colour, "markerfacecoloralt": "white",
+            "fillstyle": _FILLS.get(stability, "none")}
 
 
 def _radius(modulus, logarithmic):
@@ -65,37 +70,38 @@ def _colours(period, mean_spin):
     return ([CYCLE[periods.index(k) % len(CYCLE)] for k in period], [f"period {k}" for k in period])
 
 
-def _handles(colours, names, stable):
-    handles = [Line2D([], [], ls="", marker="o", ms=5, color=colour, label=name)
+def _handles(colours, names, stability):
+    handles = [Line2D([], [], label=name, **_marker(colour, "stable"))
                for name, colour in dict(zip(names, colours)).items()]
-    for flag, label in ((True, "stable"), (False, "not stable")):
-        if (stable == flag).any():
-            fill = "0.3" if flag else "none"
-            handles.append(Line2D([], [], ls="", marker="o", ms=5, mec="0.3", mfc=fill, label=label))
-    return handles
+    present = [name for name in _FILLS if name in stability] + sorted(set(stability) - set(_FILLS))
+    return handles + [Line2D([], [], label=name, **_marker("0.3", name)) for name in present]
+
+
+def _draw_spins(axes, period):
+    axes.set(xlabel="period, in impacts", ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$", title="The orbits")
+    axes.set_xlim(period.min() - 0.5, period.max() + 0.5)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
+    axes.margins(y=0.1)
 
 
 @styled
 def draw_multipliers(record):
     record = open_record(record)
-    period, mean_spin = record.column("orbits", "period"), record.column("orbits", "mean_S")
-    if len(period) == 0:
+    if record["orbits"].sizes.get("orbit", 0) == 0:
         raise RecordError(f"record '{record.path}' holds no orbits: there is nothing to draw")
+    period, mean_spin = record.column("orbits", "period"), record.column("orbits", "mean_S")
     multiplier = record.column("orbits", "multiplier_re") + 1j * record.column("orbits", "multiplier_im")
-    stable = _is_stable(record.names("orbits", "stability"))
+    stability = record.names("orbits", "stability")
     logarithmic = numpy.nanmax(abs(multiplier), initial=1.0) > LINEAR_UP_TO
     figure = Figure(figsize=(11, 4.9), layout="constrained")
     plane, spins = figure.subplots(1, 2, width_ratios=(1, 1))
     _draw_plane(plane, multiplier, logarithmic)
     colours, names = _colours(period, mean_spin)
-    for values, k, s, colour, is_stable in zip(multiplier, period, mean_spin, colours, stable):
-        style = {"ls": "", "marker": "o", "ms": 5, "mec": colour, "mfc": colour if is_stable else "none", "alpha": 0.9}
+    for values, k, s, colour, name in zip(multiplier, period, mean_spin, colours, stability):
         place = _radius(abs(values), logarithmic) * numpy.exp(1j * numpy.angle(values))
-        plane.plot(place.real, place.imag, **style)
-        spins.plot(k, s, **style)
-    spins.set(xlabel="period, in impacts", ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$", title="The orbits")
-    spins.xaxis.set_major_locator(MaxNLocator(integer=True))
-    spins.margins(0.1)
-    spins.legend(handles=_handles(colours, names, stable), loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        plane.plot(place.real, place.imag, **_marker(colour, name))
+        spins.plot(k, s, **_marker(colour, name))
+    _draw_spins(spins, period)
+    spins.legend(handles=_handles(colours, names, stability), loc="upper left", bbox_to_anchor=(1.0, 1.0))
     figure.suptitle(scene_title(record.scene()))
     return figure

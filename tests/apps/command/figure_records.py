@@ -109,4 +109,5 @@ def write_orbits(path, count, largest):
         _write(group, "residual", ["orbit"], numpy.full(count, 1e-15))
         _write(group, "multiplier_re", ["orbit", "multiplier_index"], real)
         _write(group, "multiplier_im", ["orbit", "multiplier_index"], imaginary)
-        _write(group, "stability", ["orbit"], ["stable" if modulus < 1 else "unstable" for modulus in moduli])
+        stability = ["stable" if modulus < 1 else "unstable" for modulus in moduli[:-1]] + ["neutral"]
+        _write(group, "stability", ["orbit"], stability)

@@ -5,6 +5,7 @@
 #include "apps/json/json_writer.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
 #include "apps/orbits/orbits_command.hpp"
+#include "apps/plot/plot_command.hpp"
 #include "apps/record/record_error.hpp"
 #include "apps/recurrence/recurrence_command.hpp"
 #include "apps/simulate/simulate.hpp"
@@ -48,6 +49,7 @@ Commands add_commands(CLI::App& app) {
                                             lyapunov),
         add_command<OrbitsOptions>(app, "orbits", "fixed points and cycles, stable and unstable", orbits_details, orbits),
         add_command<SweepOptions>(app, "sweep", "the modes across parameters", sweep_details, sweep),
+        add_command<PlotOptions>(app, "plot", "a figure of a record", plot_details, plot),
         add_command<TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour_details, tour),
     };
 }

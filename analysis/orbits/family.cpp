@@ -20,6 +20,7 @@ std::vector<CurvePoint> walk(const ShootingMap& map, const CurvePoint& start, do
     here.tangent *= sign;
     double h = options.step;
     closed = false;
+    bool has_left = false;
     while (static_cast<int>(members.size()) < options.most_steps) {  // ends: too many, too short a step, or closed
         CurvePoint next;
         CorrectorOptions corrector;
@@ -34,7 +35,9 @@ std::vector<CurvePoint> walk(const ShootingMap& map, const CurvePoint& start, do
         for (auto& point : here.points) point = map.normalised(point);
         members.push_back(here);
         h = std::min(1.5 * h, options.step);
-        closed = members.size() > 4 && distance_between(map, here.points, start.points) < options.step &&
+        const double away = distance_between(map, here.points, start.points);
+        has_left = has_left || away > 3 * options.step;
+        closed = has_left && away < options.step &&
                  curve_product(here.tangent, start.tangent, false, here.points.size()) * sign > 0.9;
         if (closed) return members;
     }

@@ -29,6 +29,16 @@ Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p)
     return closing;
 }
 
+CyclePoints orbit_from(const ShootingMap& map, const Eigen::VectorXd& z, double p, int k) {
+    CyclePoints points{z};
+    while (static_cast<int>(points.size()) < k) {
+        const ShootingStep step = map.step(points.back(), p);
+        if (!step.alive) return {};
+        points.push_back(step.state);
+    }
+    return points;
+}
+
 Eigen::MatrixXd monodromy(const Closing& closing) {
     Eigen::MatrixXd product = closing.steps.front().by_state;
     for (std::size_t i = 1; i < closing.steps.size(); ++i) product = closing.steps[i].by_state * product;

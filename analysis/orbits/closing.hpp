@@ -25,6 +25,9 @@ struct Closing {
 /// Cost: k steps of the map and (kD)² numbers.
 Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p);
 
+/// z and the k − 1 states after it; empty if the map ends before.
+CyclePoints orbit_from(const ShootingMap& map, const Eigen::VectorXd& z, double p, int k);
+
 /// DF(z_k) … DF(z_1).
 Eigen::MatrixXd monodromy(const Closing& closing);
 

@@ -114,17 +114,10 @@ Eigen::VectorXd random_section_point(const Scene<double>& scene, const Draws& dr
     return state_of(z, scene.is_disk());
 }
 
-/// k states from z on; empty if the map ends.
-CyclePoints states_from(const analysis::ShootingMap& map, Eigen::VectorXd z, std::int64_t skip, int k) {
-    CyclePoints states;
-    for (std::int64_t i = 0; i < skip + k; ++i) {
-        if (i >= skip) states.push_back(z);
-        if (i + 1 == skip + k) break;
-        const auto step = map.step(z, 0);
-        if (!step.alive) return {};
-        z = step.state;
-    }
-    return states;
+/// k states after `skip` impacts from z; empty if the map ends.
+CyclePoints states_from(const analysis::ShootingMap& map, const Eigen::VectorXd& z, int skip, int k) {
+    const CyclePoints orbit = analysis::orbit_from(map, z, 0, skip + k);
+    return orbit.empty() ? orbit : CyclePoints(orbit.begin() + skip, orbit.end());
 }
 
 }  // namespace
@@ -162,7 +155,7 @@ std::vector<CyclePoints> candidates_for(const Scene<double>& scene, const analys
     }
     for (std::int64_t i = 0; i < options.starts; ++i) {
         const Draws draws(options.seed, static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(i));
-        const auto skip = static_cast<std::int64_t>(4 * draws.u[7]);
+        const auto skip = static_cast<int>(4 * draws.u[7]);
         CyclePoints guess = states_from(map, random_section_point(scene, draws), skip, k);
         if (!guess.empty()) candidates.push_back(std::move(guess));
     }

@@ -88,17 +88,6 @@ void pin_families(const analysis::ShootingMap& map, const Pin& pin, FoundOrbits&
     found.cycles = members.cycles();
 }
 
-/// z and the k − 1 states after it.
-analysis::CyclePoints guess_near(const analysis::ShootingMap& map, const Eigen::VectorXd& z, int k) {
-    analysis::CyclePoints guess{z};
-    while (static_cast<int>(guess.size()) < k) {
-        const auto step = map.step(guess.back(), 0);
-        if (!step.alive) return {};
-        guess.push_back(step.state);
-    }
-    return guess;
-}
-
 FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, const analysis::ShootingMap& map) {
     const auto z = section_point_from<double>("--near", options.near, scene.is_disk());
     require_leaving(make_body(scene), z);
@@ -106,7 +95,7 @@ FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, 
     analysis::KnownCycles known(map, 0, 1e-6, false);
     const auto [first, last] = options.periods();
     for (int k = first; k <= last; ++k) {
-        const auto guess = guess_near(map, state_of(z, scene.is_disk()), k);
+        const auto guess = analysis::orbit_from(map, state_of(z, scene.is_disk()), 0, k);
         if (guess.empty()) continue;
         ++found.tried;
         const auto shot = analysis::solve_shooting(map, guess, 0, accepted);

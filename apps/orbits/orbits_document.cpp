@@ -1,3 +1,4 @@
+#include "apps/continue/branches.hpp"
 #include "apps/orbits/orbits_command.hpp"
 #include "apps/scene_map/scene_map.hpp"
 
@@ -11,27 +12,6 @@ namespace {
 constexpr const char* polygon_names[] = {"psi", "chi", "vn", "vt", "S"};
 constexpr const char* disk_names[] = {"psi", "vn", "vt", "S"};
 
-void write_vector(JsonWriter& json, const Eigen::VectorXd& z) {
-    json.begin_object();
-    for (Eigen::Index i = 0; i < z.size(); ++i)
-        json.member(z.size() == 4 ? disk_names[i] : polygon_names[i], z[i]);
-    json.end_object();
-}
-
-void write_word(JsonWriter& json, const std::vector<std::int64_t>& word) {
-    json.key("word");
-    json.begin_array();
-    for (const std::int64_t letter : word) {
-        const Letter l = letter_from(letter);
-        json.begin_object();
-        json.member("vertex_step", std::int64_t{l.vertex_step});
-        json.member("contact_mode", name_of(l.mode));
-        if (l.through_contact) json.member("through_contact", true);
-        json.end_object();
-    }
-    json.end_array();
-}
-
 void write_family(JsonWriter& json, const analysis::ShootingMap& map, const analysis::Cycle& cycle) {
     json.key("family");
     if (!cycle.is_family()) {
@@ -42,7 +22,7 @@ void write_family(JsonWriter& json, const analysis::ShootingMap& map, const anal
     json.member("dimension", static_cast<std::int64_t>(cycle.tangents.cols()));
     json.key("tangents");
     json.begin_array();
-    for (Eigen::Index j = 0; j < cycle.tangents.cols(); ++j) write_vector(json, cycle.tangents.col(j));
+    for (Eigen::Index j = 0; j < cycle.tangents.cols(); ++j) write_point(json, {}, cycle.tangents.col(j));
     json.end_array();
     if (cycle.tangents.cols() == 1) {
         const FamilyRange range = range_of(map, cycle);
@@ -60,24 +40,16 @@ void write_cycle(JsonWriter& json, const analysis::ShootingMap& map, const analy
     json.member("period", static_cast<std::int64_t>(cycle.period()));
     json.key("points");
     json.begin_array();
-    for (const auto& z : cycle.points) write_vector(json, z);
+    for (const auto& z : cycle.points) write_point(json, {}, z);
     json.end_array();
     json.member("return_time", cycle.return_time);
     json.member("mean_S", cycle.mean);
     json.member("mean_S_per_impact", mean_spin_per_impact(cycle));
-    json.key("multipliers");
-    json.begin_array();
-    for (const auto& m : cycle.multipliers) {
-        json.begin_array();
-        json.value(m.real());
-        json.value(m.imag());
-        json.end_array();
-    }
-    json.end_array();
+    write_multipliers(json, cycle.multipliers);
     json.member("index", std::int64_t{cycle.index});
     json.member("stability", analysis::name(cycle.stability));
     json.member("residual", cycle.residual);
-    write_word(json, cycle.word);
+    write_word(json, "word", cycle.word);
     write_family(json, map, cycle);
     json.end_object();
 }

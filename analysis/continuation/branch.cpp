@@ -20,8 +20,9 @@ std::string_view name(BranchEnd end) {
         case BranchEnd::range: return "range";
         case BranchEnd::closed: return "closed";
         case BranchEnd::border: return "border";
-        case BranchEnd::lost: return "lost";
         case BranchEnd::most_points: return "most-points";
+        case BranchEnd::halved: return "halved";
+        case BranchEnd::switched: return "switched";
         case BranchEnd::stopped: return "stopped";
     }
     return "?";

@@ -25,9 +25,10 @@ std::string_view name(SpecialKind kind);
 enum class BranchEnd {
     range,           ///< the parameter reached the end of its range
     closed,          ///< the branch came back to where it began
-    border,          ///< a border of the map behind which no cycle goes on
-    lost,            ///< no cycle was found although no border is known there
+    border,          ///< a border of the map behind which no cycle was found to go on
     most_points,     ///< as many points as were asked for
+    halved,          ///< it met the flip of a cycle of half its period, behind which it comes again
+    switched,        ///< it begins at a special point of another branch
     stopped,         ///< interrupted
 };
 std::string_view name(BranchEnd end);
@@ -46,7 +47,8 @@ struct SpecialPoint {
     SpecialKind kind = SpecialKind::fold;
     std::string border;                       ///< its name, for a border
     BranchPoint cycle;
-    std::vector<std::int64_t> word_after;     ///< on the other side of a border; empty if nothing goes on
+    std::vector<std::int64_t> word_after;     ///< on the other side of a border; empty if the map ends there
+    bool goes_on = true;                      ///< false: no cycle was found behind the border
     std::optional<NormalForm> normal_form;
     std::size_t after = 0;                    ///< between branch points `after` and `after` + 1
 };

@@ -1,5 +1,6 @@
 #include "analysis/continuation/continue_branch.hpp"
 
+#include "analysis/continuation/border.hpp"
 #include "analysis/continuation/locate.hpp"
 
 #include <Eigen/SVD>
@@ -16,11 +17,6 @@ double parameter_of(const ContinuationOptions& options, bool has_parameter, cons
 namespace {
 
 constexpr double least_cosine = 0.97;  // between tangents a step apart: a bend of 14 degrees
-
-bool is_rest(const CurvePoint& point, double shortest) {
-    return std::any_of(point.closing.steps.begin(), point.closing.steps.end(),
-                       [&](const ShootingStep& step) { return !(step.duration > shortest); });
-}
 
 /// One way along a branch: the state of the walk.
 class Walk {
@@ -57,6 +53,7 @@ private:
             return;
         }
         if (const double p = value(next); p < options_.low || p > options_.high) return reach_range(next);
+        if (is_halved(next)) return end(BranchEnd::halved);
         accept(next, h_);
         if (++successes_ > 1) h_ = std::min(1.4 * h_, options_.longest_step);
         if (has_closed()) end(BranchEnd::closed);
@@ -85,42 +82,62 @@ private:
         end(BranchEnd::range);
     }
 
+    /// Did the two halves of the cycle change places on the way? Then it went through a cycle of half the period.
+    bool is_halved(const CurvePoint& next) const {
+        const std::size_t k = next.points.size();
+        double product = 0;
+        for (std::size_t i = 0; k % 2 == 0 && i < k / 2; ++i)
+            product += map_.difference(here().points[i], here().points[i + k / 2])
+                           .dot(map_.difference(next.points[i], next.points[i + k / 2]));
+        return product < 0;
+    }
+
     /// Back where it began, after it had been away.
     bool has_closed() {
         const double away = std::max(std::abs(here().p - start_.p), distance_between(map_, here().points, start_.points));
         has_left_ = has_left_ || away > 3 * options_.longest_step;
-        return has_left_ && away < options_.longest_step &&
-               curve_product(here().tangent, start_.tangent, map_.has_parameter, start_.points.size()) > 0.9;
+        return has_left_ && away < options_.longest_step && has_start_direction();
+    }
+
+    /// The tangents agree, whichever of the cycle's points is called the first.
+    bool has_start_direction() const {
+        const std::size_t k = start_.points.size();
+        const Eigen::Index d = map_.dimension, size = here().closing.gap.size();
+        Eigen::VectorXd turned = here().tangent;
+        for (std::size_t shift = 0; shift < k; ++shift) {
+            for (std::size_t i = 0; i < k; ++i)
+                turned.segment(static_cast<Eigen::Index>(i) * d, d) =
+                    here().tangent.segment(static_cast<Eigen::Index>((i + shift) % k) * d, d);
+            double away = 0;
+            for (std::size_t i = 0; i < k; ++i)
+                away = std::max(away, map_.distance(here().points[(i + shift) % k], start_.points[i]));
+            if (away < options_.longest_step &&
+                curve_product(turned, start_.tangent, turned.size() > size, k) > 0.9)
+                return true;
+        }
+        return false;
+    }
+
+    bool is_at_range() const {
+        const double p = value(here());
+        return std::min(std::abs(p - options_.low), std::abs(p - options_.high)) < 1e-9 * (1 + std::abs(p));
     }
 
     /// No cycle with this word goes on: names the border, and goes on behind it if a cycle with another word does.
     void meet_border() {
+        if (is_at_range()) return end(BranchEnd::range);  // the map itself ends there (e = 1)
         SpecialPoint special;
         special.kind = SpecialKind::border;
         special.cycle = branch_.points.back();
         special.after = branch_.points.size() - 1;
         CurvePoint behind;
-        const bool goes_on = find_behind(behind);
-        if (goes_on) special.word_after = word_of(behind.closing);
-        special.border = options_.name_border ? options_.name_border(here(), special.word_after) : "border";
+        special.goes_on = find_behind(map_, here(), options_.shortest_flight, special.word_after, behind);
+        special.border = options_.name_border ? options_.name_border(here(), special.word_after, special.goes_on) : "border";
         branch_.special.push_back(special);
-        if (!goes_on) return end(BranchEnd::border);
+        if (!special.goes_on) return end(BranchEnd::border);
         branch_.points.push_back(branch_point_at(behind));
         h_ = options_.first_step;
         successes_ = 0;
-    }
-
-    bool find_behind(CurvePoint& behind) const {
-        CorrectorOptions any;
-        any.keep_word = false;
-        for (double h = 1e-10; h < 1e-5; h *= 10) {
-            if (correct(map_, here(), h, behind, any) != Correction::converged) continue;
-            if (is_rest(behind, options_.shortest_flight)) continue;
-            if (word_of(behind.closing) == word_of(here().closing)) continue;
-            // F is continuous across: the cycle behind is as near as the step was long.
-            if (distance_between(map_, behind.points, here().points) < 1e3 * h) return true;
-        }
-        return false;
     }
 
     const ShootingMap& map_;
@@ -232,6 +249,7 @@ bool switch_branch(const ShootingMap& map, const SpecialPoint& special, const Co
             if (curve_product(start.tangent, base.tangent, true, base.points.size()) * sign < 0) start.tangent *= -1;
             Branch half;
             follow_one_way(map, start, options, half);
+            half.begin = BranchEnd::switched;
             if (!any) branch = std::move(half);
             else put_before(std::move(half), branch);
             any = true;

@@ -20,8 +20,9 @@ struct ContinuationOptions {
     std::function<double(const CurvePoint&)> label;
     /// Higher derivatives of Fᵏ at a cycle; without it special points have no normal forms.
     std::function<HigherForms(const CyclePoints& points, double p)> forms;
-    /// Names a border from its last cycle and the word behind it (empty: nothing found there).
-    std::function<std::string(const CurvePoint& last, const std::vector<std::int64_t>& word_after)> name_border;
+    /// Names a border from its last cycle, the word behind it (empty: the map ends) and whether a cycle goes on there.
+    std::function<std::string(const CurvePoint& last, const std::vector<std::int64_t>& word_after, bool goes_on)>
+        name_border;
     std::function<void(double p)> progress;
     std::function<bool()> stop;
 };

@@ -22,7 +22,7 @@ enum class Correction {
 };
 
 struct CorrectorOptions {
-    double accept = 1e-10;      ///< residual that counts as converged
+    double accept = 1e-12;      ///< residual that counts as converged
     double goal = 1e-14;        ///< residual at which the iteration stops
     int most_iterations = 10;
     bool keep_word = true;      ///< a changed word is a failure to stay on the curve

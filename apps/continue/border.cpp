@@ -76,7 +76,11 @@ std::string name_without_cycle(const Map& map, const analysis::CurvePoint& last)
 }  // namespace
 
 std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
-                        const std::vector<std::int64_t>& word_after) {
+                        const std::vector<std::int64_t>& word_after, bool goes_on) {
+    if (!goes_on) {
+        const std::string name = with_collision_map(scene, [&](const auto& map) { return name_without_cycle(map, last); });
+        if (name != "border") return name;
+    }
     const auto before = analysis::word_of(last.closing);
     for (std::size_t i = 0; i < before.size() && i < word_after.size(); ++i) {
         if (before[i] == word_after[i]) continue;
@@ -84,7 +88,7 @@ std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& 
         if (a.through_contact != b.through_contact) return "landing";
         return a.vertex_step == b.vertex_step ? "stick-slip" : "two-vertices";
     }
-    return with_collision_map(scene, [&](const auto& map) { return name_without_cycle(map, last); });
+    return "border";
 }
 
 }  // namespace swirl::apps

@@ -28,8 +28,8 @@ SceneBranches scene_branches(const Scene<double>& scene, const Along& along) {
         branches.options.forms = [scene, parameter](const analysis::CyclePoints& points, double p) {
             return scene_forms(scene, parameter, points, p);
         };
-        branches.options.name_border = [scene, parameter](const auto& last, const auto& after) {
-            return border_name(with_parameter(scene, parameter, last.p), last, after);
+        branches.options.name_border = [scene, parameter](const auto& last, const auto& after, bool goes_on) {
+            return border_name(with_parameter(scene, parameter, last.p), last, after, goes_on);
         };
         return branches;
     }
@@ -38,7 +38,9 @@ SceneBranches scene_branches(const Scene<double>& scene, const Along& along) {
     branches.options.label = [by_time](const analysis::CurvePoint& point) {
         return by_time ? point.closing.duration : point.points.front()[point.points.front().size() - 1];
     };
-    branches.options.name_border = [scene](const auto& last, const auto& after) { return border_name(scene, last, after); };
+    branches.options.name_border = [scene](const auto& last, const auto& after, bool goes_on) {
+        return border_name(scene, last, after, goes_on);
+    };
     return branches;
 }
 

@@ -15,7 +15,7 @@ const char* const continue_details =
     R"(Follows the cycle near --from over one parameter, both ways within A:B, through folds, by pseudo-arclength. Located to
 rounding and named: fold, flip, neimark-sacker, branch-point; and the borders of the map: stick-slip, two-vertices, grazing,
 landing, with the word on either side. Where the word changes and the branch goes on, it is followed on. Flips and branch
-points are switched at (--switch). Why a branch ends: range, closed, border, lost, most-points.
+points are switched at (--switch). Why a branch ends: range, closed, border, most-points.
 --along S=A:B or tau=A:B follows a family (the disk at e = 1) along itself instead, by S or by its return time.
 Normal forms: flip xi' = (-1 + a d) xi + b xi^3 (supercritical: b > 0), neimark-sacker z' = z e^(i theta)(1 + a d + b|z|^2)
 (supercritical: Re b < 0), fold xi' = xi + a d + b xi^2.

@@ -102,7 +102,9 @@ analysis::ShootingMap scene_map(const Scene<double>& scene) {
 }
 
 analysis::ShootingMap scene_map(const Scene<double>& scene, Parameter parameter) {
-    return with_collision_map(scene, [&](const auto& map) {
+    // Along μ there is friction, whatever this scene's own μ.
+    const Scene<double> typical = parameter == Parameter::mu ? with_parameter(scene, parameter, 1.0) : scene;
+    return with_collision_map(typical, [&](const auto& map) {
         const SectionSystem system(map);
         analysis::ShootingMap result = analysis::shooting_map(system);
         result.has_parameter = true;

@@ -183,6 +183,7 @@ void follow_one_way(const ShootingMap& map, const CurvePoint& start, const Conti
 
 bool continue_branch(const ShootingMap& map, const CyclePoints& cycle, double p, const ContinuationOptions& options,
                      Branch& branch) {
+    if (map.has_parameter && (p < options.low || p > options.high)) return false;
     CyclePoints points = cycle;
     polish_cycle(map, points, p);
     CurvePoint start;

@@ -34,7 +34,7 @@ double parameter_of(const ContinuationOptions& options, bool has_parameter, cons
 /// where the word of the cycle changes or no cycle follows, steps are halved down to the border itself.
 /// Special points are zeros of test functions along the arclength, bracketed by two steps and found by TOMS 748 to
 /// rounding. Cost: about 4 × k steps of the map and two QRs of kD + 1 unknowns a point.
-/// False if the cycle can't be continued (no curve there).
+/// False if the cycle can't be continued: no curve there, or p outside the range.
 bool continue_branch(const ShootingMap& map, const CyclePoints& cycle, double p, const ContinuationOptions& options,
                      Branch& branch);
 

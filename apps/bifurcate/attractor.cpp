@@ -52,6 +52,7 @@ Kept<System> follow(const System& system, const Start<double>& start, const Samp
 template <class System>
 void take_cycle(const System& system, const analysis::FoundCycle<System::dimension>& cycle, Attractor& attractor) {
     attractor.period = cycle.period;
+    attractor.distance = cycle.distance;
     attractor.mode = cycle.period == 1 ? analysis::Mode::steady : analysis::Mode::quasi_steady;
     attractor.kind = cycle.period > 1 ? analysis::Kind::cycle
                                       : cycle.family ? analysis::Kind::family : analysis::Kind::fixed_point;

@@ -98,6 +98,7 @@ void write_diagram_document(const BifurcateOptions& options, const Diagram& diag
         json.begin_object();
         json.member("compared", diagram.agreement.compared);
         json.member("largest_difference_of_S", diagram.agreement.largest);
+        json.member("largest_distance_of_orbit", diagram.agreement.distance);
         json.member("without_branch", diagram.agreement.without);
         json.end_object();
     }
@@ -180,8 +181,10 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
     if (!options.branches) return;
     print_branches(scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along), diagram.along,
                    diagram.branches);
-    fmt::print("{} cycles on stable branches (|multiplier| < 0.99): S differs by {:.1e} at most; {} on no branch\n",
-               diagram.agreement.compared, diagram.agreement.largest, diagram.agreement.without);
+    fmt::print("{} cycles on stable branches (|multiplier| < 0.99): S differs by {:.1e} at most, the orbits' own last "
+               "states by {:.1e}; {} on no branch\n",
+               diagram.agreement.compared, diagram.agreement.largest, diagram.agreement.distance,
+               diagram.agreement.without);
 }
 
 }  // namespace swirl::apps

@@ -91,6 +91,7 @@ private:
         ++diagram_.agreement.compared;
         diagram_.agreement.largest =
             std::max(diagram_.agreement.largest, spin_difference(cycle.at.points, attractor.states));
+        diagram_.agreement.distance = std::max(diagram_.agreement.distance, attractor.distance);
     }
 
     const BifurcateOptions& options_;

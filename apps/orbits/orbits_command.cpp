@@ -112,6 +112,8 @@ FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, 
 
 FoundOrbits find_all(const OrbitsOptions& options, const Scene<double>& scene, const analysis::ShootingMap& map) {
     FoundOrbits found;
+    found.none_exist = scene.mu == 0 && scene.restitution < 1;
+    if (found.none_exist) return found;
     const auto [first, last] = options.periods();
     const auto trajectories = trajectories_of(scene, options.candidates);
     for (int k = first; k <= last && !found.interrupted; ++k) {

@@ -36,6 +36,7 @@ struct FoundOrbits {
     int iterations = 0;        ///< of the solution from --near
     double reached = 0;        ///< residual that it reached
     bool interrupted = false;
+    bool none_exist = false;   ///< proven: without friction and with e < 1 every impact lowers J (design, section 3)
 };
 
 /// A family's range over its members, worked out for families of one parameter.

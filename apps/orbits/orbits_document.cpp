@@ -54,6 +54,8 @@ void write_cycle(JsonWriter& json, const analysis::ShootingMap& map, const analy
     json.end_object();
 }
 
+constexpr const char* none_reason = "no cycle exists: without friction and with e < 1 every impact lowers J";
+
 }  // namespace
 
 Settings orbits_settings(const OrbitsOptions& options) {
@@ -76,6 +78,7 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
     json.end_array();
     json.member("candidates", found.tried);
     json.member("converged", found.converged);
+    if (found.none_exist) json.member("none_exist", none_reason);
     if (!options.near.empty()) {
         json.member("iterations", std::int64_t{found.iterations});
         json.member("residual", found.reached);
@@ -89,7 +92,7 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
 void print_orbits(const Scene<double>& scene, const FoundOrbits& found) {
     fmt::print("{}\n  {} candidates, {} led to a cycle\n", describe(scene), found.tried, found.converged);
     if (found.cycles.empty()) {
-        fmt::print("  no cycle found\n");
+        fmt::print("  {}\n", found.none_exist ? none_reason : "no cycle found");
         return;
     }
     fmt::print("  {:>6} {:>16} {:>16} {:>14} {:>9} {:>14}  stability\n", "period", "S", "mean S", "return time", "residual",

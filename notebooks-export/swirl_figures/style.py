@@ -8,7 +8,7 @@ BLUE, ORANGE, GREEN, VERMILION = "#0072B2", "#E69F00", "#009E73", "#D55E00"
 PURPLE, SKY, YELLOW, BLACK, GREY = "#CC79A7", "#56B4E9", "#F0E442", "#222222", "#9A9A9A"
 
 #: For what is told apart by colour alone, the most different first.
-CYCLE = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK, "#7A5C00")
+CYCLE = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK, "#7A5C00", "#332288", "#882255", "#44AA99", "#999933")
 
 MODE_COLOURS = {"steady": BLUE, "quasi-steady": YELLOW, "chaotic": VERMILION, "undecided": "#BDBDBD"}
 

@@ -39,6 +39,7 @@ struct Classification {
     Mode mode = Mode::undecided;
     Kind kind = Kind::none;
     bool ended = false;           ///< the map ended before the tail was whole
+    std::vector<double> end;      ///< if so: the state that has no next one
     std::int64_t steps = 0;       ///< steps taken, the transient included
     std::int64_t period = 0;      ///< 0: none
     std::vector<double> point;    ///< of the cycle
@@ -148,7 +149,10 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
     const auto tail = follow_tail(map, start, options.transient, options.collisions);
     result.ended = tail.ended;
     result.steps = tail.steps;
-    if (tail.ended) return result;
+    if (tail.ended) {
+        result.end.assign(tail.end.data(), tail.end.data() + tail.end.size());
+        return result;
+    }
 
     std::vector<double> series(tail.states.size());
     for (std::size_t i = 0; i < series.size(); ++i) series[i] = tail.states[i][observable];

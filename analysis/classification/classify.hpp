@@ -1,6 +1,7 @@
 // Names the mode of an orbit, and says why.
 #pragma once
 
+#include "analysis/classification/evidence.hpp"
 #include "analysis/classification/mode.hpp"
 #include "analysis/classification/period.hpp"
 #include "analysis/lyapunov/exponent_sign.hpp"
@@ -22,14 +23,6 @@ struct ClassifyOptions {
     double settled_spread = 1.1;       ///< a torus' spread changes by less than this factor along the tail
     double sigmas = 5;                 ///< standard errors from zero that make an exponent positive
     PeriodOptions period;
-};
-
-/// One piece of evidence: what was measured, against what, and what it says.
-struct Evidence {
-    std::string name;
-    double value = 0;
-    double threshold = 0;
-    std::string says;
 };
 
 /// Everything that a verdict rests on. NaN where something could not be measured.
@@ -59,8 +52,8 @@ namespace classification_detail {
 /// What the verdict is made of; filled from a tail by the template below, judged by `decide`.
 struct Findings {
     bool has_cycle = false;
-    bool is_family = false;
-    double closure = 0, residual = 0, distance = 0, slowest_multiplier = 0;
+    bool is_family = false, attracting = false, kept = false, has_multipliers = false;
+    double closure = 0, residual = 0, distance = 0, farthest = 0, slowest_multiplier = 0;
     double spread_change = 1;  ///< of the tail's last quarter over its first; far from 1: still settling
     SignEvidence exponent;
     LyapunovOutcome exponent_outcome = LyapunovOutcome::completed;
@@ -139,8 +132,8 @@ RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
 /// Follows an orbit from `start` and names its mode.
 ///   observable  the coordinate whose means and recurrence rate are reported (S)
 /// In this order: does the tail return to itself (`find_period`)? Is the largest exponent positive (`judge_sign`)? If
-/// neither, has it a rotation number and a size that lasts? Disagreement gives `undecided`. Cost: transient + 2 collisions steps of the map,
-/// `collisions` derivatives.
+/// neither, has it a rotation number and a size that lasts? Disagreement gives `undecided`. Cost: transient +
+/// 2 collisions steps of the map, `collisions` derivatives.
 template <SectionMap M>
 Classification classify(const M& map, const Vector<M::dimension>& start, int observable,
                         const ClassifyOptions& options = {}) {
@@ -163,9 +156,13 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
 
     detail::Findings findings;
     const auto cycle = find_period(map, tail, options.period);
-    findings.has_cycle = cycle.period > 0 && cycle.attracting;
+    findings.has_cycle = cycle.period > 0;
     if (findings.has_cycle) {
         findings.is_family = cycle.family;
+        findings.attracting = cycle.attracting;
+        findings.kept = cycle.kept;
+        findings.has_multipliers = !cycle.multipliers.empty();
+        findings.farthest = cycle.farthest;
         findings.closure = cycle.closure;
         findings.residual = cycle.residual;
         findings.distance = cycle.distance;

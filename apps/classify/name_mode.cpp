@@ -37,8 +37,9 @@ void look_for_landings(const System& system, analysis::Classification& verdict) 
         if (step.letter < 0) {
             verdict.kind = Kind::landing;
             verdict.mode = analysis::Mode::quasi_steady;
-            verdict.evidence.push_back({"impact that lands", static_cast<double>(k + 1), static_cast<double>(verdict.period),
-                                        "the cycle leads through sustained contact"});
+            verdict.evidence.push_back({"impact that lands", static_cast<double>(k + 1),
+                                        static_cast<double>(verdict.period),
+                                        "the cycle leads through sustained contact", "none: a cycle of impacts alone"});
             return;
         }
         z = step.state;

@@ -39,12 +39,8 @@ public:
         fill(step, passage);
         if (!step.alive) return step;
         const SectionPoint<double> point = point_of(z);
-        if (passage.contacts.empty()) {
-            step.derivative = map_.derivative_of(point, passage.collision);
-        } else {
-            const Standing standing = return_.standing(launch_from(point));
-            step.derivative = derivative_through_contact(return_, point, standing, passage);
-        }
+        step.derivative = passage.contacts.empty() ? map_.derivative_of(point, passage.collision)
+                                                   : derivative_through_contact(return_, point, passage);
         return step;
     }
 

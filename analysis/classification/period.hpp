@@ -16,7 +16,7 @@
 namespace swirl::analysis {
 
 struct PeriodOptions {
-    std::int64_t max_period = 2048; ///< longest period that is looked for
+    std::int64_t max_period = 4096; ///< longest period that is looked for
     double closure = 1e-9;          ///< |Fᵏ(z) − z| of an orbit that has settled
     double vicinity = 1e-2;         ///< an orbit this near to itself after k steps is taken for settling on a k-cycle
     int candidates = 4;             ///< periods tried by Newton's method

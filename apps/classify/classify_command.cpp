@@ -37,7 +37,7 @@ void ClassifyCommandOptions::add_to(CLI::App& command) {
         ->type_name("K")->check(CLI::Range(std::int64_t{64}, std::int64_t{100'000'000}));
     command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
         ->type_name("D")->check(CLI::NonNegativeNumber);
-    command.add_option("--max-period", settings.period.max_period, "longest period looked for (default 256)")
+    command.add_option("--max-period", settings.period.max_period, "longest period looked for (default 4096, of a series 256)")
         ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
     command.add_option("--runs", runs, "random starts, from --seed on: the shares of coexisting modes")
         ->type_name("R")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));

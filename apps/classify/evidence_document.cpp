@@ -41,7 +41,7 @@ void write_evidence(const RecordGroup& group, const std::vector<analysis::Eviden
 std::string table_of(const std::vector<analysis::Evidence>& evidence) {
     std::string text;
     for (const auto& e : evidence)
-        text += fmt::format("  evidence: {:<40} {:>12.4g}  against {:>10.3g}  {}\n            changes if: {}\n", e.name,
+        text += fmt::format("  evidence: {:<40} {:>12.4g}  against {:>10.4g}  {}\n            changes if: {}\n", e.name,
                             e.value, e.threshold, e.says, e.changes_if);
     return text;
 }

@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace swirl {
 
@@ -25,10 +26,10 @@ constexpr double difference_rounding = 1e-8;
 
 /// The coordinates in which a state in contact can differ: a disk has no χ; a moving edge turns as one piece, S = u_t;
 /// one at rest can only lie elsewhere.
-inline int contact_freedom(const Standing& standing) {
+inline int contact_freedom(const ContactScene& scene, const Standing& standing) {
     if (standing.support == Support::rim) return 3;
     if (standing.support == Support::vertex) return 4;
-    return standing.state.ut == 0 && standing.state.spin == 0 ? 1 : 2;
+    return rests_still(scene, standing) ? 1 : 2;
 }
 
 inline Eigen::Vector4d contact_vector(const Standing& standing, const ContactState& s) {
@@ -47,6 +48,30 @@ inline ContactState moved_by(const Standing& standing, int coordinate, double h)
 }
 
 inline double wrapped(double angle) { return std::remainder(angle, 2 * pi<double>()); }
+
+/// A vertex whose neighbour comes to rest at once stands on their edge: the rocking between is over within rounding.
+inline Standing lasting_standing(Standing standing, const std::vector<ContactSegment>& contacts) {
+    if (contacts.size() < 2 || standing.support != Support::vertex) return standing;
+    const ContactSegment& first = contacts[0];
+    const ContactSegment& second = contacts[1];
+    if (first.end > first.start || second.support != Support::edge) return standing;
+    return {true, Support::edge, second.from, second.vertex_step, standing.error, standing.jacobi};
+}
+
+/// The same supports one after the other, to the same end and the same impact. (A slip that friction ends at once does
+/// not count: it comes with every neighbour of a body that sticks.)
+inline bool same_way(const Passage<double>& a, const Passage<double>& b) {
+    if (a.outcome != Outcome::completed || a.contacts.empty() || b.contacts.empty()) return false;
+    const auto supports = [](const Passage<double>& passage) {
+        std::vector<Support> list;
+        for (const auto& segment : passage.contacts)
+            if (segment.end > segment.start && (list.empty() || list.back() != segment.support))
+                list.push_back(segment.support);
+        return list;
+    };
+    return a.collision.vertex_step == b.collision.vertex_step && a.collision.impulse.mode == b.collision.impulse.mode &&
+           a.contacts.back().finish == b.contacts.back().finish && supports(a) == supports(b);
+}
 
 template <Shape shape>
 Eigen::Matrix<double, section_dimension<shape>, 1> section_difference(const Launch<double>& a, const Launch<double>& b) {
@@ -91,25 +116,21 @@ inline Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b) {
 
 }  // namespace detail
 
-/// DF(z), where `known` is F(z) and leads through the contact that begins with `standing`.
+/// DF(z), where `known` is F(z) and leads through contact.
 template <class Map>
-auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z, const Standing& standing,
-                                const Passage<double>& known) {
+auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z, const Passage<double>& known) {
     constexpr int dimension = section_dimension<Map::shape>;
     constexpr double h = detail::difference_step;
     const Launch<double> base = launch_from(z);
-    const int freedom = detail::contact_freedom(standing);
+    const Standing standing = detail::lasting_standing(map.standing(base), known.contacts);
+    const int freedom = detail::contact_freedom(map.contact(), standing);
     Eigen::Matrix<double, dimension, 4> b = Eigen::Matrix<double, dimension, 4>::Zero();
     for (int i = 0; i < freedom; ++i) {
         const auto end = [&](double step) -> std::optional<Launch<double>> {
             Standing near = standing;
             near.state = detail::moved_by(standing, i, step);
             const Passage<double> passage = map.advance_standing(base, near);
-            const bool same = passage.outcome == Outcome::completed &&
-                              passage.collision.vertex_step == known.collision.vertex_step &&
-                              passage.collision.impulse.mode == known.collision.impulse.mode &&
-                              passage.contacts.back().finish == known.contacts.back().finish;
-            if (!same) return {};
+            if (!detail::same_way(passage, known)) return {};
             return passage.collision.after;
         };
         const auto above = end(h), below = end(-h);

@@ -77,11 +77,23 @@ ContactState landed(const ContactScene& scene, const Launch<double>& launch, dou
     return state;
 }
 
+/// How fast an edge turns about the container's centre after its rocking has died: normal impulses point to that centre.
+double edge_rate(const ContactScene& scene, const Launch<double>& launch) {
+    const Body<double>& body = scene.body;
+    const Vec2<double> place{1 - body.alpha * launch.chi.x, -(body.alpha * launch.chi.y)};
+    const Vec2<double> velocity{launch.vn - body.beta * launch.psi.y, launch.vt - body.beta * launch.psi.x};
+    return (cross(place, velocity) + body.inertia * launch.spin) / (dot(place, place) + body.inertia);
+}
+
 }  // namespace
 
 double velocity_rounding(const ContactScene& scene, const Launch<double>& launch) {
     return 64 * std::numeric_limits<double>::epsilon() *
            (std::abs(launch.vn) + std::abs(launch.vt) + scene.body.beta + scene.body.alpha * std::abs(launch.spin));
+}
+
+bool rests_still(const ContactScene& scene, const Standing& standing) {
+    return scene.mu > 0 && standing.support == Support::edge && standing.state.ut == 0 && standing.state.spin == 0;
 }
 
 ContactState landed_like(const ContactScene& scene, const Launch<double>& base, const Standing& standing,
@@ -91,9 +103,8 @@ ContactState landed_like(const ContactScene& scene, const Launch<double>& base, 
     };
     if (standing.support == Support::edge) {
         ContactState state = contact_state(scene, seen(near));
-        const bool still = standing.state.ut == 0 && standing.state.spin == 0;
         state.chi = standing.state.chi;
-        state.spin = state.ut = still ? 0 : state.ut;
+        state.spin = state.ut = rests_still(scene, standing) ? 0 : edge_rate(scene, seen(near));
         return state;
     }
     double jacobi = 0;

@@ -31,6 +31,9 @@ struct ClassifySeriesOptions {
     bool sampled_flow = false;    ///< even samples of a signal in time; else one sample a step of a map
 };
 
+/// The embedding dimensions' rates of divergence may differ by so much of their median.
+inline constexpr double largest_spread = 0.2;
+
 /// The largest exponent of a series by the divergence of nearest neighbours.
 struct SeriesExponent {
     bool trusted = false;  ///< a straight rise of a factor 4.5 or more, the same in dimensions 2, 3 and 4

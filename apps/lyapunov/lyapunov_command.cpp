@@ -1,6 +1,7 @@
 #include "apps/lyapunov/lyapunov_command.hpp"
 
 #include "apps/command_line/documents.hpp"
+#include "apps/command_line/interruption.hpp"
 
 #include <fmt/format.h>
 
@@ -148,6 +149,7 @@ int lyapunov(LyapunovCommandOptions& options) {
     std::optional<RecordWriter> record;
     if (!options.output.record.empty())
         record.emplace(open_record(options.output.record, "Lyapunov spectrum of a swirled polygon"));
+    exit_when_interrupted();
     const OrbitSpectrum s = spectrum_of(scene, start, options.transient, options.collisions);
     const Settings settings = {{"transient", options.transient}, {"collisions", options.collisions},
                                {"accuracy", options.output.accuracy_name}};

@@ -59,7 +59,7 @@ struct AlongParameter {
             step.by_state = d.first;
             step.by_parameter = d.second;
         } else {
-            step.by_state = system.difference_quotients(z);
+            step.by_state = derivative_through_contact(system.return_map(), point, passage);
             step.by_parameter = quotient_along(z, p);
         }
         step.alive = step.by_state.allFinite() && step.by_parameter.allFinite();

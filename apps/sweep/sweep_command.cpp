@@ -150,6 +150,7 @@ bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done,
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     if (!options.start.is_random()) throw BadInput("a sweep's starts are random: give --speed and --seed, not --x … or --point");
     options.start.require_one_way();
+    options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: sweep works in double", options.output.accuracy_name));
     const double results = static_cast<double>(cell_count(grid)) * static_cast<double>(options.runs);

@@ -23,6 +23,15 @@ struct Standing {
 /// The standing of a body just after an impact. Cost: a few operations for one that plainly leaves.
 Standing standing_of(const ContactScene& scene, const Launch<double>& launch);
 
+/// True for an edge that friction holds at rest.
+bool rests_still(const ContactScene& scene, const Standing& standing);
+
+/// The state in contact of a launch near one that stands: u_n removed with the same friction on the same support,
+/// whatever its own u_n. Smooth in `near`, so that it can be differentiated. On an edge the friction of the rocking that
+/// dies there is left out.
+ContactState landed_like(const ContactScene& scene, const Launch<double>& base, const Standing& standing,
+                         const Launch<double>& near);
+
 /// The largest normal velocity that is rounding only.
 double velocity_rounding(const ContactScene& scene, const Launch<double>& launch);
 

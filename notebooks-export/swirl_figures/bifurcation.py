@@ -13,7 +13,7 @@ from .symbols import SPIN, axis_label, scene_title
 #: that are found in several ways lie on one another.
 _ORIGINS = {0: ("random starts", "#8A8A8A", 7), 1: ("followed up", SKY, 4), 2: ("followed down", ORANGE, 2)}
 
-_PERIODS = (BLUE, VERMILION, GREEN, PURPLE, "#7A5C00", BLACK)
+_PERIODS = (BLUE, VERMILION, GREEN, PURPLE, "#7A5C00", BLACK, SKY, "#882255", "#44AA99", "#332288", "#999933", ORANGE)
 
 _MARKERS = {"fold": ">", "flip": "s", "neimark-sacker": "D", "branch-point": "*", "grazing": "^",
             "two-vertices": "v", "stick-slip": "P", "end": "X"}

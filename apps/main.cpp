@@ -43,8 +43,8 @@ Commands add_commands(CLI::App& app) {
                                        recurrence_text, quantify_recurrence),
         add_command<SpectrumOptions>(app, "spectrum", "the power spectrum of an orbit or a measured series",
                                      spectrum_text, find_spectrum),
-        add_command<LyapunovCommandOptions>(app, "lyapunov", "the whole Lyapunov spectrum of an orbit", lyapunov_details,
-                                            lyapunov),
+        add_command<LyapunovCommandOptions>(app, "lyapunov", "the whole Lyapunov spectrum of an orbit",
+                                            lyapunov_details, lyapunov),
         add_command<SweepOptions>(app, "sweep", "the modes across parameters", sweep_details, sweep),
         add_command<TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour_details, tour),
     };

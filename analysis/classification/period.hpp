@@ -44,7 +44,8 @@ namespace classification_detail {
 
 /// The orbit's largest return after k steps, over its last `count` states.
 template <SectionMap M>
-double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_t k, std::int64_t count, double give_up) {
+double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_t k, std::int64_t count,
+                       double give_up) {
     const std::int64_t n = static_cast<std::int64_t>(tail.states.size());
     double largest = 0;
     for (std::int64_t j = n - 1; j >= std::max(n - count, k) && largest <= give_up; --j)

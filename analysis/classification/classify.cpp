@@ -75,7 +75,9 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
         {"largest exponent", e.exponent, errors,
          std::string(name(e.sign)) + " (threshold: " + in_words(sigmas) + " standard errors)",
          positive ? "at or below " + in_words(errors) + ": not positive, " +
-                        (findings.has_cycle ? "the cycle would stand" : "the rotation number would decide")
+                        (findings.has_cycle ? "the cycle would stand"
+                                            : "the rotation number would decide; a chaotic transient longer than what "
+                                              "was followed looks the same")
                   : "above " + in_words(std::max(errors, e.shrinking_bound)) + " (" + in_words(sigmas) +
                         " standard errors, and the bound of a neutral direction): " + cycle});
 }

@@ -30,6 +30,7 @@ struct Case {
     Scene<double> scene;
     NamedMode found;
     Truth truth;
+    bool left = false;  ///< the truth of the very impacts that were judged is the verdict's, that of later ones is not
 
     bool ended() const { return found.outcome != Outcome::completed; }
     bool undecided() const { return found.verdict.mode == Mode::undecided; }
@@ -38,7 +39,7 @@ struct Case {
     bool wrong() const {
         if (ended() || undecided()) return false;
         if (only_loses() && found.verdict.mode == Mode::chaotic) return true;
-        return truth.mode != Mode::undecided && truth.mode != found.verdict.mode;
+        return !left && truth.mode != Mode::undecided && truth.mode != found.verdict.mode;
     }
 };
 
@@ -46,7 +47,7 @@ struct Case {
 /// shows nothing new by it.
 analysis::ClassifyOptions settings_for(const Case& c) {
     analysis::ClassifyOptions settings;
-    if (c.only_loses()) settings.transient = settings.collisions = 2'000;
+    if (c.only_loses() && c.scene.restitution < 0.9) settings.transient = settings.collisions = 2'000;
     return settings;
 }
 
@@ -55,8 +56,11 @@ void look_at(Case& c, std::size_t place) {
     c.found = name_mode(c.scene, start, settings_for(c));
     if (c.ended() || c.only_loses()) return;
     TruthOptions options;
-    if (c.found.verdict.kind == Kind::landing) options = {25'000, 5'000};  // each contact costs as much as 100 flights
+    if (c.found.verdict.kind == Kind::landing) options = {25'000, 10'000};  // each contact costs as much as 100 flights
     c.truth = truth_of(c.scene, start, options);
+    if (!c.wrong()) return;
+    const Truth meanwhile = truth_of(c.scene, start, {10'000, 10'000});
+    c.left = meanwhile.mode == c.found.verdict.mode;
 }
 
 using Table = std::map<std::pair<Mode, Mode>, int>;
@@ -100,12 +104,14 @@ void check_contact(const Case& c) {
 struct Tally {
     Table ours, papers;
     std::map<std::string, int> contact, open;
-    int scenes = 0, with_impacts = 0, undecided = 0, with_truth = 0, missed = 0, wrong = 0, paper_wrong = 0;
+    int scenes = 0, with_impacts = 0, undecided = 0, with_truth = 0, missed = 0, left = 0, wrong = 0, paper_wrong = 0;
 
     void add(const Case& c) {
         ++scenes;
         undecided += c.undecided();
         if (c.undecided()) ++open[class_of(c)];
+        left += c.left;
+        if (c.left) std::printf("left later: %s\n", words_of(c).c_str());
         wrong += c.wrong();
         if (c.wrong()) std::printf("wrong: %s\n", words_of(c).c_str());
         if (c.ended()) ++contact[ending_of(c)];
@@ -129,9 +135,10 @@ struct Tally {
         print("the paper's rule, RC alone (rows: truth)", papers);
         for (const auto& [name, n] : contact) std::printf("%5d end as %s\n", n, name.c_str());
         for (const auto& [name, n] : open) std::printf("%5d undecided: %s\n", n, name.c_str());
-        std::printf("%d scenes, %d undecided (%.1f %%), %d wrong. Impacts go on in %d; truth is known for %d, of these %d "
+        std::printf("%d scenes, %d undecided (%.1f %%), %d wrong; %d more hold for the 20,000 impacts that were judged and "
+                    "change later (chaotic transients). Impacts go on in %d; truth is known for %d, of these %d "
                     "undecided (%.1f %%), by the paper's rule %d wrong (%.1f %%)\n",
-                    scenes, undecided, 100.0 * undecided / scenes, wrong, with_impacts, with_truth, missed,
+                    scenes, undecided, 100.0 * undecided / scenes, wrong, left, with_impacts, with_truth, missed,
                     100.0 * missed / with_truth, paper_wrong, 100.0 * paper_wrong / with_truth);
     }
 

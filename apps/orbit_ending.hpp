@@ -26,8 +26,9 @@ Outcome ending_of(const Map& map, const Start<double>& start, long long limit, S
         start);
 }
 
-/// How an orbit ends whose last state on the section has no next one (`alive` false), bit for bit: the same orbit followed
-/// in the laboratory parts from this one by rounding, and may end elsewhere. One more impact if it dies away or diverges.
+/// How an orbit ends whose last state on the section has no next one (`alive` false), bit for bit: the same orbit
+/// followed in the laboratory parts from this one by rounding, and may end elsewhere. One more impact if it dies away
+/// or diverges.
 template <class System>
 Outcome ending_at(const System& system, const typename System::State& last, long long& impacts) {
     const auto passage = system.return_map().advance(launch_from(System::point_of(last)));

@@ -10,9 +10,10 @@
 namespace swirl::apps {
 
 /// The return map as a SectionMap with coordinates (ψ, χ, v_n, v_t, S), the disk's (ψ, v_n, v_t, S).
-/// It ends (`alive` false) where there is no next impact. The letter of the word is 6 · vertex step + contact mode for a
-/// flight from impact to impact, and −1 less that where the way led through sustained contact.
-/// Its derivative is exact for a flight; through contact it is made of differences (map/sustained/contact_derivative.hpp).
+/// It ends (`alive` false) where there is no next impact. The letter of the word is 6 · vertex step + contact mode for
+/// a flight from impact to impact, and −1 less that where the way led through sustained contact.
+/// Its derivative is exact for a flight; through contact it is made of differences
+/// (map/sustained/contact_derivative.hpp).
 template <Shape shape, ImpactRule rule>
 class SectionSystem {
 public:

@@ -75,7 +75,9 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
         {"largest exponent", e.exponent, errors,
          std::string(name(e.sign)) + " (threshold: " + in_words(sigmas) + " standard errors)",
          positive ? "at or below " + in_words(errors) + ": not positive, " +
-                        (findings.has_cycle ? "the cycle would stand" : "the rotation number would decide")
+                        (findings.has_cycle ? "the cycle would stand"
+                                            : "the rotation number would decide; a chaotic transient longer than what "
+                                              "was followed looks the same")
                   : "above " + in_words(std::max(errors, e.shrinking_bound)) + " (" + in_words(sigmas) +
                         " standard errors, and the bound of a neutral direction): " + cycle});
 }
@@ -84,11 +86,12 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
 void describe_recurrence(Classification& result) {
     constexpr double papers = 1e-4;
     const bool few = result.recurrence_rate_without_diagonal < papers;
-    result.evidence.push_back({"recurrence rate without diagonal", result.recurrence_rate_without_diagonal, papers,
-                               few ? "as the paper's chaotic mode" : "values of the observable recur",
-                               "nothing: it does not decide (the paper's rule alone would call it " +
-                                   std::string(few ? "chaotic, and regular at or above " : "regular, and chaotic below ") +
-                                   in_words(papers) + ")"});
+    result.evidence.push_back(
+        {"recurrence rate without diagonal", result.recurrence_rate_without_diagonal, papers,
+         few ? "as the paper's chaotic mode" : "values of the observable recur",
+         "nothing: it does not decide (the paper's rule alone would call it " +
+             std::string(few ? "chaotic, and regular at or above " : "regular, and chaotic below ") + in_words(papers) +
+             ")"});
 }
 
 void describe_rotation(const Findings& findings, Classification& result) {
@@ -140,7 +143,8 @@ void decide(const Findings& findings, const ClassifyOptions& options, Classifica
     }
     if (findings.has_cycle) return;  // settles on an attracting cycle and yet grows: a transient
     describe_rotation(findings, result);
-    if (!describe_size(findings, options, result) || findings.rotation.outcome != RotationOutcome::quasi_periodic) return;
+    if (!describe_size(findings, options, result) || findings.rotation.outcome != RotationOutcome::quasi_periodic)
+        return;
     result.mode = Mode::quasi_steady;
     result.kind = Kind::quasi_periodic;
     result.rotation = findings.rotation.rotation;

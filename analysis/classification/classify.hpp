@@ -108,6 +108,10 @@ double spread_change(const M& map, const Tail<M::dimension>& tail) {
     return change;
 }
 
+/// A rotation number this near to 0 or ½, in turns over the whole tail, is an angle that swings or a line at the border
+/// of the spectrum: what is left of it is rounding, trend and window, and can't be told from rational.
+constexpr double fewest_turns = 4;
+
 /// The rotation number, from the first coordinate that gives a converged one: a torus shows in any of them.
 template <SectionMap M>
 RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
@@ -120,8 +124,10 @@ RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
             if (as_angle && !(period > 0)) continue;
             const RotationNumber rotation =
                 as_angle ? rotation_number_of_angle(series, period) : rotation_of_observable(series);
-            if (rotation.outcome == RotationOutcome::quasi_periodic) return rotation;
+            const double turns = std::abs(std::remainder(rotation.rotation, 0.5)) * static_cast<double>(series.size());
+            if (rotation.outcome == RotationOutcome::quasi_periodic && turns >= fewest_turns) return rotation;
             if (last.outcome == RotationOutcome::too_short) last = rotation;
+            if (last.outcome == RotationOutcome::quasi_periodic) last.outcome = RotationOutcome::not_converged;
         }
     }
     return last;

@@ -72,15 +72,16 @@ void describe_repetition(const Repetition& repetition, double limit, double whit
                                repeats ? "repeats within the noise"
                                : found ? "small at one period, but structured: no noise"
                                        : "repeats at no period looked for",
-                               repeats ? "above " + in_words(limit) + ": another period, or lines and predictability decide"
+                               repeats
+                                   ? "above " + in_words(limit) + ": another period, or lines and predictability decide"
                                : found ? "nothing alone: its structure decides"
                                        : "at most " + in_words(limit) + " and white at one period: that cycle"});
     if (!(repetition.residual > 0)) return;
     const bool is_white = repetition.correlation <= white;
-    result.evidence.push_back({"autocorrelation of the residual", repetition.correlation, white,
-                               is_white ? "white" : "structured",
-                               is_white ? "above " + in_words(white) + ": no noise; lines and predictability would decide"
-                                        : "at most " + in_words(white) + ": noise about a cycle"});
+    result.evidence.push_back(
+        {"autocorrelation of the residual", repetition.correlation, white, is_white ? "white" : "structured",
+         is_white ? "above " + in_words(white) + ": no noise; lines and predictability would decide"
+                  : "at most " + in_words(white) + ": noise about a cycle"});
 }
 
 /// Largest shift between the halves: of their means over the standard deviation, of their variances over their sum.
@@ -144,14 +145,13 @@ void name_irregular(std::span<const double> x, Classification& result) {
                                              : "below " + in_words(surrogates.smallest_of_surrogates) +
                                                    ": deterministic, chaotic if neighbours part at one rate"});
     const SeriesExponent exponent = exponent_of_series(x);
-    result.evidence.push_back({"divergence of neighbours per sample", exponent.exponent, exponent.spread,
-                               exponent.trusted
-                                   ? "a straight rise, the same in dimensions 2, 3 and 4 (threshold: their spread)"
-                                   : "no straight rise that embedding dimensions 2, 3 and 4 agree on",
-                               exponent.trusted
-                                   ? "at or below 0, or a spread above " + in_words(largest_spread) + ": undecided"
-                                   : "positive with a spread of at most " + in_words(largest_spread) +
-                                         (deterministic ? ": chaotic" : ": still undecided, as it is not predictable")});
+    result.evidence.push_back(
+        {"divergence of neighbours per sample", exponent.exponent, exponent.spread,
+         exponent.trusted ? "a straight rise, the same in dimensions 2, 3 and 4 (threshold: their spread)"
+                          : "no straight rise that embedding dimensions 2, 3 and 4 agree on",
+         exponent.trusted ? "at or below 0, or a spread above " + in_words(largest_spread) + ": undecided"
+                          : "positive with a spread of at most " + in_words(largest_spread) +
+                                (deterministic ? ": chaotic" : ": still undecided, as it is not predictable")});
     if (!exponent.trusted) return;
     result.largest_exponent = exponent.exponent;
     result.largest_exponent_error = exponent.spread * exponent.exponent / 2;

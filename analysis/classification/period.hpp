@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstdint>
 #include <limits>
@@ -44,7 +45,8 @@ namespace classification_detail {
 
 /// The orbit's largest return after k steps, over its last `count` states.
 template <SectionMap M>
-double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_t k, std::int64_t count, double give_up) {
+double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_t k, std::int64_t count,
+                       double give_up) {
     const std::int64_t n = static_cast<std::int64_t>(tail.states.size());
     double largest = 0;
     for (std::int64_t j = n - 1; j >= std::max(n - count, k) && largest <= give_up; --j)
@@ -118,6 +120,7 @@ FoundCycle<M::dimension> cycle_near(const M& map, const Tail<M::dimension>& tail
     Vector<M::dimension> z = tail.states.back();
     found.residual = polish(map, z, k, options.residual);
     if (!(found.residual <= options.residual)) return found;
+    const std::int64_t returned_after = k;
     k = minimal_period(map, z, k, options.closure);
     const CycleExponents exponents = cycle_exponents(map, z, k);
     if (exponents.outcome != CycleOutcome::completed) return found;
@@ -130,12 +133,13 @@ FoundCycle<M::dimension> cycle_near(const M& map, const Tail<M::dimension>& tail
         if (std::abs(multiplier - 1.0) <= options.neutral) found.family = true;
         else if (!(std::abs(multiplier) < 1 - options.stable)) found.attracting = false;
     }
-    // A return of size d near a cycle with slowest multiplier m means a distance of d/(1 − m).
+    // A return of size d after j periods of a cycle with slowest multiplier m means a distance of d/(1 − mʲ).
     double slowest = 0;
     for (const auto& multiplier : found.multipliers)
         if (std::abs(multiplier - 1.0) > options.neutral) slowest = std::max(slowest, std::abs(multiplier));
     found.distance = distance(map, tail.states.back(), z);
-    found.farthest = 10 * std::max(closure, options.residual) / std::max(1 - slowest, 1e-6);
+    const double along = std::pow(slowest, static_cast<double>(returned_after) / static_cast<double>(k));
+    found.farthest = 10 * std::max(closure, options.residual) / std::max(1 - along, 1e-6);
     return found;
 }
 

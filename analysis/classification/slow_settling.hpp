@@ -17,7 +17,8 @@ struct SlowSettling {
 /// from quarter to quarter, at n = 5/4, 3/2 and 7/4, have one sign and fall. What falls faster than any power gives a
 /// large p, and a bound of what is to come.
 inline SlowSettling settling_of(std::span<const double, 4> quarters) {
-    const double first = quarters[1] - quarters[0], second = quarters[2] - quarters[1], third = quarters[3] - quarters[2];
+    const double first = quarters[1] - quarters[0], second = quarters[2] - quarters[1],
+                 third = quarters[3] - quarters[2];
     SlowSettling result;
     const bool steady = first * second > 0 && second * third > 0 && std::abs(first) > std::abs(second) &&
                         std::abs(second) > std::abs(third);

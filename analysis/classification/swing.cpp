@@ -98,8 +98,8 @@ Swing judge_swing(const std::vector<SwingSample>& samples, double rest, double t
     const double span = crossings.back().time - crossings.front().time;
     swing.period = span / swing.periods;
     for (std::size_t i = 0; i + 1 < crossings.size(); ++i)
-        swing.period_spread = std::max(swing.period_spread,
-                                       std::abs(crossings[i + 1].time - crossings[i].time - swing.period) / swing.period);
+        swing.period_spread = std::max(
+            swing.period_spread, std::abs(crossings[i + 1].time - crossings[i].time - swing.period) / swing.period);
     swing.mean = (crossings.back().turned - crossings.front().turned) / span;
     if (swing.period_spread <= tolerance) return swing;
     const SlowSettling settling = settling_of_periods(crossings, swing.period);

@@ -29,8 +29,8 @@ struct Swing {
 };
 
 /// Judges samples of one motion. Crossings of the middle of the swing (upwards), or of whole turns, are found on cubic
-/// Hermite interpolants; the motion is periodic if at least three periods agree to `tolerance`, or if their changes fall
-/// so that they come to a limit (settling_of) that is nearer than `nearly`.
+/// Hermite interpolants; the motion is periodic if at least three periods agree to `tolerance`, or if their changes
+/// fall so that they come to a limit (settling_of) that is nearer than `nearly`.
 ///   samples  the second half of what was followed
 ///   rest     an angle and S that stay within this are at rest, radians and units of S
 Swing judge_swing(const std::vector<SwingSample>& samples, double rest = 1e-7, double tolerance = 1e-5,

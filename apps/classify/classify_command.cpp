@@ -24,7 +24,7 @@ grouped by kind alone. The verdict at top level is that of the first. Interrupte
 
 Examples:
   swirl classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9
-  swirl classify --sides 6 --alpha 0.6 --beta 0.4 --mu 0.5 --restitution 0.95 --runs 8)";
+  swirl classify --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95 --runs 16)";
 
 void ClassifyCommandOptions::add_to(CLI::App& command) {
     scene.add_to(command);
@@ -37,8 +37,11 @@ void ClassifyCommandOptions::add_to(CLI::App& command) {
         ->type_name("K")->check(CLI::Range(std::int64_t{64}, std::int64_t{100'000'000}));
     command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
         ->type_name("D")->check(CLI::NonNegativeNumber);
-    command.add_option("--max-period", settings.period.max_period, "longest period looked for (default 4096, of a series 256)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
+    command
+        .add_option("--max-period", settings.period.max_period,
+                    "longest period looked for (default 4096, of a series 256)")
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
     command.add_option("--runs", runs, "random starts, from --seed on: the shares of coexisting modes")
         ->type_name("R")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
     input.add_to(command);
@@ -82,7 +85,8 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene) {
 int classify_scene(ClassifyCommandOptions& options) {
     const bool several = options.runs > 0;
     if (several && !(options.input.record.empty() && options.input.series.file.empty()))
-        throw BadInput(fmt::format("runs = {}: several runs are of a scene; a record or a series is one", options.runs));
+        throw BadInput(
+            fmt::format("runs = {}: several runs are of a scene; a record or a series is one", options.runs));
     if (options.input.is_series(options.scene, options.start)) return classify_measured(options.input, options.output);
     options.input.take_record(options.scene, options.start, options.output.quiet);
     options.scene.read_file();

@@ -11,7 +11,7 @@ using analysis::in_words;
 
 constexpr double rest = 1e-7;          // an angle and S that stay within this are at rest
 constexpr double regular = 1e-5;       // periods that agree to this make a motion periodic
-constexpr double nearly = 1e-2;        // so near must the limit of periods that still change be, relative
+constexpr double nearly = 1e-3;        // so near must the limit of periods that still change be, relative
 constexpr double dying = 0.9;          // slip dies out if its share of time falls by this from quarter to last quarter
 constexpr int fewest_periods = 3;
 

@@ -16,8 +16,8 @@ public:
     void add(const ContactSums& sums, Support support, ContactMotion motion, const ContactState& state);
 
     /// Fills mode, kind, mean S and evidence. At rest in the co-rotating frame: rolling, steady; swinging or turning on
-    /// with a period, or settling on one: quasi-steady (steady if S is constant all the same); slipping, unless that dies
-    /// out: sliding; on an edge: two-vertex; else undecided.
+    /// with a period, or settling on one: quasi-steady (steady if S is constant all the same); slipping, unless that
+    /// dies out: sliding; on an edge: two-vertex; else undecided.
     void judge(analysis::Classification& verdict) const;
     double followed() const { return followed_; }
 

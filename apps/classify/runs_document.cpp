@@ -158,9 +158,10 @@ void write_attractors_group(const RecordGroup& group, const RunsFound& found) {
     words("mode", [&](const Attractor& a) { return std::string(name_of(first(a).mode)); });
     words("kind", [&](const Attractor& a) { return std::string(kind_name(first(a).kind)); });
     words("outcome", [&](const Attractor& a) { return std::string(name_of(first(a).outcome)); });
-    group.write<std::int64_t>("period", along, column<std::int64_t, Attractor>(found.attractors, [&](const Attractor& a) {
-        return first(a).period;
-    }), {"1", "period, 0: none", {}});
+    group.write<std::int64_t>(
+        "period", along,
+        column<std::int64_t, Attractor>(found.attractors, [&](const Attractor& a) { return first(a).period; }),
+        {"1", "period, 0: none", {}});
     numbers("share", [&](const Attractor& a) { return share(a.runs.size(), found); }, {"1", "share of the runs", {}});
     numbers("mean_S", [](const Attractor& a) { return a.mean_spin; }, {"omega_s", "mean of the runs' time means", {}});
     numbers("mean_S_error", [](const Attractor& a) { return a.mean_spin_error; },

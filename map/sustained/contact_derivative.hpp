@@ -1,11 +1,11 @@
 // The derivative of the return map where the way leads through sustained contact.
 //
 // An impact that ends in contact leaves with a normal velocity that may be as small as 10⁻⁸: differences over more than
-// that would compare with flights. So DF = B A is taken apart at the landing. A is the derivative of the state in contact,
-// in which the removal of u_n, with its friction, is smooth whatever the sign of u_n (`landed_like`); B that of the way
-// from there to the next impact. Both are central differences of order h². Where only one neighbour goes the way of the
-// orbit itself (same vertex, mode of impact and end of contact) its one-sided difference stands; where none does, or
-// where the difference is no more than rounding, the contact has lost that direction: the column is zero.
+// that would compare with flights. So DF = B A is taken apart at the landing. A is the derivative of the state in
+// contact, in which the removal of u_n, with its friction, is smooth whatever the sign of u_n (`landed_like`); B that
+// of the way from there to the next impact. Both are central differences of order h². Where only one neighbour goes the
+// way of the orbit itself (`same_way`) its one-sided difference stands, where none does the column is zero. A singular
+// value of B that is no more than rounding belongs to a direction that contact has lost: it is zero, too.
 #pragma once
 
 #include "map/sustained/return_map.hpp"
@@ -69,12 +69,14 @@ inline bool same_way(const Passage<double>& a, const Passage<double>& b) {
                 list.push_back(segment.support);
         return list;
     };
-    return a.collision.vertex_step == b.collision.vertex_step && a.collision.impulse.mode == b.collision.impulse.mode &&
+    return a.collision.vertex_step == b.collision.vertex_step &&
+           a.collision.impulse.mode == b.collision.impulse.mode &&
            a.contacts.back().finish == b.contacts.back().finish && supports(a) == supports(b);
 }
 
 template <Shape shape>
-Eigen::Matrix<double, section_dimension<shape>, 1> section_difference(const Launch<double>& a, const Launch<double>& b) {
+Eigen::Matrix<double, section_dimension<shape>, 1> section_difference(const Launch<double>& a,
+                                                                      const Launch<double>& b) {
     constexpr int dimension = section_dimension<shape>;
     const auto x = coordinates<shape>(section_point(a)), y = coordinates<shape>(section_point(b));
     Eigen::Matrix<double, dimension, 1> d;
@@ -118,7 +120,8 @@ inline Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b) {
 
 /// DF(z), where `known` is F(z) and leads through contact.
 template <class Map>
-auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z, const Passage<double>& known) {
+auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z,
+                                const Passage<double>& known) {
     constexpr int dimension = section_dimension<Map::shape>;
     constexpr double h = detail::difference_step;
     const Launch<double> base = launch_from(z);

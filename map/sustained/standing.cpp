@@ -77,7 +77,7 @@ ContactState landed(const ContactScene& scene, const Launch<double>& launch, dou
     return state;
 }
 
-/// How fast an edge turns about the container's centre after its rocking has died: normal impulses point to that centre.
+/// How fast an edge turns about the container's centre once its rocking has died: normal impulses point to there.
 double edge_rate(const ContactScene& scene, const Launch<double>& launch) {
     const Body<double>& body = scene.body;
     const Vec2<double> place{1 - body.alpha * launch.chi.x, -(body.alpha * launch.chi.y)};
@@ -128,7 +128,8 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     const int step = launch.chi.y > 0 ? -1 : 1;
     if (here.rests && there_rests) {
         const bool clockwise = launch.chi.y < 0;
-        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step, 0, 0};
+        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step, 0,
+                    0};
         standing.state.chi = -scene.widest_chi;
         const bool still = std::abs(standing.state.ut) <= velocity_rounding(scene, launch);
         standing.state.ut = standing.state.spin = still && scene.mu > 0 ? 0 : standing.state.ut;

@@ -72,8 +72,7 @@ Truth truth_of(const Scene<double>& scene, const Start<double>& start, const Tru
             return truth;
         }
         find_exponent(system, tail.states.front(), options.tail, truth);
-        const double n = static_cast<double>(options.tail);
-        if (truth.exponent > std::max(5 * truth.exponent_error, 10 * (1 + std::log(n)) / n)) {
+        if (truth.exponent > std::max(5 * truth.exponent_error, 20 / static_cast<double>(options.tail))) {
             truth.mode = analysis::Mode::chaotic;
         } else {
             const auto rotation = analysis::classification_detail::rotation_of(system, tail);

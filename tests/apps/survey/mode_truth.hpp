@@ -22,10 +22,10 @@ struct Truth {
     bool ended = false;  ///< no impact any more before all were seen
 };
 
-/// In this order: the smallest k ≤ tail/2 with |z_{i+k} − z_i| ≤ 10⁻⁹ all along the tail's last quarter (k = 1 steady, else
-/// quasi-steady); a largest exponent over 5 standard errors (and 10 (1 + ln n)/n, what a bounded sum may leave), from a
-/// neighbour 10⁻⁸ away that is drawn back there after every impact, no derivative: chaotic; a rotation number and a size
-/// that lasts: quasi-steady. None of these: undecided.
+/// In this order: the smallest k ≤ tail/2 with |z_{i+k} − z_i| ≤ 10⁻⁹ all along the tail's last quarter (k = 1 steady,
+/// else quasi-steady); a largest exponent over 5 standard errors (and growth of e²⁰ at least, more than a bounded sum
+/// leaves), from a neighbour 10⁻⁸ away that is drawn back there after every impact, no derivative: chaotic; a rotation
+/// number and a size that lasts: quasi-steady. None of these: undecided.
 Truth truth_of(const Scene<double>& scene, const Start<double>& start, const TruthOptions& options);
 
 }  // namespace swirl::apps

@@ -20,6 +20,10 @@ struct Body {
     int sides = disk_sides;
     T alpha{}, beta{};
     T inertia{};         ///< I = κ α² (m = 1)
+    T per_inertia{};     ///< 1/I: what is divided by at every impact is kept as a reciprocal
+    T per_alpha{};       ///< 1/α
+    T per_inner{};       ///< 1/(1 − α)
+    T disk_grip{};       ///< 1/B₁ of the disk, I/(I + α²)
     T inner{};           ///< 1 − α: the centre's distance at which the circumscribed circle touches
     T outer{};           ///< the largest distance the centre can have (next to an edge's middle); inner for the disk
     T spacing{};         ///< 2π/N, the angle from a vertex to the next
@@ -69,6 +73,10 @@ inline Body<T> make_body(const Scene<T>& scene) {
     body.beta = scene.beta;
     body.inertia = scene.inertia_factor * scene.alpha * scene.alpha;
     body.inner = T(1) - scene.alpha;
+    body.per_inertia = T(1) / body.inertia;
+    body.per_alpha = T(1) / body.alpha;
+    body.per_inner = T(1) / body.inner;
+    body.disk_grip = body.inertia / (body.inertia + body.alpha * body.alpha);
     body.outer = body.inner;
     if (scene.is_disk()) return body;
     const Vec2<T> half = cis(T(pi<T>() / scene.sides));

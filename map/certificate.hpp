@@ -14,29 +14,35 @@
 
 namespace swirl::detail {
 
-/// Bounds |g⁽⁶⁾| along a flight. In the laboratory the centre is at P = X + w with |P| ≤ outer + β, so that
-/// g = |P|² + β² − 2 P·w + … with P linear and w turning at rate 1: the sixth derivative is at most 2β(6|V| + |P|);
+/// Bounds of |g⁽ᵏ⁾| along a flight, k ≥ 3. In the laboratory the centre is at P = X + w with |P| ≤ outer + β, so that
+/// g = |P|² + β² − 2 P·w + … with P linear and w turning at rate 1: the k-th derivative is at most 2β(k|V| + |P|);
 /// a vertex adds 2 X·a, with P·a turning at S and w·a at S − 1.
 template <class T>
-struct SixthBounds {
+struct DerivativeBounds {
     T centre;
     T vertex;
 };
 
-template <Shape shape, class T>
-inline SixthBounds<T> sixth_bounds(const Body<T>& body, const Flight<T>& flight) {
+template <int k, class T>
+constexpr T power(const T& x) {
+    if constexpr (k == 0) return T(1);
+    else if constexpr (k == 1) return x;
+    else return power<k / 2>(T(x * x)) * power<k % 2>(x);
+}
+
+template <int k, Shape shape, class T>
+[[gnu::always_inline]] inline DerivativeBounds<T> derivative_bounds(const Body<T>& body, const Flight<T>& flight) {
     using std::fabs;
     const T speed = fabs(flight.velocity.x) + fabs(flight.velocity.y);
     const T place = body.outer + body.beta;
-    SixthBounds<T> bounds;
-    bounds.centre = T(2) * body.beta * (T(6) * speed + place);
+    DerivativeBounds<T> bounds;
+    bounds.centre = T(2) * body.beta * (T(k) * speed + place);
     bounds.vertex = bounds.centre;
     if constexpr (shape == Shape::polygon) {
         const T s = fabs(flight.spin);
-        const T s2 = s * s;
-        const T relative = (flight.spin - T(1)) * (flight.spin - T(1));
-        bounds.vertex = bounds.centre + T(2) * body.alpha *
-            (s2 * s2 * s * (s * place + T(6) * speed) + body.beta * relative * relative * relative);
+        const T relative = fabs(flight.spin - T(1));
+        bounds.vertex = bounds.centre + T(2) * body.alpha * (power<k - 1>(s) * (s * place + T(k) * speed) +
+                                                             body.beta * power<k>(relative));
     }
     return bounds;
 }
@@ -44,7 +50,7 @@ inline SixthBounds<T> sixth_bounds(const Body<T>& body, const Flight<T>& flight)
 /// True if the gap certainly stays closed to the wall by no more than rounding (4ε) between `from` and `to`, h later.
 /// (False says nothing.)
 template <class T>
-inline bool clear_between(const Gap<T>& from, const Gap<T>& to, const T& h, const T& sixth) {
+[[gnu::always_inline]] inline bool clear_between(const Gap<T>& from, const Gap<T>& to, const T& h, const T& sixth) {
     const T rounding = T(4) * epsilon<T>();
     const T h2 = h * h;
     const T remainder = sixth * (h2 * h2 * h2) * T(1.0 / 14400);
@@ -56,15 +62,6 @@ inline bool clear_between(const Gap<T>& from, const Gap<T>& to, const T& h, cons
     return std::max(std::max(std::max(c1, c4), std::max(c2, c3)), ends) <= rounding;
 }
 
-/// Householder's correction of third order, δ = −g (g′² − ½gg″) / (g′³ − gg′g″ + g²g‴/6): the error d becomes O(d⁴).
-template <class T>
-inline T root_correction(const Gap<T>& gap) {
-    const T square = gap.rate * gap.rate;
-    const T product = gap.value * gap.bend;
-    return -(gap.value * (square - T(0.5) * product)) /
-           (gap.rate * (square - product) + gap.value * gap.value * gap.jerk * T(1.0 / 6));
-}
-
 template <class T>
 inline T fourth_root_of_epsilon() {
     if constexpr (std::is_same_v<T, double>) {
@@ -73,12 +70,6 @@ inline T fourth_root_of_epsilon() {
         using std::sqrt;
         return sqrt(sqrt(epsilon<T>()));
     }
-}
-
-/// The gap at its root, a converged correction d away.
-template <class T>
-inline Gap<T> at_root(const Gap<T>& gap, const T& d) {
-    return {T(0), gap.rate + d * gap.bend, gap.bend + d * gap.jerk, gap.jerk};
 }
 
 /// True if after a correction of this size the error that is left is below rounding (d⁴ against ε; scale g′/g″). The

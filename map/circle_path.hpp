@@ -5,7 +5,8 @@
 // with A = P·w₀ and B = P·(i w₀) linear in τ: seven numbers per flight, and every derivative from the same products.
 #pragma once
 
-#include "map/flight.hpp"
+#include "map/gap_series.hpp"
+#include "map/turn_table.hpp"
 
 namespace swirl::detail {
 
@@ -24,7 +25,7 @@ struct CircleGap : Gap<T> {
 };
 
 template <class T>
-inline CirclePath<T> circle_path(const Flight<T>& flight, const Vec2<T>& swirl, const T& start) {
+[[gnu::always_inline]] inline CirclePath<T> circle_path(const Flight<T>& flight, const Vec2<T>& swirl, const T& start) {
     const Vec2<T> place = flight.centre + swirl;
     const Vec2<T> side = quarter_turned(swirl);
     return {start, T(2) * dot(flight.velocity, flight.centre), dot(flight.velocity, flight.velocity),
@@ -33,7 +34,7 @@ inline CirclePath<T> circle_path(const Flight<T>& flight, const Vec2<T>& swirl, 
 
 /// At the start, E = 0.
 template <class T>
-inline CircleGap<T> gap_at_start(const CirclePath<T>& path) {
+[[gnu::always_inline]] inline CircleGap<T> gap_at_start(const CirclePath<T>& path) {
     CircleGap<T> gap;
     gap.value = path.start;
     gap.rate = path.slope - T(2) * path.b0;
@@ -44,54 +45,53 @@ inline CircleGap<T> gap_at_start(const CirclePath<T>& path) {
     return gap;
 }
 
-/// At time τ, `turn` = E(τ).
+/// The Taylor polynomial about a moment. (P·w)⁽ᵏ⁾ = P·(iᵏw) + k V·(iᵏ⁻¹w).
 template <class T>
-inline CircleGap<T> gap_along(const CirclePath<T>& path, const T& time, const Vec2<T>& turn) {
-    const T cosine = T(1) + turn.x;
-    const T a = path.a0 + path.a1 * time;
-    const T b = path.b0 + path.b1 * time;
-    const T place_along = a * cosine + b * turn.y;             // P·w
-    const T place_across = b * cosine - a * turn.y;            // P·(i w)
-    const T speed_along = path.a1 * cosine + path.b1 * turn.y;  // V·w
-    const T speed_across = path.b1 * cosine - path.a1 * turn.y;
-    const T twice = path.speed2 * time;
-    CircleGap<T> gap;
-    gap.value = (path.start + time * (path.slope + twice)) - T(2) * (a * turn.x + b * turn.y);
-    gap.rate = (path.slope + (twice + twice)) - T(2) * ((path.a1 * turn.x + path.b1 * turn.y) + place_across);
-    gap.bend = T(2) * (path.speed2 + (place_along - T(2) * speed_across));
-    gap.jerk = T(2) * (place_across + T(3) * speed_along);
-    gap.fourth = T(2) * (T(4) * speed_across - place_along);
-    gap.fifth = T(-2) * (place_across + T(5) * speed_along);
-    return gap;
+[[gnu::always_inline]] inline GapSeries<T> series_along(const CirclePath<T>& path, const TurnedMoment<T>& at) {
+    const T& c = at.turn.x;
+    const T& s = at.turn.y;
+    const T a = path.a0 + path.a1 * at.time;
+    const T b = path.b0 + path.b1 * at.time;
+    // The tabled moments are few, and a rounded 1 + c would err the same way whenever one comes up again.
+    const T along = a + (a * c + b * s);              // P·w
+    const T across = b + (b * c - a * s);             // P·(i w)
+    const T v_along = path.a1 + (path.a1 * c + path.b1 * s);  // V·w
+    const T v_across = path.b1 + (path.b1 * c - path.a1 * s);
+    const T twice = path.speed2 * at.time;
+    GapSeries<T> g;
+    // What the table leaves out is too small for the large terms; it is added to the small difference.
+    g.c[0] = ((path.start + at.time * (path.slope + twice)) - T(2) * (a * c + b * s)) -
+             T(2) * (a * at.rest.x + b * at.rest.y);
+    g.c[1] = (path.slope + (twice + twice)) - T(2) * ((path.a1 * c + path.b1 * s) + across);
+    g.c[2] = path.speed2 + (along - T(2) * v_across);
+    g.c[3] = T(1.0 / 3) * (across + T(3) * v_along);
+    g.c[4] = T(1.0 / 12) * (T(4) * v_across - along);
+    g.c[5] = T(-1.0 / 60) * (across + T(5) * v_along);
+    g.c[6] = T(1.0 / 360) * (along - T(6) * v_across);
+    g.c[7] = T(1.0 / 2520) * (across + T(7) * v_along);
+    g.c[8] = T(1.0 / 20160) * (T(8) * v_across - along);
+    g.c[9] = T(-1.0 / 181440) * (across + T(9) * v_along);
+    g.c[10] = T(1.0 / 1814400) * (along - T(10) * v_across);
+    return g;
 }
 
-/// Where a gap that is closed and opens at the start closes again: the parabola's root, then one Newton step on the
-/// Taylor polynomial of fifth order (divided by τ, since g = 0 at the start). Not positive if the parabola has none.
+/// Where a gap that is closed and opens at the start closes again: the parabola's root s = n/d, then one Newton step on
+/// the Taylor polynomial of fifth degree (divided by τ, since g = 0 at the start), written as one quotient. Not positive
+/// if the parabola has no root.
 template <class T>
-inline T return_guess(const CircleGap<T>& start) {
-    const T s = T(-2) * start.rate / start.bend;
-    const T s2 = s * s;
-    const T cubic = T(1.0 / 6) * start.jerk;
-    const T quartic = T(1.0 / 24) * start.fourth * s;
-    const T quintic = T(1.0 / 120) * start.fifth * s2;
-    const T value = s2 * (cubic + (quartic + quintic));
-    const T slope = T(0.5) * start.bend + s * (T(2) * cubic + (T(3) * quartic + T(4) * quintic));
-    const T guess = s - value / slope;
-    return slope > 0 && guess > T(0.25) * s && guess < T(4) * s ? guess : s;
-}
-
-/// The way to the zero of the Taylor polynomial of fifth order: Halley's step, then one of Newton's.
-template <class T>
-inline T far_correction(const CircleGap<T>& gap) {
-    const T d = -(gap.value * gap.rate) / (gap.rate * gap.rate - T(0.5) * gap.value * gap.bend);
+[[gnu::always_inline]] inline T return_guess(const CircleGap<T>& start) {
+    const T n = -start.rate;
+    const T d = T(0.5) * start.bend;
+    const T n2 = n * n;
     const T d2 = d * d;
-    const T half = T(0.5) * gap.bend;
-    const T cubic = T(1.0 / 6) * gap.jerk;
-    const T quartic = T(1.0 / 24) * gap.fourth;
-    const T quintic = T(1.0 / 120) * gap.fifth;
-    const T value = (gap.value + gap.rate * d) + d2 * ((half + cubic * d) + d2 * (quartic + quintic * d));
-    const T rate = (gap.rate + gap.bend * d) + d2 * ((T(3) * cubic + T(4) * quartic * d) + d2 * (T(5) * quintic));
-    return d - value / rate;
+    const T cubic = T(1.0 / 6) * start.jerk * d2;
+    const T quartic = T(1.0 / 24) * start.fourth * (n * d);
+    const T quintic = T(1.0 / 120) * start.fifth * n2;
+    const T slope = d2 * d2 + n * (T(2) * cubic + (T(3) * quartic + T(4) * quintic));  // of the polynomial, times d³
+    const T value = n * (cubic + (quartic + quintic));                                 // its value, times d³/s
+    const T left = slope - value;
+    if (!(slope > 0 && left > T(0.25) * slope && left < T(4) * slope)) [[unlikely]] return n / d;
+    return n * left / (d * slope);
 }
 
 }  // namespace swirl::detail

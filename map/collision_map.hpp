@@ -2,8 +2,7 @@
 #pragma once
 
 #include "map/body.hpp"
-#include "map/contact_disk.hpp"
-#include "map/contact_polygon.hpp"
+#include "map/first_contact.hpp"
 #include "map/section.hpp"
 
 namespace swirl {
@@ -43,57 +42,105 @@ public:
 
     /// The first impact of any flight.
     Collision<T> advance(const Flight<T>& flight) const {
-        const Contact<T> contact = first_contact<shape>(body_, flight);
         Collision<T> collision;
-        collision.contact = contact.outcome;
-        collision.steps = contact.steps;
-        if (contact.outcome != ContactOutcome::contact) return collision;
-        strike(flight, contact.at, contact.arm, collision);
-        collision.vertex_step = contact.vertex;
-        collision.simultaneous = contact.simultaneous;
+        advance(flight, collision);
         return collision;
     }
 
+    /// The same into a collision that is there: `launch` may be its own `after`. For long orbits: nothing is copied
+    /// between two impacts, and the copy of a struct whose members have just been written costs more than they did.
+    [[gnu::always_inline]] void advance(const Launch<T>& launch, Collision<T>& collision) const {
+        advance(flight_from(body_, launch), collision);
+    }
+    [[gnu::always_inline]] void advance(const Flight<T>& flight, Collision<T>& collision) const {
+        Contact<T> contact;
+        if (detail::direct_contact<shape>(body_, flight, contact)) [[likely]]
+            arrive(flight, contact, collision);
+        else
+            advance_with_certainty(flight, collision);
+    }
+
     /// The impact at a moment known to be the contact of the vertex at X + `arm`; fills all that depends on it.
-    void strike(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm, Collision<T>& collision) const {
-        const Vec2<T> n = renormalised(at.centre + arm);  // a contact: of length 1 already, but for rounding
-        const Vec2<T> velocity = seen_from(n, flight.velocity);
+    [[gnu::always_inline]] void strike(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm,
+                                       Collision<T>& collision) const {
+        const Vec2<T> x = shape == Shape::disk ? body_.per_inner * at.centre : at.centre + arm;
+        const T longer = missing_length(x);  // a contact: of length 1 already, but for rounding
+        const Vec2<T> velocity = seen_from(x, flight.velocity);
         Launch<T>& after = collision.after;
-        after.psi = renormalised(seen_from(at.phase, n));  // ψ = arg n − arg w
-        after.chi = shape == Shape::disk ? Vec2<T>{T(1), T(0)} : renormalised((T(1) / body_.alpha) * seen_from(n, arm));
-        after.vn = velocity.x;
-        after.vt = velocity.y;
+        after.psi = renormalised(seen_from(at.phase, x));  // ψ = arg n − arg w
+        if constexpr (shape == Shape::disk) after.chi = {T(1), T(0)};
+        else after.chi = renormalised(body_.per_alpha * seen_from(x, arm));
+        after.vn = velocity.x + longer * velocity.x;
+        after.vt = velocity.y + longer * velocity.y;
         after.spin = flight.spin;
         collision.contact = ContactOutcome::contact;
         collision.flight_time = at.time;
-        collision.normal = n;
+        collision.normal = x + longer * x;
         apply_impact(collision);
     }
 
     /// The impact itself: `collision.after` holds the state before and then the state after.
-    void apply_impact(Collision<T>& collision) const {
+    [[gnu::always_inline]] void apply_impact(Collision<T>& collision) const {
+        if constexpr (shape == Shape::disk) apply_to_disk(collision);
+        else apply_to_polygon(collision);
+    }
+
+private:
+    /// For the flights that the direct path leaves over.
+    [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const {
+        const Contact<T> contact = detail::certain_contact<shape>(body_, flight);
+        if (contact.outcome == ContactOutcome::contact) return arrive(flight, contact, collision);
+        collision.contact = contact.outcome;
+        collision.steps = contact.steps;
+    }
+
+    [[gnu::always_inline]] void arrive(const Flight<T>& flight, const Contact<T>& contact,
+                                       Collision<T>& collision) const {
+        strike(flight, contact.at, contact.arm, collision);
+        collision.steps = contact.steps;
+        collision.vertex_step = contact.vertex;
+        collision.simultaneous = contact.simultaneous;
+    }
+
+    // In both, u changes linearly in (p, q), so the mean of before and after is the value at half the impulse.
+    [[gnu::always_inline]] void apply_to_polygon(Collision<T>& collision) const {
         Launch<T>& state = collision.after;
         const Approach<T> before = approach_of(body_, state);
-        const Impulse<T> j = impulse_of(before);
+        const Impulse<T> j = impulse<rule>(before, scene_.mu, scene_.restitution);
         const T& p = j.normal;
         const T& q = j.tangential;
         state.vn = state.vn - p;
         state.vt = state.vt + q;
-        if constexpr (!(shape == Shape::disk && rule == ImpactRule::frictionless))
-            state.spin = state.spin + (before.rn * q + before.rt * p) / body_.inertia;
-        // u changes linearly in (p, q), so the mean of before and after is the value at half the impulse.
+        state.spin = state.spin + (before.rn * q + before.rt * p) * body_.per_inertia;
         const T half(0.5);
         collision.jacobi_restitution = -p * (before.un - half * (before.b2() * p + before.b3() * q));
         collision.jacobi_friction = q * (before.ut + half * (before.b3() * p + before.b1() * q) - T(1));
         collision.impulse = j;
     }
 
-private:
-    Impulse<T> impulse_of(const Approach<T>& before) const {
-        if constexpr (shape == Shape::disk && rule != ImpactRule::frictionless)
-            return disk_impulse(before, scene_.mu, scene_.restitution);
-        else
-            return impulse<rule>(before, scene_.mu, scene_.restitution);
+    /// The disk's r_t = 0: B₂ = 1, B₃ = 0.
+    [[gnu::always_inline]] void apply_to_disk(Collision<T>& collision) const {
+        Launch<T>& state = collision.after;
+        const T un = state.vn - body_.beta * state.psi.y;
+        const T half(0.5);
+        if constexpr (rule == ImpactRule::frictionless) {
+            const T p = (T(1) + scene_.restitution) * un;
+            state.vn = state.vn - p;
+            collision.jacobi_restitution = -p * (un - half * p);
+            collision.jacobi_friction = T(0);
+            collision.impulse = {p, T(0), ContactMode::frictionless};
+        } else {
+            const T ut = (state.vt + body_.alpha * state.spin) - body_.beta * state.psi.x;
+            const Impulse<T> j = disk_impulse(un, ut, body_.disk_grip, scene_.mu, scene_.restitution);
+            const T change = body_.alpha * body_.per_inertia * j.tangential;  // of the spin
+            state.vn = state.vn - j.normal;
+            state.vt = state.vt + j.tangential;
+            state.spin = state.spin + change;
+            collision.jacobi_restitution = -j.normal * (un - half * j.normal);
+            collision.jacobi_friction =
+                j.tangential * ((ut + half * (j.tangential + body_.alpha * change)) - T(1));
+            collision.impulse = j;
+        }
     }
 
     Scene<T> scene_;

@@ -11,7 +11,7 @@ namespace detail {
 
 /// Fills in a contact of the disk at the moment that `contact.at` holds.
 template <class T>
-inline void touch_disk(const Body<T>& body, Contact<T>& contact) {
+[[gnu::always_inline]] inline void touch_disk(const Body<T>& body, Contact<T>& contact) {
     contact.outcome = ContactOutcome::contact;
     contact.arm = (body.alpha / body.inner) * contact.at.centre;
 }
@@ -19,36 +19,34 @@ inline void touch_disk(const Body<T>& body, Contact<T>& contact) {
 /// The usual flight from wall to wall: the root is sought without care, then proven to be the first. False if either
 /// fails; the advance below then decides.
 template <class T>
-inline bool direct_contact_disk(const Body<T>& body, const Flight<T>& flight, Contact<T>& contact) {
+[[gnu::always_inline]] inline bool direct_contact_disk(const Body<T>& body, const Flight<T>& flight, Contact<T>& contact) {
     using std::fabs;
     const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase), T(0));
     const CircleGap<T> start = gap_at_start(path);
     if (!(start.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
+    const T eleventh = derivative_bounds<11, Shape::disk>(body, flight).centre;
     T time = return_guess(start);
-    if (!(time > 0 && time <= T(longest_guess))) return false;
-    Vec2<T> turn = turn_minus_one(time);
-    CircleGap<T> gap = gap_along(path, time, turn);
-    T correction = far_correction(gap);
     while (true) {  // ends: converged, or gives up
-        if (!(gap.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
-        const bool converged = is_converged(gap, correction);
-        time = time + correction;
-        turn = compose(turn, turn_minus_one(correction));
-        if (converged) break;
-        if (++contact.steps > correction_limit) return false;
-        gap = gap_along(path, time, turn);
-        correction = root_correction(gap);
+        if (!(time > 0 && time <= T(longest_guess)) || ++contact.steps > correction_limit) return false;
+        const TurnedMoment<T> near = moment_near(time);
+        const GapSeries<T> gap = series_along(path, near);
+        const SeriesRoot<T> root = root_of(gap);
+        if (!(root.rate > 0 && fabs(root.first) + fabs(root.second) <= T(longest_correction))) return false;
+        time = near.time + (root.first + root.second);
+        if (!is_converged(root, time, eleventh)) continue;
+        const T sixth = derivative_bounds<6, Shape::disk>(body, flight).centre;
+        if (!(time > 0 && clear_between<T>(start, gap_at(gap, root), time, sixth))) return false;
+        contact.at = instant_at<Shape::disk>(flight, T(near.time + root.first), turn_after(near, root.first));
+        nudge(flight, contact.at, root.second);
+        contact.at.time = time;
+        touch_disk(body, contact);
+        return true;
     }
-    const T sixth = sixth_bounds<Shape::disk>(body, flight).centre;
-    if (!(time > 0 && clear_between<T>(start, at_root<T>(gap, correction), time, sixth))) return false;
-    contact.at = instant_at<Shape::disk>(flight, time, turn);
-    touch_disk(body, contact);
-    return true;
 }
 
 /// Advances by safe steps until the disk touches: slower, and never in doubt.
 template <class T>
-Contact<T> certain_contact_disk(const Body<T>& body, const Flight<T>& flight) {
+[[gnu::noinline]] Contact<T> certain_contact_disk(const Body<T>& body, const Flight<T>& flight) {
     const auto bounds = bounds_of<Shape::disk>(body, flight);
     Contact<T> contact;
     contact.at = instant_at_start(flight);
@@ -79,13 +77,5 @@ Contact<T> certain_contact_disk(const Body<T>& body, const Flight<T>& flight) {
 }
 
 }  // namespace detail
-
-/// The first time at which |X| reaches 1 − α from below. Cost: some four moments, one rotation each.
-template <class T>
-Contact<T> first_contact_disk(const Body<T>& body, const Flight<T>& flight) {
-    Contact<T> contact;
-    if (flight.struck && detail::direct_contact_disk(body, flight, contact)) return contact;
-    return detail::certain_contact_disk(body, flight);
-}
 
 }  // namespace swirl

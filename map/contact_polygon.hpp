@@ -48,7 +48,7 @@ inline void step_back(const Body<T>& body, const Flight<T>& flight, const Neares
 /// Advances by safe steps until a vertex touches. Away from the wall the circumscribed circle decides; in the ring
 /// 1 − α ≤ |X| where vertices can touch, the two nearest to the centre's direction do.
 template <class T>
-Contact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
+[[gnu::noinline]] Contact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
     const auto bounds = bounds_of<Shape::polygon>(body, flight);
     const T ring = T(0.25) * (body.outer * body.outer - body.inner * body.inner);
     Contact<T> contact;
@@ -116,7 +116,7 @@ inline bool both_clear(const NearestTwo<T>& from, const NearestTwo<T>& to, const
 template <class T>
 inline bool clear_flight(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
                          const Instant<T>& end, const NearestTwo<T>& last) {
-    const auto sixth = sixth_bounds<Shape::polygon>(body, flight);
+    const auto sixth = derivative_bounds<6, Shape::polygon>(body, flight);
     const T reach = two_are_enough(body, flight, bounds, body.inner);
     const Instant<T> start = instant_at_start(flight);
     const Gap<T> leaving = centre_gap(body, flight, start);
@@ -148,25 +148,25 @@ inline bool clear_flight(const Body<T>& body, const Flight<T>& flight, const Fli
 /// The usual flight from wall to wall: the circle's return leads to the vertex nearest to the wall there, its root is
 /// sought without care, then the whole flight is proven clear. False if anything fails; the advance then decides.
 template <class T>
-inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight, Contact<T>& contact) {
+[[gnu::always_inline]] inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight, Contact<T>& contact) {
     using std::fabs;
     const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase), T(0));
     T time = return_guess(gap_at_start(path));
     if (!(time > 0 && time <= T(longest_guess))) return false;
-    Vec2<T> turn = turn_minus_one(time);
-    const CircleGap<T> circle = gap_along(path, time, turn);
-    const T closer = far_correction(circle);
+    const TurnedMoment<T> near = moment_near(time);
+    const SeriesRoot<T> circle = root_of(series_along(path, near));
+    const T closer = circle.first + circle.second;
     if (!(circle.rate > 0 && fabs(closer) <= time)) return false;
-    time = time + closer;
+    time = near.time + closer;
     if (!(time > 0)) return false;
-    turn = compose(turn, turn_minus_one(closer));
-    Instant<T> at = instant_at<Shape::polygon>(flight, time, turn);
+    Instant<T> at = instant_at<Shape::polygon>(flight, time, turn_after(near, closer));
 
     NearestTwo<T> pair;
     for (bool converged = false; !converged;) {  // ends: converged, or gives up
         look_at_nearest(body, flight, at, pair.first);
         if (++contact.steps > correction_limit) return false;
-        const T correction = root_correction(pair.first.gap);
+        const Gap<T>& gap = pair.first.gap;
+        const T correction = householder(gap.value, gap.rate, T(T(0.5) * gap.bend), T(T(1.0 / 6) * gap.jerk));
         if (!(pair.first.gap.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
         converged = is_converged(pair.first.gap, correction);
         advance<Shape::polygon>(flight, at, correction);
@@ -182,21 +182,5 @@ inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight,
 }
 
 }  // namespace detail
-
-/// The first time at which a vertex reaches the wall from within.
-template <class T>
-Contact<T> first_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
-    Contact<T> contact;
-    if (flight.struck && detail::direct_contact_polygon(body, flight, contact)) return contact;
-    return detail::certain_contact_polygon(body, flight);
-}
-
-template <Shape shape, class T>
-inline Contact<T> first_contact(const Body<T>& body, const Flight<T>& flight) {
-    if constexpr (shape == Shape::disk)
-        return first_contact_disk(body, flight);
-    else
-        return first_contact_polygon(body, flight);
-}
 
 }  // namespace swirl

@@ -41,10 +41,11 @@ struct Approach {
     T rn;       ///< offset from the body's centre to the contact, along n
     T rt;       ///< … along t
     T inertia;  ///< I
+    T per_inertia = T(1) / inertia;
 
-    T b1() const { return T(1) + rn * rn / inertia; }
-    T b2() const { return T(1) + rt * rt / inertia; }
-    T b3() const { return rn * rt / inertia; }
+    T b1() const { return T(1) + rn * rn * per_inertia; }
+    T b2() const { return T(1) + rt * rt * per_inertia; }
+    T b3() const { return rn * rt * per_inertia; }
 };
 
 /// The impulse −p n + q t on the body.
@@ -111,17 +112,17 @@ T impulse_end(const NormalVelocityPath<T>& path, const T& restitution) {
 }  // namespace detail
 
 /// The disk's impulse: B₃ = 0 and B₂ = 1 decouple the directions, slip stops at p = |u_t|/(μB₁), and all laws agree.
-/// No division but by the constant B₁.
+/// `grip` = 1/B₁: no division.
 template <class T>
-Impulse<T> disk_impulse(const Approach<T>& approach, const T& mu, const T& restitution) {
+[[gnu::always_inline]] inline Impulse<T> disk_impulse(const T& un, const T& ut, const T& grip, const T& mu,
+                                                      const T& restitution) {
     using std::fabs;
-    const T end = (T(1) + restitution) * approach.un;
-    const T b1 = approach.b1();
-    const T friction = mu * b1 * end;  // the change of u_t that friction can make
-    if (fabs(plain(approach.ut)) > plain(friction))
-        return {end, plain(approach.ut) > 0 ? T(-mu * end) : T(mu * end), ContactMode::sliding};
-    const bool early = fabs(plain(approach.ut)) < plain(mu) * plain(b1) * plain(approach.un);
-    return {end, -approach.ut / b1, early ? ContactMode::c_sticking : ContactMode::r_sticking};
+    const T end = (T(1) + restitution) * un;
+    const T stick = -grip * ut;  // the impulse that stops the slip
+    if (fabs(plain(stick)) > plain(mu) * plain(end))
+        return {end, plain(ut) > 0 ? T(-mu * end) : T(mu * end), ContactMode::sliding};
+    const bool early = fabs(plain(stick)) < plain(mu) * plain(un);
+    return {end, stick, early ? ContactMode::c_sticking : ContactMode::r_sticking};
 }
 
 /// The impulse of one impact.

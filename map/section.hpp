@@ -40,7 +40,7 @@ inline SectionPoint<T> section_point(const Launch<T>& launch) {
 
 /// The flight that begins there, in the axes (n, t): the struck vertex is at (1, 0), the swirl's arm at angle −ψ.
 template <class T>
-inline Flight<T> flight_from(const Body<T>& body, const Launch<T>& launch) {
+[[gnu::always_inline]] inline Flight<T> flight_from(const Body<T>& body, const Launch<T>& launch) {
     Flight<T> flight;
     flight.arm = body.alpha * launch.chi;
     flight.centre = Vec2<T>{T(1) - flight.arm.x, -flight.arm.y};
@@ -55,10 +55,10 @@ inline Flight<T> flight_from(const Body<T>& body, const Launch<T>& launch) {
 /// Slip velocities and lever arms at the contact: u = V + S ẑ×r − O′,
 /// u_n = v_n − αS sin χ − β sin ψ, u_t = v_t + αS cos χ − β cos ψ.
 template <class T>
-inline Approach<T> approach_of(const Body<T>& body, const Launch<T>& launch) {
+[[gnu::always_inline]] inline Approach<T> approach_of(const Body<T>& body, const Launch<T>& launch) {
     const Vec2<T> r = body.alpha * launch.chi;
     return {launch.vn - launch.spin * r.y - body.beta * launch.psi.y,
-            launch.vt + launch.spin * r.x - body.beta * launch.psi.x, r.x, r.y, body.inertia};
+            launch.vt + launch.spin * r.x - body.beta * launch.psi.x, r.x, r.y, body.inertia, body.per_inertia};
 }
 
 /// Energy in the swirling frame, J = ½|V − ẑ×X|² − ½|X|² + ½I(S − 1)² − ½I with X from the swirl's centre

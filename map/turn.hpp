@@ -27,7 +27,7 @@ constexpr Vec2<T> compose(const Vec2<T>& a, const Vec2<T>& b) {
 namespace detail {
 
 /// cis δ − 1 by Taylor polynomials for |δ| ≤ ¼; the first terms left out are below 2⁻⁵⁶ of the sum.
-constexpr Vec2<double> small_turn_minus_one(double d) {
+[[gnu::always_inline]] constexpr Vec2<double> small_turn_minus_one(double d) {
     const double s = d * d;
     const double s2 = s * s;
     const double sine = (-1.0 / 6 + s * (1.0 / 120)) + s2 * ((-1.0 / 5040 + s * (1.0 / 362880)) + s2 * (-1.0 / 39916800));
@@ -37,7 +37,7 @@ constexpr Vec2<double> small_turn_minus_one(double d) {
 }
 
 /// The same for |δ| ≤ 2⁻¹³, where two terms are enough: the last correction of a search is that small.
-constexpr Vec2<double> tiny_turn_minus_one(double d) {
+[[gnu::always_inline]] constexpr Vec2<double> tiny_turn_minus_one(double d) {
     const double s = d * d;
     return {s * (-0.5 + s * (1.0 / 24)), d + d * (s * (-1.0 / 6))};
 }
@@ -57,16 +57,21 @@ constexpr TabledVector tabled(const Vec2<long double>& v) {
                     static_cast<double>(v.y - static_cast<long double>(value.y))}};
 }
 
-/// cis(k/2) − 1, k = 0 … 64, from Taylor's series for ½ in long double and repeated composition.
-constexpr std::array<TabledVector, turn_table_size> turn_table() {
+/// cis δ − 1 for |δ| ≤ ½ by Taylor's series.
+constexpr Vec2<long double> short_turn(long double angle) {
     long double sine = 0;
-    long double cosine = 0;  // cos ½ − 1
+    long double cosine = 0;  // cos δ − 1
     long double term = 1;
     for (int n = 1; n < 30; ++n) {
-        term *= 0.5L / n;
+        term *= angle / n;
         (n % 2 ? sine : cosine) += n % 4 < 2 ? term : -term;
     }
-    const Vec2<long double> half{cosine, sine};
+    return {cosine, sine};
+}
+
+/// cis(k/2) − 1, k = 0 … 64, by repeated composition in long double.
+constexpr std::array<TabledVector, turn_table_size> turn_table() {
+    const Vec2<long double> half = short_turn(0.5L);
     std::array<TabledVector, turn_table_size> table{};
     Vec2<long double> turn{0, 0};
     for (auto& entry : table) {

@@ -60,6 +60,11 @@ class QuasiPeriodic(unittest.TestCase):
         self.assertGreater(combinations, 0.99)
         self.assertEqual(document(f"classify {TORUS} --seed 2")["kind"], "quasi-periodic")
 
+    def test_a_torus_round_an_attracting_fixed_point_is_not_taken_for_it(self):
+        found = document("classify --sides 6 --alpha 0.71148787443208794 --beta 0.32971519551788647 "
+                         "--mu 0.33155311847740321 --restitution 1 --seed 1588")
+        self.assertEqual((found["kind"], found["period"]), ("quasi-periodic", None))
+
     def test_lyapunov_has_one_zero_the_rest_attracts(self):
         found = document(f"lyapunov {TORUS} --collisions 20000")
         self.assertEqual(found["signs"], ["neutral"] + 4 * ["negative"])

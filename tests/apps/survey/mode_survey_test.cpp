@@ -135,8 +135,8 @@ struct Tally {
         print("the paper's rule, RC alone (rows: truth)", papers);
         for (const auto& [name, n] : contact) std::printf("%5d end as %s\n", n, name.c_str());
         for (const auto& [name, n] : open) std::printf("%5d undecided: %s\n", n, name.c_str());
-        std::printf("%d scenes, %d undecided (%.1f %%), %d wrong; %d more hold for the 20,000 impacts that were judged and "
-                    "change later (chaotic transients). Impacts go on in %d; truth is known for %d, of these %d "
+        std::printf("%d scenes, %d undecided (%.1f %%), %d wrong; %d more hold for the 20,000 impacts that were judged "
+                    "and change later (chaotic transients). Impacts go on in %d; truth is known for %d, of these %d "
                     "undecided (%.1f %%), by the paper's rule %d wrong (%.1f %%)\n",
                     scenes, undecided, 100.0 * undecided / scenes, wrong, left, with_impacts, with_truth, missed,
                     100.0 * missed / with_truth, paper_wrong, 100.0 * paper_wrong / with_truth);

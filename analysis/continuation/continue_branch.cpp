@@ -188,6 +188,8 @@ bool continue_branch(const ShootingMap& map, const CyclePoints& cycle, double p,
     polish_cycle(map, points, p);
     CurvePoint start;
     if (!begin_curve(map, points, p, {}, start)) return false;
+    const double value = parameter_of(options, map.has_parameter, start);
+    if (value < options.low || value > options.high) return false;
     follow_one_way(map, start, options, branch);
     if (branch.end == BranchEnd::closed || branch.end == BranchEnd::stopped) {
         branch.begin = branch.end;

@@ -56,6 +56,7 @@ bool locate(const ShootingMap& map, const CurvePoint& base, double h, double f0,
     };
     double low = 0, high = h;
     if (f0 == 0 || f1 == 0) return std::isfinite(at(f0 == 0 ? 0.0 : h));
+    if (!(f0 * f1 < 0)) return false;
     std::uintmax_t most = 100;
     bool failed = false;
     const auto guarded = [&](double s) {

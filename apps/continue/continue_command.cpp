@@ -51,7 +51,8 @@ analysis::CyclePoints cycle_from(const ContinueOptions& options, const Scene<dou
     if (guess.empty()) return {};
     const auto shot = analysis::solve_shooting(map, guess, p, accepted);
     if (!shot.converged) return {};
-    return analysis::minimal_cycle(map, shot.points, 1e-6);
+    const auto cycle = analysis::minimal_cycle(map, shot.points, 1e-6);
+    return static_cast<int>(cycle.size()) == options.period ? cycle : analysis::CyclePoints{};
 }
 
 Settings settings_of(const ContinueOptions& options) {
@@ -81,6 +82,8 @@ int continue_orbit(ContinueOptions& options) {
     const Scene<double> scene = options.scene.scene<double>();
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: continue works in double", options.output.accuracy_name));
+    if (along.parameter)
+        for (const double end : {along.low, along.high}) validated(with_parameter(scene, *along.parameter, end));
     SceneBranches system = scene_branches(scene, along);
     const double p = value_of(scene, along);
     if (along.parameter && (p < along.low || p > along.high))

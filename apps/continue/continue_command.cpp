@@ -1,5 +1,6 @@
 #include "apps/continue/continue_command.hpp"
 
+#include "analysis/orbits/cycle.hpp"
 #include "analysis/orbits/multi_shooting.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
@@ -55,6 +56,13 @@ analysis::CyclePoints cycle_from(const ContinueOptions& options, const Scene<dou
     return static_cast<int>(cycle.size()) == options.period ? cycle : analysis::CyclePoints{};
 }
 
+/// Over a parameter a cycle must be isolated, along itself it must be a member of a family of one parameter.
+bool lies_on_curve(const Scene<double>& scene, const Along& along, const analysis::CyclePoints& cycle) {
+    const auto map = scene_map(scene);
+    const auto closing = analysis::close_cycle(map, cycle, 0);
+    return closing.alive && analysis::family_directions(closing, map.dimension).cols() == (along.parameter ? 0 : 1);
+}
+
 Settings settings_of(const ContinueOptions& options) {
     return {{"from", options.from}, {"along", along_from(options.along, false, true).name}, {"range", options.along},
             {"period", std::int64_t{options.period}}, {"switch", std::int64_t{options.switches}},
@@ -91,7 +99,13 @@ int continue_orbit(ContinueOptions& options) {
                                    along.low, along.high));
     system.options.longest_step = options.longest_step;
     system.options.first_step = std::min(1e-3, options.longest_step);
-    const auto cycle = cycle_from(options, scene, system.map, p);
+    auto cycle = cycle_from(options, scene, system.map, p);
+    if (!cycle.empty() && !lies_on_curve(scene, along, cycle)) {
+        fmt::print(stderr, "swirl: the cycle is {}\n", along.parameter
+                   ? "a member of a family: follow it by --along S=A:B or tau=A:B"
+                   : "not a member of a family of one parameter: --along a parameter of the scene");
+        cycle.clear();
+    }
     std::optional<RecordWriter> record;
     if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Branches of cycles of a swirled polygon"));
     note_interruptions();

@@ -8,6 +8,7 @@
 // value of B that is no more than rounding belongs to a direction that contact has lost: it is zero, too.
 #pragma once
 
+#include "map/linearised_collision.hpp"
 #include "map/sustained/return_map.hpp"
 
 #include <Eigen/Dense>

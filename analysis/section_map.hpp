@@ -20,6 +20,7 @@ struct Advance {
     double duration = 1;      ///< time that the step took (1 for a map without a flow)
     std::int64_t letter = 0;  ///< which smooth branch of the map was taken: one letter of the orbit's word
     bool alive = true;        ///< false: the map ends here (no next impact, sustained contact, escape)
+    double integral = 0;      ///< of an observable over the step's duration, for maps that have one
 };
 
 /// The same with the derivative DF(z).
@@ -30,6 +31,7 @@ struct Linearised {
     std::int64_t letter = 0;
     bool alive = true;
     Matrix<D> derivative;
+    double integral = 0;
 };
 
 /// A map of R^D (some coordinates possibly angles) with its exact derivative.

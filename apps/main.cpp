@@ -1,9 +1,13 @@
 // The `swirl` command: parses, runs one subcommand, and turns every way of failing into one line and an exit code.
+#include "apps/bifurcate/bifurcate_command.hpp"
 #include "apps/classify/classify_command.hpp"
 #include "apps/command_line/command.hpp"
 #include "apps/command_line/documents.hpp"
+#include "apps/continue/continue_command.hpp"
 #include "apps/json/json_writer.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
+#include "apps/orbits/orbits_command.hpp"
+#include "apps/plot/plot_command.hpp"
 #include "apps/record/record_error.hpp"
 #include "apps/recurrence/recurrence_command.hpp"
 #include "apps/simulate/simulate.hpp"
@@ -45,7 +49,13 @@ Commands add_commands(CLI::App& app) {
                                      spectrum_text, find_spectrum),
         add_command<LyapunovCommandOptions>(app, "lyapunov", "the whole Lyapunov spectrum of an orbit", lyapunov_details,
                                             lyapunov),
+        add_command<OrbitsOptions>(app, "orbits", "fixed points and cycles, stable and unstable", orbits_details, orbits),
+        add_command<ContinueOptions>(app, "continue", "branches of a cycle over one parameter", continue_details,
+                                     continue_orbit),
+        add_command<BifurcateOptions>(app, "bifurcate", "what orbits settle on over one parameter, and the branches beneath",
+                                      bifurcate_details, bifurcate),
         add_command<SweepOptions>(app, "sweep", "the modes across parameters", sweep_details, sweep),
+        add_command<PlotOptions>(app, "plot", "a figure of a record", plot_details, plot),
         add_command<TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour_details, tour),
     };
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/command_line/start_options.hpp"
+#include "map/dying.hpp"
 #include "map/orbit.hpp"
 
 namespace swirl::apps {
@@ -23,6 +24,19 @@ Outcome ending_of(const Map& map, const Start<double>& start, long long limit, S
             return orbit.outcome();
         },
         start);
+}
+
+/// How an orbit ends whose last state on the section has no next one (`alive` false), bit for bit: the same orbit
+/// followed in the laboratory parts from this one by rounding, and may end elsewhere. One more impact if it dies away
+/// or diverges.
+template <class System>
+Outcome ending_at(const System& system, const typename System::State& last, long long& impacts) {
+    const auto passage = system.return_map().advance(launch_from(System::point_of(last)));
+    if (passage.outcome != Outcome::completed) return passage.outcome;
+    ++impacts;
+    if (has_died_away(system.map().body(), passage.collision.after)) return Outcome::resting;
+    if (has_diverged(system.map().body(), passage.collision.after)) return Outcome::diverged;
+    return Outcome::unresolved;  // a coordinate is not finite
 }
 
 }  // namespace swirl::apps

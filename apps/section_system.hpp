@@ -4,15 +4,16 @@
 #include "analysis/section_map.hpp"
 #include "map/derivative.hpp"
 #include "map/dying.hpp"
+#include "map/sustained/contact_derivative.hpp"
 #include "map/sustained/return_map.hpp"
 
 namespace swirl::apps {
 
 /// The return map as a SectionMap with coordinates (ψ, χ, v_n, v_t, S), the disk's (ψ, v_n, v_t, S).
-/// It ends (`alive` false) where there is no next impact. The letter of the word is 6 · vertex step + contact mode for a
-/// flight from impact to impact, and −1 less that where the way led through sustained contact.
-/// Its derivative is exact for a flight; through contact it is a central difference of order h² with h = 10⁻⁵ (contact is
-/// integrated to 10⁻¹⁴, so the difference is good to some 10⁻⁹).
+/// It ends (`alive` false) where there is no next impact. The letter of the word is 6 · vertex step + contact mode for
+/// a flight from impact to impact, and −1 less that where the way led through sustained contact.
+/// Its derivative is exact for a flight; through contact it is made of differences
+/// (map/sustained/contact_derivative.hpp).
 template <Shape shape, ImpactRule rule>
 class SectionSystem {
 public:
@@ -38,7 +39,9 @@ public:
         analysis::Linearised<dimension> step;
         fill(step, passage);
         if (!step.alive) return step;
-        step.derivative = passage.contacts.empty() ? map_.derivative_of(point_of(z), passage.collision) : difference_quotients(z, step);
+        const SectionPoint<double> point = point_of(z);
+        step.derivative = passage.contacts.empty() ? map_.derivative_of(point, passage.collision)
+                                                   : derivative_through_contact(return_, point, passage);
         return step;
     }
 
@@ -59,25 +62,7 @@ public:
         return state;
     }
 
-private:
-    /// Central differences. A column is left out (zero) where a neighbour takes another way: the map is not smooth there.
-    auto difference_quotients(const State& z, const analysis::Linearised<dimension>& centre) const {
-        constexpr double h = 1e-5;
-        auto derivative = centre.derivative;
-        for (int j = 0; j < dimension; ++j) {
-            State up = z, down = z;
-            up[j] += h;
-            down[j] -= h;
-            const auto above = advance(up), below = advance(down);
-            for (int i = 0; i < dimension; ++i) {
-                double change = above.state[i] - below.state[i];
-                if (angle_period(i) > 0) change = wrapped_angle(change);
-                derivative(i, j) = above.alive && below.alive ? change / (2 * h) : 0;
-            }
-        }
-        return derivative;
-    }
-
+    /// What a step says of a passage.
     template <class Step>
     void fill(Step& step, const Passage<double>& passage) const {
         const Collision<double>& collision = passage.collision;
@@ -86,10 +71,12 @@ private:
         if (passage.outcome != Outcome::completed) return;
         step.state = state_of(section_point(collision.after));
         step.duration = collision.flight_time;
+        step.integral = passage.turned;
         const int letter = 6 * collision.vertex_step + static_cast<int>(collision.impulse.mode);
         step.letter = passage.contacts.empty() ? letter : -1 - letter;
     }
 
+private:
     DifferentiatedMap<double, shape, rule> map_;
     ReturnMap<CollisionMap<double, shape, rule>> return_;
 };

@@ -1,58 +1,132 @@
 #include "analysis/classification/classify.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace swirl::analysis::classification_detail {
 
 namespace {
 
-void describe_cycle(const Findings& findings, const ClassifyOptions& options, Classification& result) {
-    auto& evidence = result.evidence;
+constexpr const char* then_others_decide = "the largest exponent and the rotation number would decide";
+
+void describe_period(const Findings& findings, const ClassifyOptions& options, Classification& result) {
+    const double longest = static_cast<double>(options.period.max_period);
+    const std::string range = "2 to " + std::to_string(options.period.max_period);
     if (!findings.has_cycle) {
-        evidence.push_back({"period", 0, static_cast<double>(options.period.max_period),
-                            "no attracting cycle of this period or a shorter one is near the orbit's end"});
+        result.evidence.push_back({"period", 0, longest,
+                                   "no attracting cycle of this period or a shorter one is near the orbit's end",
+                                   "1: steady; " + range + ": quasi-steady"});
         return;
     }
-    evidence.push_back({"closure", findings.closure, options.period.closure,
-                        findings.closure <= options.period.closure
-                            ? "the orbit itself returns in all section coordinates"
-                            : "the orbit is still approaching the cycle that Newton's method found"});
-    evidence.push_back({"cycle residual", findings.residual, options.period.residual,
-                        "how well the polished cycle closes"});
-    evidence.push_back({"distance to cycle", findings.distance, options.period.vicinity,
-                        "from the orbit's last state"});
-    evidence.push_back({"slowest multiplier", findings.slowest_multiplier, 1,
-                        findings.is_family ? "a multiplier is 1: a member of a family; the others attract"
-                                           : "all multipliers attract"});
+    result.evidence.push_back({"period", static_cast<double>(result.period), longest,
+                               "the smallest number of impacts after which all section coordinates return",
+                               (result.period == 1 ? range + ": quasi-steady" : std::string("1: steady")) +
+                                   "; none up to " + std::to_string(options.period.max_period) + ": " +
+                                   then_others_decide});
 }
 
-void describe_exponent(const Findings& findings, Classification& result) {
+void describe_cycle(const Findings& findings, const ClassifyOptions& options, Classification& result) {
+    auto& evidence = result.evidence;
+    const PeriodOptions& limits = options.period;
+    const bool closed = findings.closure <= limits.closure;
+    evidence.push_back({"closure", findings.closure, limits.closure,
+                        closed ? "the orbit itself returns in all section coordinates"
+                               : "the orbit is still approaching the cycle that Newton's method found",
+                        closed ? "above " + in_words(limits.closure) +
+                                     ": only an attracting cycle found by Newton's method would count"
+                               : "above " + in_words(limits.vicinity) + ": no cycle, " + then_others_decide});
+    const double residual = findings.has_multipliers ? limits.residual : limits.closure;
+    evidence.push_back({"cycle residual", findings.residual, residual, "how well the cycle closes",
+                        "above " + in_words(residual) +
+                            (closed && findings.has_multipliers ? ": the orbit's own closure would be the evidence"
+                                                                : std::string(": no cycle, ") + then_others_decide)});
+    if (findings.farthest > 0)
+        evidence.push_back({"distance to cycle", findings.distance, findings.farthest,
+                            "from the orbit's last state, against what its return allows",
+                            "above " + in_words(findings.farthest) + ": another cycle than the orbit's, " +
+                                then_others_decide});
+    if (findings.has_multipliers)
+        evidence.push_back({"slowest multiplier", findings.slowest_multiplier, 1 - limits.stable,
+                            !findings.attracting ? "does not attract, but the orbit has stayed on the cycle"
+                            : findings.is_family ? "a multiplier is 1: a member of a family; the others attract"
+                                                 : "all multipliers attract",
+                            findings.attracting
+                                ? "at or above 1 - " + in_words(limits.stable) + ": no attracting cycle; " +
+                                      then_others_decide + ", unless the orbit itself stays on it"
+                                : "nothing: it rests on the orbit's own closure"});
+    if (!findings.attracting)
+        evidence.push_back({"closure kept", findings.kept ? 1.0 : 0.0, 1, "along the tail's last quarter",
+                            "0: an unstable cycle in passing; " + std::string(then_others_decide)});
+}
+
+/// What suffices to be positive: beyond its errors and beyond what a bounded sum may leave.
+void describe_exponent(const Findings& findings, const ClassifyOptions& options, Classification& result) {
     const SignEvidence& e = findings.exponent;
     if (findings.exponent_outcome != LyapunovOutcome::completed) {
         result.evidence.push_back({"largest exponent", Classification::unknown, 0,
-                                   std::string(name(findings.exponent_outcome))});
+                                   std::string(name(findings.exponent_outcome)), "positive: chaotic"});
         return;
     }
-    result.evidence.push_back({"largest exponent", e.exponent, e.standard_error,
-                               std::string(name(e.sign)) + " (threshold: its standard error)"});
+    const double sigmas = options.sigmas;
+    const double errors = std::isnan(e.standard_error) ? 0 : sigmas * e.standard_error;
+    const std::string cycle = findings.has_cycle ? "undecided, as it contradicts the cycle" : "chaotic";
+    const bool positive = e.sign == ExponentSign::positive;
+    result.evidence.push_back(
+        {"largest exponent", e.exponent, errors,
+         std::string(name(e.sign)) + " (threshold: " + in_words(sigmas) + " standard errors)",
+         positive ? "at or below " + in_words(errors) + ": not positive, " +
+                        (findings.has_cycle ? "the cycle would stand"
+                                            : "the rotation number would decide; a chaotic transient longer than what "
+                                              "was followed looks the same")
+                  : "above " + in_words(std::max(errors, e.shrinking_bound)) + " (" + in_words(sigmas) +
+                        " standard errors, and the bound of a neutral direction): " + cycle});
 }
 
 /// The paper's rule reads RC alone; it stands here as evidence, not as a judge.
 void describe_recurrence(Classification& result) {
-    result.evidence.push_back({"recurrence rate without diagonal", result.recurrence_rate_without_diagonal, 1e-4,
-                               result.recurrence_rate_without_diagonal < 1e-4 ? "as the paper's chaotic mode"
-                                                                              : "values of the observable recur"});
+    constexpr double papers = 1e-4;
+    const bool few = result.recurrence_rate_without_diagonal < papers;
+    result.evidence.push_back(
+        {"recurrence rate without diagonal", result.recurrence_rate_without_diagonal, papers,
+         few ? "as the paper's chaotic mode" : "values of the observable recur",
+         "nothing: it does not decide (the paper's rule alone would call it " +
+             std::string(few ? "chaotic, and regular at or above " : "regular, and chaotic below ") + in_words(papers) +
+             ")"});
 }
 
 void describe_rotation(const Findings& findings, Classification& result) {
-    result.evidence.push_back({"rotation number", findings.rotation.rotation, findings.rotation.half_difference,
-                               std::string(name(findings.rotation.outcome)) +
-                                   " (threshold: difference of its halves)"});
+    const RotationOptions limits;
+    const RotationNumber& rotation = findings.rotation;
+    const bool torus = rotation.outcome == RotationOutcome::quasi_periodic;
+    result.evidence.push_back(
+        {"rotation number", rotation.rotation, rotation.half_difference,
+         std::string(name(rotation.outcome)) + " (threshold: difference of its halves)",
+         torus ? "halves that differ by more than " + in_words(std::pow(10, -limits.min_digits)) +
+                     " turns, or a fraction of denominator up to " + std::to_string(limits.max_denominator) +
+                     ": undecided"
+               : "halves that agree to " + in_words(std::pow(10, -limits.min_digits)) +
+                     " turns on no fraction of denominator up to " + std::to_string(limits.max_denominator) +
+                     ": quasi-steady, if the orbit keeps its size"});
+}
+
+bool describe_size(const Findings& findings, const ClassifyOptions& options, Classification& result) {
+    const bool settled = std::abs(std::log(findings.spread_change)) <= std::log(options.settled_spread);
+    const std::string range = in_words(1 / options.settled_spread) + " to " + in_words(options.settled_spread);
+    const bool torus = findings.rotation.outcome == RotationOutcome::quasi_periodic;
+    result.evidence.push_back({"change of spread along the tail", findings.spread_change, options.settled_spread,
+                               settled ? "the orbit keeps its size" : "the orbit is still settling",
+                               settled ? "outside " + range + ": undecided, still settling"
+                               : torus ? "within " + range + ": quasi-steady, a torus"
+                                       : "within " + range + ": still undecided, for want of a rotation number"});
+    return settled;
 }
 
 }  // namespace
 
 void decide(const Findings& findings, const ClassifyOptions& options, Classification& result) {
-    describe_cycle(findings, options, result);
-    describe_exponent(findings, result);
+    describe_period(findings, options, result);
+    if (findings.has_cycle) describe_cycle(findings, options, result);
+    describe_exponent(findings, options, result);
     describe_recurrence(result);
     const bool chaotic = findings.exponent.sign == ExponentSign::positive;
     result.mode = Mode::undecided;
@@ -69,14 +143,11 @@ void decide(const Findings& findings, const ClassifyOptions& options, Classifica
     }
     if (findings.has_cycle) return;  // settles on an attracting cycle and yet grows: a transient
     describe_rotation(findings, result);
-    const bool settled = std::abs(std::log(findings.spread_change)) <= std::log(options.settled_spread);
-    result.evidence.push_back({"change of spread along the tail", findings.spread_change, options.settled_spread,
-                               settled ? "the orbit keeps its size" : "the orbit is still settling"});
-    if (settled && findings.rotation.outcome == RotationOutcome::quasi_periodic) {
-        result.mode = Mode::quasi_steady;
-        result.kind = Kind::quasi_periodic;
-        result.rotation = findings.rotation.rotation;
-    }
+    if (!describe_size(findings, options, result) || findings.rotation.outcome != RotationOutcome::quasi_periodic)
+        return;
+    result.mode = Mode::quasi_steady;
+    result.kind = Kind::quasi_periodic;
+    result.rotation = findings.rotation.rotation;
 }
 
 }  // namespace swirl::analysis::classification_detail

@@ -1,6 +1,7 @@
 // Names the mode of an orbit, and says why.
 #pragma once
 
+#include "analysis/classification/evidence.hpp"
 #include "analysis/classification/mode.hpp"
 #include "analysis/classification/period.hpp"
 #include "analysis/lyapunov/exponent_sign.hpp"
@@ -24,14 +25,6 @@ struct ClassifyOptions {
     PeriodOptions period;
 };
 
-/// One piece of evidence: what was measured, against what, and what it says.
-struct Evidence {
-    std::string name;
-    double value = 0;
-    double threshold = 0;
-    std::string says;
-};
-
 /// Everything that a verdict rests on. NaN where something could not be measured.
 struct Classification {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -39,6 +32,7 @@ struct Classification {
     Mode mode = Mode::undecided;
     Kind kind = Kind::none;
     bool ended = false;           ///< the map ended before the tail was whole
+    std::vector<double> end;      ///< if so: the state that has no next one
     std::int64_t steps = 0;       ///< steps taken, the transient included
     std::int64_t period = 0;      ///< 0: none
     std::vector<double> point;    ///< of the cycle
@@ -58,8 +52,8 @@ namespace classification_detail {
 /// What the verdict is made of; filled from a tail by the template below, judged by `decide`.
 struct Findings {
     bool has_cycle = false;
-    bool is_family = false;
-    double closure = 0, residual = 0, distance = 0, slowest_multiplier = 0;
+    bool is_family = false, attracting = false, kept = false, has_multipliers = false;
+    double closure = 0, residual = 0, distance = 0, farthest = 0, slowest_multiplier = 0;
     double spread_change = 1;  ///< of the tail's last quarter over its first; far from 1: still settling
     SignEvidence exponent;
     LyapunovOutcome exponent_outcome = LyapunovOutcome::completed;
@@ -114,6 +108,10 @@ double spread_change(const M& map, const Tail<M::dimension>& tail) {
     return change;
 }
 
+/// A rotation number this near to 0 or ½, in turns over the whole tail, is an angle that swings or a line at the border
+/// of the spectrum: what is left of it is rounding, trend and window, and can't be told from rational.
+constexpr double fewest_turns = 4;
+
 /// The rotation number, from the first coordinate that gives a converged one: a torus shows in any of them.
 template <SectionMap M>
 RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
@@ -126,8 +124,10 @@ RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
             if (as_angle && !(period > 0)) continue;
             const RotationNumber rotation =
                 as_angle ? rotation_number_of_angle(series, period) : rotation_of_observable(series);
-            if (rotation.outcome == RotationOutcome::quasi_periodic) return rotation;
+            const double turns = std::abs(std::remainder(rotation.rotation, 0.5)) * static_cast<double>(series.size());
+            if (rotation.outcome == RotationOutcome::quasi_periodic && turns >= fewest_turns) return rotation;
             if (last.outcome == RotationOutcome::too_short) last = rotation;
+            if (last.outcome == RotationOutcome::quasi_periodic) last.outcome = RotationOutcome::not_converged;
         }
     }
     return last;
@@ -138,8 +138,8 @@ RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
 /// Follows an orbit from `start` and names its mode.
 ///   observable  the coordinate whose means and recurrence rate are reported (S)
 /// In this order: does the tail return to itself (`find_period`)? Is the largest exponent positive (`judge_sign`)? If
-/// neither, has it a rotation number and a size that lasts? Disagreement gives `undecided`. Cost: transient + 2 collisions steps of the map,
-/// `collisions` derivatives.
+/// neither, has it a rotation number and a size that lasts? Disagreement gives `undecided`. Cost: transient +
+/// 2 collisions steps of the map, `collisions` derivatives.
 template <SectionMap M>
 Classification classify(const M& map, const Vector<M::dimension>& start, int observable,
                         const ClassifyOptions& options = {}) {
@@ -148,7 +148,10 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
     const auto tail = follow_tail(map, start, options.transient, options.collisions);
     result.ended = tail.ended;
     result.steps = tail.steps;
-    if (tail.ended) return result;
+    if (tail.ended) {
+        result.end.assign(tail.end.data(), tail.end.data() + tail.end.size());
+        return result;
+    }
 
     std::vector<double> series(tail.states.size());
     for (std::size_t i = 0; i < series.size(); ++i) series[i] = tail.states[i][observable];
@@ -159,9 +162,13 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
 
     detail::Findings findings;
     const auto cycle = find_period(map, tail, options.period);
-    findings.has_cycle = cycle.period > 0 && cycle.attracting;
+    findings.has_cycle = cycle.period > 0;
     if (findings.has_cycle) {
         findings.is_family = cycle.family;
+        findings.attracting = cycle.attracting;
+        findings.kept = cycle.kept;
+        findings.has_multipliers = !cycle.multipliers.empty();
+        findings.farthest = cycle.farthest;
         findings.closure = cycle.closure;
         findings.residual = cycle.residual;
         findings.distance = cycle.distance;

@@ -13,6 +13,7 @@ namespace swirl::analysis {
 namespace {
 
 constexpr std::size_t fewest = 64;
+constexpr double largest_change = 0.5;  // between the halves
 constexpr double rounding = 1e-9;  // of the largest value: as the closure of an orbit that has settled
 
 struct Repetition {
@@ -65,6 +66,24 @@ Repetition repetition_of(std::span<const double> x, double limit, double exact, 
     return {};
 }
 
+void describe_repetition(const Repetition& repetition, double limit, double white, Classification& result) {
+    const bool repeats = repetition.period > 0, found = repeats || repetition.residual > 0;
+    result.evidence.push_back({"residual about the phase means", repetition.residual, limit,
+                               repeats ? "repeats within the noise"
+                               : found ? "small at one period, but structured: no noise"
+                                       : "repeats at no period looked for",
+                               repeats
+                                   ? "above " + in_words(limit) + ": another period, or lines and predictability decide"
+                               : found ? "nothing alone: its structure decides"
+                                       : "at most " + in_words(limit) + " and white at one period: that cycle"});
+    if (!(repetition.residual > 0)) return;
+    const bool is_white = repetition.correlation <= white;
+    result.evidence.push_back(
+        {"autocorrelation of the residual", repetition.correlation, white, is_white ? "white" : "structured",
+         is_white ? "above " + in_words(white) + ": no noise; lines and predictability would decide"
+                  : "at most " + in_words(white) + ": noise about a cycle"});
+}
+
 /// Largest shift between the halves: of their means over the standard deviation, of their variances over their sum.
 bool lasts(std::span<const double> x, double deviation, Classification& result) {
     const auto first = x.first(x.size() / 2), second = x.last(x.size() / 2);
@@ -73,20 +92,30 @@ bool lasts(std::span<const double> x, double deviation, Classification& result) 
     const double a = gsl_stats_variance(first.data(), 1, first.size());
     const double b = gsl_stats_variance(second.data(), 1, second.size());
     const double change = std::abs(a - b) / (a + b);
-    result.evidence.push_back({"shift of the mean between the halves", shift, 0.5,
-                               shift <= 0.5 ? "it lasts" : "still settling"});
-    result.evidence.push_back({"change of the variance between the halves", change, 0.5,
-                               change <= 0.5 ? "it lasts" : "still settling"});
-    return shift <= 0.5 && change <= 0.5;
+    const auto add = [&](const char* name, double value) {
+        const bool lasting = value <= largest_change;
+        result.evidence.push_back({name, value, largest_change, lasting ? "it lasts" : "still settling",
+                                   lasting ? "above " + in_words(largest_change) + ": undecided, still settling"
+                                           : "at most " + in_words(largest_change) +
+                                                 ": its repetitions, lines and predictability would decide"});
+        return lasting;
+    };
+    const bool mean_lasts = add("shift of the mean between the halves", shift);
+    return add("change of the variance between the halves", change) && mean_lasts;
 }
 
 LineShare lines_of(std::span<const double> x, Classification& result) {
     SpectrumOptions options;
     options.cycle_time = 1;
     const LineShare share = line_share(power_spectrum(x, 1, options));
-    result.evidence.push_back({"share of the variance in spectral lines", share.line_fraction, LineOptions{}.all_lines,
+    const double all = LineOptions{}.all_lines;
+    const bool lines = share.verdict == SpectrumVerdict::lines;
+    result.evidence.push_back({"share of the variance in spectral lines", share.line_fraction, all,
                                std::string(name(share.verdict)) +
-                                   (share.steadiness_tested ? "" : " (too few segments to tell a line from a band)")});
+                                   (share.steadiness_tested ? "" : " (too few segments to tell a line from a band)"),
+                               lines ? "below " + in_words(all) + ": not all lines, predictability would decide"
+                                     : "at or above " + in_words(all) +
+                                           ": all lines, quasi-steady if neighbours stay neighbours"});
     return share;
 }
 
@@ -96,7 +125,9 @@ void name_lines(std::span<const double> x, bool sampled_flow, Classification& re
     result.evidence.push_back({"logarithmic separation of neighbours", separation, std::log(2),
                                !kept          ? "neighbours part: chaos on narrow bands, or noise"
                                : sampled_flow ? "neighbours stay: periodic or quasi-periodic in time"
-                                              : "neighbours stay: a torus"});
+                                              : "neighbours stay: a torus",
+                               (kept ? "above " : "at most ") + in_words(std::log(2)) +
+                                   (kept ? ": undecided" : ": quasi-steady")});
     if (!kept) return;
     result.mode = Mode::quasi_steady;
     result.kind = sampled_flow ? Kind::none : Kind::quasi_periodic;
@@ -108,12 +139,19 @@ void name_irregular(std::span<const double> x, Classification& result) {
     result.evidence.push_back({"prediction error", surrogates.error, surrogates.smallest_of_surrogates,
                                deterministic
                                    ? "smaller than that of each of 39 surrogates: deterministic, not linear noise"
-                                   : "not smaller than that of linear noise (the smallest of 39 surrogates)"});
+                                   : "not smaller than that of linear noise (the smallest of 39 surrogates)",
+                               deterministic ? "at or above " + in_words(surrogates.smallest_of_surrogates) +
+                                                   ": as linear noise, undecided"
+                                             : "below " + in_words(surrogates.smallest_of_surrogates) +
+                                                   ": deterministic, chaotic if neighbours part at one rate"});
     const SeriesExponent exponent = exponent_of_series(x);
-    result.evidence.push_back({"divergence of neighbours per sample", exponent.exponent, exponent.spread,
-                               exponent.trusted
-                                   ? "a straight rise, the same in dimensions 2, 3 and 4 (threshold: their spread)"
-                                   : "no straight rise that embedding dimensions 2, 3 and 4 agree on"});
+    result.evidence.push_back(
+        {"divergence of neighbours per sample", exponent.exponent, exponent.spread,
+         exponent.trusted ? "a straight rise, the same in dimensions 2, 3 and 4 (threshold: their spread)"
+                          : "no straight rise that embedding dimensions 2, 3 and 4 agree on",
+         exponent.trusted ? "at or below 0, or a spread above " + in_words(largest_spread) + ": undecided"
+                          : "positive with a spread of at most " + in_words(largest_spread) +
+                                (deterministic ? ": chaotic" : ": still undecided, as it is not predictable")});
     if (!exponent.trusted) return;
     result.largest_exponent = exponent.exponent;
     result.largest_exponent_error = exponent.spread * exponent.exponent / 2;
@@ -149,13 +187,7 @@ Classification classify_series(std::span<const double> x, const ClassifySeriesOp
     const double limit = options.noise > 0 ? 1.5 * options.noise : constant ? exact : options.largest_noise * deviation;
     const Repetition repetition = repetition_of(x, std::max(limit, exact), exact, options.max_period);
     const double white = 4 / std::sqrt(static_cast<double>(x.size()));
-    result.evidence.push_back({"residual about the phase means", repetition.residual, std::max(limit, exact),
-                               repetition.period > 0 ? "repeats within the noise"
-                               : repetition.residual > 0 ? "small at one period, but structured: no noise"
-                                                         : "repeats at no period looked for"});
-    if (repetition.residual > 0)
-        result.evidence.push_back({"autocorrelation of the residual", repetition.correlation, white,
-                                   repetition.correlation <= white ? "white" : "structured"});
+    describe_repetition(repetition, std::max(limit, exact), white, result);
     if (repetition.period > 0) {
         result.period = options.sampled_flow && repetition.period > 1 ? 0 : repetition.period;
         result.mode = repetition.period == 1 ? Mode::steady : Mode::quasi_steady;

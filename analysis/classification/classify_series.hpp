@@ -7,8 +7,8 @@
 //      `largest_noise` of the standard deviation) that is white: no autocorrelation up to lag 2k + 8 beyond 4/√n. A
 //      structured residual is a torus, a band or a drift, and no noise.
 //   3. Is the spectrum all lines, and do neighbours stay neighbours (their distance less than doubles, on the
-//      mean, over a quarter of the series)? Then the series is quasi-periodic; of a flow, periodic or quasi-periodic. Lines with
-//      neighbours that part are chaos on narrow bands, or noise: undecided.
+//      mean, over a quarter of the series)? Then the series is quasi-periodic; of a flow, periodic or quasi-periodic.
+//      Lines with neighbours that part are chaos on narrow bands, or noise: undecided.
 //   4. Is it deterministic and does it diverge? Its nonlinear prediction error is smaller than that of all of 39
 //      amplitude-adjusted surrogates (Theiler et al., Physica D 58 (1992) 77), which share its linear correlations and
 //      its distribution; and the mean logarithmic distance of nearest neighbours grows along a straight line
@@ -30,6 +30,9 @@ struct ClassifySeriesOptions {
     double recurrence_threshold = 1e-6;
     bool sampled_flow = false;    ///< even samples of a signal in time; else one sample a step of a map
 };
+
+/// The embedding dimensions' rates of divergence may differ by so much of their median.
+inline constexpr double largest_spread = 0.2;
 
 /// The largest exponent of a series by the divergence of nearest neighbours.
 struct SeriesExponent {

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstdint>
 #include <limits>
@@ -16,7 +17,7 @@
 namespace swirl::analysis {
 
 struct PeriodOptions {
-    std::int64_t max_period = 256;  ///< longest period that is looked for
+    std::int64_t max_period = 4096; ///< longest period that is looked for
     double closure = 1e-9;          ///< |Fᵏ(z) − z| of an orbit that has settled
     double vicinity = 1e-2;         ///< an orbit this near to itself after k steps is taken for settling on a k-cycle
     int candidates = 4;             ///< periods tried by Newton's method
@@ -33,19 +34,22 @@ struct FoundCycle {
     double closure = 0;       ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
     double residual = 0;      ///< |Fᵏ(z) − z| at the point
     double distance = 0;      ///< from the orbit's last state to the point
+    double farthest = 0;      ///< how far that may be, by the orbit's own return and the slowest multiplier
     std::vector<std::complex<double>> multipliers;
     bool family = false;      ///< a multiplier is 1
     bool attracting = false;  ///< all multipliers inside the unit circle, those of a family apart
+    bool kept = false;        ///< the orbit itself has closed all along the tail's last quarter
 };
 
 namespace classification_detail {
 
-/// The orbit's return after k steps, over its last k states.
+/// The orbit's largest return after k steps, over its last `count` states.
 template <SectionMap M>
-double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_t k, double give_up) {
+double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_t k, std::int64_t count,
+                       double give_up) {
     const std::int64_t n = static_cast<std::int64_t>(tail.states.size());
     double largest = 0;
-    for (std::int64_t j = n - 1; j >= n - k && largest <= give_up; --j)
+    for (std::int64_t j = n - 1; j >= std::max(n - count, k) && largest <= give_up; --j)
         largest = std::max(largest, distance(map, tail.states[static_cast<std::size_t>(j)],
                                              tail.states[static_cast<std::size_t>(j - k)]));
     return largest;
@@ -116,8 +120,8 @@ FoundCycle<M::dimension> cycle_near(const M& map, const Tail<M::dimension>& tail
     Vector<M::dimension> z = tail.states.back();
     found.residual = polish(map, z, k, options.residual);
     if (!(found.residual <= options.residual)) return found;
+    const std::int64_t returned_after = k;
     k = minimal_period(map, z, k, options.closure);
-    found.distance = distance(map, tail.states.back(), z);
     const CycleExponents exponents = cycle_exponents(map, z, k);
     if (exponents.outcome != CycleOutcome::completed) return found;
     found.period = k;
@@ -129,6 +133,32 @@ FoundCycle<M::dimension> cycle_near(const M& map, const Tail<M::dimension>& tail
         if (std::abs(multiplier - 1.0) <= options.neutral) found.family = true;
         else if (!(std::abs(multiplier) < 1 - options.stable)) found.attracting = false;
     }
+    // A return of size d after j periods of a cycle with slowest multiplier m means a distance of d/(1 − mʲ).
+    double slowest = 0;
+    for (const auto& multiplier : found.multipliers)
+        if (std::abs(multiplier - 1.0) > options.neutral) slowest = std::max(slowest, std::abs(multiplier));
+    found.distance = distance(map, tail.states.back(), z);
+    const double along = std::pow(slowest, static_cast<double>(returned_after) / static_cast<double>(k));
+    found.farthest = 10 * std::max(closure, options.residual) / std::max(1 - along, 1e-6);
+    return found;
+}
+
+/// The cycle of an orbit that returns to `closure` after k steps. An attracting one needs no more; else the orbit must
+/// have stayed: repelled by a multiplier m it would have left after ln(10⁷)/ln m of the returns along a quarter of the
+/// tail. Where Newton's method leads elsewhere (on a border of the map, say) the orbit itself is the evidence.
+template <SectionMap M>
+FoundCycle<M::dimension> cycle_of_closed(const M& map, const Tail<M::dimension>& tail, std::int64_t k, double closure,
+                                         const PeriodOptions& options) {
+    auto found = cycle_near(map, tail, k, closure, options);
+    const auto quarter = static_cast<std::int64_t>(tail.states.size() / 4);
+    const bool kept = return_distance(map, tail, k, std::max(k, quarter), options.closure) <= options.closure;
+    if (found.period == 0 || found.distance > found.farthest) {
+        found = {};
+        found.period = k;
+        found.point = tail.states.back();
+        found.closure = found.residual = closure;
+    }
+    found.kept = kept;
     return found;
 }
 
@@ -145,33 +175,22 @@ FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tai
                                                         static_cast<std::int64_t>(tail.states.size()) / 2);
     std::vector<std::pair<double, std::int64_t>> near;
     for (std::int64_t k = 1; k <= longest; ++k) {
-        const double returned = detail::return_distance(map, tail, k, options.vicinity);
+        const double returned = detail::return_distance(map, tail, k, k, options.vicinity);
         if (returned <= options.closure) {
-            auto found = detail::cycle_near(map, tail, k, returned, options);
-            if (found.period == 0) {  // on a border of the map, say: the orbit itself is the evidence
-                found.period = k;
-                found.point = tail.states.back();
-                found.closure = found.residual = returned;
-                found.attracting = true;
-            }
-            return found;
+            const auto found = detail::cycle_of_closed(map, tail, k, returned, options);
+            if (found.attracting || found.kept) return found;
+            break;  // passes an unstable cycle: the multiples of k do, too
         }
         if (returned <= options.vicinity) near.emplace_back(returned, k);
     }
     std::sort(near.begin(), near.end());
-    FoundCycle<M::dimension> none;
     FoundCycle<M::dimension> best;
     for (std::size_t i = 0; i < near.size() && i < static_cast<std::size_t>(options.candidates); ++i) {
         const auto found = detail::cycle_near(map, tail, near[i].second, near[i].first, options);
-        // A return of size d near a cycle with slowest multiplier m means a distance of d/(1 − m).
-        double slowest = 0;
-        for (const auto& multiplier : found.multipliers)
-            if (std::abs(multiplier - 1.0) > options.neutral) slowest = std::max(slowest, std::abs(multiplier));
-        const bool near_enough = found.distance <= 10 * near[i].first / std::max(1 - slowest, 1e-6);
-        if (found.period == 0 || !found.attracting || !near_enough) continue;
+        if (found.period == 0 || !found.attracting || found.distance > found.farthest) continue;
         if (best.period == 0 || found.period < best.period) best = found;
     }
-    return best.period > 0 ? best : none;
+    return best;
 }
 
 }  // namespace swirl::analysis

@@ -168,7 +168,7 @@ SeriesExponent exponent_of_series(std::span<const double> series) {
     std::sort(slopes.begin(), slopes.end());
     result.exponent = slopes[slopes.size() / 2];
     result.spread = (slopes.back() - slopes.front()) / result.exponent;
-    result.trusted = slopes.size() == 3 && result.exponent > 0 && result.spread <= 0.2;
+    result.trusted = slopes.size() == 3 && result.exponent > 0 && result.spread <= largest_spread;
     return result;
 }
 

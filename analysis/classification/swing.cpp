@@ -1,8 +1,11 @@
 #include "analysis/classification/swing.hpp"
 
+#include "analysis/classification/slow_settling.hpp"
+
 #include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace swirl::analysis {
@@ -55,9 +58,20 @@ std::vector<Crossing> crossings_of(const std::vector<SwingSample>& samples, cons
     return found;
 }
 
+/// Mean periods over four equal quarters of the crossings, relative to the mean of all.
+SlowSettling settling_of_periods(const std::vector<Crossing>& crossings, double period) {
+    const std::size_t quarter = (crossings.size() - 1) / 4;
+    if (quarter == 0) return {};
+    std::array<double, 4> means{};
+    for (std::size_t q = 0; q < 4; ++q)
+        means[q] = (crossings[(q + 1) * quarter].time - crossings[q * quarter].time) /
+                   (static_cast<double>(quarter) * period);
+    return settling_of(means);
+}
+
 }  // namespace
 
-Swing judge_swing(const std::vector<SwingSample>& samples, double rest, double tolerance) {
+Swing judge_swing(const std::vector<SwingSample>& samples, double rest, double tolerance, double nearly) {
     Swing swing;
     if (samples.size() < 2) return swing;
     double low = samples[0].angle, high = low, slow = samples[0].rotation, fast = slow;
@@ -84,10 +98,14 @@ Swing judge_swing(const std::vector<SwingSample>& samples, double rest, double t
     const double span = crossings.back().time - crossings.front().time;
     swing.period = span / swing.periods;
     for (std::size_t i = 0; i + 1 < crossings.size(); ++i)
-        swing.period_spread = std::max(swing.period_spread,
-                                       std::abs(crossings[i + 1].time - crossings[i].time - swing.period) / swing.period);
+        swing.period_spread = std::max(
+            swing.period_spread, std::abs(crossings[i + 1].time - crossings[i].time - swing.period) / swing.period);
     swing.mean = (crossings.back().turned - crossings.front().turned) / span;
-    if (!(swing.period_spread <= tolerance)) swing.kind = SwingKind::irregular;
+    if (swing.period_spread <= tolerance) return swing;
+    const SlowSettling settling = settling_of_periods(crossings, swing.period);
+    swing.settling_exponent = settling.exponent;
+    swing.still_to_come = settling.remaining;
+    if (!(settling.remaining <= nearly)) swing.kind = SwingKind::irregular;
     return swing;
 }
 

@@ -24,11 +24,16 @@ struct Swing {
     double period = 0;          ///< time from crossing to crossing, 0 if there is none
     double period_spread = 0;   ///< largest relative difference of the periods
     int periods = 0;
+    double settling_exponent = 0;  ///< of the periods' changes where they differ by more than the tolerance
+    double still_to_come = 0;      ///< their change to come, relative; infinite if they come to no limit
 };
 
 /// Judges samples of one motion. Crossings of the middle of the swing (upwards), or of whole turns, are found on cubic
-/// Hermite interpolants; the motion is periodic if at least three periods agree to `tolerance`.
-///   rest  an angle and S that stay within this are at rest, radians and units of S
-Swing judge_swing(const std::vector<SwingSample>& samples, double rest = 1e-7, double tolerance = 1e-5);
+/// Hermite interpolants; the motion is periodic if at least three periods agree to `tolerance`, or if their changes
+/// fall so that they come to a limit (settling_of) that is nearer than `nearly`.
+///   samples  the second half of what was followed
+///   rest     an angle and S that stay within this are at rest, radians and units of S
+Swing judge_swing(const std::vector<SwingSample>& samples, double rest = 1e-7, double tolerance = 1e-5,
+                  double nearly = 1e-2);
 
 }  // namespace swirl::analysis

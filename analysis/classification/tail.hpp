@@ -15,6 +15,7 @@ struct Tail {
     std::vector<double> durations;   ///< durations[i]: from states[i] to the next
     std::int64_t steps = 0;          ///< steps taken in all, the transient included
     bool ended = false;              ///< the map ended before all steps were taken
+    Vector<D> end = Vector<D>::Zero();  ///< if so: the state that has no next one
 };
 
 /// Follows `transient` steps, then keeps `count` states. Cost: one step of the map each.
@@ -23,8 +24,12 @@ Tail<M::dimension> follow_tail(const M& map, Vector<M::dimension> z, std::int64_
     Tail<M::dimension> tail;
     const auto step_from = [&](const Vector<M::dimension>& state) {
         const auto step = map.advance(state);
-        if (!step.alive || !step.state.allFinite()) tail.ended = true;
-        else ++tail.steps;
+        if (step.alive && step.state.allFinite()) {
+            ++tail.steps;
+        } else {
+            tail.ended = true;
+            tail.end = state;
+        }
         return step;
     };
     for (std::int64_t i = 0; i < transient; ++i) {

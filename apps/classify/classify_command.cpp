@@ -1,7 +1,9 @@
 #include "apps/classify/classify_command.hpp"
 
-#include "apps/command_line/documents.hpp"
+#include "apps/classify/classify_runs.hpp"
 #include "apps/classify/verdict_document.hpp"
+#include "apps/command_line/documents.hpp"
+#include "apps/command_line/interruption.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +13,18 @@ namespace swirl::apps {
 
 const char* const classify_details =
     R"(Modes: steady (one state), quasi-steady (a cycle or a torus of states), chaotic, undecided. A verdict lists its
-evidence. An orbit that comes to stay on the wall (outcome in-contact) is named by its
-contact: rolling (at rest in the co-rotating frame, steady; also called snaking), rolling-librating, rolling-circulating,
-sliding, two-vertex; a cycle that lands and leaves again is a landing. Without any contact the mode is undecided.
+evidence. An orbit that comes to stay on the wall (outcome in-contact) is named by its contact: rolling (at rest in the
+co-rotating frame, steady; also called snaking), rolling-librating, rolling-circulating, sliding, two-vertex; a cycle
+that lands and leaves again is a landing. Without any contact the mode is undecided.
 
-Example:
-  swirl classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9)";
+With --runs R run r is the verdict of --seed SEED+r; the shares of modes and kinds and the attractors that coexist are
+listed, the most shared first, with the seed of one run each. Runs of one kind and period with the same mean S (to 1e-6)
+share an attractor; chaotic runs, undecided ones and members of a continuum (family, torus, libration, circulation) are
+grouped by kind alone. The verdict at top level is that of the first. Interrupted, a record holds the finished runs.
+
+Examples:
+  swirl classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9
+  swirl classify --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95 --runs 16)";
 
 void ClassifyCommandOptions::add_to(CLI::App& command) {
     scene.add_to(command);
@@ -29,23 +37,25 @@ void ClassifyCommandOptions::add_to(CLI::App& command) {
         ->type_name("K")->check(CLI::Range(std::int64_t{64}, std::int64_t{100'000'000}));
     command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
         ->type_name("D")->check(CLI::NonNegativeNumber);
-    command.add_option("--max-period", settings.period.max_period, "longest period looked for (default 256)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
+    command
+        .add_option("--max-period", settings.period.max_period,
+                    "longest period looked for (default 4096, of a series 256)")
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
+    command.add_option("--runs", runs, "random starts, from --seed on: the shares of coexisting modes")
+        ->type_name("R")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
     input.add_to(command);
 }
 
-int classify_scene(ClassifyCommandOptions& options) {
-    if (options.input.is_series(options.scene, options.start)) return classify_measured(options.input, options.output);
-    options.input.take_record(options.scene, options.start, options.output.quiet);
-    options.scene.read_file();
-    const Scene<double> scene = options.scene.scene<double>();
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: classify works in double", options.output.accuracy_name));
+namespace {
+
+int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene) {
     const auto units = options.scene.units();
     const Start<double> start = options.start.start<double>(scene);
     std::optional<RecordWriter> record;
     if (!options.output.record.empty())
         record.emplace(open_record(options.output.record, "Mode of a swirled polygon"));
+    exit_when_interrupted();
     const NamedMode named = name_mode(scene, start, options.settings);
     if (record) {
         const RecordGroup root = record->root();
@@ -68,6 +78,22 @@ int classify_scene(ClassifyCommandOptions& options) {
         fmt::print("{}\n{}", describe(scene), table_of(named));
     }
     return exit_done;
+}
+
+}  // namespace
+
+int classify_scene(ClassifyCommandOptions& options) {
+    const bool several = options.runs > 0;
+    if (several && !(options.input.record.empty() && options.input.series.file.empty()))
+        throw BadInput(
+            fmt::format("runs = {}: several runs are of a scene; a record or a series is one", options.runs));
+    if (options.input.is_series(options.scene, options.start)) return classify_measured(options.input, options.output);
+    options.input.take_record(options.scene, options.start, options.output.quiet);
+    options.scene.read_file();
+    const Scene<double> scene = options.scene.scene<double>();
+    if (options.output.accuracy() != Accuracy::double_precision)
+        throw BadInput(fmt::format("accuracy = {}: classify works in double", options.output.accuracy_name));
+    return several ? classify_runs(options, scene) : classify_one(options, scene);
 }
 
 }  // namespace swirl::apps

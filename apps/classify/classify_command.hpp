@@ -1,4 +1,4 @@
-// `swirl classify`: names the mode of a scene from one start, with its evidence.
+// `swirl classify`: names the mode of a scene from one start, with its evidence; with --runs from several.
 #pragma once
 
 #include "analysis/classification/classify.hpp"
@@ -18,6 +18,7 @@ struct ClassifyCommandOptions {
     OutputOptions output;
     analysis::ClassifyOptions settings;
     ClassifyInput input;
+    std::int64_t runs = 0;  ///< random starts; 0: one verdict, on the start that is given
 
     void add_to(CLI::App& command);
 };

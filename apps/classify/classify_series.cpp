@@ -1,6 +1,7 @@
 #include "apps/classify/classify_series.hpp"
 
 #include "analysis/classification/classify_series.hpp"
+#include "apps/classify/evidence_document.hpp"
 #include "apps/input/input_options.hpp"
 #include "apps/record/record_reader.hpp"
 
@@ -80,17 +81,7 @@ void write_document(const SeriesVerdict& v) {
     if (v.verdict.period > 0) json.value(v.verdict.period);
     else json.null();
     for (const auto& [name, value] : numbers_of(v)) json.member(name, value);
-    json.key("evidence");
-    json.begin_array(JsonLayout::rows);
-    for (const auto& e : v.verdict.evidence) {
-        json.begin_object();
-        json.member("name", std::string_view(e.name));
-        json.member("value", e.value);
-        json.member("threshold", e.threshold);
-        json.member("says", std::string_view(e.says));
-        json.end_object();
-    }
-    json.end_array();
+    write_evidence(json, v.verdict.evidence);
     write_json(json, "settings", settings_of(v));
     json.member("swirl_version", std::string_view(version()));
     json.end_object();
@@ -105,20 +96,7 @@ void write_to_record(const RecordGroup& root, const SeriesVerdict& v) {
     group.attribute("period", v.verdict.period);
     for (const auto& [name, value] : numbers_of(v)) group.attribute(name, value);
     write_attributes(group.group("settings"), settings_of(v));
-    if (v.verdict.evidence.empty()) return;
-    std::vector<std::string> names, says;
-    std::vector<double> values, thresholds;
-    for (const auto& e : v.verdict.evidence) {
-        names.push_back(e.name);
-        says.push_back(e.says);
-        values.push_back(e.value);
-        thresholds.push_back(e.threshold);
-    }
-    group.dimension("evidence", names.size());
-    group.write_strings("evidence", {"evidence"}, names);
-    group.write<double>("value", {"evidence"}, values);
-    group.write<double>("threshold", {"evidence"}, thresholds);
-    group.write_strings("says", {"evidence"}, says);
+    write_evidence(group, v.verdict.evidence);
 }
 
 void print_table(const SeriesVerdict& v) {
@@ -127,8 +105,7 @@ void print_table(const SeriesVerdict& v) {
                v.verdict.period > 0 ? fmt::format(", period {}", v.verdict.period) : "");
     for (const auto& [name, value] : numbers_of(v))
         if (std::isfinite(value)) fmt::print("  {:<33} {:>16.8g}\n", name, value);
-    for (const auto& e : v.verdict.evidence)
-        fmt::print("  evidence: {:<40} {:>12.4g}  against {:>10.3g}  {}\n", e.name, e.value, e.threshold, e.says);
+    fmt::print("{}", table_of(v.verdict.evidence));
 }
 
 bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {

@@ -1,11 +1,19 @@
 #include "apps/classify/contact_mode.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace swirl::apps {
 
 namespace {
 
-constexpr double rest = 1e-7;        // an angle and S that stay within this are at rest
-constexpr double regular = 1e-5;     // periods that agree to this make a motion periodic
+using analysis::in_words;
+
+constexpr double rest = 1e-7;          // an angle and S that stay within this are at rest
+constexpr double regular = 1e-5;       // periods that agree to this make a motion periodic
+constexpr double nearly = 1e-3;        // so near must the limit of periods that still change be, relative
+constexpr double dying = 0.9;          // slip dies out if its share of time falls by this from quarter to last quarter
+constexpr int fewest_periods = 3;
 
 analysis::Kind kind_of(analysis::SwingKind swing, bool slides, bool on_edge) {
     using analysis::Kind, analysis::SwingKind;
@@ -16,31 +24,66 @@ analysis::Kind kind_of(analysis::SwingKind swing, bool slides, bool on_edge) {
     return swing == SwingKind::librating ? Kind::rolling_librating : Kind::rolling_circulating;
 }
 
+void describe_periods(const analysis::Swing& swing, analysis::Classification& verdict) {
+    const bool enough = swing.periods >= fewest_periods;
+    verdict.evidence.push_back({"periods seen", static_cast<double>(swing.periods), fewest_periods,
+                                enough ? "enough to compare" : "too few to call it periodic",
+                                enough ? "fewer than " + std::to_string(fewest_periods) + ": undecided"
+                                       : "at least " + std::to_string(fewest_periods) + ": their spread would decide"});
+    if (!enough) return;
+    const bool periodic = swing.period_spread <= regular;
+    verdict.evidence.push_back({"spread of the periods", swing.period_spread, regular,
+                                periodic ? "psi is periodic" : "psi is not periodic (yet)",
+                                periodic ? "above " + in_words(regular) + ": their trend would decide"
+                                         : "at most " + in_words(regular) + ": periodic already"});
+    if (periodic) return;
+    const bool settles = swing.still_to_come <= nearly;
+    verdict.evidence.push_back({"change of the period still to come", swing.still_to_come, nearly,
+                                settles ? "the periods' changes fall like n^-" + in_words(swing.settling_exponent) +
+                                              ": they come to a limit"
+                                        : "the periods come to no limit that can be told yet",
+                                settles ? "above " + in_words(nearly) + ": undecided, still settling"
+                                        : "at most " + in_words(nearly) + ": named by the motion that it settles on"});
+}
+
 }  // namespace
 
 void ContactTail::add(const ContactSums& sums, Support support, ContactMotion motion, const ContactState& state) {
+    const double from = std::max(last_time_, 0.5 * followed_);
+    if (motion != ContactMotion::sticking && sums.time > from) {
+        const double share = 2 * (sums.time / followed_) - 1;  // of the tail, 0 to 1
+        if (share <= 0.25) slip_early_ += sums.time - from;
+        if (share > 0.75) slip_late_ += sums.time - from;
+        slides_ = true;
+    }
+    last_time_ = sums.time;
     if (sums.time < 0.5 * followed_) return;
     samples_.push_back({sums.time, state.psi, normal_rate(scene_, support, state) - 1, state.spin, sums.turned});
-    slides_ = slides_ || motion != ContactMotion::sticking;
     on_edge_ = on_edge_ && support == Support::edge;
 }
 
 void ContactTail::judge(analysis::Classification& verdict) const {
     using analysis::Mode;
-    const analysis::Swing swing = analysis::judge_swing(samples_, rest, regular);
-    verdict.kind = kind_of(swing.kind, slides_, on_edge_);
+    const analysis::Swing swing = analysis::judge_swing(samples_, rest, regular, nearly);
+    const bool slip_dies = slip_late_ <= dying * slip_early_;
+    verdict.kind = kind_of(swing.kind, slides_ && !slip_dies, on_edge_);
     const bool constant = swing.range <= rest;
     verdict.mode = verdict.kind == analysis::Kind::transient ? Mode::undecided
                  : constant                                  ? Mode::steady
                                                              : Mode::quasi_steady;
     verdict.mean = swing.mean;
-    verdict.evidence.push_back({"time in contact", followed_, contact_horizon, "no impact: the body stays on the wall"});
-    verdict.evidence.push_back({"range of S", swing.range, rest, constant ? "S is constant" : "S varies"});
+    verdict.evidence.push_back({"time in contact", followed_, contact_horizon, "no impact: the body stays on the wall",
+                                "an impact before that: named by the orbit of its impacts"});
+    verdict.evidence.push_back({"range of S", swing.range, rest, constant ? "S is constant" : "S varies",
+                                constant ? "above " + in_words(rest) + ": quasi-steady, if periodic"
+                                         : "at most " + in_words(rest) + ": steady"});
+    if (slides_)
+        verdict.evidence.push_back({"time slipping, last quarter", slip_late_, dying * slip_early_,
+                                    slip_dies ? "slip dies out" : "slip stays (threshold: 0.9 of the first quarter's)",
+                                    slip_dies ? "above " + in_words(dying * slip_early_) + ": sliding"
+                                              : "at most " + in_words(dying * slip_early_) + ": rolling in the end"});
     if (swing.kind == analysis::SwingKind::at_rest) return;
-    verdict.evidence.push_back({"periods seen", static_cast<double>(swing.periods), 3,
-                                swing.periods >= 3 ? "enough to compare" : "too few to call it periodic"});
-    verdict.evidence.push_back({"spread of the periods", swing.period_spread, regular,
-                                swing.period_spread <= regular ? "psi is periodic" : "psi is not periodic (yet)"});
+    describe_periods(swing, verdict);
 }
 
 }  // namespace swirl::apps

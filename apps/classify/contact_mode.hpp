@@ -15,9 +15,9 @@ public:
     /// A ContactSink.
     void add(const ContactSums& sums, Support support, ContactMotion motion, const ContactState& state);
 
-    /// Fills mode, kind, mean S and evidence. At rest in the co-rotating frame: rolling, steady; swinging or turning on with
-    /// a period: quasi-steady (steady if S is constant all the same); slipping: sliding; on an edge: two-vertex; else
-    /// undecided.
+    /// Fills mode, kind, mean S and evidence. At rest in the co-rotating frame: rolling, steady; swinging or turning on
+    /// with a period, or settling on one: quasi-steady (steady if S is constant all the same); slipping, unless that
+    /// dies out: sliding; on an edge: two-vertex; else undecided.
     void judge(analysis::Classification& verdict) const;
     double followed() const { return followed_; }
 
@@ -25,6 +25,8 @@ private:
     ContactScene scene_;
     double followed_;
     std::vector<analysis::SwingSample> samples_;
+    double last_time_ = 0;
+    double slip_early_ = 0, slip_late_ = 0;  ///< time spent slipping in the first and the last quarter of that half
     bool slides_ = false;
     bool on_edge_ = true;
 };

@@ -1,5 +1,7 @@
 #include "apps/classify/verdict_document.hpp"
 
+#include "apps/classify/evidence_document.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -64,17 +66,7 @@ void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::Cla
         json.end_array();
     }
     json.end_array();
-    json.key("evidence");
-    json.begin_array(JsonLayout::rows);
-    for (const auto& e : v.evidence) {
-        json.begin_object();
-        json.member("name", std::string_view(e.name));
-        json.member("value", e.value);
-        json.member("threshold", e.threshold);
-        json.member("says", std::string_view(e.says));
-        json.end_object();
-    }
-    json.end_array();
+    write_evidence(json, v.evidence);
     write_json(json, "settings", settings_of(settings));
 }
 
@@ -88,20 +80,7 @@ void write_verdict(const RecordGroup& group, const NamedMode& named, const analy
     for (const auto& number : numbers_of(v)) group.attribute(number.name, number.value);
     if (!v.point.empty()) group.attribute("point", v.point);
     write_attributes(group.group("settings"), settings_of(settings));
-    if (v.evidence.empty()) return;
-    group.dimension("evidence", v.evidence.size());
-    std::vector<std::string> names, says;
-    std::vector<double> values, thresholds;
-    for (const auto& e : v.evidence) {
-        names.push_back(e.name);
-        says.push_back(e.says);
-        values.push_back(e.value);
-        thresholds.push_back(e.threshold);
-    }
-    group.write_strings("evidence", {"evidence"}, names);
-    group.write<double>("value", {"evidence"}, values);
-    group.write<double>("threshold", {"evidence"}, thresholds);
-    group.write_strings("says", {"evidence"}, says);
+    write_evidence(group, v.evidence);
 }
 
 std::string table_of(const NamedMode& named) {
@@ -113,9 +92,7 @@ std::string table_of(const NamedMode& named) {
                     v.period > 0 ? fmt::format(", period {}", v.period) : "", name_of(named.outcome), named.impacts));
     for (const auto& number : numbers_of(v))
         if (std::isfinite(number.value)) add(fmt::format("  {:<33} {:>16.8g}", number.name, number.value));
-    for (const auto& e : v.evidence)
-        add(fmt::format("  evidence: {:<33} {:>12.4g}  against {:>10.3g}  {}", e.name, e.value, e.threshold, e.says));
-    return text;
+    return text + table_of(v.evidence);
 }
 
 }  // namespace swirl::apps

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 namespace swirl::apps {
@@ -81,6 +82,12 @@ void StartOptions::require_one_way() const {
     if (lab && point) throw BadInput("--point and a start in the laboratory (--x …) are both given; give one");
     if (random && (lab || point))
         throw BadInput("--speed and --seed make a random start; they can't be given with --point or --x …");
+}
+
+void StartOptions::require_seeds(std::uint64_t count) const {
+    const std::uint64_t largest = std::numeric_limits<std::uint64_t>::max() - (count - 1);
+    if (seed_ > largest)
+        throw BadInput(fmt::format("seed = {} is outside its range for {} runs: 0 to {}", seed_, count, largest));
 }
 
 }  // namespace swirl::apps

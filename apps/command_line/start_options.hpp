@@ -41,6 +41,8 @@ public:
     Start<T> start(const Scene<T>& scene, std::uint64_t run = 0) const;
 
     void require_one_way() const;
+    /// @throws BadInput if seed, seed + 1 … of so many runs do not all exist
+    void require_seeds(std::uint64_t count) const;
 
 private:
     std::map<std::string, std::string> lab_;

@@ -1,6 +1,7 @@
 #include "apps/lyapunov/lyapunov_command.hpp"
 
 #include "apps/command_line/documents.hpp"
+#include "apps/command_line/interruption.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +11,10 @@
 namespace swirl::apps {
 
 const char* const lyapunov_details =
-    R"(Exponents are means of ln growth per collision, by falling size, from QR of the exact derivative: weighted means where
-both halves of the orbit agree on them to 1e-8 (regular orbits), plain means elsewhere; standard errors are from blocks. One that is -inf (null in JSON) lost a rank: sticking annihilates a direction. neutral: zero, because the
-summed growth stays bounded. Without friction and with e = 1 J is conserved, and exponents pair to zero.
+    R"(Exponents are means of ln growth per collision, by falling size, from QR of the exact derivative: weighted means
+where both halves of the orbit agree on them to 1e-8 (regular orbits), plain means elsewhere; standard errors are from
+blocks. One that is -inf (null in JSON) lost a rank: sticking annihilates a direction. neutral: zero, because the summed
+growth stays bounded. Without friction and with e = 1 J is conserved, and exponents pair to zero.
 An orbit that ends before its collisions are whole (in-contact, no-contact ...) is told with exit 3 and what there was.
 
 Example:
@@ -107,7 +109,8 @@ void print_table(const Scene<double>& scene, const OrbitSpectrum& s) {
                    s.spectrum.standard_errors[i], s.per_time[i], s.spectrum.exponents[i],
                    analysis::name(s.signs[i].sign));
     fmt::print("  sum {:.9g}\n", s.sum);
-    if (std::isfinite(s.jacobi_residual)) fmt::print("  J is conserved: its gradient is carried along to {:.1e}\n", s.jacobi_residual);
+    if (std::isfinite(s.jacobi_residual))
+        fmt::print("  J is conserved: its gradient is carried along to {:.1e}\n", s.jacobi_residual);
 }
 
 void write_record(RecordWriter& record, const LyapunovCommandOptions& options, const Scene<double>& scene,
@@ -148,6 +151,7 @@ int lyapunov(LyapunovCommandOptions& options) {
     std::optional<RecordWriter> record;
     if (!options.output.record.empty())
         record.emplace(open_record(options.output.record, "Lyapunov spectrum of a swirled polygon"));
+    exit_when_interrupted();
     const OrbitSpectrum s = spectrum_of(scene, start, options.transient, options.collisions);
     const Settings settings = {{"transient", options.transient}, {"collisions", options.collisions},
                                {"accuracy", options.output.accuracy_name}};

@@ -28,8 +28,8 @@ extern const char* const lyapunov_details;
 struct OrbitSpectrum {
     analysis::LyapunovSpectrum spectrum;
     std::vector<analysis::SignEvidence> signs;  ///< one per exponent; empty without exponents
-    /// Per step: the weighted mean where both halves of the orbit agree on it to `regular_agreement` (fixed, periodic and
-    /// quasi-periodic orbits, on which it converges faster than any power), the plain mean elsewhere.
+    /// Per step: the weighted mean where both halves of the orbit agree on it to `regular_agreement` (fixed, periodic
+    /// and quasi-periodic orbits, on which it converges faster than any power), the plain mean elsewhere.
     std::vector<double> exponents;
     std::vector<double> per_time;               ///< the same per unit of time
     double sum = 0;                             ///< −∞ where a rank is lost

@@ -1,3 +1,4 @@
+#include "analysis/classification/tail.hpp"
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
 #include "apps/orbit_ending.hpp"
@@ -57,8 +58,10 @@ OrbitSpectrum spectrum_of(const Scene<double>& scene, const Start<double>& start
         if (result.spectrum.outcome == analysis::LyapunovOutcome::completed) {
             result.impacts += transient + collisions;
         } else {
-            result.outcome = ending_of(map, start, 1 + transient + collisions, first, result.impacts);
-            if (result.outcome == Outcome::completed) result.outcome = Outcome::unresolved;  // a derivative overflowed
+            const auto tail = analysis::follow_tail(system, z, transient + collisions, 0);
+            result.impacts += tail.steps;
+            result.outcome = tail.ended ? ending_at(system, tail.end, result.impacts)
+                                        : Outcome::unresolved;  // a derivative overflowed
         }
         if (result.spectrum.steps > 0) {
             for (std::size_t i = 0; i < result.spectrum.exponents.size(); ++i)

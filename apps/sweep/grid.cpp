@@ -53,7 +53,8 @@ GridAxis axis_from(const std::string& text) {
 
 std::vector<GridAxis> grid_from(const std::vector<std::string>& texts) {
     if (texts.empty()) throw BadInput("--grid is missing: NAME=A:B:COUNT, once to three times");
-    if (texts.size() > most_axes) throw BadInput(fmt::format("{} grids are given: 1 to {} are allowed", texts.size(), most_axes));
+    if (texts.size() > most_axes)
+        throw BadInput(fmt::format("{} grids are given: 1 to {} are allowed", texts.size(), most_axes));
     std::vector<GridAxis> grid;
     for (const auto& text : texts) {
         grid.push_back(axis_from(text));
@@ -81,7 +82,8 @@ std::vector<double> cell_point(const std::vector<GridAxis>& grid, std::size_t ce
 Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, std::size_t cell) {
     const auto point = cell_point(grid, cell);
     for (std::size_t k = 0; k < grid.size(); ++k)
-        scene.set(grid[k].name, grid[k].name == "sides" ? fmt::format("{:.0f}", point[k]) : fmt::format("{:.17g}", point[k]));
+        scene.set(grid[k].name,
+                  grid[k].name == "sides" ? fmt::format("{:.0f}", point[k]) : fmt::format("{:.17g}", point[k]));
     return scene.scene<double>();
 }
 

@@ -18,13 +18,13 @@ namespace swirl::apps {
 
 const char* const sweep_details =
     R"(Names the mode of R random starts in every cell of a grid over one to three of alpha, beta, mu, restitution,
-inertia-factor, sides. Run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's scene. A cell's mean_S,
-recurrence_rate and largest_exponent are means over its runs, mean_S_error the standard error over them. With -o an
-interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
+inertia-factor, sides. Run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's scene. A cell's
+mean_S, recurrence_rate and largest_exponent are means over its runs, mean_S_error the standard error over them. With -o
+an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
 
 Examples:
-  swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:5 --collisions 500 --transient 500
-  swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.1:1:4 --runs 2 --collisions 500 -o sweep.h5)";
+  swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:5 --collisions 500
+  swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.1:1:4 --runs 2 -o sweep.h5)";
 
 void SweepOptions::add_to(CLI::App& command) {
     scene.add_to(command);
@@ -55,7 +55,8 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
         return std::any_of(grid.begin(), grid.end(), [&](const GridAxis& axis) { return axis.name == name; });
     };
     for (const auto& parameter : scene_settings(first)) {
-        const bool follows = parameter.first == "inertia-factor" && gridded("sides");  // the uniform lamina's depends on N
+        const bool follows =
+            parameter.first == "inertia-factor" && gridded("sides");  // the uniform lamina's depends on N
         if (!gridded(parameter.first) && !follows) settings.push_back(parameter);
     }
     settings.emplace_back("runs", options.runs);
@@ -98,8 +99,9 @@ public:
         try {
             journal_.emplace(journal_path(record), bytes, replay);
         } catch (const JournalMismatch&) {
-            throw BadInput(fmt::format("an unfinished sweep with other options lies beside '{}' ({}); give the same options, or remove it",
-                                       record, journal_path(record).filename().string()));
+            throw BadInput(fmt::format(
+                "an unfinished sweep with other options lies beside '{}' ({}); give the same options, or remove it",
+                record, journal_path(record).filename().string()));
         } catch (const RecordError& error) {
             throw BadInput(error.what());
         }
@@ -136,7 +138,8 @@ bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done,
             if (is_interrupted()) return;
             const std::size_t index = left[i];
             const Scene<double> scene = cell_scene(options.scene, sweep.grid, index / runs);
-            const RunResult result = sweep_run(scene, options.start.speed(), options.start.seed(), index % runs, options.settings);
+            const RunResult result =
+                sweep_run(scene, options.start.speed(), options.start.seed(), index % runs, options.settings);
             const std::lock_guard lock(mutex);
             sweep.results[index] = result;
             if (journal != nullptr) journal->append(index, result);
@@ -148,8 +151,10 @@ bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done,
 }
 
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
-    if (!options.start.is_random()) throw BadInput("a sweep's starts are random: give --speed and --seed, not --x … or --point");
+    if (!options.start.is_random())
+        throw BadInput("a sweep's starts are random: give --speed and --seed, not --x … or --point");
     options.start.require_one_way();
+    options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: sweep works in double", options.output.accuracy_name));
     const double results = static_cast<double>(cell_count(grid)) * static_cast<double>(options.runs);
@@ -192,7 +197,8 @@ int sweep(SweepOptions& options) {
     if (options.output.json) write_sweep_document(options, sweep);
     else if (!options.output.quiet) print_sweep(sweep);
     if (!options.output.quiet && !options.output.json)
-        fmt::print(stderr, "swirl: {:.1f} s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        fmt::print(stderr, "swirl: {:.1f} s\n",
+                   std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     return exit_done;
 }
 

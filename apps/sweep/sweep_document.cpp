@@ -24,7 +24,8 @@ void print_map(const Sweep& sweep) {
             line += letter_of(summary_of(sweep.cell(row * columns + column)));
         std::string label;
         const auto point = cell_point(sweep.grid, row * columns);
-        for (std::size_t k = 0; k + 1 < sweep.grid.size(); ++k) label += fmt::format("{} {:<10.6g} ", sweep.grid[k].name, point[k]);
+        for (std::size_t k = 0; k + 1 < sweep.grid.size(); ++k)
+            label += fmt::format("{} {:<10.6g} ", sweep.grid[k].name, point[k]);
         fmt::print("{}{}\n", label, line);
     }
 }

@@ -97,7 +97,8 @@ void read_sweep(const std::string& path, Sweep& sweep) {
     if (!record.contains("/sweep/run_mode")) throw BadInput(fmt::format("record '{}' is not a sweep's", path));
     for (const auto& [name, value] : sweep.settings)
         if (!record.has_attribute("/settings", name) || record.attribute("/settings", name) != value)
-            throw BadInput(fmt::format("record '{}' was made with another {}; give the same, or another file", path, name));
+            throw BadInput(
+                fmt::format("record '{}' was made with another {}; give the same, or another file", path, name));
     for (const auto& column : run_columns) {
         const auto values = record.read<double>(std::string("/sweep/") + column.name);
         if (values.size() != sweep.results.size()) throw BadInput(fmt::format("record '{}' has another grid", path));

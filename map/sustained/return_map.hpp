@@ -60,15 +60,10 @@ public:
     Passage<T> advance(const Launch<T>& launch, double horizon = contact_horizon, const ContactSink& sink = {}) const {
         if (contact_)
             if (const Standing standing = standing_of(*contact_, plain_launch(launch)); standing.in_contact)
-                return through_contact(launch, standing, horizon, sink);
+                return advance_standing(launch, standing, horizon, sink);
         Passage<T> passage = advance(flight_from(map_.body(), launch));
-        if (contact_ && passage.collision.contact == ContactOutcome::sustained) {
-            // The search found the body held that `standing_of` saw leave: on the border between the two.
-            Standing standing;
-            standing.support = shape == Shape::disk ? Support::rim : Support::vertex;
-            standing.state = contact_state(*contact_, plain_launch(launch));
-            return through_contact(launch, standing, horizon, sink);
-        }
+        if (contact_ && passage.collision.contact == ContactOutcome::sustained)
+            return advance_standing(launch, held(launch), horizon, sink);
         // An impact without time and without impulse changes nothing: it would come again for ever. (A release while the
         // neighbour is about to strike can end so: its gap drowns in rounding before the search can tell it from zero.)
         const Collision<T>& c = passage.collision;
@@ -77,7 +72,30 @@ public:
         return passage;
     }
 
+    /// How the body stands just after an impact from which `advance` led through contact.
+    Standing standing(const Launch<T>& launch) const {
+        const Standing standing = standing_of(*contact_, plain_launch(launch));
+        return standing.in_contact ? standing : held(launch);
+    }
+
+    /// From a landing on, `launch` being the impact before it.
+    Passage<T> advance_standing(const Launch<T>& launch, const Standing& standing, double horizon = contact_horizon,
+                                const ContactSink& sink = {}) const {
+        const ContactPhase phase = follow_contact(*contact_, standing, horizon, sink);
+        Passage<T> passage = after_contact(launch, phase);
+        passage.contact_work = T(phase.sums.work + standing.jacobi);
+        return passage;
+    }
+
 private:
+    /// The search found the body held that `standing_of` saw leave: on the border between the two.
+    Standing held(const Launch<T>& launch) const {
+        Standing standing;
+        standing.support = shape == Shape::disk ? Support::rim : Support::vertex;
+        standing.state = contact_state(*contact_, plain_launch(launch));
+        return standing;
+    }
+
     static Launch<double> plain_launch(const Launch<T>& l) {
         const auto d = [](const T& x) { return static_cast<double>(x); };
         return {{d(l.psi.x), d(l.psi.y)}, {d(l.chi.x), d(l.chi.y)}, d(l.vn), d(l.vt), d(l.spin)};
@@ -95,9 +113,7 @@ private:
         return Outcome::unresolved;
     }
 
-    Passage<T> through_contact(const Launch<T>& launch, const Standing& standing, double horizon,
-                               const ContactSink& sink) const {
-        const ContactPhase phase = follow_contact(*contact_, standing, horizon, sink);
+    Passage<T> after_contact(const Launch<T>& launch, const ContactPhase& phase) const {
         Passage<T> passage;
         const Launch<T> end = launch_of(phase.strike.after);
         Collision<T>& collision = passage.collision;
@@ -129,9 +145,9 @@ private:
         collision.normal = times(advance, flight_normal);
         collision.flight_time = duration + flight_time;
         if constexpr (shape == Shape::polygon)
-            collision.vertex_step = map_.body().vertex_number(static_cast<long long>(collision.vertex_step) + phase.vertex_step);
+            collision.vertex_step =
+                map_.body().vertex_number(static_cast<long long>(collision.vertex_step) + phase.vertex_step);
         passage.turned = T(phase.sums.turned) + flight_turned;
-        passage.contact_work = T(phase.sums.work + standing.jacobi);
         passage.contacts = phase.segments;
         return passage;
     }

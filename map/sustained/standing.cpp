@@ -44,22 +44,45 @@ Touch touch_of(const ContactScene& scene, const Launch<double>& launch) {
     return {std::abs(u.un) <= rounding || (u.un < 0 && error <= chatter_tolerance), acceleration > 0, error};
 }
 
+/// How friction goes with a normal impulse: −1 and 1 by the sign of u_t while it slides, 0 while it sticks.
+struct Slip {
+    bool slides;
+    double sign;
+};
+
+Slip slip_of(const ContactScene& scene, const Launch<double>& launch) {
+    const double ut = approach_of(scene.body, launch).ut;
+    return {scene.mu > 0 && std::abs(ut) > velocity_rounding(scene, launch), ut > 0 ? 1.0 : -1.0};
+}
+
 /// Takes v out by the impulse that contact would have needed less of: p = u_n/c < 0, friction with it.
-ContactState without_normal_velocity(const ContactScene& scene, const Launch<double>& launch, double& jacobi) {
+ContactState without_normal_velocity(const ContactScene& scene, const Launch<double>& launch, const Slip& slip,
+                                     double& jacobi) {
     const Approach<double> u = approach_of(scene.body, launch);
     ContactState state = contact_state(scene, launch);
-    const double rounding = velocity_rounding(scene, launch);
-    const double sign = u.ut > 0 ? 1 : -1;
-    const bool slides = scene.mu > 0 && std::abs(u.ut) > rounding;
-    const double ratio = scene.mu == 0 ? 0 : slides ? -scene.mu * sign : -u.b3() / u.b1();  // q/p
+    const double ratio = scene.mu == 0 ? 0 : slip.slides ? -scene.mu * slip.sign : -u.b3() / u.b1();  // q/p
     const double c = u.b2() + u.b3() * ratio;
     const double p = c > 0 ? u.un / c : 0;
     const double q = ratio * p;
     state.ut += u.b3() * p + u.b1() * q;
     state.spin += (u.rn * q + u.rt * p) / u.inertia;
     jacobi = -p * 0.5 * u.un + q * (0.5 * (u.ut + state.ut) - 1);
-    if (scene.mu > 0 && (!slides || state.ut * sign <= 0)) state.ut = 0;
     return state;
+}
+
+ContactState landed(const ContactScene& scene, const Launch<double>& launch, double& jacobi) {
+    const Slip slip = slip_of(scene, launch);
+    ContactState state = without_normal_velocity(scene, launch, slip, jacobi);
+    if (scene.mu > 0 && (!slip.slides || state.ut * slip.sign <= 0)) state.ut = 0;
+    return state;
+}
+
+/// How fast an edge turns about the container's centre once its rocking has died: normal impulses point to there.
+double edge_rate(const ContactScene& scene, const Launch<double>& launch) {
+    const Body<double>& body = scene.body;
+    const Vec2<double> place{1 - body.alpha * launch.chi.x, -(body.alpha * launch.chi.y)};
+    const Vec2<double> velocity{launch.vn - body.beta * launch.psi.y, launch.vt - body.beta * launch.psi.x};
+    return (cross(place, velocity) + body.inertia * launch.spin) / (dot(place, place) + body.inertia);
 }
 
 }  // namespace
@@ -67,6 +90,25 @@ ContactState without_normal_velocity(const ContactScene& scene, const Launch<dou
 double velocity_rounding(const ContactScene& scene, const Launch<double>& launch) {
     return 64 * std::numeric_limits<double>::epsilon() *
            (std::abs(launch.vn) + std::abs(launch.vt) + scene.body.beta + scene.body.alpha * std::abs(launch.spin));
+}
+
+bool rests_still(const ContactScene& scene, const Standing& standing) {
+    return scene.mu > 0 && standing.support == Support::edge && standing.state.ut == 0 && standing.state.spin == 0;
+}
+
+ContactState landed_like(const ContactScene& scene, const Launch<double>& base, const Standing& standing,
+                         const Launch<double>& near) {
+    const auto seen = [&](const Launch<double>& launch) {
+        return standing.vertex_step == 0 ? launch : seen_from_neighbour(scene, launch);
+    };
+    if (standing.support == Support::edge) {
+        ContactState state = contact_state(scene, seen(near));
+        state.chi = standing.state.chi;
+        state.spin = state.ut = rests_still(scene, standing) ? 0 : edge_rate(scene, seen(near));
+        return state;
+    }
+    double jacobi = 0;
+    return without_normal_velocity(scene, seen(near), slip_of(scene, seen(base)), jacobi);
 }
 
 Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
@@ -86,17 +128,18 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     const int step = launch.chi.y > 0 ? -1 : 1;
     if (here.rests && there_rests) {
         const bool clockwise = launch.chi.y < 0;
-        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step, 0, 0};
+        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step, 0,
+                    0};
         standing.state.chi = -scene.widest_chi;
         const bool still = std::abs(standing.state.ut) <= velocity_rounding(scene, launch);
         standing.state.ut = standing.state.spin = still && scene.mu > 0 ? 0 : standing.state.ut;
         standing.jacobi = jacobi_of(scene.body, launch_from(scene, standing.state)) - jacobi_of(scene.body, launch);
     } else if (here.rests && here.pressed) {
         standing = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, here.error, 0};
-        standing.state = without_normal_velocity(scene, launch, standing.jacobi);
+        standing.state = landed(scene, launch, standing.jacobi);
     } else if (there_rests && there.pressed) {
         standing = {true, Support::vertex, {}, step, there.error, 0};
-        standing.state = without_normal_velocity(scene, neighbour, standing.jacobi);
+        standing.state = landed(scene, neighbour, standing.jacobi);
     }
     return standing;
 }

@@ -1,10 +1,11 @@
 // Does the body stand on the wall just after an impact, and on what? Where chatter ends and contact begins.
 //
 // After an impact that leaves the wall at v = −u_n ≥ 0 with the free normal acceleration a > 0 (towards the wall) the
-// remaining flights last 2v/a, 2ve/a, 2ve²/a …: they end after T = 2v/(a(1 − e)). To first order in T their impulses add
-// up to what contact would have given in the same time, less v: the rest of the sequence equals the removal of v, with
-// friction, at its beginning, followed by contact (complete chatter: Nordmark & Piiroinen, Nonlinear Dyn. 58 (2009) 85).
-// The next order moves the body by at most vT: contact begins once that is below 16 ε of R_c. There is no speed threshold.
+// remaining flights last 2v/a, 2ve/a, 2ve²/a …: they end after T = 2v/(a(1 − e)). To first order in T their impulses
+// add up to what contact would have given in the same time, less v: the rest of the sequence equals the removal of v,
+// with friction, at its beginning, followed by contact (complete chatter: Nordmark & Piiroinen, Nonlinear Dyn. 58
+// (2009) 85). The next order moves the body by at most vT: contact begins once that is below 16 ε of R_c. There is no
+// speed threshold.
 #pragma once
 
 #include "map/sustained/contact_state.hpp"
@@ -22,6 +23,15 @@ struct Standing {
 
 /// The standing of a body just after an impact. Cost: a few operations for one that plainly leaves.
 Standing standing_of(const ContactScene& scene, const Launch<double>& launch);
+
+/// True for an edge that friction holds at rest.
+bool rests_still(const ContactScene& scene, const Standing& standing);
+
+/// The state in contact of a launch near one that stands: u_n removed with the same friction on the same support,
+/// whatever its own u_n. Smooth in `near`, so that it can be differentiated. On an edge the friction of the rocking
+/// that dies there is left out.
+ContactState landed_like(const ContactScene& scene, const Launch<double>& base, const Standing& standing,
+                         const Launch<double>& near);
 
 /// The largest normal velocity that is rounding only.
 double velocity_rounding(const ContactScene& scene, const Launch<double>& launch);

@@ -28,7 +28,8 @@ TEST(CircularBilliard, FrictionlessElasticDiskKeepsItsAngleOfIncidence) {
     for (long i = 0; i < orbits; ++i) {
         const Scene<double> scene = still_disk(random.between(0.01, 0.99), 0, 1);
         const CollisionMap<double, Shape::disk, ImpactRule::frictionless> map(scene);
-        const double speed = random.log_between(1e-3, 10), gamma = random.between(-1.5, 1.5), spin = random.between(-5, 5);
+        const double speed = random.log_between(1e-3, 10), gamma = random.between(-1.5, 1.5),
+                     spin = random.between(-5, 5);
         const double time = 2 * (1 - scene.alpha) * std::cos(gamma) / speed;
         const double advance = M_PI - 2 * gamma;
         Launch<double> launch =
@@ -39,9 +40,10 @@ TEST(CircularBilliard, FrictionlessElasticDiskKeepsItsAngleOfIncidence) {
             launch = step.after;
             // Each impact adds a few ε to the direction, which a chord turns into a time by its slope.
             const double allowed = 32 * eps * k / std::cos(gamma);
-            const double error = std::max({std::fabs(wrapped_angle(std::atan2(step.normal.y, step.normal.x) - advance)),
-                                           std::fabs(step.flight_time / time - 1), std::fabs(launch.vn / speed + std::cos(gamma)),
-                                           std::fabs(launch.vt / speed - std::sin(gamma))});
+            const double error =
+                std::max({std::fabs(wrapped_angle(std::atan2(step.normal.y, step.normal.x) - advance)),
+                          std::fabs(step.flight_time / time - 1), std::fabs(launch.vn / speed + std::cos(gamma)),
+                          std::fabs(launch.vt / speed - std::sin(gamma))});
             ASSERT_LE(error, allowed) << "impact " << k << ", gamma " << gamma;
             ASSERT_EQ(launch.spin, spin);
             worst = std::max(worst, error);

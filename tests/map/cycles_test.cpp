@@ -62,8 +62,8 @@ void check_cycle(const Map& map, const json& cycle) {
     const double residual = distance(z, start);
     const double by_jets = multiplier_error(jets.eigenvalues(), cycle["multipliers"]);
     const double by_saltation = multiplier_error(saltation.eigenvalues(), cycle["multipliers"]);
-    std::printf("N %3d period %2d  |F^k(z)-z| %.1e  multipliers: jets %.1e, saltation %.1e\n", map.scene().sides, period,
-                residual, by_jets, by_saltation);
+    std::printf("N %3d period %2d  |F^k(z)-z| %.1e  multipliers: jets %.1e, saltation %.1e\n", map.scene().sides,
+                period, residual, by_jets, by_saltation);
     EXPECT_LE(residual, 1e-12);
     EXPECT_NEAR(time, tests::number<double>(cycle["return_time"]), 1e-12 * period);
     EXPECT_LE(by_jets, 1e-9);

@@ -78,9 +78,13 @@ void compare_on(const char* what, Law law, bool disk, bool friction, const std::
 const std::vector<ContactMode> all_five = {ContactMode::sliding, ContactMode::c_sticking, ContactMode::r_sticking,
                                            ContactMode::c_reversed, ContactMode::r_reversed};
 
-TEST(Derivative, JetsAgreeWithSaltationInEveryModePoisson) { compare_on("poisson", Law::poisson, false, true, all_five); }
+TEST(Derivative, JetsAgreeWithSaltationInEveryModePoisson) {
+    compare_on("poisson", Law::poisson, false, true, all_five);
+}
 TEST(Derivative, JetsAgreeWithSaltationInEveryModeNewton) { compare_on("newton", Law::newton, false, true, all_five); }
-TEST(Derivative, JetsAgreeWithSaltationInEveryModeStronge) { compare_on("stronge", Law::stronge, false, true, all_five); }
+TEST(Derivative, JetsAgreeWithSaltationInEveryModeStronge) {
+    compare_on("stronge", Law::stronge, false, true, all_five);
+}
 TEST(Derivative, JetsAgreeWithSaltationWithoutFriction) {
     compare_on("polygon", Law::poisson, false, false, {ContactMode::frictionless});
 }
@@ -153,7 +157,8 @@ TEST(Derivative, DeterminantIsTheRatioOfNormalVelocities) {
     double worst = 0;
     const long wanted = sample_count(20000);
     const long count = over_elastic_states(7, wanted, [&](const auto& map, const auto& z, const auto& linearised) {
-        const double ratio = slip_normal(map.body(), launch_from(z)) / slip_normal(map.body(), linearised.collision.after);
+        const double ratio =
+            slip_normal(map.body(), launch_from(z)) / slip_normal(map.body(), linearised.collision.after);
         const double error = std::fabs(linearised.derivative.determinant() - ratio) / std::max(1.0, ratio);
         worst = std::max(worst, error);
         EXPECT_LE(error, 1e-10) << "N = " << map.scene().sides << ", ratio " << ratio;

@@ -48,7 +48,8 @@ TEST(TwoVerticesAtOnce, AreNoChatter) {
 }
 
 TEST(TwoVerticesAtOnce, ThatRockLoseEnergyAndGoOn) {
-    // Without friction and with e < 1 J falls at every impact (contact between them keeps it to its 1e-13 margins), and a polygon ends on a vertex or rocks on an edge for long.
+    // Without friction and with e < 1 J falls at every impact (contact between them keeps it to its 1e-13 margins), and
+    // a polygon ends on a vertex or rocks on an edge for long.
     long ended = 0, impacts = 0;
     for (const int sides : {3, 4, 5, 12})
         for (int i = 0; i < 10; ++i) {

@@ -45,7 +45,9 @@ double spin_of(Random& random, Kind kind) {
     return kind == large_spin ? random.sign() * random.log_between(10, 1000) : random.between(-4, 4);
 }
 
-double speed_of(Random& random, Kind kind) { return kind == slow ? random.log_between(1e-6, 1e-2) : random.log_between(0.01, 4); }
+double speed_of(Random& random, Kind kind) {
+    return kind == slow ? random.log_between(1e-6, 1e-2) : random.log_between(0.01, 4);
+}
 
 /// Just after an impact; u_n from grazing to hard.
 Case struck_case(Random& random, Kind kind) {
@@ -63,8 +65,17 @@ Case struck_case(Random& random, Kind kind) {
     }
     c.point = z;
     const Real chi = z.chi, psi = z.psi;
-    c.flight = {c.scene.sides, c.scene.alpha, c.scene.beta, 1 - c.scene.alpha * std::cos(chi), -c.scene.alpha * std::sin(chi),
-                z.vn,          z.vt,          -psi,         chi,           z.spin, true};
+    c.flight = {c.scene.sides,
+                c.scene.alpha,
+                c.scene.beta,
+                1 - c.scene.alpha * std::cos(chi),
+                -c.scene.alpha * std::sin(chi),
+                z.vn,
+                z.vt,
+                -psi,
+                chi,
+                z.spin,
+                true};
     return c;
 }
 
@@ -74,8 +85,9 @@ std::optional<Case> aimed_case(Random& random, Kind kind) {
     Case c;
     c.scene = scene_of(random, kind);
     const double spin = spin_of(random, kind);
-    const double chi = tests::largest_chi(c.scene) *
-                       (kind == two_at_once ? random.sign() * (1 - random.log_between(1e-15, 1e-6)) : random.between(-1, 1));
+    const double chi =
+        tests::largest_chi(c.scene) *
+        (kind == two_at_once ? random.sign() * (1 - random.log_between(1e-15, 1e-6)) : random.between(-1, 1));
     const double psi = random.angle();
     const double un = kind == grazing ? random.sign() * random.log_between(1e-12, 1e-3) : speed_of(random, kind);
     const double ut = kind == grazing ? random.between(-0.3, 0.3) : random.between(-1, 1) * speed_of(random, kind);
@@ -84,7 +96,8 @@ std::optional<Case> aimed_case(Random& random, Kind kind) {
     const double vt = ut - alpha * spin * std::cos(chi) + beta * std::cos(psi);
     const double depth = kind == grazing ? random.sign() * random.log_between(1e-15, 1e-4) : 0;
     const double back = random.log_between(1e-3, 2);
-    // In the axes of that moment the swirl's arm is at −ψ; at the start at −ψ − back, and the laboratory's axes go along it.
+    // In the axes of that moment the swirl's arm is at −ψ; at the start at −ψ − back, and the laboratory's axes go
+    // along it.
     const double x = 1 - depth - alpha * std::cos(chi) + beta * std::cos(psi) - vn * back;
     const double y = -alpha * std::sin(chi) - beta * std::sin(psi) - vt * back;
     const double turn = psi + back;
@@ -155,13 +168,15 @@ void check_flights(std::uint64_t seed, long count, long scan_every) {
         check(*c, kind, i % scan_every == 0, tally);
     }
     for (int k = 0; k < kinds; ++k) std::printf("  %-12s %8ld flights\n", kind_names[k], tally.flights[k]);
-    std::printf("%ld begin in flight, the others on the wall; %ld contacts, %ld without, %ld simultaneous, most moments "
-                "looked at %ld\n",
-                tally.aimed, tally.contacts, tally.none, tally.simultaneous, tally.most_steps);
+    std::printf(
+        "%ld begin in flight, the others on the wall; %ld contacts, %ld without, %ld simultaneous, most moments "
+        "looked at %ld\n",
+        tally.aimed, tally.contacts, tally.none, tally.simultaneous, tally.most_steps);
     EXPECT_GE(tally.aimed, count / 5);
-    std::printf("%ld flights scanned in long double (%ld moments); at its contact no vertex more outside than %.3f, more "
-                "inside than %.3f of what is allowed\n",
-                tally.scanned, tally.moments, tally.worst_outside, tally.worst_early);
+    std::printf(
+        "%ld flights scanned in long double (%ld moments); at its contact no vertex more outside than %.3f, more "
+        "inside than %.3f of what is allowed\n",
+        tally.scanned, tally.moments, tally.worst_outside, tally.worst_early);
     EXPECT_EQ(tally.contacts + tally.none, count);
 }
 

@@ -27,7 +27,8 @@ struct Sample {
 
 /// A contact of a random polygon; one in twenty begins without slip.
 Sample random_sample(Random& random) {
-    const Scene<double> scene = tests::random_scene(random, random.one_of({3, 3, 4, 4, 5, 6, 8, 12}), 0, 1, Law::poisson);
+    const Scene<double> scene =
+        tests::random_scene(random, random.one_of({3, 3, 4, 4, 5, 6, 8, 12}), 0, 1, Law::poisson);
     const double chi = tests::largest_chi(scene) * random.between(-1, 1);
     Sample s;
     s.mu = random.log_between(0.01, 10);
@@ -71,7 +72,8 @@ void compare(const Sample& s, Law law, long wanted, Tally& tally) {
                               ? ContactMode::sliding
                               : a.ut == 0 ? ContactMode::c_sticking : mode_of(reference, a.ut);
     const double scale = static_cast<double>(std::hypot(reference.p, reference.q));
-    const double error = static_cast<double>(std::hypot(closed.normal - reference.p, closed.tangential - reference.q)) / scale;
+    const double error =
+        static_cast<double>(std::hypot(closed.normal - reference.p, closed.tangential - reference.q)) / scale;
     // p's relative error is that of the slopes B₂ − sμB₃ …, which cancel: by how much says the sum of their sizes.
     const double slope = a.b2() - (a.ut > 0 ? s.mu : -s.mu) * a.b3();
     const double after = closed.mode == ContactMode::sliding ? slope

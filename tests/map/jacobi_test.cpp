@@ -93,7 +93,8 @@ double jacobi_before(const Body<double>& body, const Collision<double>& c) {
     return jacobi_of(body, before);
 }
 
-/// The sizes of what is added up in J: where velocities are large J cannot be read off a state to better than ε of them.
+/// The sizes of what is added up in J: where velocities are large J cannot be read off a state to better than ε of
+/// them.
 double terms_of_jacobi(const Body<double>& body, const Launch<double>& z) {
     const double speed2 = z.vn * z.vn + z.vt * z.vt;
     return 0.5 * speed2 + (body.outer + body.beta) * std::sqrt(speed2) +
@@ -142,8 +143,8 @@ void check_balance_under(Law law, double mu_low, double mu_high) {
         with_collision_map(scene, [&](const auto& map) { check_balance(map, launch_from(z), balance); });
     }
     std::printf("%-8s %s %ld impacts: dJ against its two parts %.1e, J along flights %.1e (of max(1, J's terms))\n",
-                std::string(name_of(law)).c_str(), mu_high > 0 ? "" : "without friction", balance.impacts, balance.parts,
-                balance.flight);
+                std::string(name_of(law)).c_str(), mu_high > 0 ? "" : "without friction", balance.impacts,
+                balance.parts, balance.flight);
     EXPECT_GE(balance.impacts, 10 * orbits);
 }
 

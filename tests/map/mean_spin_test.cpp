@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <vector>
 
 namespace swirl {
@@ -15,10 +16,11 @@ struct Mean {
     double value = 0, standard_error = 0, per_impact = 0;
 };
 
-/// Time mean of S and its standard error from block means, blocks long against the memory of the orbit.
+/// Time mean of S, ∫S dt / T over all blocks, and its standard error from the blocks (a ratio's), which are long against the
+/// memory of the orbit. (The mean of the blocks' own means would favour fast spins: their blocks are the shortest.)
 template <class Map>
 Mean mean_spin(const Map& map, Launch<double> launch, int blocks, long impacts) {
-    std::vector<double> means;
+    std::vector<double> times, integrals;
     double per_impact = 0;
     for (int b = 0; b < blocks; ++b) {
         double time = 0, integral = 0;
@@ -34,13 +36,15 @@ Mean mean_spin(const Map& map, Launch<double> launch, int blocks, long impacts) 
             integral += spin * step.flight_time;
             per_impact += spin / static_cast<double>(impacts * blocks);
         }
-        means.push_back(integral / time);
+        times.push_back(time);
+        integrals.push_back(integral);
     }
     Mean mean;
-    for (const double m : means) mean.value += m / blocks;
+    const double time = std::accumulate(times.begin(), times.end(), 0.0);
+    mean.value = std::accumulate(integrals.begin(), integrals.end(), 0.0) / time;
     double square = 0;
-    for (const double m : means) square += (m - mean.value) * (m - mean.value);
-    mean.standard_error = std::sqrt(square / (blocks - 1.0) / blocks);
+    for (std::size_t b = 0; b < times.size(); ++b) square += std::pow(integrals[b] - mean.value * times[b], 2);
+    mean.standard_error = std::sqrt(square * blocks / (blocks - 1.0)) / time;
     mean.per_impact = per_impact;
     return mean;
 }

@@ -20,7 +20,8 @@ Collision<double> first_impact(const Scene<double>& scene, const LabStart<double
 TEST(Outcome, ABodyAtRestThatTheSwirlDoesNotReachHasNoContact) {
     for (const int sides : {disk_sides, 3, 6, 1000})
         for (const double spin : {0.0, 1.0, -2.0, 0.3, 17.77})
-            EXPECT_EQ(first_impact(scene_of(sides, 0.4, 0.3), {0, 0, 0, 0, 0.1, spin}).contact, ContactOutcome::no_contact)
+            EXPECT_EQ(first_impact(scene_of(sides, 0.4, 0.3), {0, 0, 0, 0, 0.1, spin}).contact,
+                      ContactOutcome::no_contact)
                 << "N = " << sides << ", S = " << spin;
 }
 
@@ -42,7 +43,8 @@ TEST(Outcome, ARestingPolygonWithAWholeNumberOfTurnsPerTurnRecurs) {
             const LabStart<double> start{0.31, 0, 0, 0, 2 * M_PI / 3 * i / 60, static_cast<double>(spin)};
             const auto collision = first_impact(scene_of(3, 0.4, 0.3), start);
             (collision.contact == ContactOutcome::contact ? struck : none) += 1;
-            ASSERT_TRUE(collision.contact == ContactOutcome::contact || collision.contact == ContactOutcome::no_contact);
+            ASSERT_TRUE(collision.contact == ContactOutcome::contact ||
+                        collision.contact == ContactOutcome::no_contact);
             // Independent: one turn, sampled.
             double farthest = 0;
             for (int k = 0; k < 3; ++k)
@@ -115,7 +117,8 @@ TEST(Outcome, TwoVerticesHeadOnAreFlaggedSimultaneous) {
     const Scene<double> square = scene_of(4, 0.5, 0);
     for (const double quarter : {0.0, 0.5, 1.0, 1.5}) {
         const double direction = quarter * M_PI;
-        const LabStart<double> start{0, 0, 0.3 * std::cos(direction), 0.3 * std::sin(direction), direction + M_PI / 4, 0};
+        const LabStart<double> start{0, 0, 0.3 * std::cos(direction), 0.3 * std::sin(direction), direction + M_PI / 4,
+                                     0};
         const auto collision = first_impact(square, start);
         ASSERT_EQ(collision.contact, ContactOutcome::contact);
         EXPECT_TRUE(collision.simultaneous) << direction;
@@ -135,7 +138,8 @@ TEST(Outcome, VerySlowBodiesComeToAnEnd) {
         for (const double beta : {0.0, 0.1, 0.3, 0.6, 1.0, 5.0})
             for (const double speed : {1e-3, 1e-6, 1e-9, 1e-12})
                 for (const double spin : {0.0, 1.0, 0.37}) {
-                    const auto collision = first_impact(scene_of(sides, 0.4, beta), {0.9 * beta, 0, speed, 0, 0.2, spin});
+                    const auto collision =
+                        first_impact(scene_of(sides, 0.4, beta), {0.9 * beta, 0, speed, 0, 0.2, spin});
                     most = std::max(most, collision.steps);
                     // Away from the wall by an open distance the body must meet it in the end; unless the number of
                     // moments that may be looked at runs out first, which is said.

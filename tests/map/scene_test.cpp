@@ -30,7 +30,8 @@ std::string refusal_of(const Scene<double>& scene) {
 }
 
 /// One line that has the parameter's name, its value and its range.
-void expect_names(const std::string& message, const std::string& name, const std::string& value, const std::string& range) {
+void expect_names(const std::string& message, const std::string& name, const std::string& value,
+                  const std::string& range) {
     EXPECT_NE(message.find(name), std::string::npos) << message;
     EXPECT_NE(message.find(value), std::string::npos) << message;
     EXPECT_NE(message.find(range), std::string::npos) << message;
@@ -117,8 +118,8 @@ TEST(LabStart, EveryNumberThatIsNotFiniteIsRefusedByName) {
         for (const double value : {nan, infinity, -infinity}) {
             LabStart<double> start{0.5, 0, 0, 0, 0, 0};
             start.*fields[i] = value;
-            expect_names(refusal_of(good_scene(), start), std::string(names[i]) + " = ", std::isnan(value) ? "nan" : "inf",
-                         "any finite number");
+            expect_names(refusal_of(good_scene(), start), std::string(names[i]) + " = ",
+                         std::isnan(value) ? "nan" : "inf", "any finite number");
         }
 }
 

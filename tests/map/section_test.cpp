@@ -98,7 +98,8 @@ void check_orbit(const Map& map, const SectionPoint<double>& z, long& impacts) {
         const LabStart<double> start = half_way(state, frame, step.flight_time / 2);
         const auto again = map.advance(flight_from(map.body(), start));
         ASSERT_EQ(again.contact, ContactOutcome::contact);
-        const double allowed = 1e-14 * (10 + norm) * (10 + std::fabs(state.angle) + std::fabs(state.vx) + std::fabs(state.vy));
+        const double allowed =
+            1e-14 * (10 + norm) * (10 + std::fabs(state.angle) + std::fabs(state.vx) + std::fabs(state.vy));
         EXPECT_NEAR(again.flight_time, step.flight_time / 2, allowed);
         const SectionPoint<double> a = section_point(again.after), b = section_point(step.after);
         EXPECT_NEAR(wrapped_angle(a.psi - b.psi), 0, allowed);

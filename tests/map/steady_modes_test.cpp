@@ -68,8 +68,8 @@ void expect_fixed(const Scene<double>& scene, const SectionPoint<double>& z, dou
 }
 
 void report(const char* what, const Tally& tally, long inadmissible) {
-    std::printf("%s: %ld steady modes (%ld not admissible), largest |F(z) - z| %.1e\n", what, tally.tested, inadmissible,
-                tally.worst);
+    std::printf("%s: %ld steady modes (%ld not admissible), largest |F(z) - z| %.1e\n", what, tally.tested,
+                inadmissible, tally.worst);
 }
 
 TEST(SteadyModes, EveryAdmissibleFlightTimeIsOneForTheDisk) {

@@ -57,13 +57,16 @@ TEST(DiskInContact, IsAPendulumForAHundredPeriods) {
             double largest = 0;
             const auto end = run_contact(scene, Support::rim, motion, z, 100 * period,
                                          [&](const ContactSums& sums, Support, ContactMotion, const ContactState& at) {
-                                             largest = std::max(largest, std::abs(at.psi - pendulum(omega, k, sums.time)));
+                                             largest =
+                                                 std::max(largest, std::abs(at.psi - pendulum(omega, k, sums.time)));
                                          });
             EXPECT_EQ(end.event, ContactEvent::horizon) << name_of(end.event);
             std::printf("disk, mu = %g, k = %g: largest error of psi over 100 periods %.1e\n", mu, k, largest);
             // Near the separatrix (k = 0.99) a rounding of the start grows with time like the period's derivative does.
             EXPECT_LE(largest, 1e-10);
-            if (mu > 0) EXPECT_NEAR(end.state.spin, -rho * (1 + (normal_rate(scene, Support::rim, end.state) - 1)) / 0.4, 1e-12);
+            if (mu > 0)
+                EXPECT_NEAR(end.state.spin, -rho * (1 + (normal_rate(scene, Support::rim, end.state) - 1)) / 0.4,
+                            1e-12);
             else EXPECT_EQ(end.state.spin, 0.7);
         }
 }
@@ -72,12 +75,14 @@ TEST(DiskInContact, LibratesWithTheExactMeanSpin) {
     const auto scene = contact_of(scene_of(disk_sides, 0.4, 0.3, 5, 0.5));
     const double omega = std::sqrt(0.3 / 0.9), k = 0.6;
     const double period = 4 * boost::math::ellint_1(k) / omega;
-    const auto end = run_contact(scene, Support::rim, ContactMotion::sticking, {0, 0, 0, -1.5 * (1 + 2 * omega * k)}, 50 * period);
+    const auto end =
+        run_contact(scene, Support::rim, ContactMotion::sticking, {0, 0, 0, -1.5 * (1 + 2 * omega * k)}, 50 * period);
     EXPECT_NEAR(end.sums.turned / end.sums.time, -1.5, 1e-12);
 }
 
 TEST(DiskInContact, IsReleasedWhereTheNormalForceVanishes) {
-    // λ = β cos ψ + ρ(1 + ψ′)² with ψ′² = 2(H + ω² cos ψ), ψ′ < 0 on the way: both roots in closed form but for one solve.
+    // λ = β cos ψ + ρ(1 + ψ′)² with ψ′² = 2(H + ω² cos ψ), ψ′ < 0 on the way: both roots in closed form but for one
+    // solve.
     for (const double mu : {0.0, 50.0}) {
         const double beta = 2, rho = 0.6, omega2 = beta / (rho * (mu > 0 ? 1.5 : 1));
         const auto scene = contact_of(scene_of(disk_sides, 0.4, beta, mu, 0.5));
@@ -86,7 +91,8 @@ TEST(DiskInContact, IsReleasedWhereTheNormalForceVanishes) {
         const auto rate_at = [&](double psi) { return -std::sqrt(2 * (energy + omega2 * std::cos(psi))); };
         const auto lambda = [&](double psi) { return beta * std::cos(psi) + rho * std::pow(1 + rate_at(psi), 2); };
         std::uintmax_t iterations = 100;
-        const auto [a, b] = boost::math::tools::toms748_solve(lambda, -1.87, -0.5, boost::math::tools::eps_tolerance<double>(52), iterations);
+        const auto [a, b] = boost::math::tools::toms748_solve(
+            lambda, -1.87, -0.5, boost::math::tools::eps_tolerance<double>(52), iterations);
         ContactState z{0, 0, 0, mu > 0 ? -rho * (1 + start_rate) / 0.4 : 0};
         if (mu == 0) z.ut = rho * (1 + start_rate);
         const auto motion = mu > 0 ? ContactMotion::sticking : ContactMotion::sliding_forward;
@@ -132,7 +138,8 @@ TEST(Reaction, IsWhatTheGeometryNeeds) {
     long checked = 0;
     double worst = 0;
     for (const Support support : {Support::rim, Support::vertex, Support::edge})
-        for (const ContactMotion motion : {ContactMotion::sliding_forward, ContactMotion::sliding_backward, ContactMotion::sticking})
+        for (const ContactMotion motion :
+             {ContactMotion::sliding_forward, ContactMotion::sliding_backward, ContactMotion::sticking})
             for (int i = 0; i < 200; ++i) {
                 const int sides = support == Support::rim ? disk_sides : 3 + i % 4;
                 const auto scene = contact_of(scene_of(sides, 0.35 + 0.3 * u(random), 0.5 + 0.4 * u(random), 0.3, 0.5));
@@ -142,7 +149,8 @@ TEST(Reaction, IsWhatTheGeometryNeeds) {
                 if (motion == ContactMotion::sliding_forward) z.ut = 0.5 + 0.3 * u(random);
                 if (motion == ContactMotion::sliding_backward) z.ut = -0.5 + 0.3 * u(random);
                 if (support == Support::edge) z.spin = z.ut;
-                const auto now = run_contact(scene, support, motion, z, h), later = run_contact(scene, support, motion, z, 2 * h);
+                const auto now = run_contact(scene, support, motion, z, h),
+                           later = run_contact(scene, support, motion, z, 2 * h);
                 if (now.event != ContactEvent::horizon || later.event != ContactEvent::horizon) continue;
                 const Reaction r = reaction_of(scene, support, motion, now.state);
                 if (r.stiffness < 0.05) continue;
@@ -154,13 +162,16 @@ TEST(Reaction, IsWhatTheGeometryNeeds) {
                     (wrapped_angle(p2.angle - p1.angle) - wrapped_angle(p1.angle - p0.angle)) / (h * h);
                 Vec2<double> force = r.friction * quarter_turned(p1.n) - r.normal * p1.n;
                 if (support == Support::edge) {
-                    const double smu = motion == ContactMotion::sticking ? 0 : motion == ContactMotion::sliding_forward ? 0.3 : -0.3;
+                    const double smu = motion == ContactMotion::sticking          ? 0
+                                       : motion == ContactMotion::sliding_forward ? 0.3
+                                                                                  : -0.3;
                     const double f1 = motion == ContactMotion::sticking ? 0.5 * r.friction : -smu * r.normal;
                     force = f1 * quarter_turned(p1.n) - r.normal * p1.n;
                     force = force + ((r.friction - f1) * quarter_turned(p1.n2) - r.second * p1.n2);
                 }
                 const double size = 1 + std::abs(force.x) + std::abs(force.y);
-                worst = std::max({worst, std::abs(acceleration.x - force.x) / size, std::abs(acceleration.y - force.y) / size,
+                worst = std::max({worst, std::abs(acceleration.x - force.x) / size,
+                                  std::abs(acceleration.y - force.y) / size,
                                   std::abs(turning - r.spin_rate) / (1 + std::abs(r.spin_rate))});
                 ++checked;
             }
@@ -176,7 +187,8 @@ TEST(Strike, CreatesNoEnergyAndLeavesNothingApproaching) {
     for (const Law law : {Law::poisson, Law::stronge})
         for (int i = 0; i < 20'000; ++i) {
             const double mu = i % 4 == 0 ? 0 : 0.5 + 0.5 * u(random);
-            const auto scene = contact_of(scene_of(3 + i % 5, 0.5 + 0.4 * u(random), 0.5, mu, 0.5 + 0.49 * u(random), law));
+            const auto scene =
+                contact_of(scene_of(3 + i % 5, 0.5 + 0.4 * u(random), 0.5, mu, 0.5 + 0.49 * u(random), law));
             const ContactState z{3 * u(random), i % 2 ? scene.widest_chi : -scene.widest_chi, u(random), 2 * u(random)};
             const Launch<double> standing = launch_from(scene, z);
             const Launch<double> before = seen_from_neighbour(scene, standing);
@@ -217,7 +229,8 @@ Tally follow(const Scene<double>& scene, const LabStart<double>& start, double u
         const ContactScene contact = contact_of(scene);
         const auto& body = map.body();
         const auto look = [&](const ContactSums&, Support support, ContactMotion, const ContactState& z) {
-            if (support == Support::vertex) tally.outside = std::max(tally.outside, std::abs(z.chi) - contact.widest_chi);
+            if (support == Support::vertex)
+                tally.outside = std::max(tally.outside, std::abs(z.chi) - contact.widest_chi);
         };
         Orbit orbit(map, start);
         double jacobi = 0;
@@ -235,7 +248,8 @@ Tally follow(const Scene<double>& scene, const LabStart<double>& start, double u
             const auto& c = orbit.collision();
             const double change = c.jacobi_restitution + c.jacobi_friction + orbit.passage().contact_work;
             if (known) tally.balance += now - jacobi - change;
-            tally.exchanged += std::abs(c.jacobi_restitution) + std::abs(c.jacobi_friction) + std::abs(orbit.passage().contact_work);
+            tally.exchanged +=
+                std::abs(c.jacobi_restitution) + std::abs(c.jacobi_friction) + std::abs(orbit.passage().contact_work);
             jacobi = now;
             known = true;
             if (body.sides == disk_sides) continue;
@@ -257,16 +271,19 @@ void check_plastic_polygons(double until, int starts) {
         double outside = 0, balance = 0;
         for (int i = 0; i < starts; ++i) {
             const double mu = 0.2 * (i % 5);
-            const auto tally = follow(scene_of(sides, 0.5, 0.4, mu, 0), {0.4, 0, 0.4 * u(random), 0.4 * u(random), u(random), u(random)}, until);
+            const auto tally = follow(scene_of(sides, 0.5, 0.4, mu, 0),
+                                      {0.4, 0, 0.4 * u(random), 0.4 * u(random), u(random), u(random)}, until);
             EXPECT_TRUE(tally.outcome == Outcome::completed || tally.outcome == Outcome::in_contact)
-                << sides << " sides, mu = " << mu << ", start " << i << ": " << name_of(tally.outcome) << " at t = " << tally.time;
+                << sides << " sides, mu = " << mu << ", start " << i << ": " << name_of(tally.outcome)
+                << " at t = " << tally.time;
             EXPECT_LE(tally.outside, 1e-12) << sides << " sides, start " << i;
             if (tally.exchanged > 0) balance = std::max(balance, std::abs(tally.balance) / tally.exchanged);
             outside = std::max(outside, tally.outside);
             impacts += tally.impacts;
             pieces += tally.pieces;
         }
-        std::printf("e = 0, %2d sides: %ld impacts, %ld pieces of contact, outside by %.1e, balance of J %.1e\n", sides, impacts, pieces, outside, balance);
+        std::printf("e = 0, %2d sides: %ld impacts, %ld pieces of contact, outside by %.1e, balance of J %.1e\n", sides,
+                    impacts, pieces, outside, balance);
         EXPECT_LE(balance, 1e-9);
         EXPECT_GT(pieces, 0);
     }
@@ -275,7 +292,8 @@ void check_plastic_polygons(double until, int starts) {
 TEST(PlasticPolygons, GoOnWithoutAStall) { check_plastic_polygons(200, 5); }
 TEST(PlasticPolygonsNightly, GoOnWithoutAStallForAHundredThousandTimeUnits) { check_plastic_polygons(1e5, 20); }
 
-/// The first `shapes` of the list; the last one, N = 1000, rolls on its vertices with thousands of impacts per unit of time.
+/// The first `shapes` of the list; the last one, N = 1000, rolls on its vertices with thousands of impacts per unit of
+/// time.
 void check_random_scenes(int count, int shapes) {
     std::mt19937_64 random(2026);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -284,10 +302,15 @@ void check_random_scenes(int count, int shapes) {
     double busiest = 0, outside = 0, balance = 0;
     for (int i = 0; i < count; ++i) {
         const int sides[] = {disk_sides, 3, 4, 5, 6, 8, 12, 20, 50, 1000};
-        const auto scene = scene_of(sides[i % shapes], 0.02 + 0.96 * unit(random), 2 * unit(random) * unit(random), i % 7 == 0 ? 0 : 2 * unit(random),
-                                    i % 11 == 0 ? 0 : i % 11 == 1 ? 1 : unit(random), static_cast<Law>(i % 3));
+        const auto scene = scene_of(sides[i % shapes], 0.02 + 0.96 * unit(random), 2 * unit(random) * unit(random),
+                                    i % 7 == 0 ? 0 : 2 * unit(random),
+                                    i % 11 == 0   ? 0
+                                    : i % 11 == 1 ? 1
+                                                  : unit(random),
+                                    static_cast<Law>(i % 3));
         const double direction = 2 * pi<double>() * unit(random);
-        const LabStart<double> start{scene.beta, 0, std::cos(direction) / 7, std::sin(direction) / 7, 6 * unit(random), 0};
+        const LabStart<double> start{scene.beta,       0, std::cos(direction) / 7, std::sin(direction) / 7,
+                                     6 * unit(random), 0};
         const auto began = std::chrono::steady_clock::now();
         const auto tally = follow(scene, start, 1000, 5'000'000);
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -302,14 +325,17 @@ void check_random_scenes(int count, int shapes) {
         busiest = std::max(busiest, events / 1000);
         cost.push_back(seconds / (events + 1000));
         outside = std::max(outside, tally.outside);
-        if (tally.exchanged > 0 && scene.beta > 0) balance = std::max(balance, std::abs(tally.balance) / (tally.exchanged + 1));
+        if (tally.exchanged > 0 && scene.beta > 0)
+            balance = std::max(balance, std::abs(tally.balance) / (tally.exchanged + 1));
     }
     for (const auto& [name, n] : outcomes) std::printf("%-18s %ld\n", name.c_str(), n);
     // A named ending, but not one that anybody asked for: see map/sustained/README.md, limits.
     EXPECT_LE(outcomes["unresolved"], count / 50);
     std::sort(cost.begin(), cost.end());
-    std::printf("most events per unit time %.0f; seconds per event (and unit of time): median %.1e, largest %.1e (%.1f medians); outside by %.1e; balance %.1e\n",
-                busiest, cost[cost.size() / 2], cost.back(), cost.back() / cost[cost.size() / 2], outside, balance);
+    std::printf(
+        "most events per unit time %.0f; seconds per event (and unit of time): median %.1e, largest %.1e (%.1f "
+        "medians); outside by %.1e; balance %.1e\n",
+        busiest, cost[cost.size() / 2], cost.back(), cost.back() / cost[cost.size() / 2], outside, balance);
     EXPECT_LE(outside, 1e-12);
 }
 

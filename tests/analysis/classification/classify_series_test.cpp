@@ -103,7 +103,8 @@ TEST(ClassifySeries, LinearNoiseIsNeverChaotic) {
 TEST(ClassifySeries, AFlowsLinesAreQuasiSteadyWithoutAPeriodInSamples) {
     ClassifySeriesOptions options;
     options.sampled_flow = true;
-    const auto found = classify_series(made([](int i) { return std::sin(0.37 * i) + 0.3 * std::sin(0.74 * i); }), options);
+    const auto found =
+        classify_series(made([](int i) { return std::sin(0.37 * i) + 0.3 * std::sin(0.74 * i); }), options);
     EXPECT_EQ(found.mode, Mode::quasi_steady);
     EXPECT_EQ(found.kind, Kind::none);
     EXPECT_EQ(found.period, 0);

@@ -64,7 +64,8 @@ TEST(Classify, AnAlgebraicTransientIsNotGivenAName) {
     EXPECT_EQ(verdict.kind, Kind::transient);
 }
 
-/// Multiplier −0.999: after 1,200 steps the orbit is still 10⁻² … 10⁻¹ of its start away; Newton's method sees where to.
+/// Multiplier −0.999: after 1,200 steps the orbit is still 10⁻² … 10⁻¹ of its start away; Newton's method sees
+/// where to.
 TEST(Classify, AnOrbitStillApproachingIsNamedAfterTheCycleItApproaches) {
     ClassifyOptions options;
     options.transient = 600;

@@ -245,7 +245,8 @@ class MeasuredRegimes(InFolder):
             values = [float(v) for v in file.read_text().split()[1:]]
             mean = math.fsum(values) / len(values)
             variance = math.fsum((v - mean) ** 2 for v in values) / len(values)
-            for flags in ("", "--window rectangular --segments 1", "--window blackman-harris --segments 5 --overlap 0.3"):
+            for flags in ("", "--window rectangular --segments 1",
+                          "--window blackman-harris --segments 5 --overlap 0.3"):
                 found = document(f"spectrum --series {file} {flags}")
                 integral = math.fsum(found["power"]) * (found["frequency"][1] - found["frequency"][0])
                 self.assertAlmostEqual(integral / variance, 1, delta=1e-12)
@@ -279,7 +280,8 @@ class Spectra(InFolder):
         record = self.folder / "o.h5"
         self.assertEqual(run(f"simulate {CHAOTIC} --collisions 201 --quiet -o {record}").returncode, 0)
         rows = document(f"simulate {CHAOTIC} --collisions 201")["collisions"]
-        square = sum(a["spin"] ** 2 * (b["t"] - a["t"]) for a, b in zip(rows, rows[1:])) / (rows[-1]["t"] - rows[0]["t"])
+        whole = rows[-1]["t"] - rows[0]["t"]
+        square = sum(a["spin"] ** 2 * (b["t"] - a["t"]) for a, b in zip(rows, rows[1:])) / whole
         found = document(f"spectrum {record} --bins 4194304 --detrend none --segments 1 --window rectangular")
         self.assertAlmostEqual(found["variance"] / square, 1, delta=200 / 4194304)
 
@@ -365,8 +367,8 @@ class ClassifySeries(InFolder):
                 self.assertEqual(found["largest_exponent"] is None, found["mode"] != "chaotic")
                 self.assertIsNone(found["mean_S"])  # no times, no mean over time
         # Noise lowers the rate at which neighbours part: 10 % of 0.41922 (references.md).
-        self.assertAlmostEqual(document(f"classify --series {self.series('h.csv', henon)}")["largest_exponent"], 0.41922,
-                               delta=0.02)
+        found = document(f"classify --series {self.series('h.csv', henon)}")
+        self.assertAlmostEqual(found["largest_exponent"], 0.41922, delta=0.02)
 
     def test_a_noisy_constant_is_steady_only_for_who_knows_the_noise(self):
         noise = random.Random(6)
@@ -378,7 +380,8 @@ class ClassifySeries(InFolder):
     def test_a_record_is_followed_on_from_its_scene_and_start(self):
         record = self.folder / "o.h5"
         for start in ("", "--seed 3 --speed 0.2", "--x 0.45 --vx 0.1 --spin 0.3",
-                      "--point -0.0839222884192122,0.0279667948111745,-0.554206442503235,0.889793543857900,-0.97926606"):
+                      "--point -0.0839222884192122,0.0279667948111745,-0.554206442503235,"
+                      "0.889793543857900,-0.97926606"):
             self.assertEqual(run(f"simulate {STEADY} {start} --collisions 5 --quiet -o {record}").returncode, 0)
             found, scene = document(f"classify {record}"), document(f"classify {STEADY} {start}")
             found.pop("swirl_version"), scene.pop("swirl_version")
@@ -462,14 +465,16 @@ class BadInput(InFolder):
             self.check(f"--series {file} {flags}", *mentions, commands=["recurrence"])
         self.check(f"{STEADY} --observable zeta", "zeta", "psi", commands=["recurrence"])
         self.check(f"{CHATTER} --observable chi", "chi", commands=["recurrence"])
-        self.check(f"--series {self.series('constant.csv', [1.5] * 20)}", "constant", "--threshold", commands=["recurrence"])
+        constant = self.series("constant.csv", [1.5] * 20)
+        self.check(f"--series {constant}", "constant", "--threshold", commands=["recurrence"])
 
     def test_spectrum_options(self):
         file = ORACLE / "rossler_250.txt"
         for flags, mentions in {
                 "--window boxcar": ("window", "boxcar", "hann"), "--overlap 1": ("overlap", "1"),
                 "--overlap nan": ("overlap", "nan"), "--segments 0": ("segments", "0"),
-                "--segments 200": ("segments", "200"), "--bins 64": ("--bins",), "--detrend cubic": ("detrend", "cubic"),
+                "--segments 200": ("segments", "200"), "--bins 64": ("--bins",),
+                "--detrend cubic": ("detrend", "cubic"),
                 "--resample -1": ("resample", "-1"), "--observable x": ("observable", "--column")}.items():
             self.check(f"--series {file} {flags}", *mentions, commands=["spectrum"])
         self.check(f"{STEADY} --frame moon", "frame", "moon", "laboratory", commands=["spectrum"])

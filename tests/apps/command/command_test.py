@@ -141,11 +141,13 @@ class Simulate(InFolder):
         for sides in ("disk", "6"):
             ended = document(f"simulate --sides {sides} --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.9 --x 0.1", 3)
             self.assertEqual((ended["outcome"], ended["collisions"]), ("no-contact", []))
-        chatter = document("simulate --sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9 --collisions 9999", 3)
+        chatter = document("simulate --sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9 "
+                           "--collisions 9999", 3)
         self.assertEqual(chatter["outcome"], "in-contact")
         self.assertLess(len(chatter["collisions"]), 1000)
         last = chatter["contacts"][-1]
-        self.assertEqual((last["vertices"], last["begin"], last["end"], last["motion"]), ([0], "landing", "horizon", "rolling"))
+        self.assertEqual((last["vertices"], last["begin"], last["end"], last["motion"]),
+                         ([0], "landing", "horizon", "rolling"))
         self.assertAlmostEqual(last["t_end"] - last["t_start"], 1000, delta=1e-9)
         for row in chatter["collisions"]:
             for value in row.values():
@@ -194,7 +196,8 @@ class Simulate(InFolder):
 
     def test_memory_does_not_grow_with_the_number_of_impacts(self):
         def peak(collisions):
-            code = (f"import resource, subprocess; subprocess.run({[SWIRL, *shlex.split(f'simulate {HEXAGON} --quiet --every 1000000000 --collisions {collisions}')]!r}, check=True); "
+            flags = f"simulate {HEXAGON} --quiet --every 1000000000 --collisions {collisions}"
+            code = (f"import resource, subprocess; subprocess.run({[SWIRL, *shlex.split(flags)]!r}, check=True); "
                     "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
             return int(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout)
         self.assertLess(peak(2_000_000) - peak(20_000), 8 * 1024)  # KiB; the allocator's own scatter is below this
@@ -203,8 +206,8 @@ class Simulate(InFolder):
     def test_a_full_disk_exits_with_4(self):
         for layout in ("", "--json"):
             with open("/dev/full", "w") as full:
-                result = subprocess.run([SWIRL, *shlex.split(f"simulate {HEXAGON} --collisions 3 {layout}")], stdout=full,
-                                        stderr=subprocess.PIPE, text=True, timeout=60)
+                flags = shlex.split(f"simulate {HEXAGON} --collisions 3 {layout}")
+                result = subprocess.run([SWIRL, *flags], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
             self.assertEqual(result.returncode, 4)
             self.assertEqual(len(result.stderr.splitlines()), 1)
 
@@ -239,7 +242,8 @@ class Classify(unittest.TestCase):
     def test_an_orbit_that_stays_on_the_wall_is_named_by_its_contact(self):
         for scene, mode, kind, mean in [
                 ("disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9", "quasi-steady", "rolling-librating", -1.5),
-                ("disk --alpha 0.15 --beta 1 --mu 0.4 --restitution 0.97", "quasi-steady", "rolling-librating", -0.85 / 0.15),
+                ("disk --alpha 0.15 --beta 1 --mu 0.4 --restitution 0.97", "quasi-steady", "rolling-librating",
+                 -0.85 / 0.15),
                 ("disk --alpha 0.4 --beta 0.3 --mu 0 --restitution 0.5", "steady", "sliding", 0),
                 ("3 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.3", "steady", "two-vertex", 1)]:
             verdict = document(f"classify --sides {scene}")

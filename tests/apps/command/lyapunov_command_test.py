@@ -43,7 +43,8 @@ class Lyapunov(unittest.TestCase):
 
     def test_without_friction_and_loss_exponents_pair_to_zero(self):
         for sides in ("3", "6", "1000", "disk"):
-            found = document(f"lyapunov --sides {sides} --alpha 0.3 --beta 0.5 --mu 0 --restitution 1 --collisions 20000")
+            found = document(f"lyapunov --sides {sides} --alpha 0.3 --beta 0.5 --mu 0 --restitution 1 "
+                             "--collisions 20000")
             exponents, errors = found["exponents"], found["standard_errors"]
             # Time reversal pairs them; both growths are of one orbit, so they differ by what is bounded: 1/n each.
             for a, b in zip(exponents, reversed(exponents)):
@@ -69,9 +70,11 @@ class Lyapunov(unittest.TestCase):
 
     def test_bad_input(self):
         scene = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
-        for flags in ("--collisions 0", "--collisions -3", "--transient -1", "--accuracy half", "--collisions nan", "--bogus"):
+        for flags in ("--collisions 0", "--collisions -3", "--transient -1", "--accuracy half", "--collisions nan",
+                      "--bogus"):
             result = run(f"lyapunov {scene} {flags}")
-            self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
+            self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1),
+                             result.stderr)
 
     def test_equal_work_gives_equal_records_that_open_in_xarray(self):
         import xarray

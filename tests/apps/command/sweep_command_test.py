@@ -57,7 +57,8 @@ class Sweeps(InFolder):
         for cell in swept["cells"][3::7]:
             parameters = cell["parameters"]
             for r, found in enumerate(cell["runs"]):
-                alone = document(f"classify {BASE} --alpha {parameters['alpha']!r} --beta {parameters['beta']!r} --seed {5 + r}")
+                alone = document(f"classify {BASE} --alpha {parameters['alpha']!r} --beta {parameters['beta']!r} "
+                                 f"--seed {5 + r}")
                 self.assertEqual((alone["mode"], alone["mean_S"], alone["largest_exponent"]),
                                  (found["mode"], found["mean_S"], found["largest_exponent"]))
             self.assertAlmostEqual(sum(cell["modes"].values()), 1, delta=1e-15)
@@ -65,7 +66,8 @@ class Sweeps(InFolder):
     def test_threads_do_not_change_a_bit_and_xarray_opens_the_grid(self):
         import xarray
         for threads in (1, 2):
-            self.assertEqual(run(f"sweep {GRID} --threads {threads} -o {self.folder}/{threads}.h5 --quiet").returncode, 0)
+            swept = run(f"sweep {GRID} --threads {threads} -o {self.folder}/{threads}.h5 --quiet")
+            self.assertEqual(swept.returncode, 0)
         self.assertEqual((self.folder / "1.h5").read_bytes(), (self.folder / "2.h5").read_bytes())
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["1.h5", "2.h5"])
         with xarray.open_dataset(self.folder / "1.h5", group="sweep", engine="h5netcdf") as grid:
@@ -101,8 +103,8 @@ class Sweeps(InFolder):
         bytes_ = file.read_bytes()
         self.assertEqual(document(f"sweep {GRID} -o {file}"), first)
         for change, name in (("--seed 2", "seed"), ("--runs 3", "runs"), ("--collisions 400", "collisions")):
-            refused = run(f"sweep {GRID} {change} -o {file}" if "--seed" in change else
-                          f"sweep {GRID.replace('--runs 2', '') if 'runs' in change else GRID.replace('--collisions 300', '')} {change} -o {file}")
+            grid = GRID.replace({"runs": "--runs 2", "collisions": "--collisions 300"}.get(name, "nothing"), "")
+            refused = run(f"sweep {grid} {change} -o {file}")
             self.assertEqual(refused.returncode, 2, refused.stderr)
             self.assertIn(name, refused.stderr)
         self.assertEqual(file.read_bytes(), bytes_)

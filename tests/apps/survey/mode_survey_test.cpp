@@ -1,6 +1,9 @@
 // The classification on scenes drawn at random, against what much longer orbits show, beside the paper's rule.
 #include "apps/classify/classify_command.hpp"
+#include "tests/apps/survey/mode_truth.hpp"
+#include "tests/apps/survey/random_scene.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
@@ -14,20 +17,8 @@
 namespace swirl::apps {
 namespace {
 
+using analysis::Kind;
 using analysis::Mode;
-
-Scene<double> random_scene(std::mt19937_64& random) {
-    std::uniform_real_distribution<double> unit(0, 1);
-    constexpr int sides[] = {disk_sides, 3, 4, 5, 6, 8, 12};
-    Scene<double> scene;
-    scene.sides = sides[random() % 7];
-    scene.alpha = 0.1 + 0.8 * unit(random);
-    scene.beta = 0.02 + 1.2 * unit(random);
-    scene.mu = unit(random) < 0.2 ? 0 : 1.5 * unit(random);
-    scene.restitution = unit(random) < 0.3 ? 1 : unit(random);
-    scene.inertia_factor = uniform_inertia_factor<double>(scene.sides);
-    return scene;
-}
 
 /// What the paper's rule says from RC alone (without the main diagonal): one value, few values, none.
 Mode by_recurrence_rate(double rate) {
@@ -38,71 +29,142 @@ Mode by_recurrence_rate(double rate) {
 struct Case {
     Scene<double> scene;
     NamedMode found;
-    Mode truth = Mode::undecided;
-    bool in_contact = false;
+    Truth truth;
+    bool left = false;  ///< the truth of the very impacts that were judged is the verdict's, that of later ones is not
+
+    bool ended() const { return found.outcome != Outcome::completed; }
+    bool undecided() const { return found.verdict.mode == Mode::undecided; }
+    /// J falls with every impact for ever: no attractor has impacts (design, section 3).
+    bool only_loses() const { return scene.mu == 0 && scene.restitution < 1; }
+    bool wrong() const {
+        if (ended() || undecided()) return false;
+        if (only_loses() && found.verdict.mode == Mode::chaotic) return true;
+        return !left && truth.mode != Mode::undecided && truth.mode != found.verdict.mode;
+    }
 };
 
-/// The truth from an orbit ten times as long and a tail five times as long: a period found to 10⁻⁹, an exponent over 5
-/// standard errors from zero, or a rotation number. What shows none of these stays undecided and is not counted.
-void survey(int count, std::int64_t longer) {
+/// An orbit that only loses J spends its time in ever longer contact, which costs up to a hundred flights an impact, and
+/// shows nothing new by it.
+analysis::ClassifyOptions settings_for(const Case& c) {
+    analysis::ClassifyOptions settings;
+    if (c.only_loses() && c.scene.restitution < 0.9) settings.transient = settings.collisions = 2'000;
+    return settings;
+}
+
+void look_at(Case& c, std::size_t place) {
+    const LabStart<double> start = random_start(c.scene.beta, paper_speed, place + 1, 0);
+    c.found = name_mode(c.scene, start, settings_for(c));
+    if (c.ended() || c.only_loses()) return;
+    TruthOptions options;
+    if (c.found.verdict.kind == Kind::landing) options = {25'000, 10'000};  // each contact costs as much as 100 flights
+    c.truth = truth_of(c.scene, start, options);
+    if (!c.wrong()) return;
+    const Truth meanwhile = truth_of(c.scene, start, {10'000, 10'000});
+    c.left = meanwhile.mode == c.found.verdict.mode;
+}
+
+using Table = std::map<std::pair<Mode, Mode>, int>;
+
+void print(const char* title, const Table& table) {
+    constexpr std::array<Mode, 4> modes = {Mode::steady, Mode::quasi_steady, Mode::chaotic, Mode::undecided};
+    std::printf("%s\n%-14s", title, "");
+    for (const Mode m : modes) std::printf("%14s", std::string(name_of(m)).c_str());
+    for (const Mode t : modes) {
+        std::printf("\n%-14s", std::string(name_of(t)).c_str());
+        for (const Mode m : modes) std::printf("%14d", table.count({t, m}) ? table.at({t, m}) : 0);
+    }
+    std::printf("\n");
+}
+
+std::string words_of(const Case& c) {
+    const auto& v = c.found.verdict;
+    return fmt::format("N = {} alpha {:.17g} beta {:.17g} mu {:.17g} e {:.17g}: {} {}, period {}, exponent {:.4g} "
+                       "+- {:.2g}; truth {}, period {}, exponent {:.4g} +- {:.2g}{}",
+                       c.scene.sides, c.scene.alpha, c.scene.beta, c.scene.mu, c.scene.restitution, name_of(v.mode),
+                       name_of(v.kind), v.period, v.largest_exponent, v.largest_exponent_error, name_of(c.truth.mode),
+                       c.truth.period, c.truth.exponent, c.truth.exponent_error,
+                       c.truth.ended ? ", comes to an end" : "");
+}
+
+/// Why there is no verdict, as far as the scene tells.
+std::string class_of(const Case& c) {
+    const std::string surface = c.scene.mu == 0 ? "mu = 0, " : "mu > 0, ";
+    const std::string end = c.ended() ? std::string(name_of(c.found.outcome)) : "impacts go on";
+    return surface + (c.scene.restitution == 1 ? "e = 1, " : "e < 1, ") + end +
+           (c.truth.mode == Mode::undecided ? ", no truth either" : ", truth known");
+}
+
+/// What stays on the wall is named by its contact: a disk that rolls in the end has mean S = −(1 − α)/α.
+void check_contact(const Case& c) {
+    if (c.found.verdict.kind != Kind::rolling_librating || !c.scene.is_disk()) return;
+    const double exact = -(1 - c.scene.alpha) / c.scene.alpha;
+    EXPECT_NEAR(c.found.verdict.mean / exact, 1, 1e-2) << words_of(c);
+}
+
+struct Tally {
+    Table ours, papers;
+    std::map<std::string, int> contact, open;
+    int scenes = 0, with_impacts = 0, undecided = 0, with_truth = 0, missed = 0, left = 0, wrong = 0, paper_wrong = 0;
+
+    void add(const Case& c) {
+        ++scenes;
+        undecided += c.undecided();
+        if (c.undecided()) ++open[class_of(c)];
+        left += c.left;
+        if (c.left) std::printf("left later: %s\n", words_of(c).c_str());
+        wrong += c.wrong();
+        if (c.wrong()) std::printf("wrong: %s\n", words_of(c).c_str());
+        if (c.ended()) ++contact[ending_of(c)];
+        else add_impacts(c);
+    }
+
+    void add_impacts(const Case& c) {
+        ++with_impacts;
+        const Mode paper = by_recurrence_rate(c.found.verdict.recurrence_rate_without_diagonal);
+        ++ours[{c.truth.mode, c.found.verdict.mode}];
+        ++papers[{c.truth.mode, paper}];
+        if (c.truth.mode == Mode::undecided) return;
+        ++with_truth;
+        missed += c.undecided();
+        paper_wrong += paper != c.truth.mode;
+        if (c.undecided()) std::printf("missed: %s\n", words_of(c).c_str());
+    }
+
+    void print_all() const {
+        print("this classification (rows: truth)", ours);
+        print("the paper's rule, RC alone (rows: truth)", papers);
+        for (const auto& [name, n] : contact) std::printf("%5d end as %s\n", n, name.c_str());
+        for (const auto& [name, n] : open) std::printf("%5d undecided: %s\n", n, name.c_str());
+        std::printf("%d scenes, %d undecided (%.1f %%), %d wrong; %d more hold for the 20,000 impacts that were judged "
+                    "and change later (chaotic transients). Impacts go on in %d; truth is known for %d, of these %d "
+                    "undecided (%.1f %%), by the paper's rule %d wrong (%.1f %%)\n",
+                    scenes, undecided, 100.0 * undecided / scenes, wrong, left, with_impacts, with_truth, missed,
+                    100.0 * missed / with_truth, paper_wrong, 100.0 * paper_wrong / with_truth);
+    }
+
+    static std::string ending_of(const Case& c) {
+        const auto& v = c.found.verdict;
+        return std::string(name_of(c.found.outcome)) + ", " + std::string(name_of(v.mode)) + " " +
+               std::string(name_of(v.kind));
+    }
+};
+
+void survey(int count) {
     std::mt19937_64 random(20261121);
     std::vector<Case> cases(static_cast<std::size_t>(count));
     for (auto& c : cases) c.scene = random_scene(random);
-    tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) {
-        Case& c = cases[i];
-        const LabStart<double> start = random_start(c.scene.beta, paper_speed, i + 1, 0);
-        c.found = name_mode(c.scene, start, {});
-        c.in_contact = c.found.outcome != Outcome::completed;
-        if (c.in_contact) return;
-        analysis::ClassifyOptions truth;
-        truth.transient = 10 * longer;
-        truth.collisions = 5 * longer;
-        truth.period.max_period = 2048;
-        c.truth = name_mode(c.scene, start, truth).verdict.mode;
-    });
-    std::map<std::pair<Mode, Mode>, int> ours, papers;
-    std::map<std::string, int> contact;
-    int decided = 0, undecided = 0, wrong = 0, paper_wrong = 0, unknown = 0, apart = 0;
+    tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) { look_at(cases[i], i); });
+    Tally tally;
     for (const auto& c : cases) {
-        if (c.in_contact) {
-            ++apart;
-            ++contact[std::string(name_of(c.found.outcome)) + ", " + std::string(name_of(c.found.verdict.mode)) + " " +
-                      std::string(name_of(c.found.verdict.kind))];
-            continue;
-        }
-        const Mode mode = c.found.verdict.mode, paper = by_recurrence_rate(c.found.verdict.recurrence_rate_without_diagonal);
-        ++ours[{c.truth, mode}];
-        ++papers[{c.truth, paper}];
-        undecided += mode == Mode::undecided;
-        decided += mode != Mode::undecided;
-        if (c.truth == Mode::undecided) {
-            ++unknown;
-            continue;
-        }
-        paper_wrong += paper != c.truth;
-        if (mode == c.truth || mode == Mode::undecided) continue;
-        ++wrong;
-        std::printf("wrong: %s for %s: N = %d alpha %.17g beta %.17g mu %.17g e %.17g\n", std::string(name_of(mode)).c_str(),
-                    std::string(name_of(c.truth)).c_str(), c.scene.sides, c.scene.alpha, c.scene.beta, c.scene.mu, c.scene.restitution);
+        tally.add(c);
+        check_contact(c);
     }
-    const std::array<Mode, 4> modes = {Mode::steady, Mode::quasi_steady, Mode::chaotic, Mode::undecided};
-    for (const auto* table : {&ours, &papers}) {
-        std::printf("%s\n%-14s", table == &ours ? "this classification (rows: truth)" : "the paper's rule, RC alone (rows: truth)", "");
-        for (const Mode m : modes) std::printf("%14s", std::string(name_of(m)).c_str());
-        for (const Mode t : modes) {
-            std::printf("\n%-14s", std::string(name_of(t)).c_str());
-            for (const Mode m : modes) std::printf("%14d", table->count({t, m}) ? table->at({t, m}) : 0);
-        }
-        std::printf("\n");
-    }
-    for (const auto& [name, n] : contact) std::printf("%5d end as %s\n", n, name.c_str());
-    std::printf("%d scenes: %d end early or in contact; of the rest %d undecided (%.1f %%), %d wrong, the paper's rule %d wrong; no truth for %d\n",
-                count, apart, undecided, 100.0 * undecided / std::max(1, decided + undecided), wrong, paper_wrong, unknown);
-    EXPECT_EQ(wrong, 0);
-    EXPECT_LE(undecided, 0.03 * (decided + undecided));
+    tally.print_all();
+    EXPECT_EQ(tally.wrong, 0);
+    EXPECT_LE(tally.missed, 0.03 * tally.with_truth);
 }
 
-TEST(ModeSurveyNightly, OfTwoThousandScenes) { survey(2000, 10'000); }
+TEST(ModeSurveyNightly, OfTwoThousandScenes) { survey(2000); }
 
 }  // namespace
 }  // namespace swirl::apps

@@ -1,0 +1,33 @@
+#include "analysis/continuation/multipliers.hpp"
+
+#include "analysis/orbits/cycle.hpp"
+
+#include <Eigen/Dense>
+
+namespace swirl::analysis {
+
+std::vector<std::complex<double>> multipliers_at(const CurvePoint& point) {
+    const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(monodromy(point.closing), false).eigenvalues();
+    std::vector<std::complex<double>> multipliers(values.data(), values.data() + values.size());
+    sort_multipliers(multipliers);
+    return multipliers;
+}
+
+double flip_function(const std::vector<std::complex<double>>& multipliers) {
+    std::complex<double> product = 1;
+    for (const auto& m : multipliers) product *= 1.0 + m;
+    return product.real();
+}
+
+double neimark_sacker_function(const std::vector<std::complex<double>>& multipliers) {
+    std::complex<double> product = 1;
+    for (std::size_t i = 0; i < multipliers.size(); ++i)
+        for (std::size_t j = i + 1; j < multipliers.size(); ++j) product *= multipliers[i] * multipliers[j] - 1.0;
+    return product.real();
+}
+
+double crossing_function(const ShootingMap& map, const CurvePoint& point) {
+    return bordered(map, point.closing, point.tangent).partialPivLu().determinant();
+}
+
+}  // namespace swirl::analysis

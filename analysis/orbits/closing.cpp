@@ -1,0 +1,92 @@
+#include "analysis/orbits/closing.hpp"
+
+#include <Eigen/Dense>
+
+#include <limits>
+
+namespace swirl::analysis {
+
+Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p) {
+    const auto k = static_cast<int>(points.size());
+    const int d = map.dimension;
+    Closing closing;
+    closing.gap.resize(k * d);
+    closing.by_points = Eigen::MatrixXd::Zero(k * d, k * d);
+    if (map.has_parameter) closing.by_parameter.resize(k * d);
+    for (int i = 0; i < k; ++i) {
+        const int next = (i + 1) % k;
+        ShootingStep step = map.step(points[static_cast<std::size_t>(i)], p);
+        if (!step.alive) return closing;
+        closing.gap.segment(i * d, d) = map.difference(step.state, points[static_cast<std::size_t>(next)]);
+        closing.by_points.block(i * d, i * d, d, d) += step.by_state;
+        closing.by_points.block(i * d, next * d, d, d) -= Eigen::MatrixXd::Identity(d, d);
+        if (map.has_parameter) closing.by_parameter.segment(i * d, d) = step.by_parameter;
+        closing.duration += step.duration;
+        closing.integral += step.integral;
+        closing.steps.push_back(std::move(step));
+    }
+    closing.alive = closing.gap.allFinite() && closing.by_points.allFinite();
+    return closing;
+}
+
+CyclePoints orbit_from(const ShootingMap& map, const Eigen::VectorXd& z, double p, int k) {
+    CyclePoints points{z};
+    while (static_cast<int>(points.size()) < k) {
+        const ShootingStep step = map.step(points.back(), p);
+        if (!step.alive) return {};
+        points.push_back(step.state);
+    }
+    return points;
+}
+
+Eigen::MatrixXd monodromy(const Closing& closing) {
+    Eigen::MatrixXd product = closing.steps.front().by_state;
+    for (std::size_t i = 1; i < closing.steps.size(); ++i) product = closing.steps[i].by_state * product;
+    return product;
+}
+
+std::vector<std::int64_t> word_of(const Closing& closing) {
+    std::vector<std::int64_t> word;
+    for (const auto& step : closing.steps) word.push_back(step.letter);
+    return word;
+}
+
+Eigen::VectorXd stacked(const CyclePoints& points) {
+    const Eigen::Index d = points.front().size();
+    Eigen::VectorXd z(static_cast<Eigen::Index>(points.size()) * d);
+    for (std::size_t i = 0; i < points.size(); ++i) z.segment(static_cast<Eigen::Index>(i) * d, d) = points[i];
+    return z;
+}
+
+CyclePoints unstacked(const Eigen::VectorXd& z, int dimension) {
+    CyclePoints points;
+    for (Eigen::Index i = 0; i < z.size(); i += dimension) points.emplace_back(z.segment(i, dimension));
+    return points;
+}
+
+double polish_cycle(const ShootingMap& map, CyclePoints& points, double p, double goal) {
+    constexpr int most = 12;       // quadratic: 3 or 4 are usual from where a solver stops
+    constexpr double small = 1e-9; // singular values below that of the largest are a family's
+    double best = std::numeric_limits<double>::infinity();
+    CyclePoints kept = points;
+    for (int i = 0; i < most; ++i) {
+        const Closing closing = close_cycle(map, points, p);
+        if (!closing.alive) break;
+        const double residual = closing.residual();
+        const bool better = residual < best;
+        if (better) {
+            best = residual;
+            kept = points;
+        }
+        if (best <= goal || (!better && i > 2)) break;
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+        solver.setThreshold(small);
+        solver.compute(closing.by_points);
+        points = unstacked(stacked(points) - solver.solve(closing.gap), map.dimension);
+    }
+    points = kept;
+    for (auto& point : points) point = map.normalised(point);
+    return best;
+}
+
+}  // namespace swirl::analysis

@@ -1,0 +1,112 @@
+#include "analysis/orbits/curve.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swirl::analysis {
+
+namespace {
+
+Eigen::Index unknowns_of(const ShootingMap& map, const Closing& closing) {
+    return closing.gap.size() + (map.has_parameter ? 1 : 0);
+}
+
+/// The weights of the curve's product: 1/k for coordinates, 1 for the parameter.
+Eigen::VectorXd weights(Eigen::Index size, bool has_parameter, std::size_t k) {
+    Eigen::VectorXd w = Eigen::VectorXd::Constant(size, 1.0 / static_cast<double>(k));
+    if (has_parameter) w[size - 1] = 1;
+    return w;
+}
+
+Eigen::MatrixXd jacobian(const ShootingMap& map, const Closing& closing) {
+    Eigen::MatrixXd j(closing.gap.size(), unknowns_of(map, closing));
+    j.leftCols(closing.gap.size()) = closing.by_points;
+    if (map.has_parameter) j.rightCols(1) = closing.by_parameter;
+    return j;
+}
+
+/// The null vector of the Jacobian that has a positive product with `along`; false unless it is well defined.
+bool find_tangent(const ShootingMap& map, const Closing& closing, const Eigen::VectorXd& along,
+                  Eigen::VectorXd& tangent) {
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(closing.gap.size() + 1);
+    right[closing.gap.size()] = 1;
+    tangent = bordered(map, closing, along).colPivHouseholderQr().solve(right);
+    const double length = std::sqrt(curve_product(tangent, tangent, map.has_parameter, closing.steps.size()));
+    if (!std::isfinite(length) || length == 0) return false;
+    tangent /= length;
+    return true;
+}
+
+/// A direction that the curve has a part of: the null vector of the Jacobian's smallest singular value.
+Eigen::VectorXd null_direction(const ShootingMap& map, const Closing& closing) {
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(map, closing), Eigen::ComputeFullV);
+    Eigen::VectorXd direction = svd.matrixV().rightCols(1);
+    Eigen::Index lead = direction.size() - 1;
+    if (!map.has_parameter || std::abs(direction[lead]) < 1e-6) direction.cwiseAbs().maxCoeff(&lead);
+    if (direction[lead] < 0) direction *= -1;
+    return direction;
+}
+
+}  // namespace
+
+double curve_product(const Eigen::VectorXd& a, const Eigen::VectorXd& b, bool has_parameter, std::size_t k) {
+    return a.cwiseProduct(weights(a.size(), has_parameter, k)).dot(b);
+}
+
+Eigen::MatrixXd bordered(const ShootingMap& map, const Closing& closing, const Eigen::VectorXd& tangent) {
+    const Eigen::MatrixXd j = jacobian(map, closing);
+    Eigen::MatrixXd full(j.rows() + 1, j.cols());
+    full.topRows(j.rows()) = j;
+    full.bottomRows(1) =
+        tangent.cwiseProduct(weights(tangent.size(), map.has_parameter, closing.steps.size())).transpose();
+    return full;
+}
+
+bool begin_curve(const ShootingMap& map, const CyclePoints& points, double p, const Eigen::VectorXd& previous,
+                 CurvePoint& point) {
+    point.points = points;
+    point.p = p;
+    point.closing = close_cycle(map, points, p);
+    if (!point.closing.alive) return false;
+    const Eigen::VectorXd along = previous.size() > 0 ? previous : null_direction(map, point.closing);
+    return find_tangent(map, point.closing, along, point.tangent);
+}
+
+Correction correct(const ShootingMap& map, const CurvePoint& base, double h, CurvePoint& point,
+                   const CorrectorOptions& options) {
+    const Eigen::Index size = base.closing.gap.size();
+    Eigen::VectorXd origin(base.tangent.size());
+    origin.head(size) = stacked(base.points);
+    if (map.has_parameter) origin[size] = base.p;
+    Eigen::VectorXd y = origin + h * base.tangent;
+    double last = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < options.most_iterations; ++i) {
+        point.points = unstacked(y.head(size), map.dimension);
+        point.p = map.has_parameter ? y[size] : base.p;
+        point.closing = close_cycle(map, point.points, point.p);
+        if (!point.closing.alive) return Correction::failed;
+        const double residual = point.closing.residual();
+        // Rounding of z alone leaves ε‖DF‖ in G: no more can be asked of a cycle with large multipliers.
+        const double rounding = 8 * std::numeric_limits<double>::epsilon() * point.closing.by_points.cwiseAbs().maxCoeff();
+        const double accept = std::max(options.accept, rounding);
+        if (residual <= options.goal || (residual <= accept && residual >= 0.5 * last)) {
+            if (options.keep_word && word_of(point.closing) != word_of(base.closing)) return Correction::word_changed;
+            return find_tangent(map, point.closing, base.tangent, point.tangent) ? Correction::converged
+                                                                               : Correction::failed;
+        }
+        if (i > 4 && residual >= last) return Correction::failed;
+        last = residual;
+        Eigen::VectorXd right(size + 1);
+        right.head(size) = -point.closing.gap;
+        right[size] = h - curve_product(base.tangent, y - origin, map.has_parameter, base.points.size());
+        const Eigen::VectorXd change = bordered(map, point.closing, base.tangent).colPivHouseholderQr().solve(right);
+        if (!change.allFinite()) return Correction::failed;
+        y += change;
+    }
+    return Correction::failed;
+}
+
+}  // namespace swirl::analysis

@@ -1,0 +1,59 @@
+// A cycle with what is known of it.
+#pragma once
+
+#include "analysis/orbits/closing.hpp"
+
+#include <complex>
+#include <string_view>
+#include <vector>
+
+namespace swirl::analysis {
+
+enum class Stability {
+    stable,    ///< all multipliers inside the unit circle
+    unstable,  ///< one outside
+    neutral,   ///< none outside, some on it (to `neutral_margin`)
+};
+std::string_view name(Stability stability);
+
+/// A multiplier's modulus this near to 1 can't be told from it: a double multiplier 1 (e = 1 without friction) splits by
+/// the root of the residual's rounding.
+inline constexpr double neutral_margin = 1e-6;
+
+/// A k-cycle of F: F(z_i) = z_{i+1}.
+struct Cycle {
+    CyclePoints points;
+    double residual = 0;                            ///< max-norm of G
+    double return_time = 0;
+    double mean = 0;                                ///< time mean of the map's observable over the cycle
+    std::vector<std::int64_t> word;
+    std::vector<std::complex<double>> multipliers;  ///< of DFᵏ, by falling modulus
+    int index = 0;                                  ///< how many lie outside the unit circle
+    Stability stability = Stability::stable;
+    Eigen::MatrixXd tangents;                       ///< D × m: directions at z_1 in which the cycle continues as a family
+
+    std::size_t period() const { return points.size(); }
+    bool is_family() const { return tangents.cols() > 0; }
+};
+
+/// Works out everything but the points and the residual. False if the map ends on the cycle.
+/// Multipliers are worked out in 100 digits: some 30 ms for D = 5.
+bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle);
+
+/// Directions at z_1, as columns, along which G stays zero: the null space of ∂G/∂Z. A family's singular value is zero but
+/// for the derivative's own rounding; an isolated cycle's is of the size of |multiplier − 1|.
+Eigen::MatrixXd family_directions(const Closing& closing, int dimension);
+
+/// The smallest cyclic part that closes to `closure`.
+CyclePoints minimal_cycle(const ShootingMap& map, const CyclePoints& points, double closure);
+
+/// The largest distance between points of two cycles of one period, for the best cyclic shift; +∞ for other periods.
+double distance_between(const ShootingMap& map, const CyclePoints& a, const CyclePoints& b);
+
+/// By falling modulus; of a conjugate pair that with Im > 0 first.
+void sort_multipliers(std::vector<std::complex<double>>& multipliers);
+
+/// Index and stability from the multipliers.
+void judge_stability(Cycle& cycle);
+
+}  // namespace swirl::analysis

@@ -1,0 +1,94 @@
+// A map as solvers see it: sizes known at run time, one parameter, so that they are compiled once for every system.
+#pragma once
+
+#include "analysis/section_map.hpp"
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace swirl::analysis {
+
+/// F(z; p) with its derivatives.
+struct ShootingStep {
+    bool alive = false;             ///< false: the map ends here; nothing else is meaningful then
+    Eigen::VectorXd state;          ///< F(z; p)
+    Eigen::MatrixXd by_state;       ///< ∂F/∂z
+    Eigen::VectorXd by_parameter;   ///< ∂F/∂p; empty for a map without a parameter
+    double duration = 1;            ///< time that the step took
+    std::int64_t letter = 0;        ///< which smooth branch of the map was taken
+    double integral = 0;            ///< of an observable over the step's duration, for maps that have one
+};
+
+/// z ↦ F(z; p). A map without a parameter ignores p.
+struct ShootingMap {
+    int dimension = 0;
+    bool has_parameter = false;
+    std::vector<double> angle_periods;  ///< per coordinate; 0: a plain number
+    std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step;
+
+    /// a − b, angles as angles, in (−P/2, P/2].
+    Eigen::VectorXd difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+        Eigen::VectorXd d = a - b;
+        for (int i = 0; i < dimension; ++i)
+            if (angle_periods[static_cast<std::size_t>(i)] > 0)
+                d[i] = std::remainder(d[i], angle_periods[static_cast<std::size_t>(i)]);
+        return d;
+    }
+
+    /// The largest coordinate of the difference.
+    double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+        return difference(a, b).lpNorm<Eigen::Infinity>();
+    }
+
+    /// z with its angles in (−P/2, P/2].
+    Eigen::VectorXd normalised(const Eigen::VectorXd& z) const { return difference(z, Eigen::VectorXd::Zero(z.size())); }
+};
+
+/// Any SectionMap as a ShootingMap without a parameter. The map must outlive it.
+template <SectionMap M>
+ShootingMap shooting_map(const M& map) {
+    ShootingMap result;
+    result.dimension = M::dimension;
+    for (int i = 0; i < M::dimension; ++i) result.angle_periods.push_back(map.angle_period(i));
+    result.step = [&map](const Eigen::VectorXd& z, double) {
+        const auto linearised = map.linearise(Vector<M::dimension>(z));
+        ShootingStep step;
+        step.alive = linearised.alive && linearised.state.allFinite() && linearised.derivative.allFinite();
+        step.state = linearised.state;
+        step.by_state = linearised.derivative;
+        step.duration = linearised.duration;
+        step.letter = linearised.letter;
+        step.integral = linearised.integral;
+        return step;
+    };
+    return result;
+}
+
+/// A map with a parameter: `at(p)` gives the SectionMap of that value. ∂F/∂p is a central difference of F, good to h².
+/// For maps that know it exactly, fill in a ShootingMap by hand.
+template <class At>
+ShootingMap parametrised_map(At at, double h = 1e-6) {
+    const auto sample = at(0.0);
+    ShootingMap result = shooting_map(sample);
+    constexpr int dimension = std::decay_t<decltype(sample)>::dimension;
+    result.has_parameter = true;
+    result.step = [at, h](const Eigen::VectorXd& z, double p) {
+        const auto map = at(p);
+        ShootingStep step = shooting_map(map).step(z, p);
+        if (!step.alive) return step;
+        const Vector<dimension> point = z;
+        const auto above = at(p + h).advance(point);
+        const auto below = at(p - h).advance(point);
+        step.alive = above.alive && below.alive;
+        step.by_parameter = shooting_map(map).difference(above.state, below.state) / (2 * h);
+        return step;
+    };
+    return result;
+}
+
+}  // namespace swirl::analysis

@@ -1,0 +1,108 @@
+#include "apps/bifurcate/bifurcate_command.hpp"
+
+#include "apps/command_line/interruption.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+namespace swirl::apps {
+
+const char* const bifurcate_details =
+    R"(The attractor diagram: S after each impact (or another coordinate), after a transient, for every value of the parameter.
+Columns are sampled from R random starts (start r: that of `swirl classify --seed SEED+r`), with --follow also by following
+the attractor from column to column upwards and downwards (hysteresis). Where an orbit settles on a cycle its samples are
+the cycle's. A column's mode and period are those of most of its starts. --branches continues every cycle found (period
+<= --longest-branch) over the whole range, stable or not, names its special points, and says how well samples and stable
+branches agree. An interrupted run writes the columns that are done. `swirl plot` draws the record.
+
+Examples:
+  swirl bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.35:0.42:15 --starts 2
+  swirl bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.36:0.4:9 --branches -o diagram.h5)";
+
+void BifurcateOptions::add_to(CLI::App& command) {
+    constexpr std::int64_t most = 1'000'000'000;
+    scene.add_to(command);
+    start.add_to(command);
+    output.add_to(command);
+    command.add_option("--along", along, "NAME=A:B:COUNT: alpha, beta, mu, restitution, inertia-factor")->type_name("");
+    command.add_option("--observable", observable, "S (default), psi, chi, vn or vt: values are listed beside S")->type_name("");
+    command.add_option("--starts", starts, "random starts per column (default 4)")
+        ->type_name("R")->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000}));
+    command.add_option("--transient", settings.transient, "impacts before those that are kept (default 2500)")
+        ->type_name("K")->check(CLI::Range(std::int64_t{0}, most));
+    command.add_option("--collisions", settings.collisions, "impacts that are kept, 64 or more (default 500)")
+        ->type_name("K")->check(CLI::Range(std::int64_t{64}, most));
+    command.add_flag("--follow", follow, "follow the attractor upwards and downwards too");
+    command.add_flag("--branches", branches, "continue every cycle that was found");
+    command.add_option("--longest-branch", longest_branch, "longest period that --branches continues (default 12)")
+        ->type_name("K")->check(CLI::Range(1, 128));
+}
+
+Scene<double> column_scene(const BifurcateOptions& options, const Along& along, double value) {
+    SceneOptions scene = options.scene;
+    scene.set(along.name, fmt::format("{:.17g}", value));
+    return scene.scene<double>();
+}
+
+const Attractor& typical(const DiagramColumn& column) {
+    const auto same = [](const Attractor& a, const Attractor& b) { return a.mode == b.mode && a.period == b.period; };
+    std::size_t best = 0;
+    std::ptrdiff_t most = 0;
+    for (std::size_t i = 0; i < column.attractors.size(); ++i) {
+        const auto count = std::count_if(column.attractors.begin(), column.attractors.end(), [&](const Attractor& a) {
+            return a.origin == column.attractors.front().origin && same(a, column.attractors[i]);
+        });
+        if (count > most) {
+            most = count;
+            best = i;
+        }
+    }
+    return column.attractors[best];
+}
+
+namespace {
+
+void check(const BifurcateOptions& options, const Along& along) {
+    constexpr const char* names[] = {"S", "psi", "chi", "vn", "vt"};
+    if (std::find(std::begin(names), std::end(names), options.observable) == std::end(names))
+        throw BadInput(fmt::format("observable = {} is none of: S, psi, chi, vn, vt", options.observable));
+    if (!options.start.is_random())
+        throw BadInput("a diagram's starts are random: give --speed and --seed, not --x … or --point");
+    options.start.require_one_way();
+    if (options.output.accuracy() != Accuracy::double_precision)
+        throw BadInput(fmt::format("accuracy = {}: bifurcate works in double", options.output.accuracy_name));
+    if (options.starts == 0 && !options.follow) throw BadInput("starts = 0 needs --follow");
+    for (const double value : {along.low, along.high}) {
+        const Scene<double> scene = column_scene(options, along, value);
+        if (scene.is_disk() && options.observable == "chi") throw BadInput("observable = chi: a disk has none");
+        flight_from(make_body(scene), random_start(scene.beta, options.start.speed(), options.start.seed(), 0));
+    }
+}
+
+}  // namespace
+
+int bifurcate(BifurcateOptions& options) {
+    options.scene.read_file();
+    Diagram diagram;
+    diagram.along = along_from(options.along, true, false);
+    check(options, diagram.along);
+    for (const double value : diagram.along.columns) diagram.columns.push_back({value, false, {}});
+    std::optional<RecordWriter> record;
+    if (!options.output.record.empty())
+        record.emplace(open_record(options.output.record, "Attractors of a swirled polygon over one parameter"));
+    note_interruptions();
+    const auto begin = std::chrono::steady_clock::now();
+    sample_columns(options, diagram);
+    if (options.follow) follow_columns(options, diagram);
+    if (options.branches && !is_interrupted()) continue_attractors(options, diagram);
+    diagram.interrupted = is_interrupted();
+    if (record) write_diagram_record(*record, options, diagram);
+    if (options.output.json) write_diagram_document(options, diagram);
+    else if (!options.output.quiet) print_diagram(options, diagram);
+    if (!options.output.quiet && !options.output.json)
+        fmt::print(stderr, "swirl: {:.2f} s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    return diagram.interrupted ? exit_interrupted : exit_done;
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,71 @@
+// `swirl bifurcate`: what orbits settle on, over one parameter, with the branches that lie beneath.
+#pragma once
+
+#include "apps/bifurcate/attractor.hpp"
+#include "apps/command_line/output_options.hpp"
+#include "apps/continue/branches.hpp"
+
+#include <string>
+#include <vector>
+
+namespace swirl::apps {
+
+struct BifurcateOptions {
+    SceneOptions scene;
+    StartOptions start;
+    OutputOptions output;
+    SampleSettings settings;
+    std::string along;
+    std::string observable = "S";
+    std::int64_t starts = 4;
+    bool follow = false;
+    bool branches = false;
+    int longest_branch = 12;
+
+    void add_to(CLI::App& command);
+};
+
+extern const char* const bifurcate_details;
+
+struct DiagramColumn {
+    double parameter = 0;
+    bool done = false;
+    std::vector<Attractor> attractors;  ///< random starts first, then those followed up and down
+};
+
+/// How well samples and branches agree.
+struct Agreement {
+    std::int64_t compared = 0;   ///< periodic attractors whose cycle a stable branch with |multiplier| < 0.99 gives too
+    std::int64_t without = 0;    ///< periodic attractors (period ≤ longest_branch, attracting) that lie on no branch
+    double largest = 0;          ///< the largest difference of S between the two
+    double distance = 0;         ///< the largest distance of such an orbit's own last state from its cycle
+};
+
+struct Diagram {
+    Along along;
+    std::vector<DiagramColumn> columns;
+    std::vector<analysis::Branch> branches;
+    Agreement agreement;
+    bool interrupted = false;
+};
+
+/// The scene of a column. @throws std::invalid_argument out of range
+Scene<double> column_scene(const BifurcateOptions& options, const Along& along, double value);
+
+/// Samples every column from random starts; start r of every column is `classify --seed SEED + r`'s.
+void sample_columns(const BifurcateOptions& options, Diagram& diagram);
+/// Follows the attractor from column to column, upwards and downwards.
+void follow_columns(const BifurcateOptions& options, Diagram& diagram);
+/// Continues every periodic attractor over the whole range, each branch once, and compares.
+void continue_attractors(const BifurcateOptions& options, Diagram& diagram);
+
+/// The mode and period that most random starts of a column have; the first of them on a tie.
+const Attractor& typical(const DiagramColumn& column);
+
+void write_diagram_document(const BifurcateOptions& options, const Diagram& diagram);
+void write_diagram_record(RecordWriter& record, const BifurcateOptions& options, const Diagram& diagram);
+void print_diagram(const BifurcateOptions& options, const Diagram& diagram);
+
+int bifurcate(BifurcateOptions& options);
+
+}  // namespace swirl::apps

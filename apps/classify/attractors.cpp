@@ -1,0 +1,81 @@
+#include "apps/classify/attractors.hpp"
+
+#include <gsl/gsl_statistics_double.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swirl::apps {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+bool has_own_mean(analysis::Kind kind) {
+    using analysis::Kind;
+    switch (kind) {
+        case Kind::fixed_point:
+        case Kind::cycle:
+        case Kind::landing:
+        case Kind::rolling:
+        case Kind::sliding:
+        case Kind::two_vertex: return true;
+        case Kind::none:
+        case Kind::family:
+        case Kind::quasi_periodic:
+        case Kind::rolling_librating:
+        case Kind::rolling_circulating:
+        case Kind::chaotic:
+        case Kind::transient: return false;
+    }
+    return false;
+}
+
+bool agree(double a, double b) {
+    if (std::isnan(a) || std::isnan(b)) return std::isnan(a) == std::isnan(b);
+    return std::abs(a - b) <= same_mean * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+bool same_attractor(const RunVerdict& a, const RunVerdict& b) {
+    if (a.mode != b.mode || a.kind != b.kind || a.outcome != b.outcome || a.period != b.period) return false;
+    return !has_own_mean(a.kind) ||
+           (agree(a.mean_spin, b.mean_spin) && agree(a.mean_spin_per_impact, b.mean_spin_per_impact));
+}
+
+void summarise(std::span<const RunVerdict> runs, Attractor& attractor) {
+    const auto measured = [&](double RunVerdict::*member) {
+        std::vector<double> values;
+        for (const std::size_t r : attractor.runs)
+            if (std::isfinite(runs[r].*member)) values.push_back(runs[r].*member);
+        return values;
+    };
+    const auto mean = [](const std::vector<double>& values) {
+        return values.empty() ? unknown : gsl_stats_mean(values.data(), 1, values.size());
+    };
+    const auto spins = measured(&RunVerdict::mean_spin);
+    attractor.mean_spin = mean(spins);
+    attractor.mean_spin_error = spins.size() < 2 ? unknown
+        : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
+    attractor.recurrence_rate = mean(measured(&RunVerdict::recurrence_rate));
+    attractor.largest_exponent = mean(measured(&RunVerdict::largest_exponent));
+}
+
+}  // namespace
+
+std::vector<Attractor> attractors_of(std::span<const RunVerdict> runs) {
+    std::vector<Attractor> found;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const auto same = std::find_if(found.begin(), found.end(), [&](const Attractor& attractor) {
+            return same_attractor(runs[attractor.runs.front()], runs[r]);
+        });
+        if (same != found.end()) same->runs.push_back(r);
+        else found.push_back({{r}, 0, 0, 0, 0});
+    }
+    for (auto& attractor : found) summarise(runs, attractor);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Attractor& a, const Attractor& b) { return a.runs.size() > b.runs.size(); });
+    return found;
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,45 @@
+// Which of several runs have settled on the same attractor.
+#pragma once
+
+#include "analysis/classification/mode.hpp"
+#include "map/outcome.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace swirl::apps {
+
+/// What is kept of the verdict on one run. NaN where not measured.
+struct RunVerdict {
+    std::uint64_t seed = 0;
+    analysis::Mode mode = analysis::Mode::undecided;
+    analysis::Kind kind = analysis::Kind::none;
+    Outcome outcome = Outcome::completed;
+    std::int64_t impacts = 0;
+    std::int64_t period = 0;  ///< 0: none
+    double mean_spin = 0, mean_spin_per_impact = 0;
+    double recurrence_rate = 0;
+    double largest_exponent = 0, largest_exponent_error = 0;
+};
+
+/// A set of runs with one verdict, and what they have in common.
+struct Attractor {
+    std::vector<std::size_t> runs;      ///< their places, in order; the first is the representative
+    double mean_spin = 0;               ///< mean over the runs that measured it; so are the next two
+    double mean_spin_error = 0;         ///< its standard error over the runs, NaN for fewer than two
+    double recurrence_rate = 0;
+    double largest_exponent = 0;
+};
+
+/// Mean values of S that differ by less than this, relative to max(1, |S|), are one attractor's. A cycle's mean comes
+/// from its polished point, exact to rounding; what rests or slides on the wall is constant to 10⁻⁷.
+inline constexpr double same_mean = 1e-6;
+
+/// The most shared first; of equally shared ones that of the earlier run. Runs of one kind and period are one attractor
+/// where their mean S (by time and by impact) agree. Members of a continuum (family, torus, libration, circulation),
+/// chaotic runs and undecided ones have means of their own, run by run: they are grouped by kind and outcome alone.
+std::vector<Attractor> attractors_of(std::span<const RunVerdict> runs);
+
+}  // namespace swirl::apps

@@ -1,0 +1,90 @@
+#include "apps/classify/classify_runs.hpp"
+
+#include "apps/classify/runs_document.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/progress.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <mutex>
+#include <optional>
+
+namespace swirl::apps {
+
+namespace {
+
+/// The finished runs, by seed.
+std::vector<RunVerdict> follow_all(const ClassifyCommandOptions& options, const Scene<double>& scene) {
+    const auto count = static_cast<std::size_t>(options.runs);
+    const double speed = options.start.speed();
+    const std::uint64_t seed = options.start.seed();
+    std::vector<RunVerdict> results(count);
+    std::vector<char> done(count, 0);
+    Progress progress("classify", static_cast<double>(count), options.output.quiet);
+    std::mutex mutex;
+    std::size_t finished = 0;
+    tbb::task_arena arena(options.output.threads > 0 ? options.output.threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t r) {
+            if (is_interrupted()) return;
+            results[r] = classify_run(scene, speed, seed + r, options.settings);
+            done[r] = 1;
+            const std::lock_guard lock(mutex);
+            progress.at(static_cast<double>(++finished));
+        });
+    });
+    std::vector<RunVerdict> whole;
+    for (std::size_t r = 0; r < count; ++r)
+        if (done[r]) whole.push_back(results[r]);
+    return whole;
+}
+
+void check(const ClassifyCommandOptions& options) {
+    if (!options.start.is_random())
+        throw BadInput(fmt::format("runs = {}: several runs have random starts: give --speed and --seed, not --x … "
+                                   "or --point", options.runs));
+    options.start.require_one_way();
+    options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
+}
+
+}  // namespace
+
+RunVerdict classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
+                        const analysis::ClassifyOptions& settings) {
+    const NamedMode named = name_mode(scene, random_start(scene.beta, speed, seed, 0), settings);
+    const auto& v = named.verdict;
+    return {seed, v.mode, v.kind, named.outcome, std::int64_t{named.impacts}, v.period, v.mean, v.mean_per_step,
+            v.recurrence_rate, v.largest_exponent, v.largest_exponent_error};
+}
+
+int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene) {
+    check(options);
+    std::optional<RecordWriter> record;
+    if (!options.output.record.empty())
+        record.emplace(open_record(options.output.record, "Modes of a swirled polygon from several starts"));
+    note_interruptions();
+    RunsFound found;
+    found.runs = follow_all(options, scene);
+    const bool interrupted = found.runs.size() < static_cast<std::size_t>(options.runs);
+    if (!found.runs.empty()) {
+        found.attractors = attractors_of(found.runs);
+        // Verdicts with all their evidence are not kept, run by run: this one is made again.
+        const std::uint64_t seed = found.runs[found.attractors.front().runs.front()].seed;
+        found.first = name_mode(scene, random_start(scene.beta, options.start.speed(), seed, 0), options.settings);
+        if (record) {
+            write_runs(record->root(), options, scene, found);
+            record->finish();
+        }
+    }
+    if (interrupted) {
+        if (!options.output.quiet)
+            fmt::print(stderr, "swirl: interrupted; {} of {} runs were finished\n", found.runs.size(), options.runs);
+        return exit_interrupted;
+    }
+    if (options.output.json) write_runs_document(options, scene, found);
+    else if (!options.output.quiet) print_runs(scene, found);
+    return exit_done;
+}
+
+}  // namespace swirl::apps

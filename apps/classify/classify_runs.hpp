@@ -1,0 +1,26 @@
+// `swirl classify --runs R`: the modes that random starts of one scene settle on.
+#pragma once
+
+#include "apps/classify/attractors.hpp"
+#include "apps/classify/classify_command.hpp"
+
+#include <vector>
+
+namespace swirl::apps {
+
+/// What was found, of the runs that are finished: all of them, unless interrupted.
+struct RunsFound {
+    std::vector<RunVerdict> runs;       ///< by seed
+    std::vector<Attractor> attractors;  ///< the most shared first
+    NamedMode first;                    ///< the verdict on the first attractor's representative
+};
+
+/// One run: what `swirl classify --seed` gives. A pure function of its arguments.
+RunVerdict classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
+                        const analysis::ClassifyOptions& settings);
+
+/// Run r starts from seed + r. Equal arguments give equal results, whatever the number of threads.
+/// @return the exit code @throws BadInput for a start that is given, not random
+int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene);
+
+}  // namespace swirl::apps

@@ -1,0 +1,73 @@
+#include "apps/continue/branches.hpp"
+
+#include "apps/command_line/interruption.hpp"
+#include "apps/scene_map/scene_map.hpp"
+
+namespace swirl::apps {
+
+namespace {
+
+constexpr double shortest_flight = 1e-6;  // as in orbits: rest is no cycle
+
+}  // namespace
+
+double value_of(const Scene<double>& scene, const Along& along) {
+    Scene<double> copy = scene;
+    return along.parameter ? number_of(copy, *along.parameter) : 0;
+}
+
+SceneBranches scene_branches(const Scene<double>& scene, const Along& along) {
+    SceneBranches branches;
+    branches.options.low = along.low;
+    branches.options.high = along.high;
+    branches.options.shortest_flight = shortest_flight;
+    branches.options.stop = is_interrupted;
+    if (along.parameter) {
+        const Parameter parameter = *along.parameter;
+        branches.map = scene_map(scene, parameter);
+        branches.options.forms = [scene, parameter](const analysis::CyclePoints& points, double p) {
+            return scene_forms(scene, parameter, points, p);
+        };
+        branches.options.name_border = [scene, parameter](const auto& last, const auto& after, bool goes_on) {
+            return border_name(with_parameter(scene, parameter, last.p), last, after, goes_on);
+        };
+        return branches;
+    }
+    branches.map = scene_map(scene);
+    const bool by_time = along.name == "tau";
+    branches.options.label = [by_time](const analysis::CurvePoint& point) {
+        return by_time ? point.closing.duration : point.points.front()[point.points.front().size() - 1];
+    };
+    branches.options.name_border = [scene](const auto& last, const auto& after, bool goes_on) {
+        return border_name(scene, last, after, goes_on);
+    };
+    return branches;
+}
+
+std::string kind_of(const analysis::SpecialPoint& special) {
+    return special.kind == analysis::SpecialKind::border ? special.border : std::string(analysis::name(special.kind));
+}
+
+void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth) {
+    std::size_t begin = 0;
+    for (int level = 0; level < depth && scene.map.has_parameter; ++level) {
+        const std::size_t end = branches.size();
+        for (std::size_t b = begin; b < end; ++b) {
+            for (std::size_t s = 0; s < branches[b].special.size() && !is_interrupted(); ++s) {
+                const auto special = branches[b].special[s];
+                if (special.kind != analysis::SpecialKind::flip && special.kind != analysis::SpecialKind::branch_point) continue;
+                if (special.kind == analysis::SpecialKind::flip && branches[b].parent >= 0 &&
+                    branches[static_cast<std::size_t>(branches[b].parent)].period() == 2 * branches[b].period())
+                    continue;
+                analysis::Branch branch;
+                if (!analysis::switch_branch(scene.map, special, scene.options, branch)) continue;
+                branch.parent = static_cast<int>(b);
+                branch.parent_special = static_cast<int>(s);
+                branches.push_back(std::move(branch));
+            }
+        }
+        begin = end;
+    }
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,131 @@
+#include "apps/continue/continue_command.hpp"
+
+#include "analysis/orbits/cycle.hpp"
+#include "analysis/orbits/multi_shooting.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/progress.hpp"
+#include "apps/command_line/start_options.hpp"
+#include "apps/scene_map/scene_map.hpp"
+#include "map/orbit.hpp"
+
+#include <optional>
+
+namespace swirl::apps {
+
+const char* const continue_details =
+    R"(Follows the cycle near --from over one parameter, both ways within A:B, through folds, by pseudo-arclength. Located to
+rounding and named: fold, flip, neimark-sacker, branch-point; and the borders of the map: stick-slip, two-vertices, grazing,
+landing, with the word on either side. Where the word changes and the branch goes on, it is followed on. Flips and branch
+points are switched at (--switch). Why a branch ends: range, closed, border, most-points.
+--along S=A:B or tau=A:B follows a family (the disk at e = 1) along itself instead, by S or by its return time.
+Normal forms: flip xi' = (-1 + a d) xi + b xi^3 (supercritical: b > 0), neimark-sacker z' = z e^(i theta)(1 + a d + b|z|^2)
+(supercritical: Re b < 0), fold xi' = xi + a d + b xi^2.
+
+Examples:
+  swirl continue --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.3:0.5
+  swirl continue --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --from=0,-0.43056,0.19151,-0.30504 --along tau=1:3)";
+
+void ContinueOptions::add_to(CLI::App& command) {
+    scene.add_to(command);
+    output.add_to(command);
+    command.add_option("--from", from, "psi,chi,vn,vt,S near a point of the cycle (a disk drops chi)")->type_name("");
+    command.add_option("--along", along, "NAME=A:B: alpha, beta, mu, restitution, inertia-factor; S or tau for a family")
+        ->type_name("");
+    command.add_option("--period", period, "of the cycle (default 1)")->type_name("K")->check(CLI::Range(1, 256));
+    command.add_option("--switch", switches, "how many flips and branch points to switch at one after another (default 1)")
+        ->type_name("DEPTH")->check(CLI::Range(0, 16));
+    command.add_option("--longest-step", longest_step, "along the branch (default 0.02)")
+        ->type_name("H")->check(CLI::Range(1e-6, 1.0));
+}
+
+namespace {
+
+constexpr double accepted = 1e-10;
+
+/// The cycle near --from at the scene's own parameters; empty if none was found.
+analysis::CyclePoints cycle_from(const ContinueOptions& options, const Scene<double>& scene,
+                                 const analysis::ShootingMap& map, double p) {
+    if (options.from.empty()) throw BadInput("--from is missing: psi,chi,vn,vt,S near a point of the cycle");
+    const auto z = section_point_from<double>("--from", options.from, scene.is_disk());
+    require_leaving(make_body(scene), z);
+    const auto guess = analysis::orbit_from(map, state_of(z, scene.is_disk()), p, options.period);
+    if (guess.empty()) return {};
+    const auto shot = analysis::solve_shooting(map, guess, p, accepted);
+    if (!shot.converged) return {};
+    const auto cycle = analysis::minimal_cycle(map, shot.points, 1e-6);
+    return static_cast<int>(cycle.size()) == options.period ? cycle : analysis::CyclePoints{};
+}
+
+/// Over a parameter a cycle must be isolated, along itself it must be a member of a family of one parameter.
+bool lies_on_curve(const Scene<double>& scene, const Along& along, const analysis::CyclePoints& cycle) {
+    const auto map = scene_map(scene);
+    const auto closing = analysis::close_cycle(map, cycle, 0);
+    return closing.alive && analysis::family_directions(closing, map.dimension).cols() == (along.parameter ? 0 : 1);
+}
+
+Settings settings_of(const ContinueOptions& options) {
+    return {{"from", options.from}, {"along", along_from(options.along, false, true).name}, {"range", options.along},
+            {"period", std::int64_t{options.period}}, {"switch", std::int64_t{options.switches}},
+            {"longest_step", options.longest_step}};
+}
+
+void write_document(const ContinueOptions& options, const Scene<double>& scene, const SceneBranches& system,
+                    const std::vector<analysis::Branch>& branches) {
+    JsonWriter json(stdout);
+    json.begin_object(JsonLayout::rows);
+    write_json(json, "scene", scene_settings(scene));
+    if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
+    write_branches(json, system, branches);
+    write_json(json, "settings", settings_of(options));
+    json.member("swirl_version", std::string_view(version()));
+    json.end_object();
+    json.finish();
+}
+
+}  // namespace
+
+int continue_orbit(ContinueOptions& options) {
+    options.scene.read_file();
+    const Along along = along_from(options.along, false, true);
+    const Scene<double> scene = options.scene.scene<double>();
+    if (options.output.accuracy() != Accuracy::double_precision)
+        throw BadInput(fmt::format("accuracy = {}: continue works in double", options.output.accuracy_name));
+    if (along.parameter)
+        for (const double end : {along.low, along.high}) validated(with_parameter(scene, *along.parameter, end));
+    SceneBranches system = scene_branches(scene, along);
+    const double p = value_of(scene, along);
+    if (along.parameter && (p < along.low || p > along.high))
+        throw BadInput(fmt::format("{} = {:g} of the scene is outside the range of --along: {:g} to {:g}", along.name, p,
+                                   along.low, along.high));
+    system.options.longest_step = options.longest_step;
+    system.options.first_step = std::min(1e-3, options.longest_step);
+    auto cycle = cycle_from(options, scene, system.map, p);
+    if (!cycle.empty() && !lies_on_curve(scene, along, cycle)) {
+        fmt::print(stderr, "swirl: the cycle is {}\n", along.parameter
+                   ? "a member of a family: follow it by --along S=A:B or tau=A:B"
+                   : "not a member of a family of one parameter: --along a parameter of the scene");
+        cycle.clear();
+    }
+    std::optional<RecordWriter> record;
+    if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Branches of cycles of a swirled polygon"));
+    note_interruptions();
+    std::vector<analysis::Branch> branches(1);
+    Progress progress("continue", along.high - along.low, options.output.quiet);
+    system.options.progress = [&](double value) { progress.at(value - along.low); };
+    if (cycle.empty() || !analysis::continue_branch(system.map, cycle, p, system.options, branches.front()))
+        branches.clear();
+    follow_switches(system, branches, options.switches);
+    if (record) {
+        write_attributes(record->root().group("scene"), scene_settings(scene));
+        write_attributes(record->root().group("settings"), settings_of(options));
+        write_branches(record->root(), system, branches);
+        record->finish();
+    }
+    if (options.output.json) write_document(options, scene, system, branches);
+    else if (!options.output.quiet && branches.empty()) fmt::print("no cycle of period {} was found from --from\n", options.period);
+    else if (!options.output.quiet) print_branches(system, along, branches);
+    if (is_interrupted()) return exit_interrupted;
+    return branches.empty() ? exit_numerical_ending : exit_done;
+}
+
+}  // namespace swirl::apps

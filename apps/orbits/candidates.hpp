@@ -1,0 +1,36 @@
+// Where to look for cycles of a scene.
+#pragma once
+
+#include "analysis/orbits/find_cycles.hpp"
+#include "map/scene.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace swirl::apps {
+
+struct CandidateOptions {
+    std::int64_t starts = 1500;       ///< random section points
+    std::int64_t trajectories = 16;   ///< orbits whose close returns are taken
+    std::int64_t collisions = 2000;   ///< impacts of each
+    double speed = 1.0 / 7;           ///< of the trajectories' random starts
+    std::uint64_t seed = 1;
+    int returns = 30;                 ///< close returns per trajectory and period
+    double vicinity = 0.5;            ///< how close (Euclidean)
+};
+
+/// Candidates for steady modes from their closed form at e = 1 (design, section 4): ψ = χ = 0, v_n = −(2R/τ) sin²(τ/2),
+/// v_t = R sin τ/τ, R = β + 1 − α. For a polygon with friction one per root τ of (β − v_t)/α = 1 − 2πj/(Nτ); for the
+/// disk, and without friction (where S is free), a grid of τ. For e < 1 they are guesses.
+std::vector<analysis::CyclePoints> steady_guesses(const Scene<double>& scene);
+
+/// Trajectories from random starts, transients included: each a list of states on the section.
+std::vector<analysis::CyclePoints> trajectories_of(const Scene<double>& scene, const CandidateOptions& options);
+
+/// Everything for period k: steady guesses (k = 1), the trajectories' close returns and last k states, and random
+/// section points followed for a few impacts. Philox keyed by the seed: the same candidates each time.
+std::vector<analysis::CyclePoints> candidates_for(const Scene<double>& scene, const analysis::ShootingMap& map, int k,
+                                                  const std::vector<analysis::CyclePoints>& trajectories,
+                                                  const CandidateOptions& options);
+
+}  // namespace swirl::apps

@@ -1,0 +1,60 @@
+// `swirl orbits`: fixed points and cycles, stable and unstable.
+#pragma once
+
+#include "analysis/orbits/cycle.hpp"
+#include "analysis/orbits/find_cycles.hpp"
+#include "apps/command_line/documents.hpp"
+#include "apps/command_line/output_options.hpp"
+#include "apps/orbits/candidates.hpp"
+
+#include <string>
+#include <vector>
+
+namespace swirl::apps {
+
+struct OrbitsOptions {
+    SceneOptions scene;
+    OutputOptions output;
+    CandidateOptions candidates;
+    int period = 0;
+    int max_period = 0;
+    std::string near;
+    std::string pin;
+
+    void add_to(CLI::App& command);
+    /// The periods that are asked for.
+    std::pair<int, int> periods() const;
+};
+
+extern const char* const orbits_details;
+
+/// What was found, and how.
+struct FoundOrbits {
+    std::vector<analysis::Cycle> cycles;
+    std::int64_t tried = 0;
+    std::int64_t converged = 0;
+    int iterations = 0;        ///< of the solution from --near
+    double reached = 0;        ///< residual that it reached
+    bool interrupted = false;
+    bool none_exist = false;   ///< proven: without friction and with e < 1 every impact lowers J (design, section 3)
+};
+
+/// A family's range over its members, worked out for families of one parameter.
+struct FamilyRange {
+    double least_spin = 0, most_spin = 0, shortest = 0, longest = 0;
+    bool closed = false;
+};
+FamilyRange range_of(const analysis::ShootingMap& map, const analysis::Cycle& cycle);
+
+void write_orbits_document(const OrbitsOptions& options, const Scene<double>& scene, const FoundOrbits& found);
+void print_orbits(const Scene<double>& scene, const FoundOrbits& found);
+void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, const Scene<double>& scene,
+                         const FoundOrbits& found);
+Settings orbits_settings(const OrbitsOptions& options);
+
+/// The mean of S just after the impacts.
+double mean_spin_per_impact(const analysis::Cycle& cycle);
+
+int orbits(OrbitsOptions& options);
+
+}  // namespace swirl::apps

@@ -1,0 +1,71 @@
+#include "apps/plot/figure_script.hpp"
+
+#include "apps/command_line/errors.hpp"
+#include "apps/record/posix_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+namespace swirl::apps {
+
+namespace {
+
+constexpr const char* script_name = "plot_record.py";
+constexpr const char* packages =
+    "python3 python3-numpy python3-h5py python3-h5netcdf python3-xarray python3-matplotlib";
+
+/// Debian's Python packages belong to this interpreter; another python3 first on PATH may not see them.
+constexpr const char* system_python = "/usr/bin/python3";
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+bool is_file(const std::filesystem::path& path) {
+    std::error_code unreadable;
+    return std::filesystem::is_regular_file(path, unreadable);
+}
+
+/// Empty where the system does not tell.
+std::filesystem::path folder_of_this_program() {
+    std::error_code unknown;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    return unknown ? std::filesystem::path() : program.parent_path();
+}
+
+}  // namespace
+
+std::filesystem::path figure_script() {
+    const std::string chosen = environment("SWIRL_FIGURES");
+    if (!chosen.empty()) {
+        const auto script = std::filesystem::path(chosen) / script_name;
+        if (!is_file(script)) throw BadInput(fmt::format("SWIRL_FIGURES = {} holds no {}", chosen, script_name));
+        return script;
+    }
+    const auto installed = folder_of_this_program() / SWIRL_FIGURES_FROM_PROGRAM / script_name;
+    if (is_file(installed)) return installed.lexically_normal();
+    const auto source = std::filesystem::path(SWIRL_FIGURES_SOURCE) / script_name;
+    if (is_file(source)) return source;
+    throw BadInput(fmt::format("{} is not where swirl was installed; set SWIRL_FIGURES to the folder that holds it",
+                               script_name));
+}
+
+void become_python(const std::filesystem::path& script, const std::vector<std::string>& arguments) {
+    const std::string chosen = environment("SWIRL_PYTHON");
+    // -B: it leaves no compiled files beside the script
+    std::vector<std::string> words = {chosen.empty() ? system_python : chosen, "-B", script.string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (auto& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    ::execv(argv[0], argv.data());
+    const std::string reason = system_reason();
+    throw BadInput(fmt::format("cannot run {} ({}); figures need the Debian packages {}", words[0], reason, packages));
+}
+
+}  // namespace swirl::apps

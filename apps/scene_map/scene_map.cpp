@@ -1,0 +1,134 @@
+#include "apps/scene_map/scene_map.hpp"
+
+#include "apps/section_system.hpp"
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+namespace swirl::apps {
+
+namespace {
+
+/// A map and its system, which refers to it.
+template <Shape shape, ImpactRule rule>
+struct OwnedSystem {
+    explicit OwnedSystem(const CollisionMap<double, shape, rule>& m) : map(m), system(map) {}
+    CollisionMap<double, shape, rule> map;
+    SectionSystem<shape, rule> system;
+};
+
+/// True if the parameter is within its range there.
+bool is_allowed(Parameter parameter, double value) {
+    switch (parameter) {
+        case Parameter::alpha: return value > 0 && value < 1;
+        case Parameter::restitution: return value >= 0 && value <= 1;
+        case Parameter::inertia_factor: return value > 0 && detail::is_holdable(value);
+        case Parameter::beta:
+        case Parameter::mu: break;
+    }
+    return value >= 0 && detail::is_holdable(value);
+}
+
+/// F along a parameter for one shape and rule.
+template <Shape shape, ImpactRule rule>
+struct AlongParameter {
+    using System = SectionSystem<shape, rule>;
+    static constexpr int dimension = System::dimension;
+
+    Scene<double> scene;
+    Parameter parameter;
+
+    analysis::ShootingStep operator()(const Eigen::VectorXd& z, double p) const {
+        analysis::ShootingStep step;
+        if (!is_allowed(parameter, p)) return step;
+        const Scene<double> here = with_parameter(scene, parameter, p);
+        const CollisionMap<double, shape, rule> map(here);
+        const System system(map);
+        const SectionPoint<double> point = System::point_of(z);
+        const Passage<double> passage = system.return_map().advance(launch_from(point));
+        analysis::Advance<dimension> plain;
+        system.fill(plain, passage);
+        if (!plain.alive || !plain.state.allFinite()) return step;
+        step.state = plain.state;
+        step.duration = plain.duration;
+        step.letter = plain.letter;
+        step.integral = plain.integral;
+        if (passage.contacts.empty()) {
+            const auto d = derivative_with_parameter<double, shape, rule>(here, parameter, point, passage.collision);
+            step.by_state = d.first;
+            step.by_parameter = d.second;
+        } else {
+            step.by_state = derivative_through_contact(system.return_map(), point, passage);
+            step.by_parameter = quotient_along(z, p);
+        }
+        step.alive = step.by_state.allFinite() && step.by_parameter.allFinite();
+        return step;
+    }
+
+    /// Through contact: a central difference, one-sided at the end of the parameter's range.
+    Eigen::VectorXd quotient_along(const Eigen::VectorXd& z, double p) const {
+        constexpr double h = 1e-5;
+        const double high = is_allowed(parameter, p + h) ? p + h : p;
+        const double low = is_allowed(parameter, p - h) ? p - h : p;
+        const auto advance = [&](double value) {
+            const CollisionMap<double, shape, rule> map(with_parameter(scene, parameter, value));
+            return System(map).advance(typename System::State(z));
+        };
+        const auto above = advance(high), below = advance(low);
+        Eigen::VectorXd change = above.state - below.state;
+        for (int i = 0; i < dimension; ++i)
+            if (System::angle_period(i) > 0) change[i] = std::remainder(change[i], System::angle_period(i));
+        if (!above.alive || !below.alive) return Eigen::VectorXd::Constant(dimension, std::nan(""));
+        return change / (high - low);
+    }
+};
+
+template <Shape shape, ImpactRule rule>
+AlongParameter<shape, rule> along_parameter(const CollisionMap<double, shape, rule>& map, Parameter parameter) {
+    return {map.scene(), parameter};
+}
+
+}  // namespace
+
+analysis::ShootingMap scene_map(const Scene<double>& scene) {
+    return with_collision_map(scene, [](const auto& map) {
+        auto owned = std::make_shared<OwnedSystem<std::decay_t<decltype(map)>::shape, std::decay_t<decltype(map)>::rule>>(map);
+        analysis::ShootingMap result = analysis::shooting_map(owned->system);
+        // The system must live as long as the step that refers to it.
+        result.step = [owned, step = result.step](const Eigen::VectorXd& z, double p) { return step(z, p); };
+        return result;
+    });
+}
+
+analysis::ShootingMap scene_map(const Scene<double>& scene, Parameter parameter) {
+    // Along μ there is friction, whatever this scene's own μ.
+    const Scene<double> typical = parameter == Parameter::mu ? with_parameter(scene, parameter, 1.0) : scene;
+    return with_collision_map(typical, [&](const auto& map) {
+        const SectionSystem system(map);
+        analysis::ShootingMap result = analysis::shooting_map(system);
+        result.has_parameter = true;
+        result.step = along_parameter(map, parameter);
+        return result;
+    });
+}
+
+SectionPoint<double> section_point_of(const Eigen::VectorXd& z) {
+    if (z.size() == section_dimension<Shape::disk>) return {z[0], 0, z[1], z[2], z[3]};
+    return {z[0], z[1], z[2], z[3], z[4]};
+}
+
+Eigen::VectorXd state_of(const SectionPoint<double>& z, bool disk) {
+    if (disk) return Eigen::Vector4d(z.psi, z.vn, z.vt, z.spin);
+    Eigen::VectorXd state(5);
+    state << z.psi, z.chi, z.vn, z.vt, z.spin;
+    return state;
+}
+
+Letter letter_from(std::int64_t letter) {
+    const bool through_contact = letter < 0;
+    if (through_contact) letter = -1 - letter;
+    return {static_cast<int>(letter / 6), static_cast<ContactMode>(letter % 6), through_contact};
+}
+
+}  // namespace swirl::apps

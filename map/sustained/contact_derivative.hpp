@@ -1,0 +1,150 @@
+// The derivative of the return map where the way leads through sustained contact.
+//
+// An impact that ends in contact leaves with a normal velocity that may be as small as 10⁻⁸: differences over more than
+// that would compare with flights. So DF = B A is taken apart at the landing. A is the derivative of the state in
+// contact, in which the removal of u_n, with its friction, is smooth whatever the sign of u_n (`landed_like`); B that
+// of the way from there to the next impact. Both are central differences of order h². Where only one neighbour goes the
+// way of the orbit itself (`same_way`) its one-sided difference stands, where none does the column is zero. A singular
+// value of B that is no more than rounding belongs to a direction that contact has lost: it is zero, too.
+#pragma once
+
+#include "map/linearised_collision.hpp"
+#include "map/sustained/return_map.hpp"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace swirl {
+
+namespace detail {
+
+constexpr double difference_step = 1e-5;
+/// Contact is integrated to some 10⁻¹⁴: over 2 h that is 10⁻⁹.
+constexpr double difference_rounding = 1e-8;
+
+/// The coordinates in which a state in contact can differ: a disk has no χ; a moving edge turns as one piece, S = u_t;
+/// one at rest can only lie elsewhere.
+inline int contact_freedom(const ContactScene& scene, const Standing& standing) {
+    if (standing.support == Support::rim) return 3;
+    if (standing.support == Support::vertex) return 4;
+    return rests_still(scene, standing) ? 1 : 2;
+}
+
+inline Eigen::Vector4d contact_vector(const Standing& standing, const ContactState& s) {
+    if (standing.support == Support::vertex) return {s.psi, s.ut, s.spin, s.chi};
+    return {s.psi, s.ut, s.spin, 0};
+}
+
+inline ContactState moved_by(const Standing& standing, int coordinate, double h) {
+    ContactState s = standing.state;
+    if (coordinate == 0) s.psi += h;
+    if (coordinate == 1) s.ut += h;
+    if (coordinate == 2) s.spin += h;
+    if (coordinate == 3) s.chi += h;
+    if (standing.support == Support::edge) s.spin = s.ut;
+    return s;
+}
+
+inline double wrapped(double angle) { return std::remainder(angle, 2 * pi<double>()); }
+
+/// A vertex whose neighbour comes to rest at once stands on their edge: the rocking between is over within rounding.
+inline Standing lasting_standing(Standing standing, const std::vector<ContactSegment>& contacts) {
+    if (contacts.size() < 2 || standing.support != Support::vertex) return standing;
+    const ContactSegment& first = contacts[0];
+    const ContactSegment& second = contacts[1];
+    if (first.end > first.start || second.support != Support::edge) return standing;
+    return {true, Support::edge, second.from, second.vertex_step, standing.error, standing.jacobi};
+}
+
+/// The same supports one after the other, to the same end and the same impact. (A slip that friction ends at once does
+/// not count: it comes with every neighbour of a body that sticks.)
+inline bool same_way(const Passage<double>& a, const Passage<double>& b) {
+    if (a.outcome != Outcome::completed || a.contacts.empty() || b.contacts.empty()) return false;
+    const auto supports = [](const Passage<double>& passage) {
+        std::vector<Support> list;
+        for (const auto& segment : passage.contacts)
+            if (segment.end > segment.start && (list.empty() || list.back() != segment.support))
+                list.push_back(segment.support);
+        return list;
+    };
+    return a.collision.vertex_step == b.collision.vertex_step &&
+           a.collision.impulse.mode == b.collision.impulse.mode &&
+           a.contacts.back().finish == b.contacts.back().finish && supports(a) == supports(b);
+}
+
+template <Shape shape>
+Eigen::Matrix<double, section_dimension<shape>, 1> section_difference(const Launch<double>& a,
+                                                                      const Launch<double>& b) {
+    constexpr int dimension = section_dimension<shape>;
+    const auto x = coordinates<shape>(section_point(a)), y = coordinates<shape>(section_point(b));
+    Eigen::Matrix<double, dimension, 1> d;
+    for (int i = 0; i < dimension; ++i) d[i] = x[static_cast<std::size_t>(i)] - y[static_cast<std::size_t>(i)];
+    const int angles = shape == Shape::disk ? 1 : 2;
+    for (int i = 0; i < angles; ++i) d[i] = wrapped(d[i]);
+    return d;
+}
+
+/// A: the state in contact by the launch.
+template <Shape shape>
+auto landing_derivative(const ContactScene& scene, const SectionPoint<double>& z, const Standing& standing) {
+    constexpr int dimension = section_dimension<shape>;
+    constexpr double h = difference_step;
+    Eigen::Matrix<double, 4, dimension> a;
+    const auto c = coordinates<shape>(z);
+    const Launch<double> base = launch_from(z);
+    for (int j = 0; j < dimension; ++j) {
+        const auto at = [&](double step) {
+            auto near = c;
+            near[static_cast<std::size_t>(j)] += step;
+            return contact_vector(standing, landed_like(scene, base, standing,
+                                                        launch_from(section_point<shape>(near))));
+        };
+        a.col(j) = at(h) - at(-h);
+        a(0, j) = wrapped(a(0, j));
+        a(3, j) = wrapped(a(3, j));
+    }
+    return Eigen::Matrix<double, 4, dimension>(a / (2 * h));
+}
+
+inline Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b) {
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(b, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    Eigen::VectorXd sizes = svd.singularValues();
+    for (auto& size : sizes)
+        if (size <= difference_rounding) size = 0;
+    return svd.matrixU() * sizes.asDiagonal() * svd.matrixV().transpose();
+}
+
+}  // namespace detail
+
+/// DF(z), where `known` is F(z) and leads through contact.
+template <class Map>
+auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z,
+                                const Passage<double>& known) {
+    constexpr int dimension = section_dimension<Map::shape>;
+    constexpr double h = detail::difference_step;
+    const Launch<double> base = launch_from(z);
+    const Standing standing = detail::lasting_standing(map.standing(base), known.contacts);
+    const int freedom = detail::contact_freedom(map.contact(), standing);
+    Eigen::Matrix<double, dimension, 4> b = Eigen::Matrix<double, dimension, 4>::Zero();
+    for (int i = 0; i < freedom; ++i) {
+        const auto end = [&](double step) -> std::optional<Launch<double>> {
+            Standing near = standing;
+            near.state = detail::moved_by(standing, i, step);
+            const Passage<double> passage = map.advance_standing(base, near);
+            if (!detail::same_way(passage, known)) return {};
+            return passage.collision.after;
+        };
+        const auto above = end(h), below = end(-h);
+        if (!above && !below) continue;
+        const Launch<double>& after = known.collision.after;
+        const double width = above && below ? 2 * h : h;
+        b.col(i) = detail::section_difference<Map::shape>(above ? *above : after, below ? *below : after) / width;
+    }
+    return Eigen::Matrix<double, dimension, dimension>(
+        detail::without_rounding(b) * detail::landing_derivative<Map::shape>(map.contact(), z, standing));
+}
+
+}  // namespace swirl

@@ -1,0 +1,129 @@
+"""Samples of attractors and branches of cycles across a parameter, with the points where branches change."""
+
+import numpy
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from .record import RecordError, open_record
+from .style import BLACK, BLUE, GREEN, MANY_POINTS, ORANGE, PURPLE, SKY, VERMILION, styled
+from .symbols import SPIN, axis_label, scene_title
+
+#: By the record's `origin`: name, colour, size. Light, for the branches lie over them; of falling size, for attractors
+#: that are found in several ways lie on one another.
+_ORIGINS = {0: ("random starts", "#8A8A8A", 7), 1: ("followed up", SKY, 4), 2: ("followed down", ORANGE, 2)}
+
+_PERIODS = (BLUE, VERMILION, GREEN, PURPLE, "#7A5C00", BLACK, SKY, "#882255", "#44AA99", "#332288", "#999933", ORANGE)
+
+_MARKERS = {"fold": ">", "flip": "s", "neimark-sacker": "D", "branch-point": "*", "grazing": "^",
+            "two-vertices": "v", "stick-slip": "P", "end": "X"}
+
+
+def _draw_samples(axes, record):
+    parameter, spin = record.column("samples", "parameter"), record.column("samples", "S")
+    origin = record.column("samples", "origin")
+    handles = []
+    scale = 0.5 if len(spin) > 5_000 else 1
+    only_one = len(numpy.unique(origin)) == 1
+    for value, (label, colour, size) in _ORIGINS.items():
+        of = origin == value
+        if of.any():
+            axes.scatter(parameter[of], spin[of], s=scale * (2 if only_one else size), color=colour, lw=0, zorder=1,
+                         rasterized=len(spin) > MANY_POINTS)
+            handles.append(Line2D([], [], ls="", marker="o", ms=3, mec="none", color=colour, label=label))
+    return handles
+
+
+def _pieces(stable):
+    """(first, last + 1, stable) of the pieces of one branch on which stability does not change; neighbours share the
+    point where it does."""
+    borders = [0, *(1 + numpy.flatnonzero(stable[1:] != stable[:-1])), len(stable)]
+    return [(first, min(last + 1, len(stable)), stable[first]) for first, last in zip(borders, borders[1:])]
+
+
+def _lines(record, branch, values):
+    """{stable: polylines} of the columns of `values` along one branch."""
+    parameter, stable = record.column("branches", "parameter"), record.column("branches", "stable")
+    of = record.column("branches", "branch") == branch
+    lines = {True: [], False: []}
+    for first, last, is_stable in _pieces(stable[of] != 0):
+        for column in values[of].T:
+            line = numpy.column_stack([parameter[of], column])[first:last]
+            if numpy.isfinite(line).all(axis=1).any():
+                lines[bool(is_stable)].append(line)
+    return lines
+
+
+def _draw_branches(axes, record, values, colours):
+    period, branches = record.column("branches", "period"), record.column("branches", "branch")
+    for branch in numpy.unique(branches):
+        colour = colours[period[branches == branch][0]]
+        for stable, lines in _lines(record, branch, values).items():
+            axes.add_collection(LineCollection(lines, colors=colour, linewidths=1.5 if stable else 1.1, zorder=2,
+                                               linestyles="solid" if stable else (0, (3, 1.6))))
+
+
+def _branch_handles(record, colours):
+    stable = record.column("branches", "stable") != 0
+    handles = [Line2D([], [], color=colour, lw=1.5, label=f"period {period}") for period, colour in colours.items()]
+    if stable.any():
+        handles.append(Line2D([], [], color="0.35", lw=1.5, label="stable"))
+    if not stable.all():
+        handles.append(Line2D([], [], color="0.35", lw=1.1, ls=(0, (3, 1.6)), label="unstable"))
+    return handles
+
+
+def _draw_special(axes, record):
+    parameter, spin = record.column("special", "parameter"), record.column("special", "S")
+    kinds = record.names("special", "kind")
+    handles = []
+    for kind in dict.fromkeys(kinds):
+        of = kinds == kind
+        marker = {"marker": _MARKERS.get(kind, "o"), "mec": BLACK, "mfc": "white", "mew": 0.9,
+                  "ms": 9 if kind == "branch-point" else 5.5}
+        x = numpy.repeat(parameter[of], spin.shape[1])
+        axes.plot(x, spin[of].ravel(), ls="", zorder=4, **marker)
+        handles.append(Line2D([], [], ls="", label=kind, **marker))
+    return handles
+
+
+def _draw_multiplier(axes, record, colours):
+    modulus = record.column("branches", "largest_multiplier")
+    _draw_branches(axes, record, modulus[:, None], colours)
+    axes.axhline(1, color="0.6", lw=0.8, zorder=0)
+    finite = modulus[numpy.isfinite(modulus)]
+    top = finite.max(initial=1.0)
+    if top > 5:
+        axes.set_yscale("symlog", linthresh=1, linscale=1)
+        axes.set_yticks([0, 1] + [10.0**k for k in range(1, int(numpy.log10(top)) + 1)])
+    axes.set(ylabel="largest $|\\lambda|$", ylim=(0, top * 1.15))
+
+
+@styled
+def draw_bifurcation(record):
+    """The figure: S against the parameter; below it, where there are branches, their largest multiplier."""
+    record = open_record(record)
+    drawn = [name for name in ("samples", "branches", "special") if name in record]
+    if not any(len(record.column(name, "parameter")) for name in drawn):
+        raise RecordError(f"record '{record.path}' holds no samples and no branches: there is nothing to draw")
+    along = str(record.attributes("settings").get("along", "parameter"))
+    with_branches = "branches" in record and len(record.column("branches", "parameter")) > 0
+    figure = Figure(figsize=(8.5, 6.4 if with_branches else 4.8), layout="constrained")
+    panels = figure.subplots(1 + with_branches, 1, sharex=True, squeeze=False,
+                             height_ratios=(7, 2) if with_branches else (1,))[:, 0]
+    handles = _draw_samples(panels[0], record) if "samples" in record else []
+    if with_branches:
+        periods = numpy.unique(record.column("branches", "period"))
+        colours = {period: _PERIODS[i % len(_PERIODS)] for i, period in enumerate(periods)}
+        _draw_branches(panels[0], record, record.column("branches", "S"), colours)
+        _draw_multiplier(panels[1], record, colours)
+        handles += _branch_handles(record, colours)
+    if "special" in record:
+        handles += _draw_special(panels[0], record)
+    panels[0].autoscale_view()
+    panels[0].margins(x=0.02)
+    panels[0].set_ylabel(f"{SPIN}, just after each impact")
+    panels[0].legend(handles=handles, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    panels[-1].set_xlabel(axis_label(along))
+    figure.suptitle(scene_title(record.scene(), leave_out=[along]))
+    return figure

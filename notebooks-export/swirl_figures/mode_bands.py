@@ -1,0 +1,43 @@
+"""A sweep over one parameter: the shares of the modes stacked, and the mean of S with its standard error."""
+
+import numpy
+from matplotlib.ticker import MaxNLocator
+
+from .mode_map import mode_figure
+from .style import BLUE, MODE_COLOURS, styled
+from .sweep_grid import SweepGrid, cell_edges
+from .symbols import MEAN_SPIN, axis_label
+
+
+def _draw_shares(axes, grid, edges):
+    base = numpy.zeros(len(edges) - 1)
+    for index, mode in enumerate(grid.modes):
+        axes.bar(edges[:-1], grid.share[:, index], numpy.diff(edges), bottom=base, align="edge",
+                 color=MODE_COLOURS[mode], ec="white", lw=0.6 if len(base) < 60 else 0)
+        base += grid.share[:, index]
+    axes.set(ylabel="share of the starts", ylim=(0, 1), xlim=(edges[0], edges[-1]))
+
+
+def _draw_spin(axes, grid, points):
+    axes.axhline(0, color="0.8", lw=0.7, zorder=0)
+    error = grid.mean_spin_error if grid.runs > 1 else None
+    size = 4 if len(points) < 60 else 2
+    axes.errorbar(points, grid.mean_spin, yerr=error, fmt="o", ms=size, color=BLUE, elinewidth=0.9, capsize=1.5)
+    axes.set_ylabel(f"mean spin {MEAN_SPIN}, in $\\omega_s$")
+    if error is not None:
+        axes.set_title("bars: standard error over the starts", fontsize=8, color="0.25", loc="right", pad=2)
+
+
+@styled
+def draw_mode_bands(record):
+    grid = SweepGrid(record)
+    name = grid.axes[0]
+    points = grid.points[name]
+    figure, middle = mode_figure(7, 5.2, grid)
+    above, below = middle.subplots(2, 1, sharex=True, height_ratios=(3, 2))
+    _draw_shares(above, grid, cell_edges(points))
+    _draw_spin(below, grid, points)
+    below.set_xlabel(axis_label(name))
+    if name == "sides":
+        below.xaxis.set_major_locator(MaxNLocator(integer=True))
+    return figure

@@ -1,0 +1,126 @@
+"""The centre's path of a simulate record in three frames: laboratory, container, co-rotating with the swirl."""
+
+import numpy
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle, Polygon
+from matplotlib.ticker import MaxNLocator
+
+from .flights import flights_of
+from .record import open_record
+from .style import BLACK, VERMILION, styled
+from .symbols import TIME, scene_title
+
+#: More flights than these only blacken the panels: the last are drawn.
+MOST_FLIGHTS = 300
+MOST_CORNERS = 200
+
+_STEP = 0.05          # in radians of the swirl, between points of a curve
+_MOST_POINTS = 5_000  # of one flight
+
+
+def _laboratory(x, y, t, beta):
+    return x, y
+
+
+def _container(x, y, t, beta):
+    return x - beta * numpy.cos(t), y - beta * numpy.sin(t)
+
+
+def _corotating(x, y, t, beta):
+    return x * numpy.cos(t) + y * numpy.sin(t), y * numpy.cos(t) - x * numpy.sin(t)
+
+
+FRAMES = {
+    "Laboratory": _laboratory,
+    "Container (not turning)": _container,
+    "Co-rotating with the swirl": _corotating,
+}
+
+
+def sample(flights):
+    """[(t, x, y)] along each flight, straight in the laboratory and dense enough for the frames that turn."""
+    curves = []
+    for begin, end, x, y, vx, vy in zip(flights.begin, flights.end, flights.x, flights.y, flights.vx, flights.vy):
+        count = int(min(2 + (end - begin) / _STEP, _MOST_POINTS))
+        t = numpy.linspace(begin, end, count)
+        curves.append((t, x + vx * (t - end), y + vy * (t - end)))
+    return curves
+
+
+def _draw_container(axes, name, t, beta):
+    """The container's circle at time t, the swirl's centre, and the circle on which the container's centre runs."""
+    centre = FRAMES[name](beta * numpy.cos(t), beta * numpy.sin(t), t, beta)
+    axes.add_patch(Circle(centre, 1, fill=False, ec=BLACK, lw=1.3, zorder=3))
+    reach = 1.03
+    if name == "Laboratory":
+        axes.add_patch(Circle((0, 0), beta, fill=False, ec=BLACK, lw=0.8, ls=(0, (4, 3)), zorder=3))
+        reach += beta
+        centre = (0, 0)
+    if name != "Container (not turning)":
+        axes.plot(0, 0, "+", color=BLACK, ms=7, mew=1.2, zorder=3)
+    axes.set_xlim(centre[0] - reach, centre[0] + reach)
+    axes.set_ylim(centre[1] - reach, centre[1] + reach)
+
+
+def _draw_body(axes, name, record):
+    """The body's outline at the last impact."""
+    scene = record.scene()
+    t, x, y, angle = (record.column("collisions", c)[-1] for c in ("t", "x", "y", "angle"))
+    beta, alpha = scene["beta"], scene["alpha"]
+    style = {"fc": "none", "ec": VERMILION, "lw": 1.2, "zorder": 3}
+    if scene["sides"] == "disk" or scene["sides"] > MOST_CORNERS:
+        axes.add_patch(Circle(FRAMES[name](x, y, t, beta), alpha, **style))
+        return
+    corners = angle + 2 * numpy.pi * numpy.arange(scene["sides"]) / scene["sides"]
+    axes.add_patch(Polygon(numpy.column_stack(
+        FRAMES[name](x + alpha * numpy.cos(corners), y + alpha * numpy.sin(corners), t, beta)), **style))
+
+
+def _title(flights, record):
+    shown = min(len(flights), MOST_FLIGHTS)
+    which = "the last {0:,} of {1:,} flights" if shown < len(flights) else "{0:,} flight" + "s" * (shown > 1)
+    text = f"Path of the centre, {which.format(shown, len(flights))}"
+    if not flights.last(shown).follows().all():
+        text += "; gaps where the record lists no flight"
+    return text
+
+
+def draw_path_into(figure, panels, record):
+    """Three panels, the colour of a flight telling its time."""
+    flights = flights_of(record)
+    shown = flights.last(MOST_FLIGHTS)
+    beta = record.scene()["beta"]
+    curves = sample(shown)
+    times = Normalize(shown.begin[0], shown.end[-1])
+    for axes, (name, into) in zip(panels, FRAMES.items()):
+        lines = LineCollection([numpy.column_stack(into(x, y, t, beta)) for t, x, y in curves],
+                               cmap="cividis_r", norm=times, array=shown.end, linewidths=0.8, capstyle="round")
+        axes.add_collection(lines)
+        axes.set_aspect("equal")
+        axes.set(title=name, xlabel=r"$x/R_c$")
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
+        _draw_container(axes, name, shown.end[-1], beta)
+        _draw_body(axes, name, record)
+    panels[0].set_ylabel(r"$y/R_c$")
+    bar = figure.colorbar(lines, ax=panels, label=TIME, shrink=0.75, pad=0.01, aspect=25)
+    bar.ax.ticklabel_format(useOffset=False, style="plain")
+    return _title(flights, record)
+
+
+#: What the lines are that no axis names.
+CAPTION = ("black: the container, red: the body, both at the last impact;  +: the swirl's centre;  "
+           "dashed: the circle on which the container's centre runs")
+
+
+@styled
+def draw_path(record):
+    """The figure: the path in the three frames, side by side."""
+    record = open_record(record)
+    figure = Figure(figsize=(10, 3.9), layout="constrained")
+    title = draw_path_into(figure, list(figure.subplots(1, 3)), record)
+    figure.suptitle(f"{scene_title(record.scene())}\n{title}")
+    figure.supxlabel(CAPTION, fontsize=8, color="0.25")
+    return figure

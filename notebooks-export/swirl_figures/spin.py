@@ -1,0 +1,143 @@
+"""S(t) of a simulate record, flight by flight, with its running time mean."""
+
+import numpy
+from matplotlib.collections import LineCollection
+from matplotlib.colors import LogNorm
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from .flights import flights_of
+from .record import open_record
+from .style import BLUE, MANY_POINTS, ORANGE, VERMILION, styled
+from .symbols import SPIN, TIME, number, scene_title
+
+#: More flights than these are a solid band as steps; then dots show all of them and steps the last.
+MOST_STEPS = 300
+LAST_STEPS = 100
+
+_POINTS_OF_A_CONTACT = 500
+
+
+def _steps(flights, after):
+    """The polyline of S(t): level in flight, upright at an impact, broken where no flight is listed."""
+    t = numpy.column_stack([flights.begin, flights.end]).ravel()
+    spin = numpy.repeat(flights.spin, 2)
+    breaks = 2 * (1 + numpy.flatnonzero(~flights.follows()))
+    t, spin = numpy.insert(t, breaks, numpy.nan), numpy.insert(spin, breaks, numpy.nan)
+    return numpy.append(t, flights.end[-1]), numpy.append(spin, after)
+
+
+def running_mean(record):
+    """Times and ∫S dt / T since the first listed impact: vertex 0's angle is ∫S dt, through contact too. After the last
+    impact it goes on with the means of the pieces of contact."""
+    t, angle = record.column("collisions", "t"), record.column("collisions", "angle")
+    times, time, turned = list(t[1:]), list(t[1:] - t[0]), list(angle[1:] - angle[0])
+    for start, end, mean in zip(*_contacts(record, after=t[-1])):
+        since = numpy.linspace(0, end - start, _POINTS_OF_A_CONTACT)[1:]
+        before = (time[-1], turned[-1]) if time else (0, 0)
+        times += list(start + since)
+        time += list(before[0] + since)
+        turned += list(before[1] + mean * since)
+    return numpy.array(times), numpy.array(turned) / numpy.array(time)
+
+
+def _contacts(record, after=-numpy.inf):
+    if "contacts" not in record:
+        return numpy.empty((3, 0))
+    start, end, mean = (record.column("contacts", name) for name in ("t_start", "t_end", "mean_S"))
+    kept = (start >= after) & (end > start)
+    return start[kept], end[kept], mean[kept]
+
+
+def _draw_contacts(axes, record, after=-numpy.inf):
+    start, end, mean = _contacts(record, after)
+    if len(start) == 0:
+        return
+    lines = numpy.stack([numpy.column_stack([start, mean]), numpy.column_stack([end, mean])], axis=1)
+    axes.add_collection(LineCollection(lines, colors=ORANGE, linewidths=2.2, label="on the wall (mean of each piece)"))
+
+
+def _draw_mean(axes, times, means):
+    if len(times):
+        axes.plot(times, means, color=VERMILION, lw=1.3,
+                  label=f"running time mean, at last {number(means[-1])}")
+
+
+def _end_before_the_long_rest(axes, record, begin):
+    """A last contact far longer than everything before it would squeeze that into a line: it is cut, and said."""
+    struck = record.column("collisions", "t")[-1]
+    _, end, _ = _contacts(record, after=struck)
+    cut = struck + 0.3 * (struck - begin)
+    if len(end) == 0 or end[-1] <= cut or struck <= begin:
+        return ""
+    axes.set_xlim(begin - 0.01 * (cut - begin), cut)
+    return f", then on the wall until {TIME} = {number(end[-1])}"
+
+
+def _finish(axes, title):
+    axes.margins(x=0.01)
+    axes.autoscale_view()
+    axes.set(xlabel=TIME, ylabel=SPIN, title=title)
+    if axes.get_xlim()[1] >= 1e5:
+        axes.xaxis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
+    axes.ticklabel_format(axis="x", useOffset=False, style="plain")
+    axes.axhline(0, color="0.8", lw=0.7, zorder=0)
+    bottom, top = axes.get_ylim()
+    axes.set_ylim(bottom, top + 0.24 * (top - bottom))  # room for the legend
+    axes.legend(loc="upper left", ncols=3, borderaxespad=0.1, columnspacing=1.2, handlelength=1.6)
+
+
+def _draw_all(axes, record, flights):
+    t, spin = record.column("collisions", "t"), record.column("collisions", "spin")
+    many = len(t) > MANY_POINTS
+    if many:
+        axes.hist2d(t, spin, bins=(300, 150), cmin=1, norm=LogNorm(), cmap="Blues", rasterized=True)
+    else:
+        axes.scatter(t, spin, s=7 if len(t) < 2000 else 2, color=BLUE, alpha=0.8, lw=0)
+    axes.plot([], [], "o", color=BLUE, ms=3.5, mec="none", label="after each impact")
+    _draw_contacts(axes, record)
+    _draw_mean(axes, *running_mean(record))
+    rest = _end_before_the_long_rest(axes, record, t[0])
+    _finish(axes, f"Spin, {len(flights):,} listed impacts{' (darker: more)' * many}{rest}")
+
+
+def _draw_steps(axes, record, flights, title):
+    after = record.column("collisions", "spin")[-1]
+    axes.plot(*_steps(flights, after), color=BLUE, lw=1.1, label="S")
+    _draw_contacts(axes, record, after=flights.begin[0])
+    times, means = running_mean(record)
+    shown = times >= flights.begin[0]
+    _draw_mean(axes, times[shown], means[shown])
+    _finish(axes, title + _end_before_the_long_rest(axes, record, flights.begin[0]))
+
+
+def _are_steps(flights):
+    """False where most flights are missing: an orbit listed with --every."""
+    return flights.follows().sum() * 2 >= len(flights) - 1
+
+
+def spin_panels(record):
+    """How many panels draw_spin_into wants."""
+    flights = flights_of(record)
+    return 2 if len(flights) > MOST_STEPS and _are_steps(flights) else 1
+
+
+def draw_spin_into(panels, record):
+    flights = flights_of(record)
+    if len(flights) <= MOST_STEPS and _are_steps(flights):
+        _draw_steps(panels[0], record, flights, f"Spin, {len(flights):,} impact{'s' * (len(flights) > 1)}")
+        return
+    _draw_all(panels[0], record, flights)
+    if len(panels) > 1:
+        _draw_steps(panels[1], record, flights.last(LAST_STEPS), f"The last {LAST_STEPS} impacts")
+
+
+@styled
+def draw_spin(record):
+    """The figure: S(t) as steps; of many impacts dots for all and steps for the last."""
+    record = open_record(record)
+    count = spin_panels(record)
+    figure = Figure(figsize=(7.5, 1.2 + 2.6 * count), layout="constrained")
+    draw_spin_into(list(figure.subplots(count, 1, squeeze=False)[:, 0]), record)
+    figure.suptitle(scene_title(record.scene()))
+    return figure

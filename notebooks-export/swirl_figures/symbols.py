@@ -1,0 +1,59 @@
+"""What axes and titles call the quantities of a scene."""
+
+import math
+
+SPIN = r"$S = \omega_p/\omega_s$"
+MEAN_SPIN = r"$\langle S \rangle$"
+TIME = r"$\omega_s t$"
+
+_PARAMETERS = {
+    "alpha": ("α", r"$\alpha = R_p/R_c$  (size of the body)"),
+    "beta": ("β", r"$\beta = r_s/R_c$  (radius of the swirl)"),
+    "mu": ("μ", r"$\mu$  (friction)"),
+    "restitution": ("e", r"$e$  (restitution)"),
+    "inertia_factor": ("κ", r"$\kappa = I/(m R_p^2)$  (inertia)"),
+    "sides": ("N", r"$N$  (number of sides)"),
+}
+
+_POLYGONS = {3: "triangle", 4: "square", 5: "pentagon", 6: "hexagon", 7: "heptagon", 8: "octagon"}
+
+
+def symbol(name):
+    """α of alpha; what has no symbol keeps its name."""
+    return _PARAMETERS.get(name.replace("-", "_"), (name, name))[0]
+
+
+def axis_label(name):
+    return _PARAMETERS.get(name.replace("-", "_"), (name, name))[1]
+
+
+def number(value):
+    """Four digits and a proper minus sign."""
+    return f"{value:.4g}".replace("-", "\N{MINUS SIGN}")
+
+
+def _body(sides):
+    if sides == "disk":
+        return "disk"
+    return _POLYGONS.get(int(sides), f"polygon, N = {int(sides):,}")
+
+
+def _uniform_inertia(sides):
+    return 0.5 if sides == "disk" else (2 + math.cos(2 * math.pi / int(sides))) / 6
+
+
+def scene_title(scene, leave_out=()):
+    """One line: "hexagon, α = 0.4, β = 0.5, μ = 0.5, e = 0.9, Poisson's law". A uniform body's κ is left out."""
+    left_out = {name.replace("-", "_") for name in leave_out}
+    parts = []
+    if "sides" in scene and "sides" not in left_out:
+        parts.append(_body(scene["sides"]))
+    for name in ("alpha", "beta", "mu", "restitution"):
+        if name in scene and name not in left_out:
+            parts.append(f"{symbol(name)} = {number(scene[name])}")
+    if "law" in scene:
+        parts.append(f"{str(scene['law']).capitalize()}'s law")
+    if "inertia_factor" in scene and not {"inertia_factor", "sides"} & left_out and "sides" in scene:
+        if abs(scene["inertia_factor"] - _uniform_inertia(scene["sides"])) > 1e-9:
+            parts.append(f"κ = {number(scene['inertia_factor'])}")
+    return ", ".join(parts)

@@ -1,0 +1,147 @@
+"""swirl classify --runs and what a verdict says would change it: classify_runs_test.py SWIRL"""
+
+import json
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import xarray
+
+SWIRL = str(Path(sys.argv.pop(1)).resolve())
+COEXISTING = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"  # a fixed point and an 8-cycle
+FAMILY = "--sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1"
+MIXED = "--sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1"
+
+
+def run(arguments, **options):
+    return subprocess.run([SWIRL, *shlex.split(arguments)], capture_output=True, text=True, timeout=300, **options)
+
+
+def document(arguments):
+    result = run(arguments + " --json")
+    assert result.returncode == 0, (arguments, result.stderr)
+    return json.loads(result.stdout)
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+
+class Runs(InFolder):
+    def test_a_run_is_what_classify_gives_for_its_seed_and_the_first_attractor_stands_at_top_level(self):
+        found = document(f"classify {COEXISTING} --runs 16")
+        self.assertEqual([r["seed"] for r in found["runs"]], list(range(1, 17)))
+        for run_ in found["runs"][::5]:
+            alone = document(f"classify {COEXISTING} --seed {run_['seed']}")
+            for key in ("mode", "kind", "period", "mean_S", "mean_S_per_impact", "largest_exponent",
+                        "recurrence_rate", "outcome"):
+                self.assertEqual(alone[key], run_[key], key)
+        first = found["attractors"][0]
+        alone = document(f"classify {COEXISTING} --seed {first['seed']}")
+        for key in ("mode", "kind", "period", "mean_S", "recurrence_rate", "largest_exponent", "evidence"):
+            self.assertEqual(found[key], alone[key], key)
+
+    def test_coexisting_modes_have_their_shares(self):
+        found = document(f"classify {COEXISTING} --runs 16")
+        modes = [(a["mode"], a["kind"], a["period"]) for a in found["attractors"]]
+        self.assertEqual(modes, [("quasi-steady", "cycle", 8), ("steady", "fixed-point", 1)])
+        self.assertEqual(found["modes"], {"steady": 3 / 16, "quasi-steady": 13 / 16})
+        self.assertEqual(found["kinds"], {"fixed-point": 3 / 16, "cycle": 13 / 16})
+        self.assertEqual(sum(a["share"] for a in found["attractors"]), 1)
+        for place, attractor in enumerate(found["attractors"]):
+            own = [r for r in found["runs"] if r["attractor"] == place]
+            self.assertEqual(len(own) / 16, attractor["share"])
+            self.assertEqual(own[0]["seed"], attractor["seed"])
+            for r in own:
+                self.assertAlmostEqual(r["mean_S"], attractor["mean_S"], delta=1e-12)
+
+    def test_members_of_a_family_are_one_attractor_with_a_spread_of_means(self):
+        found = document(f"classify {FAMILY} --runs 6 --seed 3")
+        self.assertEqual([a["kind"] for a in found["attractors"]], ["family"])
+        self.assertGreater(found["attractors"][0]["mean_S_error"], 1e-3)
+
+    def test_threads_do_not_change_a_bit_and_xarray_opens_the_runs(self):
+        for threads in (1, 2):
+            done = run(f"classify {MIXED} --runs 8 --collisions 500 --threads {threads} -o {self.folder}/{threads}.h5")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((self.folder / "1.h5").read_bytes(), (self.folder / "2.h5").read_bytes())
+        with xarray.open_dataset(self.folder / "1.h5", group="runs", engine="h5netcdf") as runs:
+            self.assertEqual(list(runs["seed"].values), [str(s) for s in range(1, 9)])
+            self.assertEqual(runs["mean_S"].dims, ("run",))
+        with xarray.open_dataset(self.folder / "1.h5", group="attractors", engine="h5netcdf") as attractors:
+            self.assertAlmostEqual(float(attractors["share"].sum()), 1, delta=1e-15)
+        with xarray.open_dataset(self.folder / "1.h5", group="mode", engine="h5netcdf") as mode:
+            self.assertIn("changes_if", mode)
+
+    def test_a_table_for_people_lists_the_attractors(self):
+        text = run(f"classify {COEXISTING} --runs 16").stdout
+        self.assertRegex(text, r"81\.25 %\s+quasi-steady\s+cycle\s+8")
+        self.assertRegex(text, r"18\.75 %\s+steady\s+fixed-point\s+1")
+
+    def test_bad_input(self):
+        record = self.folder / "o.h5"
+        self.assertEqual(run(f"simulate {COEXISTING} --collisions 5 --quiet -o {record}").returncode, 0)
+        for flags, mention in ((f"{COEXISTING} --runs 0", "runs"), (f"{COEXISTING} --runs -1", "runs"),
+                               (f"{COEXISTING} --runs x", "runs"), (f"{COEXISTING} --runs 3 --x 0.4", "runs = 3"),
+                               (f"{COEXISTING} --runs 3 --point 0,0,-1,0,0", "runs = 3"),
+                               (f"{record} --runs 3", "runs = 3"), ("--series - --runs 3", "runs = 3"),
+                               (f"{COEXISTING} --runs 2 --seed 18446744073709551615", "18446744073709551614")):
+            result = run(f"classify {flags} -o {self.folder}/out.h5", input="1\n2\n")
+            self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), flags)
+            self.assertIn(mention, result.stderr)
+            self.assertFalse((self.folder / "out.h5").exists())
+
+    def test_interrupted_it_exits_with_130_and_keeps_the_finished_runs(self):
+        file = self.folder / "cut.h5"
+        process = subprocess.Popen([SWIRL, *shlex.split(f"classify {MIXED} --runs 100000 --quiet -o {file}")])
+        time.sleep(2)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(60), 130)
+        with xarray.open_dataset(file, group="runs", engine="h5netcdf") as runs:
+            self.assertGreater(runs.sizes["run"], 0)
+            self.assertLess(runs.sizes["run"], 100000)
+            self.assertEqual(runs.attrs["wanted"], 100000)
+
+    def test_one_verdict_is_interrupted_at_once(self):
+        process = subprocess.Popen([SWIRL, *shlex.split(f"classify {MIXED} --collisions 100000000")])
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(10), 130)
+
+
+class Evidence(unittest.TestCase):
+    SCENES = (COEXISTING, FAMILY, MIXED, "--sides 4 --alpha 0.52 --beta 0.46 --mu 0.6 --restitution 0.75",
+              "--sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9",
+              "--sides 4 --alpha 0.6662 --beta 0.9237 --mu 1.0046 --restitution 0.0252")
+
+    def test_every_piece_says_what_would_change_the_verdict(self):
+        for scene in self.SCENES:
+            found = document(f"classify {scene}")
+            self.assertGreaterEqual(len(found["evidence"]), 3, scene)
+            for piece in found["evidence"]:
+                self.assertEqual(set(piece), {"name", "value", "threshold", "says", "changes_if"})
+                self.assertTrue(piece["says"] and piece["changes_if"], piece)
+
+    def test_the_sentence_keeps_its_word(self):
+        """The threshold that the exponent's sentence names is the one that changes the verdict."""
+        found = document(f"classify {MIXED}")
+        exponent = next(p for p in found["evidence"] if p["name"] == "largest exponent")
+        self.assertEqual(found["mode"], "chaotic")
+        self.assertAlmostEqual(exponent["threshold"], 5 * found["largest_exponent_error"], delta=1e-15)
+        self.assertGreater(exponent["value"], exponent["threshold"])
+        cycle = document(f"classify {COEXISTING} --max-period 7")
+        self.assertIn("8", str(document(f"classify {COEXISTING}")["period"]))
+        self.assertIsNone(cycle["period"])  # "none up to 7: the largest exponent and the rotation number would decide"
+        self.assertEqual(cycle["mode"], "undecided")
+
+
+if __name__ == "__main__":
+    unittest.main()

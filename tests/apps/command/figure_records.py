@@ -1,0 +1,113 @@
+"""Small records for the tests of the figures, in the layout of the commands that take long to make them.
+
+The numbers are those of maps whose branches are known in closed form, so that a figure can also be judged by eye."""
+
+import h5py
+import numpy
+
+SCENE = {"sides": 6, "beta": 0.5, "mu": 0.5, "restitution": 0.95, "law": "poisson", "inertia_factor": 2.5 / 6}
+
+
+def _dimension(group, name, size):
+    group.create_dataset(name, data=numpy.zeros(size, dtype="f4")).make_scale(
+        f"This is a netCDF dimension but not a netCDF variable. {size:10d}")
+
+
+def _write(group, name, dimensions, values):
+    text = isinstance(values[0], str) if len(values) else False
+    data = group.create_dataset(name, data=values, dtype=h5py.string_dtype() if text else None)
+    for axis, dimension in enumerate(dimensions):
+        data.dims[axis].attach_scale(group[dimension])
+
+
+def _record(path, settings, scene):
+    file = h5py.File(path, "w")
+    file.attrs["schema_version"] = 1
+    file.create_group("settings").attrs.update(settings)
+    file.create_group("scene").attrs.update(scene)
+    return file
+
+
+def _padded(rows, width):
+    return numpy.array([[*row, *[numpy.nan] * (width - len(row))] for row in rows])
+
+
+def _samples(file):
+    rows = []
+    for column, r in enumerate(numpy.linspace(2.6, 4, 181)):
+        for start in range(3):
+            x = 0.2 + 0.25 * start
+            for impact in range(260):
+                x = r * x * (1 - x)
+                if impact >= 200:
+                    rows.append((r, -x, column, start, start))
+    group = file.create_group("samples")
+    _dimension(group, "sample", len(rows))
+    for name, values in zip(("parameter", "S", "column", "start", "origin"), zip(*rows)):
+        _write(group, name, ["sample"], numpy.array(values, dtype="f8" if name in ("parameter", "S") else "i8"))
+
+
+def _branches(file):
+    rows = []
+    for r in numpy.linspace(2.6, 4, 57):
+        rows.append((0, 1, r, [1 - 1 / r], abs(2 - r)))
+    for r in numpy.linspace(3, 4, 41):
+        root = numpy.sqrt((r - 3) * (r + 1))
+        rows.append((1, 2, r, [(r + 1 - root) / (2 * r), (r + 1 + root) / (2 * r)], abs(4 + 2 * r - r * r)))
+    group = file.create_group("branches")
+    _dimension(group, "point", len(rows))
+    _dimension(group, "phase", 3)
+    for index, name, kind in ((0, "branch", "i8"), (1, "period", "i8"), (2, "parameter", "f8")):
+        _write(group, name, ["point"], numpy.array([row[index] for row in rows], dtype=kind))
+    _write(group, "mean_S", ["point"], numpy.array([-numpy.mean(row[3]) for row in rows]))
+    _write(group, "stable", ["point"], numpy.array([row[4] < 1 for row in rows], dtype="i8"))
+    _write(group, "largest_multiplier", ["point"], numpy.array([row[4] for row in rows]))
+    _write(group, "S", ["point", "phase"], -_padded([row[3] for row in rows], 3))
+
+
+def _special(file):
+    fold = 1 + numpy.sqrt(8)
+    flip = 1 + numpy.sqrt(6)
+    root = numpy.sqrt((flip - 3) * (flip + 1))
+    rows = [("flip", 0, 3.0, [2 / 3]),
+            ("flip", 1, flip, [(flip + 1 - root) / (2 * flip), (flip + 1 + root) / (2 * flip)]),
+            ("fold", 2, fold, [0.159929, 0.514355, 0.956318]),
+            ("end", 0, 4.0, [0.75])]
+    group = file.create_group("special")
+    _dimension(group, "special_point", len(rows))
+    _dimension(group, "phase", 3)
+    _write(group, "kind", ["special_point"], [row[0] for row in rows])
+    _write(group, "branch", ["special_point"], numpy.array([row[1] for row in rows]))
+    _write(group, "parameter", ["special_point"], numpy.array([row[2] for row in rows]))
+    _write(group, "mean_S", ["special_point"], numpy.array([-numpy.mean(row[3]) for row in rows]))
+    _write(group, "S", ["special_point", "phase"], -_padded([row[3] for row in rows], 3))
+
+
+def write_bifurcation(path, groups=("samples", "branches", "special")):
+    """The logistic map's diagram in the layout of `swirl bifurcate` and `swirl continue`: alpha is r, S is −x."""
+    with _record(path, {"along": "alpha"}, SCENE) as file:
+        for name, write in (("samples", _samples), ("branches", _branches), ("special", _special)):
+            if name in groups:
+                write(file)
+
+
+def write_orbits(path, count, largest):
+    """`count` orbits in the layout of `swirl orbits`, their largest multipliers up to `largest`."""
+    periods = 1 + numpy.arange(count) % 5
+    moduli = numpy.geomspace(0.4, largest, count)
+    angles = numpy.linspace(0, 2.6, count)
+    real = _padded(numpy.column_stack([moduli * numpy.cos(angles)] * 2 + [0.3 * numpy.cos(periods), 1e-17 * moduli]), 5)
+    imaginary = _padded(numpy.column_stack([moduli * numpy.sin(angles), -moduli * numpy.sin(angles), 0 * moduli,
+                                            0 * moduli]), 5)
+    with _record(path, {"max_period": 5}, {**SCENE, "alpha": 0.4}) as file:
+        group = file.create_group("orbits")
+        _dimension(group, "orbit", count)
+        _dimension(group, "multiplier_index", 5)
+        _write(group, "period", ["orbit"], periods)
+        _write(group, "mean_S", ["orbit"], -0.98 + 0.4 * numpy.sin(1.0 * numpy.arange(count)))
+        _write(group, "return_time", ["orbit"], 1.4 * periods)
+        _write(group, "residual", ["orbit"], numpy.full(count, 1e-15))
+        _write(group, "multiplier_re", ["orbit", "multiplier_index"], real)
+        _write(group, "multiplier_im", ["orbit", "multiplier_index"], imaginary)
+        stability = ["stable" if modulus < 1 else "unstable" for modulus in moduli[:-1]] + ["neutral"]
+        _write(group, "stability", ["orbit"], stability)

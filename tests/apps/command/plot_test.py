@@ -1,0 +1,246 @@
+"""swirl plot, from outside, and the package behind it: plot_test.py SWIRL ROOT"""
+
+import json
+import os
+import re
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import numpy
+
+SWIRL, ROOT = (str(Path(sys.argv.pop(1)).resolve()) for _ in range(2))
+sys.path[:0] = [str(Path(ROOT) / "notebooks-export"), str(Path(__file__).parent)]
+
+import figure_records
+from swirl_figures import draw, kinds_of, open_record
+from swirl_figures.flights import flights_of
+from swirl_figures.path import FRAMES, sample
+from swirl_figures.spin import running_mean
+
+STEADY = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+RECORDS = {
+    "steps": f"simulate {STEADY} --collisions 60",
+    "chaotic": "simulate --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --collisions 2000",
+    "every": "simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --collisions 1000 --every 10",
+    "contact": "simulate --sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --collisions 200",
+    "single": f"simulate {STEADY} --collisions 1",
+    "sweep1": "sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.8:0.1:4 --runs 2",
+    "sweep2": "sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:5 --grid beta=0.1:0.9:4 --runs 2",
+    "sweep3": "sweep --mu 0.5 --beta 0.5 --grid alpha=0.2:0.6:3 --grid restitution=0.8:1:2 --grid sides=3:10:8",
+    "point": "sweep --sides 6 --beta 0.5 --restitution 0.9 --grid mu=0.5:0.5:1 --grid alpha=0.4:0.4:1",
+}
+SHORT = " --transient 100 --collisions 100"
+HEADS = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF-"}
+
+
+def run(arguments, **options):
+    words = shlex.split(arguments) if isinstance(arguments, str) else arguments
+    return subprocess.run([SWIRL, *words], capture_output=True, text=True, timeout=300, **options)
+
+
+class WithRecords(unittest.TestCase):
+    """The records of all kinds, made once."""
+
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(temporary.cleanup)
+        cls.folder = Path(temporary.name)
+        cls.records = {}
+        for name, command in RECORDS.items():
+            cls.records[name] = cls.folder / f"{name}.h5"
+            result = run(command + (SHORT if command.startswith("sweep") else "") + f" --quiet -o {cls.records[name]}")
+            assert result.returncode in (0, 3), (command, result.stderr)
+        for name, groups in (("bifurcate", ["samples"]), ("continue", ["branches", "special"]),
+                             ("both", ["samples", "branches", "special"])):
+            cls.records[name] = cls.folder / f"{name}.h5"
+            figure_records.write_bifurcation(cls.records[name], groups)
+        for name, count, largest in (("orbits", 4, 1.3), ("many-orbits", 40, 5000.0)):
+            cls.records[name] = cls.folder / f"{name}.h5"
+            figure_records.write_orbits(cls.records[name], count, largest)
+
+
+class Figures(WithRecords):
+    def draw(self, name, suffix):
+        figure = self.folder / f"{name}.{suffix}"
+        result = run(["plot", str(self.records[name]), "-o", str(figure)])
+        self.assertEqual((result.returncode, result.stderr), (0, ""), name)
+        content = figure.read_bytes()
+        self.assertTrue(content.startswith(HEADS[suffix]), figure)
+        self.assertGreater(len(content), 8_000, figure)
+        return figure
+
+    def test_every_record_is_drawn(self):
+        from matplotlib.image import imread
+        for name in self.records:
+            pixels = imread(self.draw(name, "png"))[..., :3]
+            colours = numpy.unique((pixels.reshape(-1, 3) * 255).astype(int), axis=0)
+            self.assertGreater(len(colours), 20, name)
+
+    def test_every_format_is_written(self):
+        for name in ("chaotic", "sweep2", "both", "orbits"):
+            for suffix in ("svg", "pdf"):
+                self.draw(name, suffix)
+
+    def test_every_kind_of_a_record_is_drawn(self):
+        for name, kinds in (("chaotic", ["orbit", "spin", "path"]), ("sweep2", ["modes"]), ("both", ["bifurcation"]),
+                            ("orbits", ["multipliers"])):
+            self.assertEqual(kinds_of(self.records[name]), kinds)
+            for kind in kinds:
+                result = run(f"plot {self.records[name]} -o {self.folder}/kind.png --kind {kind} --json")
+                self.assertEqual(json.loads(result.stdout)["kind"], kind, result.stderr)
+
+    def test_equal_records_give_equal_figures(self):
+        for suffix in HEADS:
+            contents = set()
+            for name in ("a", "b"):
+                run(f"plot {self.records['chaotic']} -o {self.folder}/{name}.{suffix} --quiet")
+                contents.add((self.folder / f"{name}.{suffix}").read_bytes())
+            self.assertEqual(len(contents), 1, suffix)
+
+    def test_titles_and_axes_have_symbols(self):
+        def texts(figure):
+            found = [figure._suptitle.get_text()]
+            for axes in figure.axes:
+                found += [axes.get_xlabel(), axes.get_ylabel(), axes.get_title()]
+            return " ".join(found)
+        both = texts(draw(self.records["both"]))
+        self.assertIn(r"$\alpha = R_p/R_c$", both)
+        self.assertNotIn("α =", both)  # it varies: no part of the scene
+        self.assertIn("hexagon, β = 0.5, μ = 0.5, e = 0.95", both)
+        self.assertIn("α = 0.4, β = 0.5", texts(draw(self.records["orbits"])))
+        point = texts(draw(self.records["point"]))  # two parameters of one value: the first is the axis
+        self.assertIn("hexagon, α = 0.4, β = 0.5, e = 0.9", point)
+        self.assertIn(r"$\mu$", point)
+
+    def test_a_name_is_only_a_name(self):
+        for name in ("a b.png", "$(touch x).png", "-dash.png", "quote'\".svg"):
+            result = run(["plot", str(self.records["single"]), f"--output={name}"], cwd=self.folder)
+            self.assertEqual(result.returncode, 0, (name, result.stderr))
+            self.assertTrue((self.folder / name).is_file())
+        self.assertFalse((self.folder / "x").exists())
+
+
+class Orbits(WithRecords):
+    """What the figures are drawn from is what the record says."""
+
+    def test_flights_join_the_states_of_the_record(self):
+        for name in ("steps", "chaotic", "contact"):
+            record = open_record(self.records[name])
+            flights, joined = flights_of(record), flights_of(record).follows()
+            self.assertGreater(joined.sum(), 0.8 * (len(flights) - 1))
+            for column, values in (("spin", flights.spin), ("vx", flights.vx), ("vy", flights.vy)):
+                error = abs(values[1:] - record.column("collisions", column)[:-1])[joined]
+                self.assertLess(error.max(), 1e-11, (name, column))
+            begin = flights.x[1:] - flights.vx[1:] * (flights.end - flights.begin)[1:]
+            self.assertLess(abs(begin - record.column("collisions", "x")[:-1])[joined].max(), 1e-11)
+
+    def test_the_running_mean_ends_at_the_mean_of_the_record(self):
+        for name in ("steps", "chaotic", "contact"):
+            record = open_record(self.records[name])
+            mean = running_mean(record)[1][-1]
+            delta = 1e-3 if name == "contact" else 1e-12
+            self.assertAlmostEqual(mean, record.attributes("result")["mean_S"], delta=delta)
+
+    def test_no_path_leaves_the_container(self):
+        for name in ("steps", "chaotic", "every", "contact"):
+            record = open_record(self.records[name])
+            beta = record.scene()["beta"]
+            for t, x, y in sample(flights_of(record)):
+                distance = [numpy.hypot(*FRAMES["Container (not turning)"](x, y, t, beta)),
+                            numpy.hypot(FRAMES["Co-rotating with the swirl"](x, y, t, beta)[0] - beta,
+                                        FRAMES["Co-rotating with the swirl"](x, y, t, beta)[1])]
+                self.assertLess(numpy.max(distance), 1)
+                self.assertLess(abs(distance[0] - distance[1]).max(), 1e-12)
+
+
+class BadInput(WithRecords):
+    def check(self, arguments, *mentions, **options):
+        before = sorted(self.folder.rglob("*"))
+        result = run(arguments, **options)
+        self.assertEqual((result.returncode, result.stdout), (2, ""), arguments)
+        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+        for mention in mentions:
+            self.assertIn(mention, result.stderr)
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
+
+    def test_records(self):
+        text = self.folder / "text.h5"
+        text.write_text("no record")
+        cut = self.folder / "cut.h5"
+        cut.write_bytes(self.records["steps"].read_bytes()[:5000])
+        empty = self.folder / "empty.h5"
+        run(f"simulate --sides 6 --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.9 --x 0.1 --quiet -o {empty}")
+        other = self.folder / "other.h5"
+        run(f"classify {STEADY} --transient 100 --collisions 100 --quiet -o {other}")
+        for record, mention in ((self.folder / "none.h5", "none.h5"), (text, "text.h5"), (cut, "cut.h5"),
+                                (empty, "no impacts"), (other, "nothing that there is a figure of")):
+            self.check(f"plot {record} -o {self.folder}/new.png", mention)
+
+    def test_figures(self):
+        record = self.records["steps"]
+        self.check(f"plot {record} -o {self.folder}/a.jpg", "a.jpg", ".png, .svg, .pdf")
+        self.check(f"plot {record} -o {self.folder}/a", "suffix")
+        self.check(f"plot {record} -o {self.folder}/no/such/a.png", "no/such")
+        self.check(f"plot {record} -o {self.folder}/new.png --kind modes", "kind = modes", "orbit, spin, path")
+        self.check(f"plot {record}", "--output")
+        self.check("plot -o a.png", "record")
+        (self.folder / "folder.png").mkdir()
+        self.check(f"plot {record} -o {self.folder}/folder.png", "folder.png")
+        link = self.folder / "record.png"
+        link.symlink_to(record)
+        self.check(f"plot {record} -o {link}", "the record itself")
+
+    def test_what_stood_there_stays(self):
+        kept = self.folder / "kept.png"
+        kept.write_text("not touched")
+        self.check(f"plot {self.records['steps']} -o {kept} --kind modes")
+        self.assertEqual(kept.read_text(), "not touched")
+
+    def test_without_python_or_its_packages(self):
+        bare = self.folder / "bare-python"
+        bare.write_text('#!/bin/sh\nexec /usr/bin/python3 -I -S "$@"\n')
+        bare.chmod(0o755)
+        command = f"plot {self.records['steps']} -o {self.folder}/new.png"
+        self.check(command, "python3-matplotlib", env={**os.environ, "SWIRL_PYTHON": "/nonsense/python3"})
+        self.check(command, "SWIRL_FIGURES", env={**os.environ, "SWIRL_FIGURES": str(self.folder)})
+        self.check(command, "python3-matplotlib", env={**os.environ, "SWIRL_PYTHON": str(bare)})
+
+    def test_a_full_disk_exits_with_4(self):
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([SWIRL, "plot", str(self.records["steps"]), "-o", str(self.folder / "full.png")],
+                                    stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+        self.assertEqual((result.returncode, len(result.stderr.splitlines())), (4, 1), result.stderr)
+
+
+class Interrupted(WithRecords):
+    def test_leaves_nothing(self):
+        before = sorted(self.folder.rglob("*"))
+        process = subprocess.Popen([SWIRL, "plot", str(self.records["chaotic"]), "-o", str(self.folder / "cut.png")],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=60)
+        if process.returncode != 0:  # else it was quicker this time
+            self.assertEqual((process.returncode, output, errors), (130, "", ""))
+            self.assertEqual(sorted(self.folder.rglob("*")), before)
+
+
+class Help(unittest.TestCase):
+    def test_the_example_runs(self):
+        text = run("plot --help")
+        examples = re.findall(r"^\s*swirl (.*)$", text.stdout, re.M)
+        self.assertGreaterEqual(len(examples), 2)
+        with tempfile.TemporaryDirectory() as folder:
+            for example in examples:
+                self.assertEqual(run(example, cwd=folder).returncode, 0, example)
+
+
+if __name__ == "__main__":
+    unittest.main()

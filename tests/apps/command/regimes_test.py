@@ -1,0 +1,183 @@
+"""One oracle per regime for classify, lyapunov, recurrence and spectrum, from the command line: regimes_test.py SWIRL
+
+Fixed, periodic, quasi-periodic, chaotic, transient, and each measured with 1 % noise. (lyapunov has no measured series:
+its counterpart there is the exponent of classify --series.)
+"""
+
+import json
+import math
+import random
+import shlex
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SWIRL = str(Path(sys.argv.pop(1)).resolve())
+FIXED = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+CYCLE = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"  # of period 8
+TORUS = "--sides 4 --alpha 0.52 --beta 0.46 --mu 0.6 --restitution 0.75"  # attracts
+CHAOS = "--sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1"
+GROWS = "--sides 4 --alpha 0.625 --beta 0.493 --mu 0.475 --restitution 1"  # accelerated for ever: no mode
+
+
+def document(arguments, code=0):
+    result = subprocess.run([SWIRL, *shlex.split(arguments + " --json")], capture_output=True, text=True, timeout=300)
+    assert result.returncode == code, (arguments, result.returncode, result.stderr)
+    return json.loads(result.stdout)
+
+
+def impacts(scene, count, skip):
+    return document(f"simulate {scene} --collisions {count + skip} --skip {skip}")["collisions"]
+
+
+def line_at(values, frequency):
+    """Share of the variance in a line at this frequency, cycles per sample (Hann window, all of its main lobe)."""
+    n = len(values)
+    mean = math.fsum(values) / n
+    weights = [math.sin(math.pi * (i + 0.5) / n) ** 2 for i in range(n)]
+    x = [w * (v - mean) for w, v in zip(weights, values)]
+    re = math.fsum(v * math.cos(2 * math.pi * frequency * i) for i, v in enumerate(x))
+    im = math.fsum(v * math.sin(2 * math.pi * frequency * i) for i, v in enumerate(x))
+    amplitude = 2 * math.hypot(re, im) / math.fsum(weights)
+    variance = math.fsum((v - mean) ** 2 for v in values) / n
+    return amplitude**2 / 2 / variance
+
+
+class QuasiPeriodic(unittest.TestCase):
+    def test_classify_finds_the_rotation_number_that_the_impacts_have(self):
+        found = document(f"classify {TORUS}")
+        self.assertEqual((found["mode"], found["kind"], found["period"]), ("quasi-steady", "quasi-periodic", None))
+        rotation = found["rotation_number"]
+        spins = [row["spin"] for row in impacts(TORUS, 4000, 4000)]
+        share = line_at(spins, rotation)
+        self.assertGreater(share, 0.3)
+        # Two bins away the window has nothing left: the line is there to a few parts in 10 000, and it is S's own.
+        for off in (-2.5 / 4000, 2.5 / 4000):
+            self.assertLess(line_at(spins, rotation + off), 1e-2 * share)
+        combinations = math.fsum(line_at(spins, m * rotation) for m in range(1, 31))
+        self.assertGreater(combinations, 0.99)
+        self.assertEqual(document(f"classify {TORUS} --seed 2")["kind"], "quasi-periodic")
+
+    def test_a_torus_round_an_attracting_fixed_point_is_not_taken_for_it(self):
+        found = document("classify --sides 6 --alpha 0.71148787443208794 --beta 0.32971519551788647 "
+                         "--mu 0.33155311847740321 --restitution 1 --seed 1588")
+        self.assertEqual((found["kind"], found["period"]), ("quasi-periodic", None))
+
+    def test_lyapunov_has_one_zero_the_rest_attracts(self):
+        found = document(f"lyapunov {TORUS} --collisions 20000")
+        self.assertEqual(found["signs"], ["neutral"] + 4 * ["negative"])
+        self.assertLess(abs(found["exponents"][0]), 1e-10)
+        self.assertLess(found["exponents"][1], -0.1)
+
+    def test_recurrence_has_lines_that_end_at_the_border_only(self):
+        found = document(f"recurrence {TORUS} --collisions 2000 --threshold-std 0.1 --observable psi,chi,vn,vt,S")
+        # A return within the threshold stays one for ever, as the torus turns rigidly: but for those at its rim.
+        self.assertGreater(found["DET"], 0.9)
+        self.assertGreater(found["Lmax"], 1900)
+
+    def test_spectrum_has_lines_at_multiples_of_the_rotation(self):
+        rotation = document(f"classify {TORUS}")["rotation_number"]
+        rows = impacts(TORUS, 20000, 4000)
+        impact_rate = 2 * math.pi * len(rows) / math.fsum(row["flight_time"] for row in rows)
+        found = document(f"spectrum {TORUS}")
+        self.assertEqual(found["verdict"], "lines")
+        for peak in found["peaks"][:6]:
+            nearest = min(abs(peak["frequency"] / impact_rate - (k + m * rotation))
+                          for k in range(-2, 4) for m in range(-12, 13))
+            self.assertLess(nearest, 2e-4, peak)
+
+
+class Chaotic(unittest.TestCase):
+    def test_all_four_say_so(self):
+        verdict = document(f"classify {CHAOS}")
+        self.assertEqual(verdict["mode"], "chaotic")
+        lyapunov = document(f"lyapunov {CHAOS} --collisions 20000")
+        self.assertEqual(lyapunov["signs"][0], "positive")
+        error = math.hypot(lyapunov["standard_errors"][0], verdict["largest_exponent_error"])
+        self.assertAlmostEqual(lyapunov["exponents"][0], verdict["largest_exponent"], delta=5 * error)
+        self.assertLess(document(f"recurrence {CHAOS} --collisions 2000")["DET"], 0.5)
+        self.assertEqual(document(f"spectrum {CHAOS}")["verdict"], "continuum")
+
+
+class Transient(unittest.TestCase):
+    def test_what_is_accelerated_for_ever_has_no_mode(self):
+        speeds = [math.hypot(row["vx"], row["vy"]) for row in impacts(GROWS, 20000, 0)[99::100]]
+        self.assertGreater(min(speeds[100:]), max(speeds[:3]))
+        found = document(f"classify {GROWS}")
+        self.assertEqual((found["mode"], found["kind"]), ("undecided", "transient"))
+        spread = next(e for e in found["evidence"] if e["name"] == "change of spread along the tail")
+        self.assertGreater(abs(math.log(spread["value"])), math.log(spread["threshold"]))
+        self.assertNotIn("positive", document(f"lyapunov {GROWS} --collisions 20000")["signs"])
+
+    def test_what_settles_is_told_from_what_has_settled(self):
+        early, late = f"{FIXED} --transient 0 --collisions 600", f"{FIXED} --transient 2000 --collisions 600"
+        self.assertEqual(document(f"spectrum {early}")["verdict"], "nonstationary")
+        self.assertEqual(document(f"spectrum {late}")["spectrum_outcome"], "constant")
+        settling = document(f"recurrence {early} --threshold 1e-6")
+        self.assertLess(settling["RR"], 1)
+        self.assertGreater(settling["LAM"], 0.9)  # it stays where it has come to
+        self.assertEqual(document(f"recurrence {late} --threshold 1e-6")["RR"], 1)
+        # The fixed point's own exponent (oracle/cycles.json: its largest multiplier).
+        exact = math.log(math.hypot(0.603654650944, 0.745364501151))
+        plain = document(f"lyapunov {early}")["plain_means"][0], document(f"lyapunov {late}")["plain_means"][0]
+        self.assertGreater(abs(plain[0] - exact), abs(plain[1] - exact))
+
+
+class Measured(unittest.TestCase):
+    """S of 2,000 impacts with 1 % noise: of its deviation, or of its size where it is constant."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.noise = random.Random(3)
+
+    def series(self, scene):
+        spins = [row["spin"] for row in impacts(scene, 2000, 4000)]
+        mean = math.fsum(spins) / len(spins)
+        deviation = math.sqrt(math.fsum((s - mean) ** 2 for s in spins) / len(spins))
+        size = 0.01 * (deviation if deviation > 1e-9 else abs(mean))
+        path = self.folder / "s.csv"
+        path.write_text("S\n" + "".join(f"{s + self.noise.gauss(0, size)!r}\n" for s in spins))
+        return f"--series {path}", size
+
+    def test_fixed(self):
+        series, noise = self.series(FIXED)
+        known = document(f"classify {series} --noise {noise}")
+        self.assertEqual((known["mode"], known["kind"]), ("steady", "fixed-point"))
+        self.assertEqual(document(f"classify {series}")["mode"], "undecided")  # noise of unknown size alone
+        self.assertGreater(document(f"recurrence {series} --threshold {6 * noise}")["RR"], 0.99)
+        self.assertEqual(document(f"spectrum {series}")["verdict"], "continuum")  # the noise's
+
+    def test_periodic(self):
+        series, _ = self.series(CYCLE)
+        found = document(f"classify {series}")
+        self.assertEqual((found["kind"], found["period"]), ("cycle", 8))
+        peaks = document(f"spectrum {series}")["peaks"]
+        for peak in peaks[:3]:
+            self.assertAlmostEqual(8 * peak["frequency"], round(8 * peak["frequency"]), delta=1e-4)
+        self.assertEqual(document(f"recurrence {series} --threshold-std 0.1")["Lmax"], 2000 - 8)
+
+    def test_quasi_periodic(self):
+        series, _ = self.series(TORUS)
+        self.assertEqual(document(f"classify {series}")["kind"], "quasi-periodic")
+        rotation = document(f"classify {TORUS}")["rotation_number"]
+        spectrum = document(f"spectrum {series}")
+        self.assertEqual(spectrum["verdict"], "lines")
+        self.assertAlmostEqual(spectrum["peaks"][0]["frequency"], rotation, delta=1e-5)
+        self.assertGreater(document(f"recurrence {series} --threshold-std 0.2 --dimension 2")["Lmax"], 1000)
+
+    def test_chaotic(self):
+        series, _ = self.series(CHAOS)
+        found = document(f"classify {series}")
+        # So wild that no embedding predicts it: not enough evidence for chaos, and never taken for regular.
+        self.assertIn(found["mode"], ("chaotic", "undecided"))
+        self.assertIsNone(found["period"])
+        self.assertEqual(document(f"spectrum {series}")["verdict"], "continuum")
+        self.assertLess(document(f"recurrence {series}")["DET"], 0.4)
+
+
+if __name__ == "__main__":
+    unittest.main()

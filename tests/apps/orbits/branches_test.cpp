@@ -1,0 +1,141 @@
+// Branches of polygons: their borders against the condition that makes them, their points against direct solution.
+#include "analysis/continuation/continue_branch.hpp"
+#include "analysis/orbits/multi_shooting.hpp"
+#include "apps/continue/branches.hpp"
+#include "apps/scene_map/scene_map.hpp"
+#include "map/collision_map.hpp"
+#include "tests/map/oracle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace swirl {
+namespace {
+
+/// A copy: a loop over a member of a temporary would see nothing.
+nlohmann::json listed(const std::string& file) {
+    nlohmann::json cycles = tests::read_oracle(file)["cycles"];
+    EXPECT_GE(cycles.size(), 10U);
+    return cycles;
+}
+
+struct Followed {
+    Scene<double> scene;
+    apps::SceneBranches system;
+    analysis::Branch branch;
+};
+
+Followed follow(const nlohmann::json& c, const std::string& along_text) {
+    const auto along = apps::along_from(along_text, false, true);
+    Followed followed{tests::scene_from<double>(c), {}, {}};
+    followed.system = apps::scene_branches(followed.scene, along);
+    const double p = apps::value_of(followed.scene, along);
+    const auto z = apps::state_of(tests::point_from<double>(c["point"]), false);
+    const auto guess = analysis::orbit_from(followed.system.map, z, p, c["period"]);
+    EXPECT_TRUE(analysis::continue_branch(followed.system.map, guess, p, followed.system.options, followed.branch));
+    return followed;
+}
+
+const analysis::SpecialPoint* first_of(const Followed& followed, const std::string& kind) {
+    for (const auto& special : followed.branch.special)
+        if (apps::kind_of(special) == kind) return &special;
+    return nullptr;
+}
+
+// A steady mode that sticks has its impulse through the centre, q/p = −tan χ, and doesn't know μ: it begins to slide
+// where μ = |tan χ|.
+TEST(Branches, ASteadyModeBeginsToSlideWhereFrictionEnds) {
+    const auto c = tests::read_oracle("cycles.json")["cycles"][0];
+    const auto followed = follow(c, "mu=0.01:0.9");
+    const double threshold = std::tan(tests::number<double>(c["point"]["chi"]));
+    double nearest = 1;
+    for (const auto& special : followed.branch.special)
+        if (apps::kind_of(special) == "stick-slip") nearest = std::min(nearest, std::abs(special.cycle.at.p - threshold));
+    EXPECT_LE(nearest, 1e-10);
+}
+
+/// The largest gap of any vertex within the flights of a cycle, their ends apart.
+double largest_inner_gap(const Scene<double>& scene, const analysis::CurvePoint& cycle) {
+    const auto body = make_body(scene);
+    double largest = -1;
+    for (std::size_t i = 0; i < cycle.points.size(); ++i) {
+        const auto flight = flight_from(body, launch_from(apps::section_point_of(cycle.points[i])));
+        const double duration = cycle.closing.steps[i].duration;
+        for (int k = 0; k < scene.sides; ++k) {
+            const auto gap = [&](double t) {
+                const auto at = instant_at<Shape::polygon>(flight, t);
+                const auto x = at.centre + body.turned_to_vertex(at.arm, k);
+                return dot(x, x) - 1;
+            };
+            constexpr int samples = 20'000;
+            for (int j = 1; j < samples; ++j) {
+                const double t = duration * j / samples, h = duration / samples;
+                if (gap(t) < gap(t - h) || gap(t) < gap(t + h)) continue;
+                double low = t - h, high = t + h;  // golden section on the maximum
+                for (int n = 0; n < 80; ++n) {
+                    const double a = low + 0.382 * (high - low), b = low + 0.618 * (high - low);
+                    (gap(a) > gap(b) ? high : low) = gap(a) > gap(b) ? b : a;
+                }
+                largest = std::max(largest, gap(0.5 * (low + high)));
+            }
+        }
+    }
+    return largest;
+}
+
+TEST(Branches, AGrazingIsLocatedToRounding) {
+    int seen = 0;
+    const auto cycles = tests::read_oracle("cycles.json")["cycles"];
+    for (const std::size_t i : {1U, 3U}) {
+        const auto followed = follow(cycles[i], "alpha=0.05:0.97");
+        const auto* grazing = first_of(followed, "grazing");
+        if (grazing == nullptr) continue;
+        ++seen;
+        EXPECT_FALSE(grazing->goes_on);
+        const auto scene = with_parameter(followed.scene, Parameter::alpha, grazing->cycle.at.p);
+        // 10⁻¹⁰ in the parameter.
+        EXPECT_NEAR(largest_inner_gap(scene, grazing->cycle.at), 0, 1e-9) << "cycle " << i;
+    }
+    EXPECT_GT(seen, 0);
+}
+
+TEST(Branches, PointsAreCyclesOfTheirScenes) {
+    const auto c = tests::read_oracle("cycles.json")["cycles"][4];
+    for (const char* along : {"alpha=0.4:0.6", "beta=0.4:0.6", "mu=0.5:0.7", "restitution=0.8:1", "inertia-factor=0.3:0.45"}) {
+        const auto followed = follow(c, along);
+        const auto parameter = apps::along_from(along, false, true).parameter.value();
+        ASSERT_GT(followed.branch.points.size(), 5U) << along;
+        for (std::size_t i = 0; i < followed.branch.points.size(); i += 7) {
+            const auto& point = followed.branch.points[i];
+            const auto map = apps::scene_map(with_parameter(followed.scene, parameter, point.at.p));
+            const auto closing = analysis::close_cycle(map, point.at.points, 0);
+            ASSERT_TRUE(closing.alive) << along;
+            EXPECT_LE(closing.residual(), 1e-12) << along << " = " << point.at.p;
+        }
+    }
+}
+
+// ∂F/∂p by Jets against central differences of F.
+TEST(Branches, TheDerivativeAlongEveryParameter) {
+    for (const auto& c : listed("cycles.json")) {
+        const auto scene = tests::scene_from<double>(c);
+        const auto z = apps::state_of(tests::point_from<double>(c["point"]), false);
+        for (const Parameter parameter : all_parameters) {
+            const auto map = apps::scene_map(scene, parameter);
+            Scene<double> copy = scene;
+            const double p = number_of(copy, parameter);
+            constexpr double h = 1e-6;
+            const auto step = map.step(z, p);
+            const auto above = map.step(z, p + h), below = map.step(z, p - h);
+            ASSERT_TRUE(step.alive && above.alive && below.alive);
+            if (above.letter != below.letter) continue;
+            const Eigen::VectorXd quotient = map.difference(above.state, below.state) / (2 * h);
+            // h² of the third derivative and ε/h.
+            EXPECT_LE((quotient - step.by_parameter).norm(), 1e-7 * (1 + step.by_parameter.norm())) << name_of(parameter);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace swirl

@@ -1,0 +1,115 @@
+// Steady modes at e = 1 against their closed form (design, section 4), worked out here on a grid of its own.
+#include "analysis/continuation/continue_branch.hpp"
+#include "analysis/orbits/family.hpp"
+#include "apps/continue/branches.hpp"
+#include "tests/apps/orbits/scene_cycles.hpp"
+#include "tests/map/random_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace swirl {
+namespace {
+
+/// S of the closed form, and how many vertices on the next one is: whole for a steady mode.
+double spin_at(const Scene<double>& scene, double tau) {
+    return (scene.beta - (scene.beta + 1 - scene.alpha) * std::sin(tau) / tau) / scene.alpha;
+}
+double vertices_on(const Scene<double>& scene, double tau) {
+    return scene.sides * tau * (1 - spin_at(scene, tau)) / (2 * M_PI);
+}
+
+/// Every steady mode: roots of vertices_on(τ) = j by bisection, kept where the map itself returns to them.
+std::vector<Eigen::VectorXd> steady_modes(const Scene<double>& scene, double longest) {
+    const auto map = apps::scene_map(scene);
+    std::vector<Eigen::VectorXd> modes;
+    constexpr double step = 0.0037;
+    for (double begin = step; begin < longest; begin += step) {
+        const double a = vertices_on(scene, begin), b = vertices_on(scene, begin + step);
+        for (double j = std::ceil(std::min(a, b)); j <= std::max(a, b); ++j) {
+            double low = begin, high = begin + step;
+            for (int i = 0; i < 60; ++i) {
+                const double middle = 0.5 * (low + high);
+                ((vertices_on(scene, middle) - j) * (a - j) > 0 ? low : high) = middle;
+            }
+            const double radius = scene.beta + 1 - scene.alpha, half = std::sin(0.5 * low);
+            const Eigen::VectorXd z = apps::state_of(
+                {0, 0, -2 * radius / low * half * half, radius * std::sin(low) / low, spin_at(scene, low)}, false);
+            const auto image = map.step(z, 0);
+            if (image.alive && map.distance(image.state, z) < 1e-9) modes.push_back(z);
+        }
+    }
+    return modes;
+}
+
+TEST(ClosedForm, EverySteadyModeOfTenPolygonsIsFound) {
+    tests::Random random(4);
+    std::size_t all = 0;
+    for (int i = 0; i < 10; ++i) {
+        const auto scene = tests::random_scene(random, 3 + i, random.between(0.1, 1), 1, Law::poisson);
+        const auto modes = steady_modes(scene, 12);
+        const auto cycles = tests::cycles_of(scene, 1);
+        const auto map = apps::scene_map(scene);
+        for (const auto& z : modes) {
+            double nearest = 1;
+            for (const auto& cycle : cycles) nearest = std::min(nearest, tests::distance_to(map, cycle, z));
+            EXPECT_LE(nearest, 1e-9) << "N = " << scene.sides << ", S = " << z[4];
+        }
+        all += modes.size();
+    }
+    std::printf("%zu steady modes on ten scenes\n", all);
+    EXPECT_GE(all, 50U);
+}
+
+Scene<double> disk() { return {disk_sides, 0.3, 0.1, 0.5, 1, Law::poisson, 0.5}; }
+
+// [references.md] τ = 1.33899: S = −1.6049495, |multipliers| 0.98723008 (a pair), 1, 0; τ = 2.5: 1.0072349.
+TEST(ClosedForm, MembersOfTheDisksFamily) {
+    const auto map = apps::scene_map(disk());
+    analysis::Cycle seed;
+    seed.points = {apps::state_of({0, 0, -0.8 * std::pow(std::sin(0.5), 2) * 2, 0.8 * std::sin(1.0), spin_at(disk(), 1)}, true)};
+    ASSERT_TRUE(analysis::complete_cycle(map, 0, seed));
+    ASSERT_EQ(seed.tangents.cols(), 1);
+    const auto family = analysis::walk_family(map, 0, seed);
+    for (const auto& [tau, spin, modulus] : {std::tuple{1.33899, -1.6049495, 0.98723008}, {2.5, -0.30503695, 1.0072349}}) {
+        const auto members = analysis::pinned_members(map, family, [](const auto& point) { return point.closing.duration; }, tau);
+        ASSERT_EQ(members.size(), 1U);
+        analysis::Cycle member;
+        member.points = members.front();
+        ASSERT_TRUE(analysis::complete_cycle(map, 0, member));
+        EXPECT_NEAR(member.return_time, tau, 1e-13);
+        EXPECT_NEAR(member.points[0][3], spin_at(disk(), tau), 1e-12);
+        EXPECT_NEAR(member.points[0][3], spin, 6e-8);  // as printed
+        std::vector<double> moduli;
+        for (const auto& m : member.multipliers) moduli.push_back(std::abs(m));
+        std::sort(moduli.begin(), moduli.end());
+        EXPECT_NEAR(moduli[0], 0, 1e-9);
+        EXPECT_NEAR(std::min(moduli[1], moduli[3]), modulus < 1 ? modulus : 1, 6e-8);
+        EXPECT_NEAR(moduli[3], modulus < 1 ? 1 : modulus, 6e-8);
+    }
+}
+
+// [references.md] The family loses its stability (Neimark–Sacker) at τ = 2.33112237041442.
+TEST(ClosedForm, TheDisksFamilyLosesItsStability) {
+    const auto along = apps::along_from("tau=1:3", false, true);
+    const auto scene = apps::scene_branches(disk(), along);
+    const double tau = 2;
+    const analysis::CyclePoints member = {apps::state_of(
+        {0, 0, -2 * 0.8 / tau * std::pow(std::sin(0.5 * tau), 2), 0.8 * std::sin(tau) / tau, spin_at(disk(), tau)}, true)};
+    analysis::Branch branch;
+    ASSERT_TRUE(analysis::continue_branch(scene.map, member, 0, scene.options, branch));
+    EXPECT_EQ(branch.begin, analysis::BranchEnd::range);
+    EXPECT_EQ(branch.end, analysis::BranchEnd::range);
+    ASSERT_EQ(branch.special.size(), 1U);
+    EXPECT_EQ(branch.special[0].kind, analysis::SpecialKind::neimark_sacker);
+    EXPECT_NEAR(branch.special[0].cycle.at.closing.duration, 2.33112237041442, 1e-8);
+    for (const auto& point : branch.points) {
+        const double t = point.at.closing.duration;
+        EXPECT_NEAR(point.at.points[0][3], spin_at(disk(), t), 1e-12) << "tau " << t;
+    }
+}
+
+}  // namespace
+}  // namespace swirl

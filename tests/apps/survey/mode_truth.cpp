@@ -1,0 +1,88 @@
+#include "tests/apps/survey/mode_truth.hpp"
+
+#include "analysis/classification/classify.hpp"
+#include "apps/orbit_ending.hpp"
+#include "apps/section_system.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace swirl::apps {
+
+namespace {
+
+constexpr double closure = 1e-9;
+constexpr double apart = 1e-8;
+constexpr int blocks = 32;
+
+template <class System>
+std::int64_t period_of(const System& system, const analysis::Tail<System::dimension>& tail) {
+    const auto n = static_cast<std::int64_t>(tail.states.size());
+    for (std::int64_t k = 1; k <= n / 2; ++k)
+        if (analysis::classification_detail::return_distance(system, tail, k, std::max(k, n / 4), closure) <= closure)
+            return k;
+    return 0;
+}
+
+/// ln of the separation's growth over one impact, and the neighbour drawn back to `apart`.
+template <class System, class State>
+double part(const System& system, State& orbit, State& neighbour, int direction) {
+    constexpr double rounding = 1e-15;
+    const auto next = system.advance(orbit);
+    const auto beside = system.advance(neighbour);
+    const State gap = beside.alive ? analysis::difference(system, beside.state, next.state) : State::Zero();
+    const double size = gap.norm();
+    orbit = neighbour = next.state;
+    if (size > rounding) neighbour += gap * (apart / size);
+    else neighbour[direction] += apart;
+    return beside.alive ? std::log(std::max(size, rounding) / apart) : 0;
+}
+
+template <class System, class State>
+void find_exponent(const System& system, const State& start, std::int64_t steps, Truth& truth) {
+    State orbit = start, neighbour = start;
+    neighbour[0] += apart;
+    std::array<double, blocks> sums{};
+    const std::int64_t length = steps / blocks;
+    for (std::int64_t i = 0; i < length * blocks; ++i)
+        sums[static_cast<std::size_t>(i / length)] +=
+            part(system, orbit, neighbour, static_cast<int>(i % System::dimension)) / static_cast<double>(length);
+    double squares = 0;
+    for (const double sum : sums) truth.exponent += sum / blocks;
+    for (const double sum : sums) squares += (sum - truth.exponent) * (sum - truth.exponent);
+    truth.exponent_error = std::sqrt(squares / (blocks * (blocks - 1)));
+}
+
+}  // namespace
+
+Truth truth_of(const Scene<double>& scene, const Start<double>& start, const TruthOptions& options) {
+    return with_collision_map(scene, [&](const auto& map) {
+        Truth truth;
+        SectionPoint<double> first{};
+        long long impacts = 0;
+        const SectionSystem system(map);
+        truth.ended = ending_of(map, start, 1, first, impacts) != Outcome::completed;
+        if (truth.ended) return truth;
+        const auto tail = analysis::follow_tail(system, system.state_of(first), options.transient, options.tail);
+        truth.ended = tail.ended;
+        if (truth.ended) return truth;
+        truth.period = period_of(system, tail);
+        if (truth.period > 0) {
+            truth.mode = truth.period == 1 ? analysis::Mode::steady : analysis::Mode::quasi_steady;
+            return truth;
+        }
+        find_exponent(system, tail.states.front(), options.tail, truth);
+        if (truth.exponent > std::max(5 * truth.exponent_error, 20 / static_cast<double>(options.tail))) {
+            truth.mode = analysis::Mode::chaotic;
+        } else {
+            const auto rotation = analysis::classification_detail::rotation_of(system, tail);
+            const double change = analysis::classification_detail::spread_change(system, tail);
+            const bool settled = std::abs(std::log(change)) <= std::log(analysis::ClassifyOptions{}.settled_spread);
+            if (settled && rotation.outcome == analysis::RotationOutcome::quasi_periodic)
+                truth.mode = analysis::Mode::quasi_steady;
+        }
+        return truth;
+    });
+}
+
+}  // namespace swirl::apps

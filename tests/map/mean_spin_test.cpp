@@ -52,9 +52,9 @@ Mean mean_spin(const Map& map, Launch<double> launch, int blocks, long impacts) 
 void check_mean(int sides, double alpha, double beta, const SectionPoint<double>& z) {
     const Scene<double> scene{sides, alpha, beta, 0, 1, Law::poisson, uniform_inertia_factor<double>(sides)};
     const CollisionMap<double, Shape::polygon, ImpactRule::frictionless> map(scene);
-    constexpr long full = 160000;  // the triangle remembers some 10,000 impacts
+    constexpr long full = 20000;
     const long impacts = tests::sample_count(full);
-    const Mean mean = mean_spin(map, launch_from(z), 25, impacts);
+    const Mean mean = mean_spin(map, launch_from(z), 100, impacts);
     std::printf("N %d: time-mean S = %.5f +- %.5f (mean per impact %.5f)\n", sides, mean.value, mean.standard_error,
                 mean.per_impact);
     EXPECT_NEAR(mean.value, 1, 3 * mean.standard_error);

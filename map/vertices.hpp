@@ -61,11 +61,11 @@ template <class T>
 /// Turns arm and number by whole vertices until the arm is the nearest one to X.
 template <class T>
 inline void turn_to_nearest(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& reference, Candidate<T>& c) {
-    using std::atan2;
-    using std::round;
     if (is_nearest(body, centre, c.arm)) return;
-    const T angle = atan2(cross(reference, centre), dot(reference, centre));
-    c.vertex = body.vertex_number(static_cast<long long>(round(angle / body.spacing)));
+    c.vertex = vertex_towards(body, centre, reference);
+    c.arm = body.turned_to_vertex(reference, c.vertex);
+    if (is_nearest(body, centre, c.arm)) return;
+    c.vertex = body.vertex_number(c.vertex + (cross(c.arm, centre) > 0 ? 1 : -1));
     c.arm = body.turned_to_vertex(reference, c.vertex);
 }
 

@@ -11,7 +11,7 @@ using analysis::in_words;
 
 constexpr double rest = 1e-7;          // an angle and S that stay within this are at rest
 constexpr double regular = 1e-5;       // periods that agree to this make a motion periodic
-constexpr double nearly = 1e-3;        // so near must the limit of periods that still change be, relative
+constexpr double nearly = 1e-2;        // so near must the limit of periods that still change be, relative
 constexpr double dying = 0.9;          // slip dies out if its share of time falls by this from quarter to last quarter
 constexpr int fewest_periods = 3;
 
@@ -62,7 +62,7 @@ void ContactTail::add(const ContactSums& sums, Support support, ContactMotion mo
     on_edge_ = on_edge_ && support == Support::edge;
 }
 
-void ContactTail::judge(analysis::Classification& verdict) const {
+bool ContactTail::judge(analysis::Classification& verdict) const {
     using analysis::Mode;
     const analysis::Swing swing = analysis::judge_swing(samples_, rest, regular, nearly);
     const bool slip_dies = slip_late_ <= dying * slip_early_;
@@ -82,8 +82,9 @@ void ContactTail::judge(analysis::Classification& verdict) const {
                                     slip_dies ? "slip dies out" : "slip stays (threshold: 0.9 of the first quarter's)",
                                     slip_dies ? "above " + in_words(dying * slip_early_) + ": sliding"
                                               : "at most " + in_words(dying * slip_early_) + ": rolling in the end"});
-    if (swing.kind == analysis::SwingKind::at_rest) return;
+    if (swing.kind == analysis::SwingKind::at_rest) return true;
     describe_periods(swing, verdict);
+    return verdict.mode != Mode::undecided && swing.period_spread <= regular;
 }
 
 }  // namespace swirl::apps

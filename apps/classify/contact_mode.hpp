@@ -18,7 +18,8 @@ public:
     /// Fills mode, kind, mean S and evidence. At rest in the co-rotating frame: rolling, steady; swinging or turning on
     /// with a period, or settling on one: quasi-steady (steady if S is constant all the same); slipping, unless that
     /// dies out: sliding; on an edge: two-vertex; else undecided.
-    void judge(analysis::Classification& verdict) const;
+    /// @return true if nothing changes any more: a longer look would show the same
+    bool judge(analysis::Classification& verdict) const;
     double followed() const { return followed_; }
 
 private:

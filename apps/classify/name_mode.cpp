@@ -10,14 +10,13 @@ namespace {
 /// What follows the last impact, followed on and judged.
 template <class Map>
 void judge_contact(const ReturnMap<Map>& map, const Launch<double>& last, analysis::Classification& verdict) {
-    // Friction may take longer than that to bring slip to an end: a tail that is irregular is followed ten times on.
+    // Friction may take longer than that to bring slip to an end: a tail that still changes is followed ten times on.
     for (const double time : {contact_horizon, 10 * contact_horizon}) {
         ContactTail tail(map.contact(), time);
         const auto passage = map.advance(last, time, [&](const auto&... seen) { tail.add(seen...); });
         if (passage.outcome != Outcome::in_contact) return;
         verdict.evidence.clear();
-        tail.judge(verdict);
-        if (verdict.mode != analysis::Mode::undecided) return;
+        if (tail.judge(verdict)) return;
     }
 }
 

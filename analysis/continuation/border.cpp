@@ -7,23 +7,18 @@
 
 namespace swirl::analysis {
 
-bool is_rest(const CurvePoint& point, double shortest_flight) {
-    return std::any_of(point.closing.steps.begin(), point.closing.steps.end(),
-                       [&](const ShootingStep& step) { return !(step.duration > shortest_flight); });
-}
-
 namespace {
 
 /// Steps from `base` until a cycle with another word than `word` is met; F is continuous across, so that it is as near as
 /// the step was long.
 bool step_behind(const ShootingMap& map, const CurvePoint& base, const std::vector<std::int64_t>& word,
-                 double shortest_flight, double sign, CurvePoint& behind) {
+                 double sign, CurvePoint& behind) {
     CorrectorOptions any;
     any.keep_word = false;
+    any.farthest = 1e3;  // DF jumps, so the tangent may lead elsewhere; F does not
     for (double h = 1e-10; h < 1e-4; h *= 10) {
         if (correct(map, base, sign * h, behind, any) != Correction::converged) continue;
-        if (is_rest(behind, shortest_flight) || word_of(behind.closing) == word) continue;
-        if (distance_between(map, behind.points, base.points) > 1e3 * h) continue;
+        if (word_of(behind.closing) == word) continue;
         if (curve_product(behind.tangent, base.tangent, map.has_parameter, base.points.size()) * sign < 0)
             behind.tangent *= -1;
         return true;
@@ -50,11 +45,11 @@ bool seen_from(const ShootingMap& map, const CurvePoint& last, Eigen::Index coor
 
 }  // namespace
 
-bool find_behind(const ShootingMap& map, const CurvePoint& last, double shortest_flight,
-                 std::vector<std::int64_t>& word_after, CurvePoint& behind) {
+bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std::int64_t>& word_after,
+                 CurvePoint& behind) {
     const auto word = word_of(last.closing);
     word_after.clear();
-    if (step_behind(map, last, word, shortest_flight, 1, behind)) {
+    if (step_behind(map, last, word, 1, behind)) {
         word_after = word_of(behind.closing);
         return true;
     }
@@ -66,7 +61,7 @@ bool find_behind(const ShootingMap& map, const CurvePoint& last, double shortest
                 if (!seen_from(map, last, j, sign * shift, base)) continue;
                 if (word_after.empty()) word_after = word_of(base.closing);
                 for (const double way : {1.0, -1.0})
-                    if (step_behind(map, base, word, shortest_flight, way, behind)) {
+                    if (step_behind(map, base, word, way, behind)) {
                         word_after = word_of(behind.closing);
                         return true;
                     }

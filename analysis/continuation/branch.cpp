@@ -20,6 +20,7 @@ std::string_view name(BranchEnd end) {
         case BranchEnd::range: return "range";
         case BranchEnd::closed: return "closed";
         case BranchEnd::border: return "border";
+        case BranchEnd::not_converged: return "not-converged";
         case BranchEnd::most_points: return "most-points";
         case BranchEnd::halved: return "halved";
         case BranchEnd::switched: return "switched";

@@ -26,6 +26,7 @@ enum class BranchEnd {
     range,           ///< the parameter reached the end of its range
     closed,          ///< the branch came back to where it began
     border,          ///< a border of the map behind which no cycle was found to go on
+    not_converged,   ///< no cycle was found to go on, though the map does
     most_points,     ///< as many points as were asked for
     halved,          ///< it met the flip of a cycle of half its period, behind which it comes again
     switched,        ///< it begins at a special point of another branch
@@ -49,6 +50,7 @@ struct SpecialPoint {
     BranchPoint cycle;
     std::vector<std::int64_t> word_after;     ///< on the other side of a border; empty if the map ends there
     bool goes_on = true;                      ///< false: no cycle was found behind the border
+    bool located = true;                      ///< false: known only to lie between two points of the branch
     std::optional<NormalForm> normal_form;
     std::size_t after = 0;                    ///< between branch points `after` and `after` + 1
 };

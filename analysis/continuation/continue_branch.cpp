@@ -16,6 +16,7 @@ double parameter_of(const ContinuationOptions& options, bool has_parameter, cons
 
 namespace {
 
+constexpr double shortest_to_locate = 1e-5;  // a special point that can't be located is known to this
 constexpr double least_cosine = 0.97;  // between tangents a step apart: a bend of 14 degrees
 
 /// One way along a branch: the state of the walk.
@@ -43,31 +44,41 @@ private:
         if (options_.stop && options_.stop()) return end(BranchEnd::stopped);
         if (static_cast<int>(branch_.points.size()) >= options_.most_points) return end(BranchEnd::most_points);
         CurvePoint next;
-        const bool good = correct(map_, here(), h_, next) == Correction::converged &&
-                          !is_rest(next, options_.shortest_flight) &&
-                          curve_product(here().tangent, next.tangent, map_.has_parameter, here().points.size()) > least_cosine;
-        if (!good) {
-            h_ *= 0.5;
-            successes_ = 0;
-            if (h_ < options_.shortest_step) meet_border();
-            return;
-        }
+        failure_ = correct(map_, here(), h_, next);
+        if (failure_ == Correction::converged && !goes_straight_to(next)) failure_ = Correction::failed;
+        if (failure_ != Correction::converged) return shorten();
         if (const double p = value(next); p < options_.low || p > options_.high) return reach_range(next);
         if (is_halved(next)) return end(BranchEnd::halved);
-        accept(next, h_);
+        if (!accept(next, h_, shortest_to_locate)) return shorten();
         if (++successes_ > 1) h_ = std::min(1.4 * h_, options_.longest_step);
         if (has_closed()) end(BranchEnd::closed);
     }
 
-    void accept(CurvePoint next, double h) {
+    bool goes_straight_to(const CurvePoint& next) const {
+        return curve_product(here().tangent, next.tangent, map_.has_parameter, here().points.size()) > least_cosine;
+    }
+
+    void shorten() {
+        h_ *= 0.5;
+        successes_ = 0;
+        if (h_ < options_.shortest_step) meet_border();
+    }
+
+    /// False, and nothing is added, if a special point on the way could not be located and the step is longer than
+    /// `tolerated`: a shorter one may. Where two branches cross the corrector has no curve to stay on.
+    bool accept(CurvePoint next, double h, double tolerated) {
         for (auto& z : next.points) z = map_.normalised(z);
         BranchPoint point = branch_point_at(next);
-        for (auto& special : special_points_between(map_, branch_.points.back(), h, point, options_)) {
+        auto found = special_points_between(map_, branch_.points.back(), h, point, options_);
+        const bool all = std::all_of(found.begin(), found.end(), [](const SpecialPoint& s) { return s.located; });
+        if (!all && h > tolerated) return false;
+        for (auto& special : found) {
             special.after = branch_.points.size() - 1;
             branch_.special.push_back(std::move(special));
         }
         branch_.points.push_back(std::move(point));
         if (options_.progress) options_.progress(value(next));
+        return true;
     }
 
     /// The last point is that at the end of the range itself.
@@ -77,8 +88,21 @@ private:
         const auto gap = [&](const CurvePoint& point) { return value(point) - bound; };
         if (value(here()) != bound && locate(map_, here(), h_, gap(here()), gap(beyond), gap, last)) {
             if (map_.has_parameter) last.p = bound;
-            accept(last, h_);
+            accept(last, h_, h_);
         }
+        end(BranchEnd::range);
+    }
+
+    /// The map itself ends at the end of the range (e = 1), so that no step leads beyond: the cycle there, if there is one.
+    void finish_at_range() {
+        const double p = value(here());
+        const double bound = std::abs(p - options_.low) < std::abs(p - options_.high) ? options_.low : options_.high;
+        CurvePoint last;
+        CyclePoints points = here().points;
+        const double residual = map_.has_parameter && p != bound ? polish_cycle(map_, points, bound) : 1;
+        if (residual < CorrectorOptions{}.accept && begin_curve(map_, points, bound, here().tangent, last) &&
+            distance_between(map_, points, here().points) < 1e-6)
+            accept(last, std::abs(p - bound), 1);
         end(BranchEnd::range);
     }
 
@@ -125,14 +149,17 @@ private:
 
     /// No cycle with this word goes on: names the border, and goes on behind it if a cycle with another word does.
     void meet_border() {
-        if (is_at_range()) return end(BranchEnd::range);  // the map itself ends there (e = 1)
+        if (is_at_range()) return finish_at_range();
         SpecialPoint special;
         special.kind = SpecialKind::border;
         special.cycle = branch_.points.back();
         special.after = branch_.points.size() - 1;
         CurvePoint behind;
-        special.goes_on = find_behind(map_, here(), options_.shortest_flight, special.word_after, behind);
-        special.border = options_.name_border ? options_.name_border(here(), special.word_after, special.goes_on) : "border";
+        special.goes_on = find_behind(map_, here(), special.word_after, behind);
+        special.border = options_.name_border ? options_.name_border(here(), special.word_after, special.goes_on)
+                                              : nameless_border;
+        if (failure_ == Correction::failed && special.word_after.empty() && special.border == nameless_border)
+            return end(BranchEnd::not_converged);
         branch_.special.push_back(special);
         if (!special.goes_on) return end(BranchEnd::border);
         branch_.points.push_back(branch_point_at(behind));
@@ -146,6 +173,7 @@ private:
     CurvePoint start_;
     double h_;
     int successes_ = 0;
+    Correction failure_ = Correction::converged;  ///< how the last step failed
     bool has_left_ = false;
     bool ended_ = false;
 };
@@ -163,7 +191,7 @@ void put_before(Branch back, Branch& forth) {
     std::reverse(back.special.begin(), back.special.end());
     for (auto& special : back.special) {
         special.cycle.at.tangent *= -1;
-        special.after = count - 2 - std::min(special.after, count - 2);
+        special.after = count < 2 ? 0 : count - 2 - std::min(special.after, count - 2);
     }
     for (auto& special : forth.special) special.after += count - 1;
     back.points.insert(back.points.end(), forth.points.begin() + 1, forth.points.end());
@@ -223,13 +251,15 @@ bool doubled(const ShootingMap& map, const SpecialPoint& flip, CurvePoint& base)
     return true;
 }
 
-/// At a branch point: the direction of the branch that crosses.
+/// At a branch point ∂G/∂(Z, p) has two null vectors: the direction in their plane across the known branch.
 bool crossing(const ShootingMap& map, const SpecialPoint& special, CurvePoint& base) {
     base = special.cycle.at;
-    Eigen::MatrixXd jacobian = bordered(map, base.closing, base.tangent);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
-    base.tangent = svd.matrixV().rightCols(1);
-    return true;
+    const Eigen::MatrixXd full = bordered(map, base.closing, base.tangent);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(full.topRows(full.rows() - 1), Eigen::ComputeFullV);
+    const Eigen::MatrixXd plane = svd.matrixV().rightCols(2);
+    const Eigen::Vector2d known = plane.transpose() * base.tangent;
+    base.tangent = plane * Eigen::Vector2d(-known[1], known[0]);
+    return base.tangent.norm() > 0;
 }
 
 }  // namespace
@@ -247,7 +277,11 @@ bool switch_branch(const ShootingMap& map, const SpecialPoint& special, const Co
             CurvePoint start;
             CorrectorOptions corrector;
             corrector.most_iterations = 20;
+            corrector.farthest = 10;  // the direction lies across the known branch, not along the one sought
             if (correct(map, base, sign * h, start, corrector) != Correction::converged) continue;
+            if (!flip && std::abs(curve_product(start.tangent, special.cycle.at.tangent, true, base.points.size())) >
+                             least_cosine)
+                continue;  // the known branch again
             if (flip && minimal_cycle(map, start.points, 0.1 * h).size() < start.points.size()) continue;
             if (curve_product(start.tangent, base.tangent, true, base.points.size()) * sign < 0) start.tangent *= -1;
             Branch half;

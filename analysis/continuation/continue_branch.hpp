@@ -15,7 +15,6 @@ struct ContinuationOptions {
     double longest_step = 0.02;
     double shortest_step = 1e-12;  ///< a step that fails at this length has met a border
     int most_points = 20'000;      ///< in each direction
-    double shortest_flight = 0;    ///< a cycle with a step no longer than that has ended (rest on the wall)
     /// What the parameter of a map without one is: the coordinate, or the return time, that tells the family's members.
     std::function<double(const CurvePoint&)> label;
     /// Higher derivatives of Fᵏ at a cycle; without it special points have no normal forms.
@@ -26,6 +25,9 @@ struct ContinuationOptions {
     std::function<void(double p)> progress;
     std::function<bool()> stop;
 };
+
+/// What a border is called where no name for it was given or found.
+inline constexpr const char* nameless_border = "border";
 
 /// The value by which a member of the branch is told: the parameter, or the label of a family.
 double parameter_of(const ContinuationOptions& options, bool has_parameter, const CurvePoint& point);

@@ -38,6 +38,14 @@ std::optional<NormalForm> form_of(const ShootingMap& map, const SpecialPoint& sp
     return std::nullopt;
 }
 
+/// How far from the unit circle the complex multipliers are, at most.
+double off_circle(const BranchPoint& point) {
+    double largest = 0;
+    for (const auto& m : point.multipliers)
+        if (m.imag() > 0) largest = std::max(largest, std::abs(std::abs(m) - 1));
+    return largest;
+}
+
 /// A zero of the pairs' function is a Neimark–Sacker point only if the pair is complex.
 bool is_what_it_seems(const SpecialPoint& special) {
     if (special.kind != SpecialKind::neimark_sacker) return true;
@@ -86,11 +94,22 @@ std::vector<SpecialPoint> special_points_between(const ShootingMap& map, const B
     for (const Test& test : tests) {
         const double f0 = test.value(base.at), f1 = test.value(next.at);
         if (!(f0 * f1 < 0)) continue;
+        // Reversible and conservative maps keep pairs on the circle: their function is rounding, and no pair crosses.
+        if (test.kind == SpecialKind::neimark_sacker && std::max(off_circle(base), off_circle(next)) < neutral_margin)
+            continue;
         SpecialPoint special;
         special.kind = test.kind;
         CurvePoint at;
-        if (!locate(map, base.at, h, f0, f1, test.value, at)) continue;
-        special.cycle = branch_point_at(at);
+        special.located = locate(map, base.at, h, f0, f1, test.value, at);
+        if (test.kind == SpecialKind::branch_point) {  // there the equations have two tangents: that of this branch
+            at.tangent = base.at.tangent + next.at.tangent;
+            at.tangent /= std::sqrt(curve_product(at.tangent, at.tangent, true, at.points.size()));
+        }
+        special.cycle = special.located ? branch_point_at(at) : next;
+        if (!special.located) {
+            found.emplace_back(h, special);
+            continue;
+        }
         if (!is_what_it_seems(special)) continue;
         special.normal_form = form_of(map, special, options);
         Eigen::VectorXd across = stacked(at.points) - stacked(base.at.points);

@@ -10,6 +10,9 @@ namespace swirl::analysis {
 
 namespace {
 
+/// Distances on a curve below which cycles are not told apart: a base may itself be off by the root of rounding (at a fold).
+constexpr double indistinct = 1e-7;
+
 Eigen::Index unknowns_of(const ShootingMap& map, const Closing& closing) {
     return closing.gap.size() + (map.has_parameter ? 1 : 0);
 }
@@ -87,13 +90,16 @@ Correction correct(const ShootingMap& map, const CurvePoint& base, double h, Cur
         point.points = unstacked(y.head(size), map.dimension);
         point.p = map.has_parameter ? y[size] : base.p;
         point.closing = close_cycle(map, point.points, point.p);
-        if (!point.closing.alive) return Correction::failed;
+        if (!point.closing.alive) return Correction::map_ended;
         const double residual = point.closing.residual();
         // Rounding of z alone leaves ε‖DF‖ in G: no more can be asked of a cycle with large multipliers.
         const double rounding = 8 * std::numeric_limits<double>::epsilon() * point.closing.by_points.cwiseAbs().maxCoeff();
         const double accept = std::max(options.accept, rounding);
         if (residual <= options.goal || (residual <= accept && residual >= 0.5 * last)) {
             if (options.keep_word && word_of(point.closing) != word_of(base.closing)) return Correction::word_changed;
+            const Eigen::VectorXd aside = y - origin - h * base.tangent;
+            const double away = std::sqrt(curve_product(aside, aside, map.has_parameter, base.points.size()));
+            if (away > options.farthest * std::abs(h) + indistinct) return Correction::failed;
             return find_tangent(map, point.closing, base.tangent, point.tangent) ? Correction::converged
                                                                                : Correction::failed;
         }

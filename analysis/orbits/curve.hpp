@@ -18,7 +18,8 @@ struct CurvePoint {
 enum class Correction {
     converged,
     word_changed,  ///< converged on another smooth branch of the map
-    failed,        ///< no cycle there, or the map ends
+    map_ended,     ///< the map ends on the way
+    failed,        ///< no cycle found there, or one so far from where the tangent led that it lies on another curve
 };
 
 struct CorrectorOptions {
@@ -26,6 +27,7 @@ struct CorrectorOptions {
     double goal = 1e-14;        ///< residual at which the iteration stops
     int most_iterations = 10;
     bool keep_word = true;      ///< a changed word is a failure to stay on the curve
+    double farthest = 0.5;      ///< of the cycle from where the tangent led, in units of |h|
 };
 
 /// Makes a curve point of a cycle: polishes nothing, works out the derivative and the tangent. False if the map ends,

@@ -24,6 +24,25 @@ inline ShootingMap logistic_family() {
     return map;
 }
 
+/// x′ = x + p x − xⁿ.
+inline ShootingMap crossing_family(int n) {
+    ShootingMap map;
+    map.dimension = 1;
+    map.has_parameter = true;
+    map.angle_periods = {0};
+    map.step = [n](const Eigen::VectorXd& z, double p) {
+        ShootingStep step;
+        step.alive = std::abs(z[0]) < 10;
+        step.state = Eigen::VectorXd::Constant(1, z[0] + p * z[0] - std::pow(z[0], n));
+        step.by_state = Eigen::MatrixXd::Constant(1, 1, 1 + p - n * std::pow(z[0], n - 1));
+        step.by_parameter = Eigen::VectorXd::Constant(1, z[0]);
+        return step;
+    };
+    return map;
+}
+inline ShootingMap pitchfork_family() { return crossing_family(3); }
+inline ShootingMap transcritical_family() { return crossing_family(2); }
+
 /// x′ = 1 − a x² + y, y′ = b x over a.
 inline ShootingMap henon_family(double b = 0.3) {
     ShootingMap map;

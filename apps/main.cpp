@@ -18,6 +18,8 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <exception>
+#include <new>
 #include <system_error>
 #include <vector>
 
@@ -95,6 +97,10 @@ int run(int argc, char** argv) {
         return fail(exit_io_failed, error.what());
     } catch (const std::system_error& error) {  // fmt, when a line can't be printed
         return fail(exit_io_failed, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(exit_io_failed, "out of memory");
+    } catch (const std::exception& error) {  // a library's refusal that no command expects
+        return fail(exit_numerical_ending, fmt::format("unexpected: {}", error.what()));
     }
 }
 

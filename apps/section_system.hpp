@@ -20,22 +20,24 @@ public:
     static constexpr int dimension = section_dimension<shape>;
     using State = analysis::Vector<dimension>;
 
-    explicit SectionSystem(const CollisionMap<double, shape, rule>& map) : map_(map), return_(map_.map()) {}
-    SectionSystem(const SectionSystem& other) : SectionSystem(other.map()) {}
+    ///   horizon  the map ends where contact lasts longer than that
+    explicit SectionSystem(const CollisionMap<double, shape, rule>& map, double horizon = contact_horizon)
+        : map_(map), return_(map_.map()), horizon_(horizon) {}
+    SectionSystem(const SectionSystem& other) : SectionSystem(other.map(), other.horizon_) {}
     SectionSystem& operator=(const SectionSystem&) = delete;
 
     const CollisionMap<double, shape, rule>& map() const { return map_.map(); }
     const ReturnMap<CollisionMap<double, shape, rule>>& return_map() const { return return_; }
 
     analysis::Advance<dimension> advance(const State& z) const {
-        const Passage<double> passage = return_.advance(launch_from(point_of(z)));
+        const Passage<double> passage = return_.advance(launch_from(point_of(z)), horizon_);
         analysis::Advance<dimension> step;
         fill(step, passage);
         return step;
     }
 
     analysis::Linearised<dimension> linearise(const State& z) const {
-        const Passage<double> passage = return_.advance(launch_from(point_of(z)));
+        const Passage<double> passage = return_.advance(launch_from(point_of(z)), horizon_);
         analysis::Linearised<dimension> step;
         fill(step, passage);
         if (!step.alive) return step;
@@ -79,6 +81,7 @@ public:
 private:
     DifferentiatedMap<double, shape, rule> map_;
     ReturnMap<CollisionMap<double, shape, rule>> return_;
+    double horizon_;
 };
 
 template <Shape shape, ImpactRule rule>

@@ -6,7 +6,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -19,15 +18,6 @@ struct Solved {
     double residual = 0;
 };
 
-double shortest_step(const ShootingMap& map, const CyclePoints& points, double p) {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const auto& z : points) {
-        const ShootingStep step = map.step(z, p);
-        shortest = std::min(shortest, step.alive ? step.duration : 0);
-    }
-    return shortest;
-}
-
 std::vector<Solved> solve_all(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
                               const SearchOptions& options, SearchResult& result) {
     std::vector<Solved> solved(candidates.size());
@@ -37,13 +27,12 @@ std::vector<Solved> solve_all(const ShootingMap& map, double p, const std::vecto
         tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
             if (options.stop && options.stop()) return;
             const ShootingResult shot = solve_shooting(map, candidates[i], p, options.accept, options.shooting);
-            if (shot.converged && shortest_step(map, shot.points, p) > options.shortest_step) solved[i] = {minimal_cycle(map, shot.points, options.same), shot.residual};
+            if (shot.converged) solved[i] = {minimal_cycle(map, shot.points, options.same), shot.residual};
             const std::lock_guard lock(mutex);
             ++result.tried;
             if (options.progress) options.progress(static_cast<double>(result.tried));
         });
     });
-    result.stopped = result.tried < static_cast<std::int64_t>(candidates.size());
     return solved;
 }
 
@@ -55,11 +44,13 @@ SearchResult find_cycles(const ShootingMap& map, double p, const std::vector<Cyc
     const std::vector<Solved> solved = solve_all(map, p, candidates, options, result);
     KnownCycles known(map, p, options.same, options.one_per_family);
     for (const Solved& found : solved) {
+        if (options.stop && options.stop()) break;
         if (found.points.empty()) continue;
         ++result.converged;
         if (found.points.size() == static_cast<std::size_t>(options.period)) known.add(found.points, found.residual);
     }
-    result.cycles = known.cycles();
+    result.cycles = known.completed(options.threads, options.stop);
+    result.stopped = options.stop && options.stop();
     return result;
 }
 

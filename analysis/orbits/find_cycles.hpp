@@ -13,7 +13,6 @@ struct SearchOptions {
     int period = 1;
     double accept = 1e-11;   ///< residual of a cycle
     double same = 1e-6;      ///< cycles nearer than that are one
-    double shortest_step = 0;///< a step that takes no longer is none: a body at rest on the wall is no cycle of impacts
     int threads = 0;         ///< 0: all; the result does not depend on it
     bool one_per_family = true;
     ShootingOptions shooting;

@@ -3,6 +3,8 @@
 
 #include "analysis/orbits/family.hpp"
 
+#include <functional>
+#include <map>
 #include <vector>
 
 namespace swirl::analysis {
@@ -15,21 +17,26 @@ public:
     KnownCycles(const ShootingMap& map, double p, double same, bool one_per_family)
         : map_(map), p_(p), same_(same), one_per_family_(one_per_family) {}
 
-    /// Adds the cycle unless it, a cyclic shift of it or another member of its family is there. Works out what is known
-    /// of a new one. False if it was known, or if the map ends on it.
+    /// Adds the cycle, its angles normalised, unless it, a cyclic shift of it or another member of its family is there.
+    /// False if it was known, or if the map ends on it.
     bool add(const CyclePoints& points, double residual);
 
-    const std::vector<Cycle>& cycles() const { return cycles_; }
+    /// All of them with everything that is known of a cycle, in the order in which they were added.
+    ///   threads  0: all; the result does not depend on it
+    ///   stop     true: end with those that are done
+    std::vector<Cycle> completed(int threads = 0, const std::function<bool()>& stop = {}) const;
 
 private:
     bool contains(const CyclePoints& points) const;
+    double mean_of(const CyclePoints& points) const;
     bool contains_family_of(const CyclePoints& points, Eigen::Index dimension) const;
 
     const ShootingMap& map_;
     double p_;
     double same_;
     bool one_per_family_;
-    std::vector<Cycle> cycles_;
+    std::vector<Cycle> cycles_;        ///< points, residual and tangents only
+    std::multimap<double, std::size_t> by_mean_;  ///< cycles by a mean that no cyclic shift changes
     std::vector<FamilyCurve> curves_;  ///< one a cycle; empty for isolated ones and for families of more parameters
 };
 

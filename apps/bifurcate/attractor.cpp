@@ -2,19 +2,23 @@
 
 #include "analysis/classification/period.hpp"
 #include "analysis/classification/tangent_growth.hpp"
+#include "apps/bifurcate/exact_return.hpp"
 #include "apps/classify/classify_command.hpp"
+#include "apps/command_line/interruption.hpp"
 #include "apps/scene_map/scene_map.hpp"
 #include "apps/section_system.hpp"
 #include "map/orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swirl::apps {
 
 namespace {
 
-constexpr std::int64_t growth_align = 50, growth_steps = 400;
+constexpr std::int64_t growth_align = 50;
+constexpr std::int64_t growth_steps[] = {200, 400};  // the second only where the first does not decide
 
 /// The kept part of an orbit.
 template <class System>
@@ -32,10 +36,18 @@ Kept<System> follow(const System& system, const Start<double>& start, const Samp
     std::visit(
         [&](const auto& s) {
             Orbit orbit(system.map(), s);
-            while (orbit.impacts() < settings.transient + settings.collisions && orbit.advance()) {
-                if (orbit.impacts() <= settings.transient) continue;
+            ExactReturn exact;
+            std::int64_t left_out = 0;  // whole periods of an orbit that repeats itself to the bit
+            const auto impacts = [&] { return orbit.impacts() + left_out; };
+            while (impacts() < settings.transient + settings.collisions && !is_interrupted() && orbit.advance()) {
+                if (impacts() <= settings.transient) {
+                    if (left_out > 0) continue;
+                    if (const auto period = exact.after(orbit.launch()); period > 0)
+                        left_out = (settings.transient - impacts()) / period * period;
+                    continue;
+                }
                 kept.tail.states.push_back(system.state_of(section_point(orbit.launch())));
-                if (orbit.impacts() == settings.transient + 1) continue;
+                if (impacts() == settings.transient + 1) continue;
                 kept.tail.durations.push_back(orbit.collision().flight_time);
                 kept.turned += orbit.passage().turned;
                 kept.time += orbit.collision().flight_time;
@@ -48,16 +60,38 @@ Kept<System> follow(const System& system, const Start<double>& start, const Samp
     return kept;
 }
 
-/// The cycle as the orbit's samples: its k points and its mean.
+constexpr std::int64_t most_settling = 20'000;  // impacts
+constexpr double settled = 1e-13;               // some 10² ε: an orbit dithers by its rounding over 1 − |m|
+
+/// Follows the orbit on until it is on the cycle but for rounding. Returns the distance that is left.
 template <class System>
-void take_cycle(const System& system, const analysis::FoundCycle<System::dimension>& cycle, Attractor& attractor) {
+double settle_on(const System& system, const std::vector<typename System::State>& points, typename System::State& z) {
+    const auto away = [&] {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const auto& point : points) nearest = std::min(nearest, analysis::distance(system, point, z));
+        return nearest;
+    };
+    double left = away();
+    for (std::int64_t n = 0; left > settled && n < most_settling; n += static_cast<std::int64_t>(points.size())) {
+        for (std::size_t i = 0; i < points.size(); ++i) z = system.advance(z).state;
+        left = away();
+    }
+    return left;
+}
+
+/// The orbit's own samples once it is on the cycle, and their mean. A family's member is where the orbit is already.
+template <class System>
+void take_cycle(const System& system, const analysis::FoundCycle<System::dimension>& cycle, const Kept<System>& kept,
+                Attractor& attractor) {
     attractor.period = cycle.period;
-    attractor.distance = cycle.distance;
     attractor.mode = cycle.period == 1 ? analysis::Mode::steady : analysis::Mode::quasi_steady;
     attractor.kind = cycle.period > 1 ? analysis::Kind::cycle
                                       : cycle.family ? analysis::Kind::family : analysis::Kind::fixed_point;
+    std::vector<typename System::State> points{cycle.point};
+    while (static_cast<std::int64_t>(points.size()) < cycle.period) points.push_back(system.advance(points.back()).state);
+    auto z = kept.last;
+    attractor.distance = settle_on(system, points, z);
     double turned = 0, time = 0;
-    auto z = cycle.point;
     for (std::int64_t i = 0; i < cycle.period; ++i) {
         const auto step = system.advance(z);
         attractor.states.push_back(z);
@@ -74,16 +108,19 @@ template <class System>
 void name(const System& system, const Kept<System>& kept, const SampleSettings& settings, Attractor& attractor) {
     analysis::PeriodOptions options;
     options.max_period = settings.max_period;
+    options.exact_multipliers = false;
     const auto cycle = analysis::find_period(system, kept.tail, options);
     if (cycle.period > 0) {
-        take_cycle(system, cycle, attractor);
+        take_cycle(system, cycle, kept, attractor);
         return;
     }
     attractor.mean_spin = kept.turned / kept.time;
     attractor.kind = analysis::Kind::transient;
-    if (analysis::tangent_growth(system, kept.tail.states.front(), growth_align, growth_steps).is_positive(growth_steps)) {
+    for (const std::int64_t steps : growth_steps) {
+        if (!analysis::tangent_growth(system, kept.tail.states.front(), growth_align, steps).is_positive(steps)) continue;
         attractor.mode = analysis::Mode::chaotic;
         attractor.kind = analysis::Kind::chaotic;
+        break;
     }
     for (const auto& z : kept.tail.states) attractor.states.push_back(z);
 }

@@ -27,9 +27,9 @@ struct Attractor {
     analysis::Mode mode = analysis::Mode::undecided;
     analysis::Kind kind = analysis::Kind::none;
     std::int64_t period = 0;              ///< 0: none found
-    double distance = 0;                  ///< of the orbit's last state from the cycle, where there is one
+    double distance = 0;                  ///< of the samples from the cycle, where there is one
     double mean_spin = 0;                 ///< time mean of S over the kept impacts, or over the period
-    std::vector<Eigen::VectorXd> states;  ///< the cycle where there is one (polished: what the orbit settles on), else the kept states
+    std::vector<Eigen::VectorXd> states;  ///< the kept states; where there is a cycle one period of the orbit, settled on it
     Eigen::VectorXd last;                 ///< the orbit's last state; empty without impacts
 };
 

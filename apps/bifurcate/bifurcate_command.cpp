@@ -12,7 +12,7 @@ const char* const bifurcate_details =
     R"(The attractor diagram: S after each impact (or another coordinate), after a transient, for every value of the parameter.
 Columns are sampled from R random starts (start r: that of `swirl classify --seed SEED+r`), with --follow also by following
 the attractor from column to column upwards and downwards (hysteresis). Where an orbit settles on a cycle its samples are
-the cycle's. A column's mode and period are those of most of its starts. --branches continues every cycle found (period
+those of one period, once it is on it but for rounding. A column's mode and period are those of most of its starts. --branches continues every cycle found (period
 <= --longest-branch) over the whole range, stable or not, names its special points, and says how well samples and stable
 branches agree. An interrupted run writes the columns that are done. `swirl plot` draws the record.
 

@@ -38,7 +38,7 @@ struct Agreement {
     std::int64_t compared = 0;   ///< periodic attractors whose cycle a stable branch with |multiplier| < 0.99 gives too
     std::int64_t without = 0;    ///< periodic attractors (period ≤ longest_branch, attracting) that lie on no branch
     double largest = 0;          ///< the largest difference of S between the two
-    double distance = 0;         ///< the largest distance of such an orbit's own last state from its cycle
+    double distance = 0;         ///< the largest distance of such an orbit's samples from its cycle
 };
 
 struct Diagram {

@@ -20,7 +20,7 @@ Eigen::Index place_of(const std::string& observable, Eigen::Index size) {
 Settings settings_of(const BifurcateOptions& options, const Diagram& diagram) {
     return {{"along", diagram.along.name}, {"range", options.along}, {"observable", options.observable},
             {"starts", options.starts}, {"speed", options.start.speed()},
-            {"seed", static_cast<std::int64_t>(options.start.seed())}, {"transient", options.settings.transient},
+            {"seed", options.start.seed()}, {"transient", options.settings.transient},
             {"collisions", options.settings.collisions}, {"follow", std::int64_t{options.follow}},
             {"branches", std::int64_t{options.branches}}, {"longest_branch", std::int64_t{options.longest_branch}}};
 }

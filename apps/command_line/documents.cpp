@@ -40,7 +40,7 @@ Settings scene_settings(const Scene<double>& scene) {
 
 Settings start_settings(const StartOptions& options, const Scene<double>& scene) {
     if (options.is_random())
-        return {{"speed", options.speed()}, {"seed", static_cast<std::int64_t>(options.seed())}};
+        return {{"speed", options.speed()}, {"seed", options.seed()}};
     const auto start = options.start<double>(scene);
     if (const auto* lab = std::get_if<LabStart<double>>(&start))
         return {{"x", lab->x}, {"y", lab->y}, {"vx", lab->vx}, {"vy", lab->vy}, {"angle", lab->angle},

@@ -25,7 +25,6 @@ LabStart<double> random_start(double beta, double speed, std::uint64_t seed, std
 
 namespace {
 
-/// CLI11 would take −1 for 2⁶⁴ − 1.
 std::uint64_t seed_from(const std::string& text) {
     std::uint64_t seed = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
@@ -35,6 +34,14 @@ std::uint64_t seed_from(const std::string& text) {
 }
 
 }  // namespace
+
+CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const std::string& help, bool* given) {
+    const auto take = [&seed, given](const std::string& text) {
+        seed = seed_from(text);
+        if (given != nullptr) *given = true;
+    };
+    return command.add_option_function<std::string>("--seed", take, help)->type_name("");
+}
 
 void StartOptions::add_to(CLI::App& command) {
     constexpr std::pair<const char*, const char*> lab_names[] = {
@@ -49,9 +56,7 @@ void StartOptions::add_to(CLI::App& command) {
         ->type_name("")->group("Start");
     command.add_option("--speed", speed_, "random start at the container's centre with this speed (default 1/7)")
         ->type_name("")->group("Start");
-    command.add_option_function<std::string>(
-        "--seed", [this](const std::string& text) { seed_ = seed_from(text); seed_given_ = true; },
-        "of the random start (default 1)")->type_name("")->group("Start");
+    add_seed(command, seed_, "of the random start (default 1)", &seed_given_)->group("Start");
 }
 
 void StartOptions::set(const std::string& name, const std::string& text) {

@@ -5,13 +5,20 @@
 
 #include <boost/math/tools/minima.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace swirl::apps {
 
 namespace {
 
-constexpr double touching = 1e-6;  // a gap, or an impulse, as small as that at the last cycle before a border
+/// A gap, or an impulse, as small as that at the last cycle before a border touches. While one vertex strikes its
+/// neighbour's gap is about α(1 − α)(2π/N)², and must be told from that.
+double touching_of(const Body<double>& body) {
+    if (body.sides == disk_sides) return 1e-6;
+    const double angle = 2 * pi<double>() / body.sides;
+    return std::min(1e-6, 1e-3 * body.alpha * body.inner * angle * angle);
+}
 
 /// The gap of whatever is nearest to the wall at time t of a flight.
 template <Shape shape>
@@ -49,7 +56,7 @@ bool grazes(const Body<double>& body, const Flight<double>& flight, double durat
         const auto top = boost::math::tools::brent_find_minima([&](double t) { return -gap(t); },
                                                                duration * (i - 1) / samples,
                                                                duration * (i + 1) / samples, 40);
-        if (-top.second > -touching) return true;
+        if (-top.second > -touching_of(body)) return true;
     }
     return false;
 }
@@ -57,6 +64,7 @@ bool grazes(const Body<double>& body, const Flight<double>& flight, double durat
 template <class Map>
 std::string name_without_cycle(const Map& map, const analysis::CurvePoint& last) {
     const ReturnMap<Map> return_map(map);
+    const double touching = touching_of(map.body());
     for (const auto& z : last.points) {
         const Launch<double> launch = launch_from(section_point_of(z));
         const Passage<double> passage = return_map.advance(launch);
@@ -70,7 +78,7 @@ std::string name_without_cycle(const Map& map, const analysis::CurvePoint& last)
         if (passage.collision.impulse.normal < touching) return "grazing";
         if (grazes<Map::shape>(map.body(), flight, duration)) return "grazing";
     }
-    return "border";
+    return analysis::nameless_border;
 }
 
 }  // namespace
@@ -79,7 +87,7 @@ std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& 
                         const std::vector<std::int64_t>& word_after, bool goes_on) {
     if (!goes_on) {
         const std::string name = with_collision_map(scene, [&](const auto& map) { return name_without_cycle(map, last); });
-        if (name != "border") return name;
+        if (name != analysis::nameless_border) return name;
     }
     const auto before = analysis::word_of(last.closing);
     for (std::size_t i = 0; i < before.size() && i < word_after.size(); ++i) {
@@ -88,7 +96,7 @@ std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& 
         if (a.through_contact != b.through_contact) return "landing";
         return a.vertex_step == b.vertex_step ? "stick-slip" : "two-vertices";
     }
-    return "border";
+    return analysis::nameless_border;
 }
 
 }  // namespace swirl::apps

@@ -69,6 +69,7 @@ void write_special(JsonWriter& json, const SceneBranches& scene, const analysis:
     json.begin_object();
     json.member("kind", kind_of(special));
     write_cycle(json, scene, special.cycle);
+    if (!special.located) json.member("located", false);
     if (special.normal_form) {
         const auto& form = *special.normal_form;
         json.key("normal_form");
@@ -134,6 +135,7 @@ void print_branches(const SceneBranches& scene, const Along& along, const std::v
             const auto& c = special.cycle;
             fmt::print("  {:<15} {} = {:.12f}  S {:>15.12f}  |multiplier| {:.9f}", kind_of(special), along.name, value(c),
                        c.at.points.front().tail(1)[0], std::abs(c.multipliers.front()));
+            if (!special.located) fmt::print("  not located: between two points of the branch");
             if (special.normal_form && special.kind != analysis::SpecialKind::fold)
                 fmt::print("  {}", special.normal_form->supercritical ? "supercritical" : "subcritical");
             fmt::print("\n");

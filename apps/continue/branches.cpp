@@ -5,12 +5,6 @@
 
 namespace swirl::apps {
 
-namespace {
-
-constexpr double shortest_flight = 1e-6;  // as in orbits: rest is no cycle
-
-}  // namespace
-
 double value_of(const Scene<double>& scene, const Along& along) {
     Scene<double> copy = scene;
     return along.parameter ? number_of(copy, *along.parameter) : 0;
@@ -20,7 +14,6 @@ SceneBranches scene_branches(const Scene<double>& scene, const Along& along) {
     SceneBranches branches;
     branches.options.low = along.low;
     branches.options.high = along.high;
-    branches.options.shortest_flight = shortest_flight;
     branches.options.stop = is_interrupted;
     if (along.parameter) {
         const Parameter parameter = *along.parameter;

@@ -7,6 +7,7 @@
 #include <Random123/philox.h>
 #include <Random123/uniform.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,16 +35,21 @@ double spin_without_slip(const Scene<double>& scene, double tau) {
 /// have come that far at |V| ≤ 2R/τ.
 double longest_flight(const Scene<double>& scene) {
     const double pi_ = pi<double>();
-    return std::min(2 * pi_ + pi_ * (scene.beta + 1 - scene.alpha) / std::max(scene.beta, 1e-6), 200.0);
+    return 2 * pi_ + pi_ * (scene.beta + 1 - scene.alpha) / scene.beta;
 }
+
+constexpr double longest_tau = 200;
+
+double last_tau(const Scene<double>& scene) { return std::min(longest_flight(scene), longest_tau); }
 
 constexpr double tau_step = 0.01;
 constexpr double fastest_spin = 5;  // without friction S is free: that of what a user may see
-constexpr std::size_t most_guesses = 20'000;
+constexpr int least_j = -4, most_j = 8;
+constexpr std::size_t most_guesses = 1'000'000;
 
 std::vector<CyclePoints> guesses_on_grid(const Scene<double>& scene, bool no_slip) {
     std::vector<CyclePoints> guesses;
-    for (double tau = 5 * tau_step; tau < longest_flight(scene); tau += 5 * tau_step) {
+    for (double tau = 5 * tau_step; tau < last_tau(scene); tau += 5 * tau_step) {
         if (no_slip) {
             guesses.push_back({steady_point(scene, tau, spin_without_slip(scene, tau))});
             continue;
@@ -52,7 +58,7 @@ std::vector<CyclePoints> guesses_on_grid(const Scene<double>& scene, bool no_sli
             guesses.push_back({steady_point(scene, tau, 0)});
             continue;
         }
-        for (int j = -4; j <= 8; ++j) {
+        for (int j = least_j; j <= most_j; ++j) {
             const double spin = 1 - 2 * pi<double>() * j / (scene.sides * tau);
             if (std::abs(spin) <= fastest_spin) guesses.push_back({steady_point(scene, tau, spin)});
         }
@@ -66,7 +72,7 @@ std::vector<CyclePoints> guesses_of_polygon(const Scene<double>& scene) {
     const auto vertices_on = [&](double tau) { return turns * tau * (1 - spin_without_slip(scene, tau)); };
     std::vector<CyclePoints> guesses;
     double last = vertices_on(0.1 * tau_step);
-    for (double tau = tau_step; tau < longest_flight(scene) && guesses.size() < most_guesses; tau += tau_step) {
+    for (double tau = tau_step; tau < last_tau(scene) && guesses.size() < most_guesses; tau += tau_step) {
         const double next = vertices_on(tau);
         const double low = std::min(last, next), high = std::max(last, next);
         for (double j = std::ceil(low); j <= high && guesses.size() < most_guesses; ++j) {
@@ -114,6 +120,8 @@ Eigen::VectorXd random_section_point(const Scene<double>& scene, const Draws& dr
     return state_of(z, scene.is_disk());
 }
 
+bool stopped(const CandidateOptions& options) { return options.stop && options.stop(); }
+
 /// k states after `skip` impacts from z; empty if the map ends.
 CyclePoints states_from(const analysis::ShootingMap& map, const Eigen::VectorXd& z, int skip, int k) {
     const CyclePoints orbit = analysis::orbit_from(map, z, 0, skip + k);
@@ -122,9 +130,19 @@ CyclePoints states_from(const analysis::ShootingMap& map, const Eigen::VectorXd&
 
 }  // namespace
 
-std::vector<CyclePoints> steady_guesses(const Scene<double>& scene) {
-    if (scene.mu == 0) return guesses_on_grid(scene, false);
-    return scene.is_disk() ? guesses_on_grid(scene, true) : guesses_of_polygon(scene);
+SteadyGuesses steady_guesses(const Scene<double>& scene) {
+    SteadyGuesses guesses;
+    if (scene.mu == 0) guesses.points = guesses_on_grid(scene, false);
+    else guesses.points = scene.is_disk() ? guesses_on_grid(scene, true) : guesses_of_polygon(scene);
+    if (longest_flight(scene) > longest_tau)
+        guesses.limits.push_back(fmt::format("steady modes are sought up to tau = {:g}; there may be longer ones, up to {:g}",
+                                             longest_tau, longest_flight(scene)));
+    if (scene.mu == 0 && !scene.is_disk())
+        guesses.limits.push_back(fmt::format("without friction S is free: steady modes are sought for |S| <= {:g}, j = {} to {}",
+                                             fastest_spin, least_j, most_j));
+    if (guesses.points.size() >= most_guesses)
+        guesses.limits.push_back(fmt::format("only the first {} steady modes are tried", most_guesses));
+    return guesses;
 }
 
 std::vector<CyclePoints> trajectories_of(const Scene<double>& scene, const CandidateOptions& options) {
@@ -134,7 +152,8 @@ std::vector<CyclePoints> trajectories_of(const Scene<double>& scene, const Candi
             const auto start = random_start(scene.beta, options.speed, options.seed, static_cast<std::uint64_t>(run));
             Orbit orbit(map, start);
             CyclePoints states;
-            while (orbit.impacts() < options.collisions && orbit.advance(10))
+            const auto goes_on = [&] { return orbit.impacts() < options.collisions && !stopped(options); };
+            while (goes_on() && orbit.advance(10))
                 states.push_back(state_of(section_point(orbit.launch()), scene.is_disk()));
             trajectories.push_back(std::move(states));
         }
@@ -145,7 +164,7 @@ std::vector<CyclePoints> trajectories_of(const Scene<double>& scene, const Candi
 std::vector<CyclePoints> candidates_for(const Scene<double>& scene, const analysis::ShootingMap& map, int k,
                                         const std::vector<CyclePoints>& trajectories, const CandidateOptions& options) {
     std::vector<CyclePoints> candidates;
-    if (k == 1) candidates = steady_guesses(scene);
+    if (k == 1) candidates = steady_guesses(scene).points;
     const auto length = static_cast<std::size_t>(k);
     for (const CyclePoints& trajectory : trajectories) {
         if (trajectory.size() < length) continue;
@@ -153,7 +172,7 @@ std::vector<CyclePoints> candidates_for(const Scene<double>& scene, const analys
         for (auto& guess : close_returns(map, trajectory, k, options.returns, options.vicinity))
             candidates.push_back(std::move(guess));
     }
-    for (std::int64_t i = 0; i < options.starts; ++i) {
+    for (std::int64_t i = 0; i < options.starts && !stopped(options); ++i) {
         const Draws draws(options.seed, static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(i));
         const auto skip = static_cast<int>(4 * draws.u[7]);
         CyclePoints guess = states_from(map, random_section_point(scene, draws), skip, k);

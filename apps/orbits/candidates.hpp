@@ -5,6 +5,8 @@
 #include "map/scene.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace swirl::apps {
@@ -17,12 +19,19 @@ struct CandidateOptions {
     std::uint64_t seed = 1;
     int returns = 30;                 ///< close returns per trajectory and period
     double vicinity = 0.5;            ///< how close (Euclidean)
+    std::function<bool()> stop;       ///< true: end with what there is
+};
+
+/// Guesses, and what was left out of them, in words.
+struct SteadyGuesses {
+    std::vector<analysis::CyclePoints> points;
+    std::vector<std::string> limits;
 };
 
 /// Candidates for steady modes from their closed form at e = 1 (design, section 4): ψ = χ = 0, v_n = −(2R/τ) sin²(τ/2),
 /// v_t = R sin τ/τ, R = β + 1 − α. For a polygon with friction one per root τ of (β − v_t)/α = 1 − 2πj/(Nτ); for the
 /// disk, and without friction (where S is free), a grid of τ. For e < 1 they are guesses.
-std::vector<analysis::CyclePoints> steady_guesses(const Scene<double>& scene);
+SteadyGuesses steady_guesses(const Scene<double>& scene);
 
 /// Trajectories from random starts, transients included: each a list of states on the section.
 std::vector<analysis::CyclePoints> trajectories_of(const Scene<double>& scene, const CandidateOptions& options);

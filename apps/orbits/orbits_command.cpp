@@ -40,7 +40,7 @@ void OrbitsOptions::add_to(CLI::App& command) {
         ->type_name("R")->check(CLI::Range(std::int64_t{0}, most));
     command.add_option("--collisions", candidates.collisions, "impacts of each of them (default 2000)")
         ->type_name("K")->check(CLI::Range(std::int64_t{1}, most));
-    command.add_option("--seed", candidates.seed, "of the random starts (default 1)")->type_name("");
+    add_seed(command, candidates.seed, "of the random starts (default 1)");
 }
 
 std::pair<int, int> OrbitsOptions::periods() const {
@@ -52,7 +52,6 @@ std::pair<int, int> OrbitsOptions::periods() const {
 namespace {
 
 constexpr double accepted = 1e-11;         // residual of a cycle; those found end near 10⁻¹⁵
-constexpr double shortest_flight = 1e-6;   // u_n → 0 makes every point a "fixed point": rest, not a cycle
 
 struct Pin {
     bool by_time = false;
@@ -79,23 +78,27 @@ double pinned_value(const analysis::CurvePoint& point, bool by_time) {
 void pin_families(const analysis::ShootingMap& map, const Pin& pin, FoundOrbits& found) {
     analysis::KnownCycles members(map, 0, 1e-7, false);
     for (const auto& cycle : found.cycles) {
+        if (is_interrupted()) break;
+        if (cycle.tangents.cols() > 1) found.limits.push_back("a family of more than one parameter has no single member with that value: left out");
         if (cycle.tangents.cols() != 1) continue;
         const auto family = analysis::walk_family(map, 0, cycle);
         const auto value = [&](const analysis::CurvePoint& point) { return pinned_value(point, pin.by_time); };
         for (const auto& points : analysis::pinned_members(map, family, value, pin.value))
             members.add(points, analysis::close_cycle(map, points, 0).residual());
     }
-    found.cycles = members.cycles();
+    found.cycles = members.completed();
 }
 
 FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, const analysis::ShootingMap& map) {
     const auto z = section_point_from<double>("--near", options.near, scene.is_disk());
     require_leaving(make_body(scene), z);
+    const Eigen::VectorXd near = state_of(z, scene.is_disk());
     FoundOrbits found;
     analysis::KnownCycles known(map, 0, 1e-6, false);
     const auto [first, last] = options.periods();
     for (int k = first; k <= last; ++k) {
-        const auto guess = analysis::orbit_from(map, state_of(z, scene.is_disk()), 0, k);
+        if (is_interrupted()) break;
+        const auto guess = analysis::orbit_from(map, near, 0, k);
         if (guess.empty()) continue;
         ++found.tried;
         const auto shot = analysis::solve_shooting(map, guess, 0, accepted);
@@ -106,7 +109,9 @@ FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, 
         ++found.converged;
         known.add(points, shot.residual);
     }
-    found.cycles = known.cycles();
+    found.cycles = known.completed();
+    for (const auto& cycle : found.cycles)
+        for (const auto& point : cycle.points) found.distance = std::min(found.distance, map.distance(point, near));
     return found;
 }
 
@@ -118,18 +123,18 @@ FoundOrbits find_all(const OrbitsOptions& options, const Scene<double>& scene, c
     const auto trajectories = trajectories_of(scene, options.candidates);
     for (int k = first; k <= last && !found.interrupted; ++k) {
         const auto candidates = candidates_for(scene, map, k, trajectories, options.candidates);
+        if (k == 1) found.limits = steady_guesses(scene).limits;
         Progress progress(fmt::format("orbits of period {}", k), static_cast<double>(candidates.size()), options.output.quiet);
         analysis::SearchOptions search;
         search.period = k;
         search.accept = accepted;
-        search.shortest_step = shortest_flight;
         search.threads = options.output.threads;
         search.progress = [&](double done) { progress.at(done); };
         search.stop = is_interrupted;
         const auto result = analysis::find_cycles(map, 0, candidates, search);
         found.tried += result.tried;
         found.converged += result.converged;
-        found.interrupted = result.stopped;
+        found.interrupted = is_interrupted();
         found.cycles.insert(found.cycles.end(), result.cycles.begin(), result.cycles.end());
     }
     return found;
@@ -169,8 +174,10 @@ int orbits(OrbitsOptions& options) {
     std::optional<RecordWriter> record;
     if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Cycles of a swirled polygon"));
     note_interruptions();
+    options.candidates.stop = is_interrupted;
     FoundOrbits found = options.near.empty() ? find_all(options, scene, map) : find_near(options, scene, map);
     if (pin) pin_families(map, *pin, found);
+    found.interrupted = is_interrupted();
     if (record) write_orbits_record(*record, options, scene, found);
     if (options.output.json) write_orbits_document(options, scene, found);
     else if (!options.output.quiet) print_orbits(scene, found);

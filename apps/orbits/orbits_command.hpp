@@ -7,6 +7,7 @@
 #include "apps/command_line/output_options.hpp"
 #include "apps/orbits/candidates.hpp"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,8 @@ struct FoundOrbits {
     std::int64_t converged = 0;
     int iterations = 0;        ///< of the solution from --near
     double reached = 0;        ///< residual that it reached
+    double distance = std::numeric_limits<double>::infinity();  ///< of the nearest point of a cycle from --near
+    std::vector<std::string> limits;  ///< what the search left out
     bool interrupted = false;
     bool none_exist = false;   ///< proven: without friction and with e < 1 every impact lowers J (design, section 3)
 };

@@ -63,7 +63,7 @@ Settings orbits_settings(const OrbitsOptions& options) {
     return {{"first_period", std::int64_t{first}}, {"last_period", std::int64_t{last}}, {"near", options.near},
             {"pin", options.pin}, {"starts", options.candidates.starts},
             {"trajectories", options.candidates.trajectories}, {"collisions", options.candidates.collisions},
-            {"seed", static_cast<std::int64_t>(options.candidates.seed)}};
+            {"seed", options.candidates.seed}};
 }
 
 void write_orbits_document(const OrbitsOptions& options, const Scene<double>& scene, const FoundOrbits& found) {
@@ -82,7 +82,17 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
     if (!options.near.empty()) {
         json.member("iterations", std::int64_t{found.iterations});
         json.member("residual", found.reached);
+        json.key("distance");
+        if (found.cycles.empty()) json.null();
+        else json.value(found.distance);
     }
+    if (!found.limits.empty()) {
+        json.key("limits");
+        json.begin_array();
+        for (const auto& limit : found.limits) json.value(std::string_view(limit));
+        json.end_array();
+    }
+    json.member("outcome", found.interrupted ? "interrupted" : "completed");
     write_json(json, "settings", orbits_settings(options));
     json.member("swirl_version", std::string_view(version()));
     json.end_object();
@@ -90,7 +100,10 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
 }
 
 void print_orbits(const Scene<double>& scene, const FoundOrbits& found) {
-    fmt::print("{}\n  {} candidates, {} led to a cycle\n", describe(scene), found.tried, found.converged);
+    fmt::print("{}\n  {} candidates, {} led to a cycle{}\n", describe(scene), found.tried, found.converged,
+               found.interrupted ? "; interrupted" : "");
+    for (const auto& limit : found.limits) fmt::print("  {}\n", limit);
+    if (std::isfinite(found.distance)) fmt::print("  nearest point of a cycle at {:.3g} from --near\n", found.distance);
     if (found.cycles.empty()) {
         fmt::print("  {}\n", found.none_exist ? none_reason : "no cycle found");
         return;

@@ -10,10 +10,16 @@ namespace swirl::apps {
 
 namespace {
 
+/// As u_n → 0 every state of a body at rest on the wall solves F(z) = z: a step that takes no longer ends the map.
+constexpr double shortest_flight = 1e-6;
+
+/// Solvers ask for cycles of impacts: contact that lasts longer than a few swings has none.
+constexpr double solver_horizon = 50;
+
 /// A map and its system, which refers to it.
 template <Shape shape, ImpactRule rule>
 struct OwnedSystem {
-    explicit OwnedSystem(const CollisionMap<double, shape, rule>& m) : map(m), system(map) {}
+    explicit OwnedSystem(const CollisionMap<double, shape, rule>& m) : map(m), system(map, solver_horizon) {}
     CollisionMap<double, shape, rule> map;
     SectionSystem<shape, rule> system;
 };
@@ -44,12 +50,12 @@ struct AlongParameter {
         if (!is_allowed(parameter, p)) return step;
         const Scene<double> here = with_parameter(scene, parameter, p);
         const CollisionMap<double, shape, rule> map(here);
-        const System system(map);
+        const System system(map, solver_horizon);
         const SectionPoint<double> point = System::point_of(z);
-        const Passage<double> passage = system.return_map().advance(launch_from(point));
+        const Passage<double> passage = system.return_map().advance(launch_from(point), solver_horizon);
         analysis::Advance<dimension> plain;
         system.fill(plain, passage);
-        if (!plain.alive || !plain.state.allFinite()) return step;
+        if (!plain.alive || !plain.state.allFinite() || plain.duration <= shortest_flight) return step;
         step.state = plain.state;
         step.duration = plain.duration;
         step.letter = plain.letter;
@@ -73,7 +79,7 @@ struct AlongParameter {
         const double low = is_allowed(parameter, p - h) ? p - h : p;
         const auto advance = [&](double value) {
             const CollisionMap<double, shape, rule> map(with_parameter(scene, parameter, value));
-            return System(map).advance(typename System::State(z));
+            return System(map, solver_horizon).advance(typename System::State(z));
         };
         const auto above = advance(high), below = advance(low);
         Eigen::VectorXd change = above.state - below.state;
@@ -96,7 +102,11 @@ analysis::ShootingMap scene_map(const Scene<double>& scene) {
         auto owned = std::make_shared<OwnedSystem<std::decay_t<decltype(map)>::shape, std::decay_t<decltype(map)>::rule>>(map);
         analysis::ShootingMap result = analysis::shooting_map(owned->system);
         // The system must live as long as the step that refers to it.
-        result.step = [owned, step = result.step](const Eigen::VectorXd& z, double p) { return step(z, p); };
+        result.step = [owned, linearise = result.step](const Eigen::VectorXd& z, double p) {
+            analysis::ShootingStep step = linearise(z, p);
+            step.alive = step.alive && step.duration > shortest_flight;
+            return step;
+        };
         return result;
     });
 }

@@ -18,7 +18,6 @@ inline std::vector<analysis::Cycle> cycles_of(const Scene<double>& scene, int pe
     const auto trajectories = apps::trajectories_of(scene, options);
     analysis::SearchOptions search;
     search.period = period;
-    search.shortest_step = 1e-6;
     return analysis::find_cycles(map, 0, apps::candidates_for(scene, map, period, trajectories, options), search).cycles;
 }
 

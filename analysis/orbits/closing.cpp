@@ -9,6 +9,7 @@ namespace swirl::analysis {
 Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p) {
     const auto k = static_cast<int>(points.size());
     const int d = map.dimension;
+    const int passed_on = d - map.constraints;
     Closing closing;
     closing.gap.resize(k * d);
     closing.by_points = Eigen::MatrixXd::Zero(k * d, k * d);
@@ -17,9 +18,10 @@ Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p)
         const int next = (i + 1) % k;
         ShootingStep step = map.step(points[static_cast<std::size_t>(i)], p);
         if (!step.alive) return closing;
-        closing.gap.segment(i * d, d) = map.difference(step.state, points[static_cast<std::size_t>(next)]);
+        closing.gap.segment(i * d, d) = map.gap(step.state, points[static_cast<std::size_t>(next)]);
         closing.by_points.block(i * d, i * d, d, d) += step.by_state;
-        closing.by_points.block(i * d, next * d, d, d) -= Eigen::MatrixXd::Identity(d, d);
+        closing.by_points.block(i * d, next * d, passed_on, passed_on) -=
+            Eigen::MatrixXd::Identity(passed_on, passed_on);
         if (map.has_parameter) closing.by_parameter.segment(i * d, d) = step.by_parameter;
         closing.duration += step.duration;
         closing.integral += step.integral;
@@ -27,6 +29,10 @@ Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p)
     }
     closing.alive = closing.gap.allFinite() && closing.by_points.allFinite();
     return closing;
+}
+
+double rounding_of(const Closing& closing) {
+    return 8 * std::numeric_limits<double>::epsilon() * closing.by_points.cwiseAbs().maxCoeff();
 }
 
 CyclePoints orbit_from(const ShootingMap& map, const Eigen::VectorXd& z, double p, int k) {

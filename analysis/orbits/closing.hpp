@@ -9,7 +9,7 @@ namespace swirl::analysis {
 
 using CyclePoints = std::vector<Eigen::VectorXd>;
 
-/// G_i = F(z_i; p) − z_{i+1}, angles modulo their period, and its derivatives.
+/// G_i = F(z_i; p) − z_{i+1}, angles modulo their period (constraints: F alone), and its derivatives.
 struct Closing {
     bool alive = false;               ///< false: the map ended at one of the points
     Eigen::VectorXd gap;              ///< G, of length k D
@@ -22,13 +22,16 @@ struct Closing {
     double residual() const { return gap.lpNorm<Eigen::Infinity>(); }
 };
 
+/// What the rounding of z alone leaves in G, 8 ε‖DF‖: no more can be asked of a cycle with large multipliers.
+double rounding_of(const Closing& closing);
+
 /// Cost: k steps of the map and (kD)² numbers.
 Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p);
 
 /// z and the k − 1 states after it; empty if the map ends before.
 CyclePoints orbit_from(const ShootingMap& map, const Eigen::VectorXd& z, double p, int k);
 
-/// DF(z_k) … DF(z_1).
+/// DF(z_k) … DF(z_1), for a map without constraints.
 Eigen::MatrixXd monodromy(const Closing& closing);
 
 /// The word: one letter a step.

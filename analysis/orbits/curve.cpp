@@ -92,9 +92,7 @@ Correction correct(const ShootingMap& map, const CurvePoint& base, double h, Cur
         point.closing = close_cycle(map, point.points, point.p);
         if (!point.closing.alive) return Correction::map_ended;
         const double residual = point.closing.residual();
-        // Rounding of z alone leaves ε‖DF‖ in G: no more can be asked of a cycle with large multipliers.
-        const double rounding = 8 * std::numeric_limits<double>::epsilon() * point.closing.by_points.cwiseAbs().maxCoeff();
-        const double accept = std::max(options.accept, rounding);
+        const double accept = std::max(options.accept, rounding_of(point.closing));
         if (residual <= options.goal || (residual <= accept && residual >= 0.5 * last)) {
             if (options.keep_word && word_of(point.closing) != word_of(base.closing)) return Correction::word_changed;
             const Eigen::VectorXd aside = y - origin - h * base.tangent;

@@ -26,7 +26,9 @@ std::vector<Solved> solve_all(const ShootingMap& map, double p, const std::vecto
     arena.execute([&] {
         tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
             if (options.stop && options.stop()) return;
-            const ShootingResult shot = solve_shooting(map, candidates[i], p, options.accept, options.shooting);
+            ShootingResult shot = solve_shooting(map, candidates[i], p, options.accept, options.shooting);
+            if (!shot.converged && options.timed != nullptr)
+                shot = solve_near_grazing(map, *options.timed, candidates[i], p, options.accept, options.shooting);
             if (shot.converged) solved[i] = {minimal_cycle(map, shot.points, options.same), shot.residual};
             const std::lock_guard lock(mutex);
             ++result.tried;

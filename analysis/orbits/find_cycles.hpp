@@ -15,6 +15,8 @@ struct SearchOptions {
     double same = 1e-6;      ///< cycles nearer than that are one
     int threads = 0;         ///< 0: all; the result does not depend on it
     bool one_per_family = true;
+    /// Tried where the map's own solver fails: see `solve_near_grazing`. Must outlive the search.
+    const ShootingMap* timed = nullptr;
     ShootingOptions shooting;
     std::function<void(double done)> progress;  ///< candidates tried so far; called from one thread at a time
     std::function<bool()> stop;                 ///< true: end with what there is

@@ -5,6 +5,8 @@
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace swirl::analysis {
@@ -27,9 +29,10 @@ public:
         const Eigen::VectorXd next = Eigen::Map<const Eigen::VectorXd>(blocks[closed ? 0 : 1], d);
         const ShootingStep step = map_.step(z, p_);
         if (!step.alive) return false;
-        Eigen::Map<Eigen::VectorXd>(residuals, d) = map_.difference(step.state, next);
+        Eigen::Map<Eigen::VectorXd>(residuals, d) = map_.gap(step.state, next);
         using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-        const auto identity = Eigen::MatrixXd::Identity(d, d);
+        Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(d, d);
+        identity.diagonal().tail(map_.constraints).setZero();
         if (jacobians != nullptr && jacobians[0] != nullptr) {
             Eigen::Map<RowMajor> by_state(jacobians[0], d, d);
             by_state = step.by_state;
@@ -44,6 +47,8 @@ private:
     const ShootingMap& map_;
     double p_;
 };
+
+constexpr double same_time = 1e-6;  // another contact lies farther away, or the two can't be told apart
 
 /// Ends the solver where the polishing can take over, and where it gets nowhere.
 class StopWhenNear final : public ceres::IterationCallback {
@@ -95,6 +100,32 @@ ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, 
     if (!summary.IsSolutionUsable() || !(summary.final_cost < 1e-6)) return result;  // |G| ≈ 10⁻³: too far for Newton
     result.residual = polish_cycle(map, result.points, p);
     result.converged = result.residual <= accept;
+    return result;
+}
+
+ShootingResult solve_near_grazing(const ShootingMap& map, const ShootingMap& timed, const CyclePoints& guess, double p,
+                                  double accept, const ShootingOptions& options) {
+    ShootingResult result;
+    result.points = guess;
+    result.residual = std::numeric_limits<double>::infinity();
+    CyclePoints with_times;
+    for (const auto& z : guess) {
+        const ShootingStep step = map.step(z, p);
+        if (!step.alive) return result;
+        Eigen::VectorXd extended(timed.dimension);
+        extended << z, step.duration;
+        with_times.push_back(extended);
+    }
+    ShootingResult shot = solve_shooting(timed, with_times, p, accept, options);
+    result.iterations = shot.iterations;
+    if (!shot.converged) return result;
+    for (std::size_t i = 0; i < guess.size(); ++i) result.points[i] = shot.points[i].head(map.dimension);
+    const Closing closing = close_cycle(map, result.points, p);
+    if (!closing.alive) return result;
+    for (std::size_t i = 0; i < guess.size(); ++i)  // the map's first contact, and no other
+        if (std::abs(closing.steps[i].duration - shot.points[i].tail(1)[0]) > same_time) return result;
+    result.residual = closing.residual();
+    result.converged = result.residual <= std::max(accept, rounding_of(closing));
     return result;
 }
 

@@ -26,4 +26,10 @@ struct ShootingResult {
 ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, double p, double accept,
                               const ShootingOptions& options = {});
 
+/// The same for cycles near grazing, where DF grows without bound: solved by `timed`, whose points carry one more unknown,
+/// the time of the step, with one constraint (map/timed_collision.hpp), then closed by the map itself. Converged only if
+/// its steps are those of the map, to `accept` or to the rounding of z that DF leaves in G.
+ShootingResult solve_near_grazing(const ShootingMap& map, const ShootingMap& timed, const CyclePoints& guess, double p,
+                                  double accept, const ShootingOptions& options = {});
+
 }  // namespace swirl::analysis

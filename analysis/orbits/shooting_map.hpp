@@ -28,6 +28,9 @@ struct ShootingStep {
 struct ShootingMap {
     int dimension = 0;
     bool has_parameter = false;
+    /// The last so many of F's components are not the next point's but must be zero; the same number of the last
+    /// coordinates are unknowns of each point alone (the time of its impact, say). `by_state` is square all the same.
+    int constraints = 0;
     std::vector<double> angle_periods;  ///< per coordinate; 0: a plain number
     std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step;
 
@@ -38,6 +41,13 @@ struct ShootingMap {
             if (angle_periods[static_cast<std::size_t>(i)] > 0)
                 d[i] = std::remainder(d[i], angle_periods[static_cast<std::size_t>(i)]);
         return d;
+    }
+
+    /// What a step leaves open: F(z) less the next point, and the constraints.
+    Eigen::VectorXd gap(const Eigen::VectorXd& image, const Eigen::VectorXd& next) const {
+        Eigen::VectorXd open = difference(image, next);
+        open.tail(constraints) = image.tail(constraints);
+        return open;
     }
 
     /// The largest coordinate of the difference.

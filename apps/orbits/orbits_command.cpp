@@ -94,6 +94,7 @@ FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, 
     require_leaving(make_body(scene), z);
     const Eigen::VectorXd near = state_of(z, scene.is_disk());
     FoundOrbits found;
+    const auto timed = timed_scene_map(scene);
     analysis::KnownCycles known(map, 0, 1e-6, false);
     const auto [first, last] = options.periods();
     for (int k = first; k <= last; ++k) {
@@ -101,7 +102,8 @@ FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, 
         const auto guess = analysis::orbit_from(map, near, 0, k);
         if (guess.empty()) continue;
         ++found.tried;
-        const auto shot = analysis::solve_shooting(map, guess, 0, accepted);
+        auto shot = analysis::solve_shooting(map, guess, 0, accepted);
+        if (!shot.converged) shot = analysis::solve_near_grazing(map, timed, guess, 0, accepted);
         found.iterations = shot.iterations;
         found.reached = shot.residual;
         const auto points = analysis::minimal_cycle(map, shot.points, 1e-6);
@@ -119,6 +121,7 @@ FoundOrbits find_all(const OrbitsOptions& options, const Scene<double>& scene, c
     FoundOrbits found;
     found.none_exist = scene.mu == 0 && scene.restitution < 1;
     if (found.none_exist) return found;
+    const auto timed = timed_scene_map(scene);
     const auto [first, last] = options.periods();
     const auto trajectories = trajectories_of(scene, options.candidates);
     for (int k = first; k <= last && !found.interrupted; ++k) {
@@ -128,6 +131,7 @@ FoundOrbits find_all(const OrbitsOptions& options, const Scene<double>& scene, c
         analysis::SearchOptions search;
         search.period = k;
         search.accept = accepted;
+        search.timed = &timed;
         search.threads = options.output.threads;
         search.progress = [&](double done) { progress.at(done); };
         search.stop = is_interrupted;

@@ -17,6 +17,10 @@ analysis::ShootingMap scene_map(const Scene<double>& scene);
 /// with friction is the limit μ → 0.
 analysis::ShootingMap scene_map(const Scene<double>& scene, Parameter parameter);
 
+/// The scene's flights with the time of their impact as the last coordinate and the gap then as a constraint, for
+/// `analysis::solve_near_grazing`. No sustained contact.
+analysis::ShootingMap timed_scene_map(const Scene<double>& scene);
+
 /// A section point from its coordinates, and back.
 SectionPoint<double> section_point_of(const Eigen::VectorXd& z);
 Eigen::VectorXd state_of(const SectionPoint<double>& z, bool disk);

@@ -140,6 +140,7 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     } else if (there_rests && there.pressed) {
         standing = {true, Support::vertex, {}, step, there.error, 0};
         standing.state = landed(scene, neighbour, standing.jacobi);
+        standing.state.chi = std::copysign(scene.widest_chi, standing.state.chi);  // as exact as its rebound is small
     }
     return standing;
 }

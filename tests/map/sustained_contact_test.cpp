@@ -1,6 +1,7 @@
 // Sustained contact: pendulum oracles, forces against geometry, energy, and that every orbit ends with a name.
 #include "map/orbit.hpp"
 #include "map/sustained/motion_choice.hpp"
+#include "tests/map/contact_scenes.hpp"
 #include "tests/sample_count.hpp"
 
 #include <boost/math/special_functions/ellint_1.hpp>
@@ -17,15 +18,10 @@
 namespace swirl {
 namespace {
 
-Scene<double> scene_of(int sides, double alpha, double beta, double mu, double e, Law law = Law::poisson) {
-    return {sides, alpha, beta, mu, e, law, uniform_inertia_factor<double>(sides)};
-}
+using tests::contact_of;
 
-ContactScene contact_of(const Scene<double>& s) {
-    const ImpactRule rule = s.mu == 0 ? ImpactRule::frictionless
-                          : s.law == Law::newton ? ImpactRule::newton
-                          : s.law == Law::stronge ? ImpactRule::stronge : ImpactRule::poisson;
-    return contact_scene(make_body(s), s.mu, s.restitution, rule);
+Scene<double> scene_of(int sides, double alpha, double beta, double mu, double e, Law law = Law::poisson) {
+    return tests::uniform_scene(sides, alpha, beta, mu, e, law);
 }
 
 // ---- the disk is a pendulum

@@ -1,7 +1,10 @@
 #include "map/sustained/standing.hpp"
 
+#include "map/sustained/reaction.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swirl {
 
@@ -85,6 +88,22 @@ double edge_rate(const ContactScene& scene, const Launch<double>& launch) {
     return (cross(place, velocity) + body.inertia * launch.spin) / (dot(place, place) + body.inertia);
 }
 
+/// How far an edge that lands slides on, if friction then holds it; infinite if that does not. Where no sliding is
+/// consistent it jams at once.
+double slide_of(const ContactScene& scene, const ContactState& landed) {
+    ContactState z = landed;
+    z.ut = z.spin = 0;
+    const Reaction held = reaction_of(scene, Support::edge, ContactMotion::sticking, z);
+    if (scene.mu == 0 || held.reserve < 0) return std::numeric_limits<double>::infinity();
+    z.ut = z.spin = landed.ut;
+    const auto motion = landed.ut > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
+    const Reaction slips = reaction_of(scene, Support::edge, motion, z);
+    const bool pushes = slips.stiffness > 0 && slips.normal >= 0 && slips.second >= 0;
+    const double slowing = pushes ? (landed.ut > 0 ? -slips.ut_rate : slips.ut_rate)
+                                  : scene.mu * (held.normal + held.second);
+    return slowing > 0 ? landed.ut * landed.ut / (2 * slowing) : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 double velocity_rounding(const ContactScene& scene, const Launch<double>& launch) {
@@ -131,8 +150,10 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
         standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step, 0,
                     0};
         standing.state.chi = -scene.widest_chi;
-        const bool still = std::abs(standing.state.ut) <= velocity_rounding(scene, launch);
-        standing.state.ut = standing.state.spin = still && scene.mu > 0 ? 0 : standing.state.ut;
+        // The slip of one vertex is also what is left of rocking on the other.
+        const bool still = scene.mu > 0 && (std::abs(standing.state.ut) <= velocity_rounding(scene, launch) ||
+                                            slide_of(scene, standing.state) <= chatter_tolerance);
+        standing.state.ut = standing.state.spin = still ? 0 : standing.state.ut;
         standing.jacobi = jacobi_of(scene.body, launch_from(scene, standing.state)) - jacobi_of(scene.body, launch);
     } else if (here.rests && here.pressed) {
         standing = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, here.error, 0};

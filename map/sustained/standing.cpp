@@ -27,12 +27,6 @@ double free_acceleration(const ContactScene& scene, const Launch<double>& launch
     return wn + ut * ut - launch.spin * launch.spin * body.alpha * launch.chi.x;
 }
 
-/// Error vT of ending the chatter of a point now; infinite if it does not come back.
-double chatter_error(const ContactScene& scene, double v, double acceleration) {
-    if (!(acceleration > 0)) return std::numeric_limits<double>::infinity();
-    return 2 * v * v / (acceleration * (1 - scene.restitution));
-}
-
 struct Touch {
     bool rests;   ///< no normal velocity but rounding and the end of chatter
     bool pressed; ///< free flight would take it into the wall
@@ -43,8 +37,9 @@ Touch touch_of(const ContactScene& scene, const Launch<double>& launch) {
     const Approach<double> u = approach_of(scene.body, launch);
     const double rounding = velocity_rounding(scene, launch);
     const double acceleration = free_acceleration(scene, launch, u.ut);
-    const double error = chatter_error(scene, u.un, acceleration);
-    return {std::abs(u.un) <= rounding || (u.un < 0 && error <= chatter_tolerance), acceleration > 0, error};
+    if (std::abs(u.un) <= rounding) return {true, acceleration > 0, 0};
+    const ChatterError error = chatter_error(scene, launch);
+    return {u.un < 0 && error.moved <= chatter_tolerance, acceleration > 0, error.estimate};
 }
 
 /// How friction goes with a normal impulse: −1 and 1 by the sign of u_t while it slides, 0 while it sticks.
@@ -111,6 +106,22 @@ double velocity_rounding(const ContactScene& scene, const Launch<double>& launch
            (std::abs(launch.vn) + std::abs(launch.vt) + scene.body.beta + scene.body.alpha * std::abs(launch.spin));
 }
 
+ChatterError chatter_error(const ContactScene& scene, const Launch<double>& launch) {
+    const Approach<double> u = approach_of(scene.body, launch);
+    const double acceleration = free_acceleration(scene, launch, u.ut);
+    const double v = std::abs(u.un);
+    if (!(acceleration > 0)) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    const double lasts = 2 * v / (acceleration * (1 - scene.restitution));
+    const double turning = scene.is_disk() ? std::abs(u.ut - scene.body.alpha * launch.spin) * scene.body.per_inner
+                                           : std::abs(u.ut) + std::abs(launch.spin);
+    const double passes = lasts * (1 + turning);
+    double unused;
+    const ContactState taken = without_normal_velocity(scene, launch, slip_of(scene, launch), unused);
+    const double removed =
+        v + std::abs(taken.ut - u.ut) + scene.body.alpha * std::abs(taken.spin - launch.spin);
+    return {v * lasts, 4 * removed * std::min(1.0, passes * passes)};
+}
+
 bool rests_still(const ContactScene& scene, const Standing& standing) {
     return scene.mu > 0 && standing.support == Support::edge && standing.state.ut == 0 && standing.state.spin == 0;
 }
@@ -147,8 +158,8 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     const int step = launch.chi.y > 0 ? -1 : 1;
     if (here.rests && there_rests) {
         const bool clockwise = launch.chi.y < 0;
-        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step, 0,
-                    0};
+        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step,
+                    std::max(here.error, there.error), 0};
         standing.state.chi = -scene.widest_chi;
         // The slip of one vertex is also what is left of rocking on the other.
         const bool still = scene.mu > 0 && (std::abs(standing.state.ut) <= velocity_rounding(scene, launch) ||

@@ -26,10 +26,6 @@ inline T fourth_bound(const Body<T>& body, const Flight<T>& flight) {
     return bound;
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// How long a gap that is (all but) closed and at rest certainly stays inside: with g = g′ = 0 and g″ < 0 by the advance
 /// off the wall; with g″ = 0 too and g‴ < 0 for τ₀ = 2|g‴|/M, |g⁗| ≤ M, where g ≤ τ³(g‴ + Mτ/4)/6 < 0. 0 if neither.
 template <class T>
@@ -38,11 +34,8 @@ inline T leaving_time(const Gap<T>& gap, const T& third, const T& fourth, const 
     return gap.bend <= rounding && gap.jerk < T(0) ? T(T(-2) * gap.jerk / fourth) : T(0);
 }
 
-}  // namespace detail
-
-namespace detail {
-
-/// Goes on for a time in which nothing can touch; false (and still at the start) if none lifts the gaps out of rounding.
+/// Goes on for a time in which nothing can touch; false (and still at the start) if none lifts the gaps out of
+/// rounding.
 template <Shape shape, class T>
 bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, Instant<T>& at) {
     using std::fabs;

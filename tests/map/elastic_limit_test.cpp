@@ -77,7 +77,8 @@ TEST(ElasticLimit, IsJoinedContinuouslyByTheStatistics) {
             std::printf("  %s %.5f (%.5f)", names[k], s.mean[k], s.error[k]);
             // Four standard errors, and what is linear in 1 - e.
             const double slope = std::abs(far.mean[k] - elastic.mean[k]) / widest;
-            EXPECT_LE(std::abs(s.mean[k] - elastic.mean[k]), 4 * std::hypot(s.error[k], elastic.error[k]) + slope * loss)
+            const double allowed = 4 * std::hypot(s.error[k], elastic.error[k]) + slope * loss;
+            EXPECT_LE(std::abs(s.mean[k] - elastic.mean[k]), allowed)
                 << names[k] << " at 1 - e = " << loss;
         }
         std::printf("\n");

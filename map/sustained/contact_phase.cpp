@@ -39,7 +39,7 @@ struct Follower {
 
     void jam(const MotionChoice& choice) {
         Launch<double> launch = launch_from(scene, choice.state);
-        phase.strike.impulse = strike_once(scene, launch, scene.restitution, phase.strike);
+        phase.strike.impulse = jam_once(scene, launch, phase.strike);
         phase.resolved = phase.strike.impulse.normal > 0;
         finish(ContactEvent::jam, launch, choice.vertex_step);
     }
@@ -79,7 +79,7 @@ struct Follower {
         phase.sums.turned += end.sums.turned;
         phase.sums.work += end.sums.work;
         phase.segments.push_back({start, phase.sums.time, choice.vertex_step, choice.support, choice.motion, begin,
-                                  end.event, choice.state, end.state, end.sums.turned, end.sums.work});
+                                  end.event, choice.state, end.state, end.sums.turned, end.sums.work, 0, end.steps});
         const ContactSegment& segment = phase.segments.back();
         MotionChoice next = choice;
         next.state = end.state;
@@ -135,6 +135,7 @@ ContactPhase follow_contact(const ContactScene& scene, const Standing& standing,
     Follower follower{scene, sink, {}};
     follower.follow({true, standing.support, ContactMotion::sticking, standing.state, standing.vertex_step,
                      ContactEvent::release}, ContactEvent::landing, horizon);
+    if (!follower.phase.segments.empty()) follower.phase.segments.front().error = standing.error;
     return follower.phase;
 }
 

@@ -20,6 +20,8 @@ struct ContactSegment {
     ContactState from, to;
     double turned = 0;    ///< ∫ S dt
     double work = 0;      ///< ∫ f (u_t − 1) dt: what friction added to J
+    double error = 0;     ///< of a landing: what ending chatter there does to place and velocities (an estimate)
+    long steps = 0;       ///< power series that it took
 };
 
 struct ContactPhase {

@@ -1,13 +1,14 @@
 #include "map/sustained/contact_run.hpp"
 
+#include "map/sustained/contact_series.hpp"
+
 #include <boost/math/tools/roots.hpp>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <cstddef>
+#include <cstdint>
 
 namespace swirl {
 
@@ -16,73 +17,53 @@ namespace {
 constexpr std::size_t size = 6;  // ψ, χ, u_t, S, ∫S dt, ∫f(u_t − 1)dt
 using Components = std::array<double, size>;
 
-/// A state as value + rest: GSL steps the small change since a step's beginning, and nothing of it is lost in the sum.
-/// Over 100 periods of a pendulum this is the difference between 5e-10 and 1e-11.
+/// A state as value + rest: a step adds its small change, and nothing of it is lost in the sum. Over 100 periods of a
+/// pendulum this is the difference between 5e-10 and 1e-11.
 struct State {
     Components value{};
     Components rest{};
 
     ContactState contact() const { return {value[0], value[1], value[2], value[3]}; }
+    /// |χ| below `widest`: a neighbour's small rebounds, of height below the rounding of χ, begin exactly there.
+    double room(double widest) const {
+        return (widest - std::abs(value[1])) - (value[1] < 0 ? -rest[1] : rest[1]);
+    }
 };
 
 struct Problem {
     const ContactScene& scene;
     Support support;
     ContactMotion motion;
-    Components base{};  ///< the value at the beginning of the step that is being taken
 
     bool sticks() const { return motion == ContactMotion::sticking; }
 };
 
-int rates(double, const double change[], double out[], void* parameters) {
-    const auto& problem = *static_cast<const Problem*>(parameters);
-    const Components& base = problem.base;
-    const ContactState z{base[0] + change[0], base[1] + change[1], base[2] + change[2], base[3] + change[3]};
-    const Reaction r = reaction_of(problem.scene, problem.support, problem.motion, z);
-    const double turning = normal_rate(problem.scene, problem.support, z);
-    out[0] = turning - 1;
-    out[1] = problem.support == Support::vertex ? z.spin - turning : 0;
-    out[2] = r.ut_rate;
-    out[3] = r.spin_rate;
-    out[4] = z.spin;
-    out[5] = r.friction * (z.ut - 1);
-    return GSL_SUCCESS;
-}
-
-/// GSL's stepper; each trial starts from a state given by value, so that a step can be taken again.
-class Stepper {
+/// The motion from a state on.
+class Step {
 public:
-    explicit Stepper(Problem& problem)
-        : problem_(problem), system_{&rates, nullptr, size, &problem},
-          step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, size)) {}
+    Step(const Problem& problem, const State& from)
+        : from_(from),
+          series_(contact_series(problem.scene, problem.support, problem.motion, from.contact(), from.rest[0])) {}
 
-    /// The state h later, and the largest local error in any component relative to max(1, its size).
-    State step(const State& from, double h, double& error) const {
-        Components change = from.rest, errors{};
-        problem_.base = from.value;
-        gsl_odeiv2_step_apply(step_.get(), 0, h, change.data(), errors.data(), nullptr, nullptr, &system_);
+    const ContactSeries& series() const { return series_; }
+
+    /// The state t later.
+    State at(double t) const {
+        const Series* parts[] = {&series_.psi,  &series_.chi,    &series_.ut,
+                                 &series_.spin, &series_.turned, &series_.work};
         State to;
-        error = 0;
         for (std::size_t i = 0; i < size; ++i) {
-            to.value[i] = from.value[i] + change[i];
-            const double kept = to.value[i] - from.value[i];
-            to.rest[i] = (from.value[i] - (to.value[i] - kept)) + (change[i] - kept);  // Knuth's two-sum
-            if (i < 4) error = std::max(error, std::abs(errors[i]) / std::max(1.0, std::abs(to.value[i])));
+            const double change = from_.rest[i] + change_at(*parts[i], t);
+            to.value[i] = from_.value[i] + change;
+            const double kept = to.value[i] - from_.value[i];
+            to.rest[i] = (from_.value[i] - (to.value[i] - kept)) + (change - kept);  // Knuth's two-sum
         }
         return to;
     }
-    State step(const State& from, double h) const {
-        double error;
-        return step(from, h, error);
-    }
 
 private:
-    struct Free {
-        void operator()(gsl_odeiv2_step* s) const { gsl_odeiv2_step_free(s); }
-    };
-    Problem& problem_;
-    gsl_odeiv2_system system_;
-    std::unique_ptr<gsl_odeiv2_step, Free> step_;
+    State from_;
+    ContactSeries series_;
 };
 
 /// A condition that holds along the motion, and what ends it when it no longer does.
@@ -119,7 +100,7 @@ Conditions conditions_of(const Problem& problem, const State& y) {
     else if (problem.scene.mu > 0)
         c[1] = {problem.motion == ContactMotion::sliding_forward ? z.ut : -z.ut, ContactEvent::stick};
     if (problem.support == Support::vertex) {
-        c[2] = {problem.scene.widest_chi - std::abs(z.chi), ContactEvent::strike};
+        c[2] = {y.room(problem.scene.widest_chi), ContactEvent::strike};
         if (!problem.sticks() && problem.scene.mu > 0) c[3] = {r.stiffness - painleve_margin, ContactEvent::jam};
     }
     return c;
@@ -133,10 +114,8 @@ struct Failure {
 };
 
 /// The moment in (from, to] at which condition k fails, known to fail at `to`: on the side on which it fails.
-double locate(const Problem& problem, const Stepper& stepper, const State& y, double from, double to, std::size_t k) {
-    const auto value = [&](double t) {
-        return conditions_of(problem, t > 0 ? stepper.step(y, t) : y)[k].value;
-    };
+double locate(const Problem& problem, const Step& step, double from, double to, std::size_t k) {
+    const auto value = [&](double t) { return conditions_of(problem, step.at(t))[k].value; };
     double before = value(from);
     const double after = value(to);
     for (int halving = 1; !(before > 0); ++halving) {  // it may begin at its border, rise, and fall again
@@ -151,16 +130,40 @@ double locate(const Problem& problem, const Stepper& stepper, const State& y, do
                                              boost::math::tools::eps_tolerance<double>(51), iterations).second;
 }
 
-/// Looks at a step's quarters in turn. A condition that begins at its border (λ = 0 after a release that did not happen,
+/// How often a step is looked at where its series does not prove that nothing ends the motion.
+constexpr int looks_per_step = 16;
+
+/// True if no condition can fail within h: no series reaches from its first term to where it would. (False says
+/// nothing. The forces of an edge at rest are not unique and have no series.)
+bool nothing_ends(const Problem& problem, const ContactSeries& z, double h) {
+    const auto stays_positive = [h](const Series& series) { return series[0] > reach_of(series, h); };
+    const bool on_edge = problem.support == Support::edge;
+    if (on_edge && problem.sticks()) return false;
+    if (!stays_positive(z.normal) || (on_edge && !stays_positive(z.second))) return false;
+    if (problem.support == Support::vertex &&
+        !(problem.scene.widest_chi - std::abs(z.chi[0]) > reach_of(z.chi, h)))
+        return false;
+    if (problem.scene.mu == 0) return true;
+    if (problem.sticks()) {
+        const double held = problem.scene.mu * (z.normal[0] - reach_of(z.normal, h));
+        return held > std::abs(z.friction[0]) + reach_of(z.friction, h);
+    }
+    if (problem.support == Support::vertex && !(z.stiffness[0] - painleve_margin > reach_of(z.stiffness, h)))
+        return false;
+    return std::abs(z.ut[0]) > reach_of(z.ut, h);
+}
+
+/// Looks at a step's parts in turn. A condition that begins at its border (λ = 0 after a release that did not happen,
 /// |χ| = χ_m after a strike) and moves inwards holds: only a negative value fails.
-Failure first_failure(const Problem& problem, const Stepper& stepper, const State& y, const State& end, double h) {
-    for (int quarter = 1; quarter <= 4; ++quarter) {
-        const double from = 0.25 * (quarter - 1) * h, to = quarter == 4 ? h : 0.25 * quarter * h;
-        const Conditions now = conditions_of(problem, quarter == 4 ? end : stepper.step(y, to));
+Failure first_failure(const Problem& problem, const Step& step, double h) {
+    if (nothing_ends(problem, step.series(), h)) return {};
+    for (int look = 1; look <= looks_per_step; ++look) {
+        const double from = h * (look - 1) / looks_per_step, to = h * look / looks_per_step;
+        const Conditions now = conditions_of(problem, step.at(to));
         Failure first;
         for (std::size_t k = 0; k < most_conditions; ++k) {
             if (!(now[k].value < 0)) continue;
-            const double time = locate(problem, stepper, y, from, to, k);
+            const double time = locate(problem, step, from, to, k);
             if (!first.found || time < first.time) first = {time, k, true};
         }
         if (first.found) return first;
@@ -168,50 +171,54 @@ Failure first_failure(const Problem& problem, const Stepper& stepper, const Stat
     return {};
 }
 
-/// A step whose quarters are short against the swirl and the body's own motion (a disk's spin moves nothing).
+/// A step whose looks are short against the swirl and the body's own motion (a disk's spin moves nothing).
 double longest_step(const ContactScene& scene, Support support, const ContactState& z) {
     const double spin = support == Support::rim ? 0 : std::abs(z.spin);
-    return 0.25 / (1 + spin + std::abs(normal_rate(scene, support, z)));
+    return 1 / (1 + spin + std::abs(normal_rate(scene, support, z)));
 }
 
-constexpr double local_error = 1e-15;
+/// Of the last terms of a step; what is left out after them is smaller by the step's ratio to the distance of the
+/// nearest singularity.
+constexpr double local_error = 1e-16;
+
+/// Shows a step to a sink, in parts short enough to interpolate between.
+void show(const Problem& problem, const Step& step, double time, double h, const ContactSink& sink) {
+    constexpr int parts = 4;
+    for (int part = 1; part <= parts; ++part) {
+        const double t = part == parts ? h : h * part / parts;
+        const State at = step.at(t);
+        sink({time + t, at.value[4], at.value[5]}, problem.support, problem.motion, at.contact());
+    }
+}
 
 }  // namespace
 
 ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& start,
                        double duration, const ContactSink& sink) {
-    Problem problem{scene, support, motion};
-    const Stepper stepper(problem);
+    const Problem problem{scene, support, motion};
     State y{{start.psi, start.chi, start.ut, start.spin, 0, 0}, {}};
     ContactEnd end;
     double time = 0;
-    double trial = longest_step(scene, support, start);
-    long steps = 0;
     const auto finish = [&](ContactEvent event, const State& at, double t) {
         end.event = event;
         end.state = at.contact();
         end.sums = {t, at.value[4], at.value[5]};
         return end;
     };
-    while (time < duration && ++steps <= most_contact_steps) {  // ends at: an event, the duration, or the step limit
-        double h = std::min({trial, longest_step(scene, support, y.contact()), duration - time});
-        double error;
-        State to = stepper.step(y, h, error);
-        while (error > local_error && h > 1e-9) {
-            h *= 0.5;
-            to = stepper.step(y, h, error);
-        }
-        const Failure failure = first_failure(problem, stepper, y, to, h);
+    // Ends at: an event, the duration, or the step limit.
+    while (time < duration && ++end.steps <= most_contact_steps) {
+        const Step step(problem, y);
+        const double h = std::min({step_of(step.series(), local_error), longest_step(scene, support, y.contact()),
+                                   duration - time});
+        const Failure failure = first_failure(problem, step, h);
         if (failure.found) {
-            const Conditions conditions = conditions_of(problem, y);
-            end.first_lifts = conditions[failure.which].first_lifts;
-            const State at = failure.time > 0 ? stepper.step(y, failure.time) : y;
-            return finish(conditions[failure.which].event, at, time + failure.time);
+            const Condition condition = conditions_of(problem, y)[failure.which];
+            end.first_lifts = condition.first_lifts;
+            return finish(condition.event, failure.time > 0 ? step.at(failure.time) : y, time + failure.time);
         }
-        y = to;
+        if (sink) show(problem, step, time, h, sink);
+        y = step.at(h);
         time = duration - time <= h ? duration : time + h;
-        trial = 2 * h;
-        if (sink) sink({time, y.value[4], y.value[5]}, support, motion, y.contact());
     }
     return finish(ContactEvent::horizon, y, time);
 }

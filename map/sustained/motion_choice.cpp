@@ -52,6 +52,13 @@ std::optional<MotionChoice> stand_up(const ContactScene& scene, const ContactSta
     return {};
 }
 
+/// True if a vertex that slides has no unique force (Painlevé).
+bool jams(const ContactScene& scene, const ContactState& z) {
+    if (scene.mu == 0 || z.ut == 0) return false;
+    const auto motion = z.ut > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
+    return reaction_of(scene, Support::vertex, motion, z).stiffness <= 0;
+}
+
 }  // namespace
 
 MotionChoice choose_motion(const ContactScene& scene, Support support, const ContactState& state, int vertex_step,
@@ -64,9 +71,12 @@ MotionChoice choose_motion(const ContactScene& scene, Support support, const Con
     if (support == Support::edge)
         if (const auto up = stand_up(scene, state, vertex_step)) return *up;
     choice.stays = false;
-    if (support == Support::vertex && scene.mu > 0 && state.ut != 0) {
-        const auto motion = state.ut > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
-        if (reaction_of(scene, support, motion, state).stiffness <= 0) choice.ends = ContactEvent::jam;
+    if (support == Support::vertex && jams(scene, state)) choice.ends = ContactEvent::jam;
+    if (support != Support::edge) return choice;
+    for (const int step : {0, 1}) {
+        const ContactState z = step == 0 ? state : other_end(scene, state);
+        if (!jams(scene, z)) continue;
+        return {false, Support::vertex, choice.motion, z, vertex_step + step, ContactEvent::jam};
     }
     return choice;
 }

@@ -64,8 +64,7 @@ public:
         Passage<T> passage = advance(flight_from(map_.body(), launch));
         if (contact_ && passage.collision.contact == ContactOutcome::sustained)
             return advance_standing(launch, held(launch), horizon, sink);
-        // An impact without time and without impulse changes nothing: it would come again for ever. (A release while the
-        // neighbour is about to strike can end so: its gap drowns in rounding before the search can tell it from zero.)
+        // An impact without time and without impulse changes nothing: it would come again for ever.
         const Collision<T>& c = passage.collision;
         if (contact_ && passage.outcome == Outcome::completed && c.flight_time == T(0) && c.impulse.normal == T(0))
             passage.outcome = Outcome::unresolved;
@@ -113,6 +112,19 @@ private:
         return Outcome::unresolved;
     }
 
+    /// The first impact after a release.
+    Collision<T> fly_off(const Flight<T>& flight) const {
+        const auto contact = contact_after_release<shape>(map_.body(), flight);
+        if (!contact) return map_.advance(flight);
+        Collision<T> collision;
+        if (contact->outcome == ContactOutcome::contact) map_.strike(flight, contact->at, contact->arm, collision);
+        collision.contact = contact->outcome;
+        collision.steps = contact->steps;
+        collision.vertex_step = contact->vertex;
+        collision.simultaneous = contact->simultaneous;
+        return collision;
+    }
+
     Passage<T> after_contact(const Launch<T>& launch, const ContactPhase& phase) const {
         Passage<T> passage;
         const Launch<T> end = launch_of(phase.strike.after);
@@ -124,10 +136,9 @@ private:
         } else if (phase.finish == ContactEvent::horizon) {
             passage.outcome = Outcome::in_contact;
         } else if (phase.finish == ContactEvent::release) {
-            Flight<T> flight = flight_from(map_.body(), end);
-            const T before = leave_released<shape>(map_.body(), flight);
-            collision = map_.advance(flight);
-            flight_time = before + collision.flight_time;
+            const Flight<T> flight = flight_from(map_.body(), end);
+            collision = fly_off(flight);
+            flight_time = collision.flight_time;
             flight_turned = flight.spin * flight_time;
             flight_normal = collision.normal;
             passage.outcome = outcome_of(collision.contact);

@@ -1,7 +1,10 @@
 #include "map/sustained/standing.hpp"
 
+#include "map/sustained/reaction.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swirl {
 
@@ -24,12 +27,6 @@ double free_acceleration(const ContactScene& scene, const Launch<double>& launch
     return wn + ut * ut - launch.spin * launch.spin * body.alpha * launch.chi.x;
 }
 
-/// Error vT of ending the chatter of a point now; infinite if it does not come back.
-double chatter_error(const ContactScene& scene, double v, double acceleration) {
-    if (!(acceleration > 0)) return std::numeric_limits<double>::infinity();
-    return 2 * v * v / (acceleration * (1 - scene.restitution));
-}
-
 struct Touch {
     bool rests;   ///< no normal velocity but rounding and the end of chatter
     bool pressed; ///< free flight would take it into the wall
@@ -40,8 +37,9 @@ Touch touch_of(const ContactScene& scene, const Launch<double>& launch) {
     const Approach<double> u = approach_of(scene.body, launch);
     const double rounding = velocity_rounding(scene, launch);
     const double acceleration = free_acceleration(scene, launch, u.ut);
-    const double error = chatter_error(scene, u.un, acceleration);
-    return {std::abs(u.un) <= rounding || (u.un < 0 && error <= chatter_tolerance), acceleration > 0, error};
+    if (std::abs(u.un) <= rounding) return {true, acceleration > 0, 0};
+    const ChatterError error = chatter_error(scene, launch);
+    return {u.un < 0 && error.moved <= chatter_tolerance, acceleration > 0, error.estimate};
 }
 
 /// How friction goes with a normal impulse: −1 and 1 by the sign of u_t while it slides, 0 while it sticks.
@@ -85,11 +83,43 @@ double edge_rate(const ContactScene& scene, const Launch<double>& launch) {
     return (cross(place, velocity) + body.inertia * launch.spin) / (dot(place, place) + body.inertia);
 }
 
+/// How far an edge that lands slides on, if friction then holds it; infinite if that does not. Where no sliding is
+/// consistent it jams at once.
+double slide_of(const ContactScene& scene, const ContactState& landed) {
+    ContactState z = landed;
+    z.ut = z.spin = 0;
+    const Reaction held = reaction_of(scene, Support::edge, ContactMotion::sticking, z);
+    if (scene.mu == 0 || held.reserve < 0) return std::numeric_limits<double>::infinity();
+    z.ut = z.spin = landed.ut;
+    const auto motion = landed.ut > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
+    const Reaction slips = reaction_of(scene, Support::edge, motion, z);
+    const bool pushes = slips.stiffness > 0 && slips.normal >= 0 && slips.second >= 0;
+    const double slowing = pushes ? (landed.ut > 0 ? -slips.ut_rate : slips.ut_rate)
+                                  : scene.mu * (held.normal + held.second);
+    return slowing > 0 ? landed.ut * landed.ut / (2 * slowing) : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 double velocity_rounding(const ContactScene& scene, const Launch<double>& launch) {
     return 64 * std::numeric_limits<double>::epsilon() *
            (std::abs(launch.vn) + std::abs(launch.vt) + scene.body.beta + scene.body.alpha * std::abs(launch.spin));
+}
+
+ChatterError chatter_error(const ContactScene& scene, const Launch<double>& launch) {
+    const Approach<double> u = approach_of(scene.body, launch);
+    const double acceleration = free_acceleration(scene, launch, u.ut);
+    const double v = std::abs(u.un);
+    if (!(acceleration > 0)) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    const double lasts = 2 * v / (acceleration * (1 - scene.restitution));
+    const double turning = scene.is_disk() ? std::abs(u.ut - scene.body.alpha * launch.spin) * scene.body.per_inner
+                                           : std::abs(u.ut) + std::abs(launch.spin);
+    const double passes = lasts * (1 + turning);
+    double unused;
+    const ContactState taken = without_normal_velocity(scene, launch, slip_of(scene, launch), unused);
+    const double removed =
+        v + std::abs(taken.ut - u.ut) + scene.body.alpha * std::abs(taken.spin - launch.spin);
+    return {v * lasts, 4 * removed * std::min(1.0, passes * passes)};
 }
 
 bool rests_still(const ContactScene& scene, const Standing& standing) {
@@ -128,11 +158,13 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     const int step = launch.chi.y > 0 ? -1 : 1;
     if (here.rests && there_rests) {
         const bool clockwise = launch.chi.y < 0;
-        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step, 0,
-                    0};
+        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step,
+                    std::max(here.error, there.error), 0};
         standing.state.chi = -scene.widest_chi;
-        const bool still = std::abs(standing.state.ut) <= velocity_rounding(scene, launch);
-        standing.state.ut = standing.state.spin = still && scene.mu > 0 ? 0 : standing.state.ut;
+        // The slip of one vertex is also what is left of rocking on the other.
+        const bool still = scene.mu > 0 && (std::abs(standing.state.ut) <= velocity_rounding(scene, launch) ||
+                                            slide_of(scene, standing.state) <= chatter_tolerance);
+        standing.state.ut = standing.state.spin = still ? 0 : standing.state.ut;
         standing.jacobi = jacobi_of(scene.body, launch_from(scene, standing.state)) - jacobi_of(scene.body, launch);
     } else if (here.rests && here.pressed) {
         standing = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, here.error, 0};
@@ -140,6 +172,7 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     } else if (there_rests && there.pressed) {
         standing = {true, Support::vertex, {}, step, there.error, 0};
         standing.state = landed(scene, neighbour, standing.jacobi);
+        standing.state.chi = std::copysign(scene.widest_chi, standing.state.chi);  // as exact as its rebound is small
     }
     return standing;
 }

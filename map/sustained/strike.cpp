@@ -2,6 +2,9 @@
 
 #include "map/sustained/standing.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace swirl {
 
 namespace {
@@ -18,17 +21,34 @@ Impulse<double> impulse_by(const ContactScene& scene, const Approach<double>& ap
     return {};
 }
 
-}  // namespace
-
-Impulse<double> strike_once(const ContactScene& scene, Launch<double>& launch, double restitution, Strike& strike) {
-    const Approach<double> before = approach_of(scene.body, launch);
-    const Impulse<double> j = impulse_by(scene, before, restitution);
+void receive(const ContactScene& scene, const Approach<double>& before, const Impulse<double>& j,
+             Launch<double>& launch, Strike& strike) {
     launch.vn -= j.normal;
     launch.vt += j.tangential;
     launch.spin += (before.rn * j.tangential + before.rt * j.normal) / before.inertia;
     const Approach<double> after = approach_of(scene.body, launch);
     strike.jacobi_restitution -= j.normal * 0.5 * (before.un + after.un);
     strike.jacobi_friction += j.tangential * (0.5 * (before.ut + after.ut) - 1);
+}
+
+}  // namespace
+
+Impulse<double> strike_once(const ContactScene& scene, Launch<double>& launch, double restitution, Strike& strike) {
+    const Approach<double> before = approach_of(scene.body, launch);
+    const Impulse<double> j = impulse_by(scene, before, restitution);
+    receive(scene, before, j, launch, strike);
+    return j;
+}
+
+Impulse<double> jam_once(const ContactScene& scene, Launch<double>& launch, Strike& strike) {
+    const Approach<double> before = approach_of(scene.body, launch);
+    const double sign = before.ut > 0 ? 1 : -1;
+    const double stiffness = before.b2() - sign * scene.mu * before.b3();
+    const double stop = std::abs(before.ut) / (scene.mu * before.b1() - sign * before.b3());  // p where slip ends
+    Approach<double> pressed = before;
+    pressed.un = std::max(2 * stiffness * stop, 0.0);
+    const Impulse<double> j = impulse_by(scene, pressed, scene.restitution);
+    receive(scene, before, j, launch, strike);
     return j;
 }
 

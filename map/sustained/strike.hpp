@@ -17,6 +17,12 @@ struct Strike {
 /// to the changes of J. Returns the impulse.
 Impulse<double> strike_once(const ContactScene& scene, Launch<double>& launch, double restitution, Strike& strike);
 
+/// The impulse without approach of a vertex that slides where B₂ − sμB₃ ≤ 0: it presses until the slip has stopped,
+/// then restitution follows by the scene's law. Motions come to that border where the numerator of λ vanishes with it
+/// (Génot & Brogliato, Eur. J. Mech. A/Solids 18 (1999) 653), and are stopped before it by as little as 10⁻⁹: a
+/// positive rest of B₂ − sμB₃ is taken for zero.
+Impulse<double> jam_once(const ContactScene& scene, Launch<double>& launch, Strike& strike);
+
 /// The neighbour of a vertex that stands (u_n = 0, |χ| = χ_m) strikes. Impulses alternate between the two, each by the
 /// scene's law, as long as one approaches. None creates energy under Poisson's and Stronge's law, so the whole does not.
 /// With e < 1 an endless alternation shrinks geometrically; it is ended where both are at rest to rounding.

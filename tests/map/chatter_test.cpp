@@ -1,0 +1,117 @@
+// The end of chatter against the impacts themselves, one by one in 113 bits.
+#include "map/orbit.hpp"
+#include "map/sustained/motion_choice.hpp"
+#include "map/sustained/standing.hpp"
+#include "tests/map/contact_scenes.hpp"
+#include "tests/map/random_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace swirl {
+namespace {
+
+/// Where a sequence of impacts ends, once what is left is below 10⁻²⁰.
+struct Accumulation {
+    bool found = false;
+    double time = 0, psi = 0, chi = 0, ut = 0, spin = 0;
+};
+
+Accumulation impact_by_impact(const Scene<double>& s, const SectionPoint<double>& z) {
+    const Scene<Quad> scene{s.sides, s.alpha, s.beta, s.mu, s.restitution, s.law, s.inertia_factor};
+    return with_collision_map(scene, [&](const auto& map) {
+        Launch<Quad> launch = launch_from(SectionPoint<Quad>{z.psi, z.chi, z.vn, z.vt, z.spin});
+        Quad time = 0;
+        for (int i = 0; i < 1000; ++i) {
+            if (-approach_of(map.body(), launch).un < Quad(1e-20)) {
+                const SectionPoint<Quad> end = section_point(launch);
+                return Accumulation{true, static_cast<double>(time), static_cast<double>(end.psi),
+                                    static_cast<double>(end.chi),
+                                    static_cast<double>(approach_of(map.body(), launch).ut),
+                                    static_cast<double>(launch.spin)};
+            }
+            const Collision<Quad> next = map.advance(launch);
+            if (next.contact != ContactOutcome::contact || next.vertex_step != 0) return Accumulation{};
+            time += next.flight_time;
+            launch = next.after;
+        }
+        return Accumulation{};
+    });
+}
+
+/// The largest difference of place and velocities from `end` if chatter is replaced by contact at once; negative if the
+/// contact changes its kind on the way.
+double difference_from(const ContactScene& scene, const Launch<double>& launch, const Accumulation& end) {
+    const Support support = scene.is_disk() ? Support::rim : Support::vertex;
+    const Standing standing{true, support, {}, 0, 0, 0};
+    const ContactState landed = landed_like(scene, launch, standing, launch);
+    const MotionChoice choice = choose_motion(scene, support, landed, 0);
+    if (!choice.stays) return -1;
+    const ContactEnd contact = run_contact(scene, support, choice.motion, landed, end.time);
+    if (contact.event != ContactEvent::horizon) return -1;
+    const Vec2<double> n = cis(contact.state.psi), exact = cis(end.psi);
+    const double velocity = std::max(std::abs(contact.state.ut - end.ut),
+                                     scene.body.alpha * std::abs(contact.state.spin - end.spin));
+    if (scene.is_disk()) return std::max(velocity, scene.body.inner * detail::magnitude(n - exact));
+    const Vec2<double> arm = cis(contact.state.psi + contact.state.chi) - cis(end.psi + end.chi);
+    return std::max(velocity, detail::magnitude(n - exact - scene.body.alpha * arm));
+}
+
+std::vector<double> shares_of_estimate(int sides, Law law, double v) {
+    tests::Random random(17 + sides + 100 * static_cast<int>(law));
+    std::vector<double> shares;
+    for (int i = 0; i < 400; ++i) {
+        Scene<double> s = tests::random_scene(random, sides, random.chance(0.3) ? 0 : random.between(0, 1),
+                                              random.between(0, 0.9), law);
+        SectionPoint<double> z = tests::random_point(random, s, v);
+        const ContactScene scene = tests::contact_of(s);
+        if (std::abs(z.chi) > 0.9 * scene.widest_chi && sides != disk_sides) continue;
+        const Launch<double> launch = launch_from(z);
+        const ChatterError error = chatter_error(scene, launch);
+        // Long against the swirl is no end of chatter, and a slip that stops on the way no smooth one.
+        if (!(error.moved <= 0.01 * v) || std::abs(approach_of(scene.body, launch).ut) < 0.05) continue;
+        const Accumulation end = impact_by_impact(s, z);
+        if (!end.found) continue;
+        constexpr double rounding = 1e-15;
+        const double distance = difference_from(scene, launch, end);
+        if (distance >= 0) shares.push_back(std::max(distance - rounding, 0.0) / error.estimate);
+    }
+    std::sort(shares.begin(), shares.end());
+    return shares;
+}
+
+TEST(ChatterEnd, IsReportedWithTheLanding) {
+    const Scene<double> s = tests::uniform_scene(disk_sides, 0.4, 0.23, 0.4, 0.5);
+    const CollisionMap<double, Shape::disk, ImpactRule::poisson> map(s);
+    Orbit orbit(map, LabStart<double>{s.beta, 0, 0.1, 0.05, 0, 0});
+    while (orbit.advance()) {}
+    ASSERT_EQ(orbit.outcome(), Outcome::in_contact);
+    ASSERT_FALSE(orbit.contacts().empty());
+    const ContactSegment& landing = orbit.contacts().front();
+    EXPECT_EQ(landing.begin, ContactEvent::landing);
+    EXPECT_GT(landing.error, 0);
+    EXPECT_LE(landing.error, 16 * std::numeric_limits<double>::epsilon());
+}
+
+TEST(ChatterEnd, IsMisplacedByNoMoreThanItsEstimate) {
+    for (const int sides : {disk_sides, 3, 6})
+        for (const Law law : {Law::poisson, Law::newton, Law::stronge})
+            for (const double v : {1e-3, 1e-4}) {
+                const auto shares = shares_of_estimate(sides, law, v);
+                ASSERT_GE(shares.size(), 50u);
+                std::printf("%2d sides, %s, v = %g: %zu sequences, error by estimate: median %.2g, largest %.2g\n",
+                            sides, std::string(name_of(law)).c_str(), v, shares.size(), shares[shares.size() / 2],
+                            shares.back());
+                EXPECT_LE(shares.back(), 1);
+                EXPECT_GE(shares[shares.size() / 2], 1e-3);  // not absurdly larger
+            }
+}
+
+}  // namespace
+}  // namespace swirl

@@ -1,0 +1,91 @@
+// As e → 1 the statistics of orbits that do not chatter join those of e = 1.
+#include "map/orbit.hpp"
+#include "tests/map/contact_scenes.hpp"
+#include "tests/map/random_scenes.hpp"
+#include "tests/sample_count.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace swirl {
+namespace {
+
+constexpr std::size_t kinds = 4;
+constexpr std::array<const char*, kinds> names{"mean S", "rms of vn", "mean flight time", "mean of |chi|"};
+using Means = std::array<double, kinds>;
+
+struct Statistics {
+    Means mean{}, error{};  ///< over independent orbits, with the standard error of their mean
+    long contacts = 0;
+};
+
+Means statistics_of(const Scene<double>& scene, tests::Random& random, long impacts, long& contacts) {
+    return with_collision_map(scene, [&](const auto& map) {
+        const double angle = random.angle();
+        Orbit orbit(map, LabStart<double>{scene.beta, 0, std::cos(angle) / 7, std::sin(angle) / 7, random.angle(), 0});
+        double turned = 0, time = 0, square = 0, chi = 0;
+        const long transient = impacts / 10;
+        for (long i = 0; i < transient + impacts; ++i) {
+            if (!orbit.advance()) {
+                ADD_FAILURE() << name_of(orbit.outcome()) << " after " << i << " impacts";
+                return Means{};
+            }
+            contacts += static_cast<long>(orbit.contacts().size());
+            if (i < transient) continue;
+            turned += orbit.passage().turned;
+            time += orbit.collision().flight_time;
+            square += orbit.launch().vn * orbit.launch().vn;
+            chi += std::abs(std::atan2(orbit.launch().chi.y, orbit.launch().chi.x));
+        }
+        const double n = static_cast<double>(impacts);
+        return Means{turned / time, std::sqrt(square / n), time / n, chi / n};
+    });
+}
+
+Statistics statistics_at(double e, int orbits, long impacts) {
+    tests::Random random(99);
+    Statistics s;
+    Means squares{};
+    for (int i = 0; i < orbits; ++i) {
+        const Means m =
+            statistics_of(tests::uniform_scene(3, 0.5, 0.5, 0.2, e, Law::stronge), random, impacts, s.contacts);
+        for (std::size_t k = 0; k < kinds; ++k) {
+            s.mean[k] += m[k] / orbits;
+            squares[k] += m[k] * m[k] / orbits;
+        }
+    }
+    for (std::size_t k = 0; k < kinds; ++k)
+        s.error[k] = std::sqrt((squares[k] - s.mean[k] * s.mean[k]) / (orbits - 1));
+    return s;
+}
+
+/// A triangle that turns with the swirl: friction and the container's motion balance, and e = 0.99 does not chatter
+/// either (e = 0.9 does).
+TEST(ElasticLimit, IsJoinedContinuouslyByTheStatistics) {
+    const int orbits = 24;
+    const long impacts = tests::sample_count(40'000);
+    constexpr double widest = 1e-2;
+    const Statistics elastic = statistics_at(1, orbits, impacts), far = statistics_at(1 - widest, orbits, impacts);
+    for (const double loss : {widest, 1e-3, 1e-4, 1e-5, 1e-6, 0.0}) {
+        const Statistics s = loss == widest ? far : loss > 0 ? statistics_at(1 - loss, orbits, impacts) : elastic;
+        EXPECT_EQ(s.contacts, 0);
+        std::printf("1 - e = %g:", loss);
+        for (std::size_t k = 0; k < kinds; ++k) {
+            std::printf("  %s %.5f (%.5f)", names[k], s.mean[k], s.error[k]);
+            // Four standard errors, and what is linear in 1 - e.
+            const double slope = std::abs(far.mean[k] - elastic.mean[k]) / widest;
+            const double allowed = 4 * std::hypot(s.error[k], elastic.error[k]) + slope * loss;
+            EXPECT_LE(std::abs(s.mean[k] - elastic.mean[k]), allowed)
+                << names[k] << " at 1 - e = " << loss;
+        }
+        std::printf("\n");
+    }
+    // The limit is no other branch: at 0.99 nothing is farther than a few per cent of the speeds and times.
+    for (const std::size_t k : {0, 1, 2}) EXPECT_NEAR(far.mean[k] / elastic.mean[k], 1, 0.05) << names[k];
+}
+
+}  // namespace
+}  // namespace swirl

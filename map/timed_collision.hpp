@@ -15,7 +15,7 @@ namespace swirl {
 template <class T, Shape shape>
 struct TimedCollision {
     static constexpr int unknowns = section_dimension<shape> + 1;  ///< z, τ
-    bool possible = false;          ///< the vertex nearest to the wall at τ approaches it
+    bool possible = false;          ///< the vertex nearest to the wall at τ approaches it, and not by rounding only
     Collision<T> collision;         ///< its impact, as if it were on the wall
     T gap{};                        ///< g of that vertex at τ: zero at a contact
     Eigen::Matrix<T, unknowns, unknowns> derivative;  ///< of (z after the impact, g) by (z, τ)
@@ -23,6 +23,10 @@ struct TimedCollision {
 };
 
 namespace detail {
+
+/// A touch at u_n = 0 is no impact: a body at rest in the laboratory that the wall touches once a turn solves all
+/// equations. As g is known to ε, u_n is to the root of that; this is well above it.
+inline constexpr double least_approach = 1e-6;
 
 /// The vertex nearest to the wall at a moment; the disk has one.
 template <Shape shape, class T>
@@ -53,7 +57,7 @@ TimedCollision<T, shape> collide_at(const Scene<T>& scene, const std::optional<P
     const Flight<T> plain_flight = flight_from(body, launch_from(z));
     const auto nearest =
         detail::nearest_to_wall<shape>(body, plain_flight, instant_at<shape>(plain_flight, time));
-    result.possible = nearest.gap.rate > 0;
+    result.possible = nearest.gap.rate > T(2 * detail::least_approach);  // g′ = 2 u_n
     if (!result.possible) return result;
 
     Scene<Jet> jets = scene_in<Jet>(scene);

@@ -16,7 +16,7 @@ struct SearchOptions {
     int threads = 0;         ///< 0: all; the result does not depend on it
     bool one_per_family = true;
     /// Tried where the map's own solver fails: see `solve_near_grazing`. Must outlive the search.
-    const ShootingMap* timed = nullptr;
+    const TimedMap* timed = nullptr;
     ShootingOptions shooting;
     std::function<void(double done)> progress;  ///< candidates tried so far; called from one thread at a time
     std::function<bool()> stop;                 ///< true: end with what there is

@@ -103,20 +103,18 @@ ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, 
     return result;
 }
 
-ShootingResult solve_near_grazing(const ShootingMap& map, const ShootingMap& timed, const CyclePoints& guess, double p,
+ShootingResult solve_near_grazing(const ShootingMap& map, const TimedMap& timed, const CyclePoints& guess, double p,
                                   double accept, const ShootingOptions& options) {
     ShootingResult result;
     result.points = guess;
     result.residual = std::numeric_limits<double>::infinity();
     CyclePoints with_times;
-    for (const auto& z : guess) {
-        const ShootingStep step = map.step(z, p);
-        if (!step.alive) return result;
-        Eigen::VectorXd extended(timed.dimension);
-        extended << z, step.duration;
+    for (std::size_t i = 0; i < guess.size(); ++i) {
+        Eigen::VectorXd extended(timed.map.dimension);
+        extended << guess[i], timed.time_between(guess[i], guess[(i + 1) % guess.size()]);
         with_times.push_back(extended);
     }
-    ShootingResult shot = solve_shooting(timed, with_times, p, accept, options);
+    const ShootingResult shot = solve_shooting(timed.map, with_times, p, accept, options);
     result.iterations = shot.iterations;
     if (!shot.converged) return result;
     for (std::size_t i = 0; i < guess.size(); ++i) result.points[i] = shot.points[i].head(map.dimension);

@@ -3,6 +3,8 @@
 
 #include "analysis/orbits/closing.hpp"
 
+#include <functional>
+
 namespace swirl::analysis {
 
 struct ShootingOptions {
@@ -26,10 +28,17 @@ struct ShootingResult {
 ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, double p, double accept,
                               const ShootingOptions& options = {});
 
-/// The same for cycles near grazing, where DF grows without bound: solved by `timed`, whose points carry one more unknown,
-/// the time of the step, with one constraint (map/timed_collision.hpp), then closed by the map itself. Converged only if
-/// its steps are those of the map, to `accept` or to the rounding of z that DF leaves in G.
-ShootingResult solve_near_grazing(const ShootingMap& map, const ShootingMap& timed, const CyclePoints& guess, double p,
+/// A map whose points carry one more unknown, the time of their step, with one constraint (map/timed_collision.hpp).
+struct TimedMap {
+    ShootingMap map;
+    /// The time after z at which an impact would lead nearest to `next`, whether or not the wall is there then.
+    std::function<double(const Eigen::VectorXd& z, const Eigen::VectorXd& next)> time_between;
+};
+
+/// The same for cycles near grazing, where DF grows without bound and a guess may miss the wall: solved by `timed`, then
+/// closed by the map itself. Converged only if its steps are those of the map, to `accept` or to the rounding of z that
+/// DF leaves in G.
+ShootingResult solve_near_grazing(const ShootingMap& map, const TimedMap& timed, const CyclePoints& guess, double p,
                                   double accept, const ShootingOptions& options = {});
 
 }  // namespace swirl::analysis

@@ -16,7 +16,7 @@ namespace swirl::apps {
 const char* const orbits_details =
     R"(Fixed points and cycles of the collision map, stable and unstable, each once: solved by multi-shooting with exact
 derivatives from the steady modes' closed form (period 1), close returns of trajectories and random section points, then
-polished to rounding. Multipliers are those of DF^k; index: how many lie outside the unit circle. A family (the disk at
+polished to rounding; where that fails, as near grazing, with the impacts' times as unknowns. Multipliers are those of DF^k; index: how many lie outside the unit circle. A family (the disk at
 e = 1, conserved J or S) is given once, with its tangent; --pin S=VALUE or --pin tau=VALUE gives its members there.
 An empty list means that no candidate led to a cycle: more --starts may.
 

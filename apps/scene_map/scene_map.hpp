@@ -1,7 +1,7 @@
 // A scene's return map for solvers: sizes at run time, one parameter if asked for.
 #pragma once
 
-#include "analysis/orbits/shooting_map.hpp"
+#include "analysis/orbits/multi_shooting.hpp"
 #include "map/outcome.hpp"
 #include "map/parameter.hpp"
 
@@ -19,7 +19,7 @@ analysis::ShootingMap scene_map(const Scene<double>& scene, Parameter parameter)
 
 /// The scene's flights with the time of their impact as the last coordinate and the gap then as a constraint, for
 /// `analysis::solve_near_grazing`. No sustained contact.
-analysis::ShootingMap timed_scene_map(const Scene<double>& scene);
+analysis::TimedMap timed_scene_map(const Scene<double>& scene);
 
 /// A section point from its coordinates, and back.
 SectionPoint<double> section_point_of(const Eigen::VectorXd& z);

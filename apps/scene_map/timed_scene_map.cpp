@@ -3,6 +3,7 @@
 #include "map/timed_collision.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace swirl::apps {
 
@@ -34,21 +35,47 @@ struct TimedSystem {
     }
 };
 
+/// The impact at a sampled time that leads nearest to `next`; the first guess of Newton's method.
 template <Shape shape, ImpactRule rule>
-TimedSystem<shape, rule> timed_system(const CollisionMap<double, shape, rule>& map) {
-    return {map.scene()};
+double time_between(const CollisionMap<double, shape, rule>& map, const analysis::ShootingMap& plain,
+                    const Eigen::VectorXd& z, const Eigen::VectorXd& next) {
+    constexpr int samples = 400;
+    const double longest = 4 * pi<double>();  // flights longer than two turns of the swirl are rare
+    using System = SectionSystem<shape, rule>;
+    const Flight<double> flight = flight_from(map.body(), launch_from(System::point_of(z)));
+    double best = std::numeric_limits<double>::infinity(), time = longest / samples;
+    for (int i = 1; i <= samples; ++i) {
+        const Instant<double> at = instant_at<shape>(flight, longest * i / samples);
+        const auto nearest = detail::nearest_to_wall<shape>(map.body(), flight, at);
+        if (!(nearest.gap.rate > 0)) continue;
+        Collision<double> collision;
+        map.strike(flight, at, nearest.arm, collision);
+        const Eigen::VectorXd after = System::state_of(section_point(collision.after));
+        const double away = plain.difference(after, next).norm() + std::abs(nearest.gap.value);
+        if (!(away < best)) continue;
+        best = away;
+        time = at.time;
+    }
+    return time;
 }
 
 }  // namespace
 
-analysis::ShootingMap timed_scene_map(const Scene<double>& scene) {
-    return with_collision_map(scene, [&](const auto& map) {
-        analysis::ShootingMap result = analysis::shooting_map(SectionSystem(map));
-        ++result.dimension;
-        result.constraints = 1;
-        result.angle_periods.push_back(0);
-        result.step = timed_system(map);
-        return result;
+analysis::TimedMap timed_scene_map(const Scene<double>& scene) {
+    return with_collision_map(scene, [](const auto& map) {
+        using Map = std::decay_t<decltype(map)>;
+        analysis::TimedMap timed;
+        analysis::ShootingMap plain = analysis::shooting_map(SectionSystem(map));
+        plain.step = nullptr;  // its coordinates alone are wanted: the system does not outlive this call
+        timed.map = plain;
+        ++timed.map.dimension;
+        timed.map.constraints = 1;
+        timed.map.angle_periods.push_back(0);
+        timed.map.step = TimedSystem<Map::shape, Map::rule>{map.scene()};
+        timed.time_between = [map, plain](const Eigen::VectorXd& z, const Eigen::VectorXd& next) {
+            return time_between(map, plain, z, next);
+        };
+        return timed;
     });
 }
 

@@ -15,7 +15,7 @@ TEST(TimedCollision, GivesTheMapsDerivativeOnceTheTimeIsEliminated) {
     const auto oracle = tests::read_oracle("cycles.json");
     for (const auto& c : oracle["cycles"]) {
         const auto scene = tests::scene_from<double>(c);
-        const auto map = apps::scene_map(scene), timed = apps::timed_scene_map(scene);
+        const auto map = apps::scene_map(scene), timed = apps::timed_scene_map(scene).map;
         const auto z = apps::state_of(tests::point_from<double>(c["point"]), scene.is_disk());
         const auto step = map.step(z, 0);
         Eigen::VectorXd y(timed.dimension);
@@ -35,7 +35,8 @@ TEST(TimedCollision, GivesTheMapsDerivativeOnceTheTimeIsEliminated) {
 
 TEST(NearGrazing, CyclesAreReachedFromWhereTheMapsOwnSolverFails) {
     const Scene<double> scene{6, 0.4, 0.5, 0.5, 0.9, Law::poisson, uniform_inertia_factor<double>(6)};
-    const auto map = apps::scene_map(scene), timed = apps::timed_scene_map(scene);
+    const auto map = apps::scene_map(scene);
+    const auto timed = apps::timed_scene_map(scene);
     Eigen::VectorXd z(5);  // a 3-cycle with an impact at u_n = 0.02 and a multiplier of 8·10⁴
     z << -3.140464623458104, 0.0008869223756284513, -0.018611351111013124, 0.09296616479760035, -1.4824151997686588;
     auto points = analysis::orbit_from(map, z, 0, 3);
@@ -55,7 +56,8 @@ TEST(NearGrazing, CyclesAreReachedFromWhereTheMapsOwnSolverFails) {
         together += first || leads_back(analysis::solve_near_grazing(map, timed, guess, 0, 1e-10)) ? 1 : 0;
     }
     std::printf("from 1e-3 away %d of %d find it by the map alone, %d with times as unknowns too\n", alone, trials, together);
-    EXPECT_GT(together, alone);
+    EXPECT_GE(together, 0.95 * trials);  // 89 and 200 of 200 when written
+    EXPECT_LE(alone, 0.75 * trials);     // else this cycle shows nothing
 }
 
 }  // namespace

@@ -36,11 +36,11 @@ inline std::string_view name_of(ContactMode mode) {
 /// Everything that the impulse depends on, in the axes (n, t) of the contact; mass 1.
 template <class T>
 struct Approach {
-    T un;       ///< normal slip velocity before, > 0 when approaching
-    T ut;       ///< tangential slip velocity before
-    T rn;       ///< offset from the body's centre to the contact, along n
-    T rt;       ///< … along t
-    T inertia;  ///< I
+    T un{};            ///< normal slip velocity before, > 0 when approaching
+    T ut{};            ///< tangential slip velocity before
+    T rn{};            ///< offset from the body's centre to the contact, along n
+    T rt{};            ///< … along t
+    T inertia = T(1);  ///< I
     T per_inertia = T(1) / inertia;
 
     T b1() const { return T(1) + rn * rn * per_inertia; }

@@ -13,7 +13,7 @@ Outcome ending_of(const Map& map, const Start<double>& start, long long limit, S
                   long long& impacts) {
     return std::visit(
         [&](const auto& s) {
-            Orbit orbit(map, s);
+            ReducedOrbit orbit(map, s);
             if constexpr (std::is_same_v<std::decay_t<decltype(s)>, SectionPoint<double>>) first = s;
             bool known = std::is_same_v<std::decay_t<decltype(s)>, SectionPoint<double>>;
             while (orbit.impacts() < limit && orbit.advance()) {

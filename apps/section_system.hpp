@@ -4,7 +4,6 @@
 #include "analysis/section_map.hpp"
 #include "map/derivative.hpp"
 #include "map/dying.hpp"
-#include "map/sustained/contact_derivative.hpp"
 #include "map/sustained/return_map.hpp"
 
 namespace swirl::apps {
@@ -14,6 +13,7 @@ namespace swirl::apps {
 /// a flight from impact to impact, and −1 less that where the way led through sustained contact.
 /// Its derivative is exact for a flight; through contact it is made of differences
 /// (map/sustained/contact_derivative.hpp).
+/// Compiled once, in section_system.cpp, for the scenes of `with_collision_map`.
 template <Shape shape, ImpactRule rule>
 class SectionSystem {
 public:
@@ -29,23 +29,8 @@ public:
     const CollisionMap<double, shape, rule>& map() const { return map_.map(); }
     const ReturnMap<CollisionMap<double, shape, rule>>& return_map() const { return return_; }
 
-    analysis::Advance<dimension> advance(const State& z) const {
-        const Passage<double> passage = return_.advance(launch_from(point_of(z)), horizon_);
-        analysis::Advance<dimension> step;
-        fill(step, passage);
-        return step;
-    }
-
-    analysis::Linearised<dimension> linearise(const State& z) const {
-        const Passage<double> passage = return_.advance(launch_from(point_of(z)), horizon_);
-        analysis::Linearised<dimension> step;
-        fill(step, passage);
-        if (!step.alive) return step;
-        const SectionPoint<double> point = point_of(z);
-        step.derivative = passage.contacts.empty() ? map_.derivative_of(point, passage.collision)
-                                                   : derivative_through_contact(return_, point, passage);
-        return step;
-    }
+    analysis::Advance<dimension> advance(const State& z) const;
+    analysis::Linearised<dimension> linearise(const State& z) const;
 
     static double angle_period(int coordinate) {
         const int angles = shape == Shape::disk ? 1 : 2;

@@ -4,6 +4,8 @@
 // |g − H| ≤ M s³(h − s)³/720, and s³(h − s)³ ≤ h⁶ (B₂ + B₃)/20 with B₂, B₃ the middle Bernstein polynomials of degree
 // five on [0, h]. Hence g ≤ Σ cₖ Bₖ with H's Bernstein coefficients and M h⁶/14400 added to c₂ and c₃: if no
 // coefficient is positive, no contact is between. No square root, no search, and it leaves the critical path free.
+// M holds on all of [0, h] and not only while nothing is outside: it rests on |P| ≤ outer + β, and P, the centre seen
+// from the swirl's, is linear in time and within that at both ends.
 #pragma once
 
 #include "map/flight.hpp"
@@ -47,19 +49,32 @@ template <int k, Shape shape, class T>
     return bounds;
 }
 
+/// c₁ … c₄ of the bound.
+template <class T>
+struct InnerCoefficients {
+    T first, second, third, fourth;
+};
+
+template <class T>
+[[gnu::always_inline]] inline InnerCoefficients<T> inner_coefficients(const Gap<T>& from, const Gap<T>& to, const T& h,
+                                                                      const T& sixth) {
+    const T h2 = h * h;
+    const T remainder = sixth * (h2 * h2 * h2) * fraction<T>(1, 14400);
+    return {from.value + fraction<T>(1, 5) * h * from.rate,
+            from.value + fraction<T>(2, 5) * h * from.rate + fraction<T>(1, 20) * h2 * from.bend + remainder,
+            to.value - fraction<T>(2, 5) * h * to.rate + fraction<T>(1, 20) * h2 * to.bend + remainder,
+            to.value - fraction<T>(1, 5) * h * to.rate};
+}
+
 /// True if the gap certainly stays closed to the wall by no more than rounding (4ε) between `from` and `to`, h later.
 /// (False says nothing.)
 template <class T>
 [[gnu::always_inline]] inline bool clear_between(const Gap<T>& from, const Gap<T>& to, const T& h, const T& sixth) {
     const T rounding = T(4) * epsilon<T>();
-    const T h2 = h * h;
-    const T remainder = sixth * (h2 * h2 * h2) * T(1.0 / 14400);
-    const T c1 = from.value + T(0.2) * h * from.rate;
-    const T c4 = to.value - T(0.2) * h * to.rate;
-    const T c2 = from.value + T(0.4) * h * from.rate + T(0.05) * h2 * from.bend + remainder;
-    const T c3 = to.value - T(0.4) * h * to.rate + T(0.05) * h2 * to.bend + remainder;
-    const T ends = std::max(from.value, to.value);
-    return std::max(std::max(std::max(c1, c4), std::max(c2, c3)), ends) <= rounding;
+    const auto c = inner_coefficients(from, to, h, sixth);
+    // One by one: a remainder that is no number (M beyond the numbers, h⁶ below) proves nothing.
+    return (c.first <= rounding) & (c.second <= rounding) & (c.third <= rounding) & (c.fourth <= rounding) &
+           (from.value <= rounding) & (to.value <= rounding);
 }
 
 template <class T>
@@ -90,7 +105,7 @@ template <class T>
 /// that is convex. Backwards in time g′ changes sign.
 template <class T>
 [[gnu::always_inline]] inline bool stays_closed(const T& value, const T& rate, const T& bend, const T& t, const T& third) {
-    const T b = std::max(bend + T(1.0 / 3) * third * t, T(0));
+    const T b = std::max(T(bend + fraction<T>(1, 3) * third * t), T(0));
     return value <= 0 && value + t * (rate + T(0.5) * b * t) <= 0;
 }
 
@@ -109,14 +124,9 @@ template <class T>
                                                               const T& sixth) {
     const T c0 = std::max(from.value, T(0)) + T(4) * epsilon<T>();
     const T c5 = std::max(to.value, T(0)) + T(4) * epsilon<T>();
-    const T h2 = h * h;
-    const T remainder = sixth * (h2 * h2 * h2) * T(1.0 / 14400);
-    const T c1 = from.value + T(0.2) * h * from.rate;
-    const T c4 = to.value - T(0.2) * h * to.rate;
-    const T c2 = from.value + T(0.4) * h * from.rate + T(0.05) * h2 * from.bend + remainder;
-    const T c3 = to.value - T(0.4) * h * to.rate + T(0.05) * h2 * to.bend + remainder;
-    if (!(c1 < 0 && c4 < 0 && c2 <= 0 && c3 <= 0)) return {};
-    return {true, h * c0 / (c0 - T(5) * c1), h * c5 / (c5 - T(5) * c4)};
+    const auto c = inner_coefficients(from, to, h, sixth);
+    if (!(c.first < 0 && c.fourth < 0 && c.second <= 0 && c.third <= 0)) return {};
+    return {true, h * c0 / (c0 - T(5) * c.first), h * c5 / (c5 - T(5) * c.fourth)};
 }
 
 /// A search for a root ahead that has no guarantees (those come from `clear_between` afterwards) gives up beyond these.

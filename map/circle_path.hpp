@@ -1,8 +1,9 @@
 // The centre's gap along a flight as a scalar function of time, for searches on the critical path.
 //
 // In the laboratory the centre is at P(τ) = P₀ + Vτ from the swirl's centre, and X = P − w. So
-//     g = |X|² − (1 − α)² = g₀ + 2τ V·X₀ + τ²|V|² − 2 (A c + B s),   E(τ) = (c, s),
-// with A = P·w₀ and B = P·(i w₀) linear in τ: seven numbers per flight, and every derivative from the same products.
+//     |X|² − |X₀|² = 2τ V·X₀ + τ²|V|² − 2 (A c + B s),   E(τ) = (c, s),
+// with A = P·w₀ and B = P·(i w₀) linear in τ: six numbers per flight, and every derivative from the same products. For
+// the disk this is the gap, for a polygon the centre's distance against that at the start.
 #pragma once
 
 #include "map/gap_series.hpp"
@@ -12,7 +13,6 @@ namespace swirl::detail {
 
 template <class T>
 struct CirclePath {
-    T start;            ///< g₀
     T slope;            ///< 2 V·X₀
     T speed2;           ///< |V|²
     T a0, a1, b0, b1;   ///< A = a0 + a1 τ, B = b0 + b1 τ
@@ -25,10 +25,10 @@ struct CircleGap : Gap<T> {
 };
 
 template <class T>
-[[gnu::always_inline]] inline CirclePath<T> circle_path(const Flight<T>& flight, const Vec2<T>& swirl, const T& start) {
+[[gnu::always_inline]] inline CirclePath<T> circle_path(const Flight<T>& flight, const Vec2<T>& swirl) {
     const Vec2<T> place = flight.centre + swirl;
     const Vec2<T> side = quarter_turned(swirl);
-    return {start, T(2) * dot(flight.velocity, flight.centre), dot(flight.velocity, flight.velocity),
+    return {T(2) * dot(flight.velocity, flight.centre), dot(flight.velocity, flight.velocity),
             dot(place, swirl), dot(flight.velocity, swirl), dot(place, side), dot(flight.velocity, side)};
 }
 
@@ -36,7 +36,7 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline CircleGap<T> gap_at_start(const CirclePath<T>& path) {
     CircleGap<T> gap;
-    gap.value = path.start;
+    gap.value = T(0);
     gap.rate = path.slope - T(2) * path.b0;
     gap.bend = T(2) * (path.speed2 + (path.a0 - T(2) * path.b1));
     gap.jerk = T(2) * (path.b0 + T(3) * path.a1);
@@ -60,18 +60,18 @@ template <class T>
     const T twice = path.speed2 * at.time;
     GapSeries<T> g;
     // What the table leaves out is too small for the large terms; it is added to the small difference.
-    g.c[0] = ((path.start + at.time * (path.slope + twice)) - T(2) * (a * c + b * s)) -
+    g.c[0] = (at.time * (path.slope + twice) - T(2) * (a * c + b * s)) -
              T(2) * (a * at.rest.x + b * at.rest.y);
     g.c[1] = (path.slope + (twice + twice)) - T(2) * ((path.a1 * c + path.b1 * s) + across);
     g.c[2] = path.speed2 + (along - T(2) * v_across);
-    g.c[3] = T(1.0 / 3) * (across + T(3) * v_along);
-    g.c[4] = T(1.0 / 12) * (T(4) * v_across - along);
-    g.c[5] = T(-1.0 / 60) * (across + T(5) * v_along);
-    g.c[6] = T(1.0 / 360) * (along - T(6) * v_across);
-    g.c[7] = T(1.0 / 2520) * (across + T(7) * v_along);
-    g.c[8] = T(1.0 / 20160) * (T(8) * v_across - along);
-    g.c[9] = T(-1.0 / 181440) * (across + T(9) * v_along);
-    g.c[10] = T(1.0 / 1814400) * (along - T(10) * v_across);
+    g.c[3] = fraction<T>(1, 3) * (across + T(3) * v_along);
+    g.c[4] = fraction<T>(1, 12) * (T(4) * v_across - along);
+    g.c[5] = fraction<T>(-1, 60) * (across + T(5) * v_along);
+    g.c[6] = fraction<T>(1, 360) * (along - T(6) * v_across);
+    g.c[7] = fraction<T>(1, 2520) * (across + T(7) * v_along);
+    g.c[8] = fraction<T>(1, 20160) * (T(8) * v_across - along);
+    g.c[9] = fraction<T>(-1, 181440) * (across + T(9) * v_along);
+    g.c[10] = fraction<T>(1, 1814400) * (along - T(10) * v_across);
     return g;
 }
 
@@ -84,9 +84,9 @@ template <class T>
     const T d = T(0.5) * start.bend;
     const T n2 = n * n;
     const T d2 = d * d;
-    const T cubic = T(1.0 / 6) * start.jerk * d2;
-    const T quartic = T(1.0 / 24) * start.fourth * (n * d);
-    const T quintic = T(1.0 / 120) * start.fifth * n2;
+    const T cubic = fraction<T>(1, 6) * start.jerk * d2;
+    const T quartic = fraction<T>(1, 24) * start.fourth * (n * d);
+    const T quintic = fraction<T>(1, 120) * start.fifth * n2;
     const T slope = d2 * d2 + n * (T(2) * cubic + (T(3) * quartic + T(4) * quintic));  // of the polynomial, times d³
     const T value = n * (cubic + (quartic + quintic));                                 // its value, times d³/s
     const T left = slope - value;

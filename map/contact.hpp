@@ -75,6 +75,13 @@ inline FlightBounds<T> bounds_of(const Body<T>& body, const Flight<T>& flight) {
     return bounds;
 }
 
+/// What it means that there is no finite step: an infinite one proves that nothing ever touches; what is no number proves
+/// nothing.
+template <class T>
+inline ContactOutcome without_step(const T& step) {
+    return step > T(0) ? ContactOutcome::no_contact : ContactOutcome::unresolved;
+}
+
 /// True once the error that a last step leaves, M h³/g′, is far below the rounding of τ.
 template <class T>
 inline bool is_last(const Gap<T>& gap, const T& third, const T& step, const T& time) {
@@ -106,16 +113,23 @@ inline T sheltered_time(const Body<T>& body, const Flight<T>& flight, const Inst
     return outward > 0 ? T(-depth / (outward + root)) : T((root - outward) / speed2);
 }
 
-/// A centre at rest meets the same container again after every turn: what did not happen in one never will, provided
-/// that the body's orientation recurs too (a disk, a whole number of turns per turn, or a container that rests as well).
+/// A centre at rest meets the same container again after every turn: what did not happen until the body looks the same
+/// to it again never will. A disk always does; a polygon after q turns if q S N is whole (q ≤ 64 are asked for: another S
+/// brings every orientation to every phase in the end), and in a container that rests as well after its own 1/N turn.
 template <Shape shape, class T>
 inline bool has_recurred(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
     using std::fabs;
     using std::floor;
     if (dot(flight.velocity, flight.velocity) != 0) return false;
     const T turn = T(2 * pi<T>());
-    if (shape == Shape::polygon && body.beta == 0) return fabs(flight.spin) * at.time > turn;
-    return at.time > turn && (shape == Shape::disk || floor(flight.spin) == flight.spin);
+    if (shape == Shape::disk) return at.time > turn;
+    const T symmetry = T(body.sides);
+    if (body.beta == 0) return fabs(flight.spin) * symmetry * at.time > turn;
+    for (int q = 1; q <= 64 && at.time > T(q) * turn; ++q) {
+        const T turns = T(q) * flight.spin * symmetry;
+        if (floor(turns) == turns) return true;
+    }
+    return false;
 }
 
 /// The rounding of g′ at a start on the wall: below this a normal velocity can't be told from zero.

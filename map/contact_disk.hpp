@@ -21,7 +21,7 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline bool direct_contact_disk(const Body<T>& body, const Flight<T>& flight, Contact<T>& contact) {
     using std::fabs;
-    const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase), T(0));
+    const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase));
     const CircleGap<T> start = gap_at_start(path);
     if (!(start.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
     const T eleventh = derivative_bounds<11, Shape::disk>(body, flight).centre;
@@ -44,35 +44,53 @@ template <class T>
     }
 }
 
-/// Advances by safe steps until the disk touches: slower, and never in doubt.
+/// Advances by safe steps until the disk touches, from a moment on its way. `contact.at` is that moment.
+template <class T>
+void advance_to_contact_disk(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
+                             Contact<T>& contact) {
+    bool last = false;
+    while (contact.steps < step_limit) {  // ends at: contact, proof of none, or the limit
+        ++contact.steps;
+        const Gap<T> gap = centre_gap(body, flight, contact.at);
+        if (last || (gap.value >= 0 && gap.rate >= 0)) {
+            if (!last) advance<Shape::disk>(flight, contact.at, T(-overshoot(gap, contact.at.time)));
+            return touch_disk(body, contact);
+        }
+        T step = gap.value < 0 ? safe_step(gap, bounds.centre_third) : safe_step_off_the_wall(gap, bounds.centre_third);
+        last = gap.value < 0 && is_last(gap, bounds.centre_third, step, contact.at.time);
+        step = std::max(step, sheltered_time(body, flight, contact.at));
+        if (!(step < std::numeric_limits<T>::infinity())) {
+            contact.outcome = without_step(step);
+            return;
+        }
+        if (has_recurred<Shape::disk>(body, flight, contact.at)) return;
+        advance<Shape::disk>(flight, contact.at, step);
+    }
+    contact.outcome = ContactOutcome::unresolved;
+}
+
+/// The first contact of a disk by safe steps alone: slower, and never in doubt.
 template <class T>
 [[gnu::noinline]] Contact<T> certain_contact_disk(const Body<T>& body, const Flight<T>& flight) {
     const auto bounds = bounds_of<Shape::disk>(body, flight);
     Contact<T> contact;
     contact.at = instant_at_start(flight);
-    bool last = false;
-    while (contact.steps < step_limit) {  // ends at: contact, proof of none, or the limit
+    if (flight.struck) {
         Gap<T> gap = centre_gap(body, flight, contact.at);
-        const bool starting = flight.struck && contact.steps == 0;
         ++contact.steps;
-        if (starting && stays(body, flight, gap)) {
+        if (stays(body, flight, gap)) {
             contact.outcome = ContactOutcome::sustained;
             return contact;
         }
-        if (last || (!starting && gap.value >= 0 && gap.rate >= 0)) {
-            if (!last) advance<Shape::disk>(flight, contact.at, T(-overshoot(gap, contact.at.time)));
-            touch_disk(body, contact);
+        const T step = gap.value < 0 ? safe_step(gap, bounds.centre_third)
+                                     : safe_step_off_the_wall(gap, bounds.centre_third);
+        if (!(step < std::numeric_limits<T>::infinity())) {
+            contact.outcome = without_step(step);
             return contact;
         }
-        T step = gap.value < 0 ? safe_step(gap, bounds.centre_third)
-                               : safe_step_off_the_wall(gap, bounds.centre_third);
-        last = gap.value < 0 && is_last(gap, bounds.centre_third, step, contact.at.time);
-        step = std::max(step, sheltered_time(body, flight, contact.at));
-        if (!(step < std::numeric_limits<T>::infinity())) return contact;
-        if (has_recurred<Shape::disk>(body, flight, contact.at)) return contact;
         advance<Shape::disk>(flight, contact.at, step);
     }
-    contact.outcome = ContactOutcome::unresolved;
+    advance_to_contact_disk(body, flight, bounds, contact);
     return contact;
 }
 

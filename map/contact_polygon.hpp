@@ -43,53 +43,78 @@ inline void step_back(const Body<T>& body, const Flight<T>& flight, const Neares
     contact.arm = body.turned_to_vertex(contact.at.arm, contact.vertex);
 }
 
-/// Advances by safe steps until a vertex touches. Away from the wall the circumscribed circle decides; in the ring
-/// 1 − α ≤ |X| where vertices can touch, the two nearest to the centre's direction do.
+/// Advances by safe steps until a vertex touches, from a moment on its way, `contact.at`. Away from the wall the
+/// circumscribed circle decides; in the ring 1 − α ≤ |X| where vertices can touch, the two nearest to the centre's
+/// direction do (and within rounding of the wall, where the circle of a polygon of many sides leaves no room for a step).
 template <class T>
-[[gnu::noinline]] Contact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
-    const auto bounds = bounds_of<Shape::polygon>(body, flight);
-    const T ring = T(0.25) * (body.outer * body.outer - body.inner * body.inner);
-    Contact<T> contact;
-    contact.at = instant_at_start(flight);
+void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
+                                Contact<T>& contact) {
+    const T ring = std::max(T(T(0.25) * (body.outer * body.outer - body.inner * body.inner)), T(64) * epsilon<T>());
     NearestTwo<T> pair;
     bool last = false;
     while (contact.steps < step_limit) {  // ends at: contact, proof of none, or the limit
-        const Gap<T> circle = centre_gap(body, flight, contact.at);
-        const bool starting = flight.struck && contact.steps == 0;
         ++contact.steps;
+        const Gap<T> circle = centre_gap(body, flight, contact.at);
         NextStep<T> next;
         if (!last && circle.value < 0 && (circle.value < -ring || circle.rate < 0)) {
             const T shelter = sheltered_time(body, flight, contact.at);
             next = {std::max(safe_step(circle, bounds.centre_third), shelter), false};
-            if (has_recurred<Shape::polygon>(body, flight, contact.at)) return contact;
         } else {
             look_around(body, flight, contact.at, pair);
-            if (starting && stays(body, flight, struck_of(pair).gap)) {
-                contact.outcome = ContactOutcome::sustained;
-                return contact;
-            }
-            if (starting) {
-                if (const auto* neighbour = touching_neighbour(pair, rate_rounding(body, flight))) {
-                    contact.outcome = ContactOutcome::contact;
-                    contact.vertex = neighbour->vertex;
-                    contact.arm = neighbour->arm;
-                    contact.simultaneous = true;
-                    return contact;
-                }
-            } else if (last || touches(pair.first) || touches(pair.second)) {
+            if (last || touches(pair.first) || touches(pair.second)) {
                 choose(pair, contact);
                 if (!last) step_back(body, flight, pair, contact);
-                return contact;
+                return;
             }
-            const T distance = magnitude(contact.at.centre);
-            next = step_among_vertices(body, flight, bounds, contact.at, pair, distance);
-            if (has_recurred<Shape::polygon>(body, flight, contact.at)) return contact;
+            next = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre));
         }
-        if (!(next.length < std::numeric_limits<T>::infinity())) return contact;
+        if (has_recurred<Shape::polygon>(body, flight, contact.at)) return;
+        if (!(next.length < std::numeric_limits<T>::infinity())) {
+            contact.outcome = without_step(next.length);
+            return;
+        }
         last = next.last;
         advance<Shape::polygon>(flight, contact.at, next.length);
     }
     contact.outcome = ContactOutcome::unresolved;
+}
+
+/// From a start on the wall: true if a vertex stays there or touches at once, which `contact` then tells; else the first
+/// safe step away is taken.
+template <class T>
+bool begins_in_contact(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, Contact<T>& contact) {
+    NearestTwo<T> pair;
+    look_around(body, flight, contact.at, pair);
+    ++contact.steps;
+    if (stays(body, flight, struck_of(pair).gap)) {
+        contact.outcome = ContactOutcome::sustained;
+        return true;
+    }
+    if (const auto* neighbour = touching_neighbour(pair, rate_rounding(body, flight))) {
+        contact.outcome = ContactOutcome::contact;
+        contact.vertex = neighbour->vertex;
+        contact.arm = neighbour->arm;
+        contact.simultaneous = true;
+        return true;
+    }
+    const T step =
+        step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre)).length;
+    if (!(step < std::numeric_limits<T>::infinity())) {
+        contact.outcome = without_step(step);
+        return true;
+    }
+    advance<Shape::polygon>(flight, contact.at, step);
+    return false;
+}
+
+/// The first contact of a polygon by safe steps alone: slower, and never in doubt.
+template <class T>
+[[gnu::noinline]] Contact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
+    const auto bounds = bounds_of<Shape::polygon>(body, flight);
+    Contact<T> contact;
+    contact.at = instant_at_start(flight);
+    if (flight.struck && begins_in_contact(body, flight, bounds, contact)) return contact;
+    advance_to_contact_polygon(body, flight, bounds, contact);
     return contact;
 }
 

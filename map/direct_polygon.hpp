@@ -36,7 +36,7 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline Gap<T> gap_after(const Gap<T>& gap, const T& d) {
     const T bend = gap.bend + d * gap.jerk;
-    return {gap.value + d * (gap.rate + T(0.5) * d * (gap.bend + T(1.0 / 3) * d * gap.jerk)),
+    return {gap.value + d * (gap.rate + T(0.5) * d * (gap.bend + fraction<T>(1, 3) * d * gap.jerk)),
             gap.rate + T(0.5) * d * (gap.bend + bend), bend, gap.jerk};
 }
 
@@ -99,7 +99,7 @@ template <class T>
     const T behind = T(2) * dot(centre, side);
     const T slope = T(2) * (dot(drift, side) - spin * cross(centre, side));
     return fabs(across) <= body.half_slope * along && rate > 0 &&
-           t * (bend + T(1.0 / 3) * bounds.third * t) <= T(2) * rate &&
+           t * (bend + fraction<T>(1, 3) * bounds.third * t) <= T(2) * rate &&
            rate * behind + slack <= 0 && rate * (behind + t * (slope + t * bounds.apart)) + slack <= 0;
 }
 
@@ -224,7 +224,7 @@ template <class T>
         nearest.arm = body.turned_to_vertex(at.arm, nearest.vertex);
         nearest.gap = gap_of(body, flight, at, nearest);
         const Gap<T>& g = nearest.gap;
-        correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(T(1.0 / 6) * g.jerk));
+        correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(fraction<T>(1, 6) * g.jerk));
         if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
         if (is_converged(g, correction, at.time, fourth)) return at.time + correction > 0;
         advance<Shape::polygon>(flight, at, correction);
@@ -236,7 +236,7 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight,
                                                           Contact<T>& contact) {
-    const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase), T(0));
+    const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase));
     const CircleGap<T> start = gap_at_start(path);
     Instant<T> at;
     Candidate<T> nearest;
@@ -251,8 +251,9 @@ template <class T>
         const Instant<T> here = at;  // copies, so that the others stay in registers
         const Candidate<T> vertex = nearest;
         bool simultaneous = false;
-        if (!clear_on_inspection(body, flight, leaving, struck, here, vertex, T(correction), simultaneous)) return false;
-        contact.simultaneous = simultaneous;
+        const bool clear =
+            clear_on_inspection(body, flight, leaving, struck, here, vertex, T(correction), simultaneous);
+        if (!clear || simultaneous) return false;  // which of two it is, `choose` tells
     }
     advance<Shape::polygon>(flight, at, correction);
     contact.outcome = ContactOutcome::contact;

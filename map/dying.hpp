@@ -14,10 +14,13 @@ bool has_died_away(const Body<T>& body, const Launch<T>& launch) {
     return speed != T(0) && speed < T(detail::smallest_magnitude);
 }
 
-/// True if a body has become so fast that its squares will soon not be held (Newton's law with friction creates energy).
+/// True if a body has become so fast, or spins so fast, that its squares will soon not be held (Newton's law with friction
+/// creates energy).
 template <class T>
 bool has_diverged(const Body<T>& body, const Launch<T>& launch) {
-    return !(speed_of(body, launch.vn, launch.vt, launch.spin) <= T(detail::largest_magnitude));
+    using std::fabs;
+    const T largest(detail::largest_magnitude);
+    return !(speed_of(body, launch.vn, launch.vt, launch.spin) <= largest && fabs(launch.spin) <= largest);
 }
 
 }  // namespace swirl

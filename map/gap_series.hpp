@@ -95,7 +95,7 @@ template <class T>
     const T d4 = d2 * d2;
     return size <= small && size * fabs(root.half_bend) <= small * root.rate &&
            fabs(root.value) <= T(2) * root.rate * size &&
-           eleventh * (d4 * d4 * (d2 * d)) * T(1.0 / 39916800) <= T(1.0 / 1024) * epsilon<T>() * root.rate * time;
+           eleventh * (d4 * d4 * (d2 * d)) * fraction<T>(1, 39916800) <= fraction<T>(1, 1024) * epsilon<T>() * root.rate * time;
 }
 
 }  // namespace swirl::detail

@@ -1,4 +1,4 @@
-// An orbit, impact by impact, with its place in the laboratory.
+// An orbit, impact by impact: in the section, and with its place in the laboratory.
 #pragma once
 
 #include "map/dying.hpp"
@@ -29,19 +29,17 @@ void require_leaving(const Body<T>& body, const SectionPoint<T>& z) {
         detail::out_of_range("point: gap of the farthest vertex", excess, "at most 0, all vertices inside");
 }
 
-/// Follows F from a start. The scene's map must outlive it.
+/// Follows F from a start, in the section alone. The scene's map must outlive it.
 template <class Map>
-class Orbit {
+class ReducedOrbit {
 public:
     using T = typename Map::Number;
 
     /// @throws std::invalid_argument if the start is not inside the container
-    Orbit(const Map& map, const LabStart<T>& start)
-        : return_(map), flight_(flight_from(map.body(), start)), frame_(LabFrame<T>::at_start(start.angle)) {}
+    ReducedOrbit(const Map& map, const LabStart<T>& start) : return_(map), flight_(flight_from(map.body(), start)) {}
 
     /// Vertex 0 has just struck at t = 0. @throws std::invalid_argument if z is not leaving or another vertex is outside
-    Orbit(const Map& map, const SectionPoint<T>& z)
-        : return_(map), frame_(LabFrame<T>::at_section(z)) {
+    ReducedOrbit(const Map& map, const SectionPoint<T>& z) : return_(map) {
         require_leaving(map.body(), z);
         passage_.collision.after = launch_from(z);
     }
@@ -51,15 +49,14 @@ public:
     ///   horizon  for how long contact without an impact is followed
     bool advance(double horizon = contact_horizon, const ContactSink& sink = {}) {
         if (outcome_ != Outcome::completed) return false;
-        Passage<T> next = flight_ ? return_.advance(*flight_) : return_.advance(launch(), horizon, sink);
-        outcome_ = next.outcome;
-        flight_.reset();
-        if (outcome_ != Outcome::completed) {
-            passage_.contacts = std::move(next.contacts);
-            return false;
+        if (flight_) {
+            passage_ = return_.advance(*flight_);
+            outcome_ = passage_.outcome;
+            flight_.reset();
+        } else {
+            outcome_ = return_.advance(passage_, horizon, sink);
         }
-        passage_ = std::move(next);
-        frame_.follow(map(), passage_.collision, passage_.turned);
+        if (outcome_ != Outcome::completed) return false;
         ++impacts_;
         if (has_died_away(map().body(), launch())) outcome_ = Outcome::resting;
         if (has_diverged(map().body(), launch())) outcome_ = Outcome::diverged;
@@ -69,22 +66,53 @@ public:
     const Map& map() const { return return_.map(); }
     const Collision<T>& collision() const { return passage_.collision; }
     const Launch<T>& launch() const { return passage_.collision.after; }
-    const LabFrame<T>& frame() const { return frame_; }
     /// Sustained contact on the way to the last impact, or after it if there was no other. Times count from the impact before.
     const std::vector<ContactSegment>& contacts() const { return passage_.contacts; }
     /// The last passage: ∫S dt over it, and what friction in contact added to J.
     const Passage<T>& passage() const { return passage_; }
     Outcome outcome() const { return outcome_; }
     long long impacts() const { return impacts_; }
-    LabState<T> lab() const { return lab_state(map().body(), frame_, launch()); }
 
 private:
     ReturnMap<Map> return_;
     std::optional<Flight<T>> flight_;  ///< of a start in the laboratory, until the first impact
-    LabFrame<T> frame_;
     Passage<T> passage_;
     Outcome outcome_ = Outcome::completed;
     long long impacts_ = 0;
+};
+
+/// The same with its place in the laboratory. Cost: two angles more an impact.
+template <class Map>
+class Orbit {
+public:
+    using T = typename Map::Number;
+
+    /// @throws std::invalid_argument if the start is not inside the container
+    Orbit(const Map& map, const LabStart<T>& start)
+        : reduced_(map, start), frame_(LabFrame<T>::at_start(start.angle)) {}
+    /// @throws std::invalid_argument if z is not leaving or another vertex is outside
+    Orbit(const Map& map, const SectionPoint<T>& z) : reduced_(map, z), frame_(LabFrame<T>::at_section(z)) {}
+
+    /// As ReducedOrbit::advance, and so are those below.
+    bool advance(double horizon = contact_horizon, const ContactSink& sink = {}) {
+        if (!reduced_.advance(horizon, sink)) return false;
+        frame_.follow(map(), collision(), passage().turned);
+        return true;
+    }
+
+    const Map& map() const { return reduced_.map(); }
+    const Collision<T>& collision() const { return reduced_.collision(); }
+    const Launch<T>& launch() const { return reduced_.launch(); }
+    const std::vector<ContactSegment>& contacts() const { return reduced_.contacts(); }
+    const Passage<T>& passage() const { return reduced_.passage(); }
+    Outcome outcome() const { return reduced_.outcome(); }
+    long long impacts() const { return reduced_.impacts(); }
+    const LabFrame<T>& frame() const { return frame_; }
+    LabState<T> lab() const { return lab_state(map().body(), frame_, launch()); }
+
+private:
+    ReducedOrbit<Map> reduced_;
+    LabFrame<T> frame_;
 };
 
 }  // namespace swirl

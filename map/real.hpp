@@ -49,6 +49,12 @@ inline Plain<T> epsilon() {
     return std::numeric_limits<Plain<T>>::epsilon();
 }
 
+/// p/q, rounded once in T's own precision.
+template <class T>
+constexpr Plain<T> fraction(int p, int q) {
+    return Plain<T>(p) / Plain<T>(q);
+}
+
 template <class T>
 inline Plain<T> pi() {
     return boost::math::constants::pi<Plain<T>>();

@@ -85,6 +85,13 @@ inline void require_speed(const T& speed) {
 
 }  // namespace detail
 
+/// True if every impact lowers J for ever: without friction, with e < 1, ΔJ = −½(1 − e) p u_n, and J is bounded from
+/// below. Impacts must fade, so no cycle and no attractor has any (design, section 3).
+template <class T>
+inline bool only_loses(const Scene<T>& scene) {
+    return scene.mu == T(0) && scene.restitution < T(1);
+}
+
 /// Returns the scene if every parameter is within its range.
 /// @throws std::invalid_argument naming the parameter, its value and its range; a NaN is outside every range.
 template <class T>

@@ -54,7 +54,10 @@ void describe_cycle(const Findings& findings, const ClassifyOptions& options, Cl
                                 ? "at or above 1 - " + in_words(limits.stable) + ": no attracting cycle; " +
                                       then_others_decide + ", unless the orbit itself stays on it"
                                 : "nothing: it rests on the orbit's own closure"});
-    if (!findings.attracting)
+    if (findings.forgets)
+        evidence.push_back({"ranks left", 0, 0, "every direction is annihilated on the way: what comes back once has come "
+                            "back for ever", "1 or more: the orbit itself would have to stay"});
+    else if (!findings.attracting)
         evidence.push_back({"closure kept", findings.kept ? 1.0 : 0.0, 1, "along the tail's last quarter",
                             "0: an unstable cycle in passing; " + std::string(then_others_decide)});
 }
@@ -130,7 +133,7 @@ void decide(const Findings& findings, const ClassifyOptions& options, Classifica
     describe_recurrence(result);
     const bool chaotic = findings.exponent.sign == ExponentSign::positive;
     result.mode = Mode::undecided;
-    result.kind = Kind::transient;
+    result.kind = findings.has_cycle && chaotic ? Kind::transient : Kind::none;
     if (findings.has_cycle && !chaotic) {
         result.mode = result.period == 1 ? Mode::steady : Mode::quasi_steady;
         result.kind = result.period > 1 ? Kind::cycle : findings.is_family ? Kind::family : Kind::fixed_point;
@@ -143,8 +146,11 @@ void decide(const Findings& findings, const ClassifyOptions& options, Classifica
     }
     if (findings.has_cycle) return;  // settles on an attracting cycle and yet grows: a transient
     describe_rotation(findings, result);
-    if (!describe_size(findings, options, result) || findings.rotation.outcome != RotationOutcome::quasi_periodic)
+    if (!describe_size(findings, options, result)) {
+        result.kind = Kind::transient;
         return;
+    }
+    if (findings.rotation.outcome != RotationOutcome::quasi_periodic) return;
     result.mode = Mode::quasi_steady;
     result.kind = Kind::quasi_periodic;
     result.rotation = findings.rotation.rotation;

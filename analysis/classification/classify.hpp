@@ -9,6 +9,7 @@
 #include "analysis/recurrence/rates.hpp"
 #include "analysis/rotation/rotation_number.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -49,10 +50,14 @@ struct Classification {
 
 namespace classification_detail {
 
+/// Where nothing else tells either, so many times as many periods are tried by Newton's method: a long one hides among
+/// nearer returns of the torus that it was born from.
+inline constexpr int more_candidates = 8;
+
 /// What the verdict is made of; filled from a tail by the template below, judged by `decide`.
 struct Findings {
     bool has_cycle = false;
-    bool is_family = false, attracting = false, kept = false, has_multipliers = false;
+    bool is_family = false, attracting = false, kept = false, forgets = false, has_multipliers = false;
     double closure = 0, residual = 0, distance = 0, farthest = 0, slowest_multiplier = 0;
     double spread_change = 1;  ///< of the tail's last quarter over its first; far from 1: still settling
     SignEvidence exponent;
@@ -78,6 +83,35 @@ Means means_of(const std::vector<Vector<D>>& states, const std::vector<double>& 
         plain += states[i][coordinate];
     }
     return {weighted / time, plain / static_cast<double>(states.size())};
+}
+
+/// Takes a cycle that was found into the findings and the result. Returns whether there is one.
+template <SectionMap M>
+bool take_cycle(const M& map, const FoundCycle<M::dimension>& cycle, const ClassifyOptions& options, int observable,
+                Findings& findings, Classification& result) {
+    findings.has_cycle = cycle.period > 0;
+    if (!findings.has_cycle) return false;
+    findings.is_family = cycle.family;
+    findings.attracting = cycle.attracting;
+    findings.kept = cycle.kept;
+    findings.forgets = cycle.forgets;
+    findings.has_multipliers = !cycle.multipliers.empty();
+    findings.farthest = cycle.farthest;
+    findings.closure = cycle.closure;
+    findings.residual = cycle.residual;
+    findings.distance = cycle.distance;
+    for (const auto& multiplier : cycle.multipliers)
+        if (!(std::abs(multiplier - 1.0) <= options.period.neutral))
+            findings.slowest_multiplier = std::max(findings.slowest_multiplier, std::abs(multiplier));
+    result.period = cycle.period;
+    result.point.assign(cycle.point.data(), cycle.point.data() + cycle.point.size());
+    result.multipliers = cycle.multipliers;
+    const auto once = follow_tail(map, cycle.point, 0, cycle.period);
+    if (once.ended) return true;
+    const Means means = means_of<M::dimension>(once.states, once.durations, observable);
+    result.mean = means.per_time;
+    result.mean_per_step = means.per_step;
+    return true;
 }
 
 /// The spread (root mean square about the mean) of a tail's last quarter over that of its first, of the coordinate in
@@ -138,8 +172,8 @@ RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
 /// Follows an orbit from `start` and names its mode.
 ///   observable  the coordinate whose means and recurrence rate are reported (S)
 /// In this order: does the tail return to itself (`find_period`)? Is the largest exponent positive (`judge_sign`)? If
-/// neither, has it a rotation number and a size that lasts? Disagreement gives `undecided`. Cost: transient +
-/// 2 collisions steps of the map, `collisions` derivatives.
+/// neither, has it a rotation number and a size that lasts? Disagreement gives `undecided`; the kind is `transient` if
+/// the orbit is seen to change still. Cost: transient + 2 collisions steps of the map, `collisions` derivatives.
 template <SectionMap M>
 Classification classify(const M& map, const Vector<M::dimension>& start, int observable,
                         const ClassifyOptions& options = {}) {
@@ -158,32 +192,15 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
     const auto rate = recurrence::recurrence_rate(recurrence::embed_series(series), options.recurrence_threshold);
     result.recurrence_rate = rate.with_diagonal();
     result.recurrence_rate_without_diagonal = rate.without_diagonal();
-    auto means = detail::means_of<M::dimension>(tail.states, tail.durations, observable);
-
-    detail::Findings findings;
-    const auto cycle = find_period(map, tail, options.period);
-    findings.has_cycle = cycle.period > 0;
-    if (findings.has_cycle) {
-        findings.is_family = cycle.family;
-        findings.attracting = cycle.attracting;
-        findings.kept = cycle.kept;
-        findings.has_multipliers = !cycle.multipliers.empty();
-        findings.farthest = cycle.farthest;
-        findings.closure = cycle.closure;
-        findings.residual = cycle.residual;
-        findings.distance = cycle.distance;
-        for (const auto& multiplier : cycle.multipliers)
-            if (!(std::abs(multiplier - 1.0) <= options.period.neutral))
-                findings.slowest_multiplier = std::max(findings.slowest_multiplier, std::abs(multiplier));
-        result.period = cycle.period;
-        result.point.assign(cycle.point.data(), cycle.point.data() + cycle.point.size());
-        result.multipliers = cycle.multipliers;
-        const auto once = follow_tail(map, cycle.point, 0, cycle.period);
-        if (!once.ended) means = detail::means_of<M::dimension>(once.states, once.durations, observable);
-    }
+    const auto means = detail::means_of<M::dimension>(tail.states, tail.durations, observable);
     result.mean = means.per_time;
     result.mean_per_step = means.per_step;
 
+    detail::Findings findings;
+    const auto take = [&](const FoundCycle<M::dimension>& cycle) {
+        return detail::take_cycle(map, cycle, options, observable, findings, result);
+    };
+    take(find_period(map, tail, options.period));
     LyapunovOptions lyapunov;
     lyapunov.transient = 0;
     lyapunov.steps = options.collisions;
@@ -196,9 +213,15 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
         result.largest_exponent = findings.exponent.exponent;
         result.largest_exponent_error = findings.exponent.standard_error;
     }
+    const bool forgets = std::isinf(findings.exponent.exponent) && findings.exponent.exponent < 0;
+    if (!findings.has_cycle && forgets) take(find_forgetful_period(map, tail, options.period));
     findings.spread_change = detail::spread_change(map, tail);
-    if (!findings.has_cycle && findings.exponent.sign != ExponentSign::positive)
+    if (!findings.has_cycle && findings.exponent.sign != ExponentSign::positive) {
         findings.rotation = detail::rotation_of(map, tail);
+        PeriodOptions thorough = options.period;
+        thorough.candidates *= detail::more_candidates;
+        if (findings.rotation.outcome != RotationOutcome::quasi_periodic) take(find_period(map, tail, thorough));
+    }
     detail::decide(findings, options, result);
     return result;
 }

@@ -10,7 +10,7 @@ enum class Mode { steady, quasi_steady, chaotic, undecided };
 
 /// What is known beyond that.
 enum class Kind {
-    none,            ///< the orbit ended: nothing to name
+    none,            ///< nothing to name: the orbit ended, or the evidence is not enough
     fixed_point,     ///< F(z) = z, isolated
     family,          ///< F(z) = z, a member of a family: a multiplier is 1
     cycle,           ///< Fᵏ(z) = z, k > 1
@@ -22,7 +22,7 @@ enum class Kind {
     sliding,              ///< in contact for ever and slipping
     two_vertex,           ///< in contact for ever on the two vertices of an edge
     chaotic,         ///< a positive largest exponent
-    transient        ///< still settling, or the evidence disagrees
+    transient        ///< still changing: its size, or what it does
 };
 
 inline std::string_view name_of(Mode mode) {

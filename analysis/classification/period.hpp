@@ -40,9 +40,36 @@ struct FoundCycle {
     bool family = false;      ///< a multiplier is 1
     bool attracting = false;  ///< all multipliers inside the unit circle, those of a family apart
     bool kept = false;        ///< the orbit itself has closed all along the tail's last quarter
+    bool approached = false;  ///< the orbit has come ever nearer, or is within 10⁻⁶ already
+    bool forgets = false;     ///< every direction is annihilated on the way: what comes again once comes again for ever
 };
 
 namespace classification_detail {
+
+/// Does the tail come nearer to the cycle from window to window (four of a sixteenth of the tail, or of a period each if
+/// that is longer; two of the longest periods; no farther back than where it was more than 0.1 away)? An orbit that only
+/// passes by, or circles round it on a torus, does not. Within 10⁻⁶, where rounding through sustained contact may stop
+/// it, it need not.
+template <SectionMap M>
+bool approaches(const M& map, const Tail<M::dimension>& tail, const Vector<M::dimension>& point, std::int64_t k) {
+    std::vector<Vector<M::dimension>> cycle{point};
+    while (static_cast<std::int64_t>(cycle.size()) < k) cycle.push_back(map.advance(cycle.back()).state);
+    const auto n = static_cast<std::int64_t>(tail.states.size());
+    const std::int64_t length = std::max(k, n / 16);
+    const std::int64_t windows = std::min<std::int64_t>(4, n / length);
+    double nearer = 0;
+    for (std::int64_t w = 0; w < windows; ++w) {
+        double farthest = 0;
+        for (std::int64_t j = w * length; j < (w + 1) * length; ++j)  // j steps before the last state, which is at `point`
+            farthest = std::max(farthest, distance(map, tail.states[static_cast<std::size_t>(n - 1 - j)],
+                                                   cycle[static_cast<std::size_t>((k - j % k) % k)]));
+        if (w == 0 && farthest <= 1e-6) return true;
+        if (!(farthest > nearer)) return false;
+        if (farthest > 0.1) return w > 0;
+        nearer = farthest;
+    }
+    return windows > 1;
+}
 
 /// The orbit's largest return after k steps, over its last `count` states.
 template <SectionMap M>
@@ -52,7 +79,7 @@ double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_
     double largest = 0;
     for (std::int64_t j = n - 1; j >= std::max(n - count, k) && largest <= give_up; --j)
         largest = std::max(largest, distance(map, tail.states[static_cast<std::size_t>(j)],
-                                             tail.states[static_cast<std::size_t>(j - k)]));
+                                             tail.states[static_cast<std::size_t>(j - k)], give_up));
     return largest;
 }
 
@@ -155,6 +182,7 @@ FoundCycle<M::dimension> cycle_near(const M& map, const Tail<M::dimension>& tail
     found.distance = distance(map, tail.states.back(), z);
     const double along = std::pow(slowest, static_cast<double>(returned_after) / static_cast<double>(k));
     found.farthest = 10 * std::max(closure, options.residual) / std::max(1 - along, 1e-6);
+    found.approached = approaches(map, tail, z, k);
     return found;
 }
 
@@ -181,7 +209,7 @@ FoundCycle<M::dimension> cycle_of_closed(const M& map, const Tail<M::dimension>&
 
 /// The smallest k ≤ max_period whose cycle the orbit is on, or is settling on: either it returns to `closure` after k
 /// steps, or Newton's method from its last state finds an attracting k-cycle within the distance that its own return
-/// suggests. Period 0 if neither. Cost: max_period² comparisons at worst, few in practice; 20 k derivatives per
+/// suggests, which the tail has come nearer to. Period 0 if neither. Cost: max_period² comparisons at worst, few in practice; 20 k derivatives per
 /// candidate.
 template <SectionMap M>
 FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tail, const PeriodOptions& options = {}) {
@@ -202,10 +230,30 @@ FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tai
     FoundCycle<M::dimension> best;
     for (std::size_t i = 0; i < near.size() && i < static_cast<std::size_t>(options.candidates); ++i) {
         const auto found = detail::cycle_near(map, tail, near[i].second, near[i].first, options);
-        if (found.period == 0 || !found.attracting || found.distance > found.farthest) continue;
+        if (found.period == 0 || !found.attracting || !found.approached || found.distance > found.farthest) continue;
         if (best.period == 0 || found.period < best.period) best = found;
     }
     return best;
+}
+
+/// The cycle of an orbit whose derivatives annihilate every direction: one return is enough, so that periods up to the
+/// tail's length are found. The last 64 states must come back to `closure`. Period 0 if they do not. O(n).
+template <SectionMap M>
+FoundCycle<M::dimension> find_forgetful_period(const M& map, const Tail<M::dimension>& tail,
+                                               const PeriodOptions& options = {}) {
+    constexpr std::int64_t states = 64;
+    FoundCycle<M::dimension> found;
+    const auto n = static_cast<std::int64_t>(tail.states.size());
+    for (std::int64_t k = 1; k <= n - states; ++k) {
+        const double returned = classification_detail::return_distance(map, tail, k, states, options.closure);
+        if (returned > options.closure) continue;
+        found.period = k;
+        found.point = tail.states.back();
+        found.closure = found.residual = returned;
+        found.kept = found.approached = found.forgets = true;
+        break;
+    }
+    return found;
 }
 
 }  // namespace swirl::analysis

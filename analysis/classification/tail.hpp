@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace swirl::analysis {
@@ -60,10 +61,19 @@ Vector<M::dimension> difference(const M& map, const Vector<M::dimension>& a, con
     return d;
 }
 
-/// The largest coordinate of the difference.
+/// The largest coordinate of the difference; or, beyond `give_up`, any that is. Angles, which cost most, come last.
 template <SectionMap M>
-double distance(const M& map, const Vector<M::dimension>& a, const Vector<M::dimension>& b) {
-    return difference(map, a, b).template lpNorm<Eigen::Infinity>();
+double distance(const M& map, const Vector<M::dimension>& a, const Vector<M::dimension>& b,
+                double give_up = std::numeric_limits<double>::infinity()) {
+    double largest = 0;
+    for (const bool angles : {false, true})
+        for (int i = 0; i < M::dimension && largest <= give_up; ++i) {
+            const double period = map.angle_period(i);
+            if ((period > 0) != angles) continue;
+            const double d = std::abs(angles ? std::remainder(a[i] - b[i], period) : a[i] - b[i]);
+            if (!(d <= largest)) largest = d;
+        }
+    return largest;
 }
 
 }  // namespace swirl::analysis

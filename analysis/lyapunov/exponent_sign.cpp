@@ -1,5 +1,6 @@
 #include "analysis/lyapunov/exponent_sign.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -25,11 +26,20 @@ double mean_of(const std::vector<double>& values, std::size_t first, std::size_t
 void measure_octaves(SignEvidence& evidence, const std::vector<double>& sums) {
     evidence.last_octave = nan;
     evidence.octave_before = nan;
+    evidence.least_quarter = nan;
     if (sums.size() < least_blocks) return;
     const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
     const auto quarter = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 4);
     evidence.last_octave = std::accumulate(middle, sums.end(), 0.0);
     evidence.octave_before = std::accumulate(quarter, middle, 0.0);
+    const auto last = sums.end() - static_cast<std::ptrdiff_t>(sums.size() / 4);
+    evidence.least_quarter = std::min({evidence.octave_before, std::accumulate(middle, last, 0.0),
+                                       std::accumulate(last, sums.end(), 0.0)});
+}
+
+/// Σ ln growth goes on and on in one direction.
+bool drifts(const SignEvidence& evidence, double total, const SignOptions& options) {
+    return std::abs(total) > options.drift && evidence.last_octave * total > options.drift_share * total * total;
 }
 
 double change_over_last_doubling(const LyapunovSpectrum& spectrum, std::size_t index) {
@@ -75,7 +85,11 @@ SignEvidence judge_sign(const LyapunovSpectrum& spectrum, std::size_t index, con
     const bool bounded = evidence.growth_order <= options.neutral_growth;
     const bool sheared = std::abs(evidence.last_octave) <= options.shear_octave &&
                          std::abs(evidence.last_octave) <= options.shear_ratio * std::abs(evidence.octave_before);
-    if (weighted_zero || (size <= evidence.shrinking_bound && (bounded || sheared))) {
+    const bool drifting = drifts(evidence, evidence.exponent * steps, options);
+    if (evidence.least_quarter > options.neutral_scale * (1 + std::log(steps)) &&
+        evidence.exponent > options.burst_sigmas * evidence.standard_error) {
+        evidence.sign = ExponentSign::positive;
+    } else if (weighted_zero || (size <= evidence.shrinking_bound && (bounded || sheared) && !drifting)) {
         evidence.sign = ExponentSign::neutral;
     } else if (size > options.sigmas * evidence.standard_error) {
         evidence.sign = evidence.exponent > 0 ? ExponentSign::positive : ExponentSign::negative;

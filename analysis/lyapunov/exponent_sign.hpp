@@ -26,6 +26,9 @@ struct SignOptions {
     double shear_octave = 0.8;       ///< a sheared direction grows by ln 2 = 0.69 each time n doubles …
     double shear_ratio = 1.5;        ///< … by as much as in the octave before (a drift: by twice as much)
     double neutral_weighted = 1e-7;  ///< or: a weighted mean that is, with its half difference, below this
+    double burst_sigmas = 3;         ///< standard errors that are enough where growth goes on in every quarter
+    double drift = 20;               ///< Σ ln growth beyond this is none that a bounded sum or a shear leaves, if …
+    double drift_share = 0.25;       ///< … so much of it comes in the last half (a drift: ½, a shear: 0.07)
 };
 
 /// The evidence for a sign, in the order in which it decides.
@@ -36,6 +39,7 @@ struct SignEvidence {
     double growth_order = 0;       ///< LyapunovSpectrum::growth_orders
     double last_octave = 0;        ///< Σ ln growth over the last half of the blocks
     double octave_before = 0;      ///< over the quarter before
+    double least_quarter = 0;      ///< the smallest of the last three quarters' Σ ln growth
     double shrinking_bound = 0;    ///< neutral_scale (1 + ln n)/n
     double weighted_exponent = 0;  ///< NaN if not available
     double weighted_half_difference = 0;
@@ -43,8 +47,11 @@ struct SignEvidence {
 
 /// Judges exponent `index` (0: the largest). −∞ is negative. Neutral if its weighted mean is zero to
 /// `neutral_weighted`, or if it is within the shrinking bound and Σ ln growth is bounded (`neutral_growth`) or grows
-/// like ln n (`shear_octave`, `shear_ratio`; for a Jordan block of size 2). Otherwise signed if it is `sigmas` standard
-/// errors from zero, else undecided; undecided too where there are too few steps for the evidence.
+/// like ln n (`shear_octave`, `shear_ratio`; for a Jordan block of size 2). Not neutral is a sum that drifts: beyond
+/// `drift`, with at least `drift_share` of it in the last half. Otherwise signed if it is `sigmas` standard errors from
+/// zero, else undecided; undecided too where there are too few steps for the evidence. Positive beyond `burst_sigmas`
+/// already (the error is large where growth comes in bursts) if each of the last three quarters has grown by more than
+/// neutral_scale (1 + ln n): no product of a regular orbit's derivatives does, it grows like a power of n.
 /// Throws std::invalid_argument for an index out of range.
 SignEvidence judge_sign(const LyapunovSpectrum& spectrum, std::size_t index, const SignOptions& options = {});
 

@@ -45,6 +45,16 @@ void look_for_landings(const System& system, analysis::Classification& verdict) 
     }
 }
 
+/// Impacts that only lose J must fade, whatever they look like so far.
+void name_what_fades(analysis::Classification& verdict) {
+    verdict.mode = analysis::Mode::undecided;
+    verdict.kind = analysis::Kind::transient;
+    verdict.evidence.push_back({"loss of J by every impact", 1, 1,
+                                "without friction and with e < 1 no attractor has impacts: the orbit is on its way to "
+                                "contact",
+                                "0 (e = 1, or friction): the evidence above would decide"});
+}
+
 }  // namespace
 
 NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& settings) {
@@ -69,6 +79,7 @@ NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, cons
                 judge_contact(system.return_map(), launch_from(system.point_of(last)), named.verdict);
         }
         look_for_landings(system, named.verdict);
+        if (!named.verdict.ended && only_loses(scene)) name_what_fades(named.verdict);
         return named;
     });
 }

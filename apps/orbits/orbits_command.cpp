@@ -119,7 +119,7 @@ FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, 
 
 FoundOrbits find_all(const OrbitsOptions& options, const Scene<double>& scene, const analysis::ShootingMap& map) {
     FoundOrbits found;
-    found.none_exist = scene.mu == 0 && scene.restitution < 1;
+    found.none_exist = only_loses(scene);
     if (found.none_exist) return found;
     const auto timed = timed_scene_map(scene);
     const auto [first, last] = options.periods();

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t chunk_bytes = std::size_t{128} * 1024;
 
 // zlib's level: beyond it records of orbits shrink by less than a hundredth and take several times as long.
-constexpr unsigned deflate_level = 4;
+constexpr unsigned deflate_level = 1;  // 4 takes a third longer for 2 % less, on the samples of a diagram
 
 struct ElementFormat {
     hid_t stored;

@@ -62,11 +62,11 @@ struct Ending {
     std::string outcome;
     std::int64_t impacts = 0;
     double time = 0;
-    double mean_spin = 0;  ///< ∫S dt / t from the first impact to the last
+    double mean_spin = 0;  ///< ∫S dt / t from the first impact to the last; of fewer than two: S of the last flight
 };
 
 template <class Map>
-Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, Sinks& sinks) {
+Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, double spin, Sinks& sinks) {
     const std::int64_t limit = options.limit();
     const bool by_time = options.time.has_value();
     Progress progress("simulate", by_time ? *options.time : static_cast<double>(limit), options.output.quiet);
@@ -99,6 +99,7 @@ Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, Sinks& sinks) {
         }
         ending.impacts = orbit.impacts();
         ending.time = now;
+        spin = static_cast<double>(orbit.launch().spin);
         const std::int64_t kept = orbit.impacts() - 1 - options.skip;
         if (kept >= 0 && kept % options.every == 0) sinks.add(impact_row(orbit));
         if (orbit.impacts() % 1024 == 0) {
@@ -106,7 +107,7 @@ Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, Sinks& sinks) {
             if ((cut = is_interrupted())) break;
         }
     }
-    ending.mean_spin = flown > 0 ? turned / flown : static_cast<double>(orbit.launch().spin);
+    ending.mean_spin = flown > 0 ? turned / flown : spin;
     if (cut || is_interrupted())
         ending.outcome = "interrupted";
     else if (ending.outcome.empty())
@@ -122,7 +123,7 @@ Ending run_in(const SimulateOptions& options, Sinks& sinks) {
         return std::visit(
             [&](const auto& s) {
                 Orbit orbit(map, s);
-                return follow(options, orbit, sinks);
+                return follow(options, orbit, static_cast<double>(s.spin), sinks);
             },
             start);
     });

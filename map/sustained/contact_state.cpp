@@ -5,10 +5,11 @@
 namespace swirl {
 
 ContactScene contact_scene(const Body<double>& body, double mu, double restitution, ImpactRule rule) {
-    ContactScene scene{body, mu, restitution, rule, 0, 0};
+    ContactScene scene{body, mu, restitution, rule, 0, 0, 0};
     if (!scene.is_disk()) {
         scene.half_chord = std::asin(body.alpha * std::sin(0.5 * body.spacing));
         scene.widest_chi = 0.5 * body.spacing - scene.half_chord;
+        scene.widest_sine = std::sin(scene.widest_chi);
     }
     return scene;
 }

@@ -35,6 +35,7 @@ struct ContactScene {
     double restitution = 0;
     ImpactRule rule = ImpactRule::frictionless;
     double widest_chi = 0;  ///< χ_m = π/N − asin(α sin(π/N)): at |χ| = χ_m the neighbour touches too
+    double widest_sine = 0; ///< sin χ_m
     double half_chord = 0;  ///< asin(α sin(π/N)): half the angle between the two contacts of an edge
 
     bool is_disk() const { return body.sides == disk_sides; }

@@ -24,7 +24,10 @@ struct Passage {
 /// swings very fast: `most_contact_steps`).
 inline constexpr double contact_horizon = 1000;
 
-/// F with sustained contact. For e = 1 it is the collision map itself. Contact is integrated in double, whatever T is.
+/// F with sustained contact. For e = 1 it is the collision map itself, but for one thing: where friction holds a
+/// polygon's vertex its normal velocity may fall with every impact (Poisson, Stronge: B₃ couples it to friction), and
+/// from the impact at which it is lost in rounding the orbit goes on in contact. A disk and a frictionless body at e = 1
+/// keep |u_n|, and need none of it. Contact is integrated in double, whatever T is.
 template <class Map>
 class ReturnMap {
 public:
@@ -33,8 +36,9 @@ public:
 
     /// The map must outlive it.
     explicit ReturnMap(const Map& map) : map_(map) {
-        if (!(map.scene().restitution < T(1))) return;
         const auto& s = map.scene();
+        sums_chatter_ = s.restitution < T(1);
+        if (!sums_chatter_ && (shape == Shape::disk || Map::rule == ImpactRule::frictionless)) return;
         Scene<double> scene{s.sides, static_cast<double>(s.alpha), static_cast<double>(s.beta),
                             static_cast<double>(s.mu), static_cast<double>(s.restitution), s.law,
                             static_cast<double>(s.inertia_factor)};
@@ -42,7 +46,7 @@ public:
     }
 
     const Map& map() const { return map_; }
-    /// What contact needs of the scene; only for e < 1.
+    /// What contact needs of the scene; only for e < 1, or a polygon with friction.
     const ContactScene& contact() const { return *contact_; }
 
     /// The first impact of a flight in the laboratory.
@@ -58,21 +62,44 @@ public:
     ///   horizon  for how long contact without an impact is followed
     ///   sink     looks at contact on its way
     Passage<T> advance(const Launch<T>& launch, double horizon = contact_horizon, const ContactSink& sink = {}) const {
-        if (contact_)
+        if (sums_chatter_ && may_stand(*contact_, plain_launch(launch)))
             if (const Standing standing = standing_of(*contact_, plain_launch(launch)); standing.in_contact)
                 return advance_standing(launch, standing, horizon, sink);
         Passage<T> passage = advance(flight_from(map_.body(), launch));
         if (contact_ && passage.collision.contact == ContactOutcome::sustained)
             return advance_standing(launch, held(launch), horizon, sink);
-        // An impact without time and without impulse changes nothing: it would come again for ever.
-        const Collision<T>& c = passage.collision;
-        if (contact_ && passage.outcome == Outcome::completed && c.flight_time == T(0) && c.impulse.normal == T(0))
+        if (passage.outcome == Outcome::completed && changes_nothing(passage.collision))
             passage.outcome = Outcome::unresolved;
         return passage;
     }
 
+    /// The same from the end of a passage, in place: for long orbits, where a copy of what has just been written costs
+    /// more than many a calculation. Unless `completed`, only `contacts` changes, to those after its impact.
+    Outcome advance(Passage<T>& passage, double horizon = contact_horizon, const ContactSink& sink = {}) const {
+        Collision<T>& collision = passage.collision;
+        if (!sums_chatter_ || !may_stand(*contact_, plain_launch(collision.after))) [[likely]] {
+            const T spin = collision.after.spin;
+            map_.advance(collision.after, collision);
+            if (collision.contact == ContactOutcome::contact && !changes_nothing(collision)) [[likely]] {
+                passage.turned = spin * collision.flight_time;
+                passage.contact_work = T(0);
+                passage.contacts.clear();
+                return passage.outcome = Outcome::completed;
+            }
+        }
+        const Launch<T> launch = collision.after;  // unless there was a contact it is what it was
+        Passage<T> next = advance(launch, horizon, sink);
+        if (next.outcome != Outcome::completed) {
+            passage.contacts = std::move(next.contacts);
+            return next.outcome;
+        }
+        passage = std::move(next);
+        return Outcome::completed;
+    }
+
     /// How the body stands just after an impact from which `advance` led through contact.
     Standing standing(const Launch<T>& launch) const {
+        if (!sums_chatter_) return held(launch);
         const Standing standing = standing_of(*contact_, plain_launch(launch));
         return standing.in_contact ? standing : held(launch);
     }
@@ -87,6 +114,11 @@ public:
     }
 
 private:
+    /// An impact without time and without impulse would come again for ever.
+    bool changes_nothing(const Collision<T>& c) const {
+        return contact_ && c.flight_time == T(0) && c.impulse.normal == T(0);
+    }
+
     /// The search found the body held that `standing_of` saw leave: on the border between the two.
     Standing held(const Launch<T>& launch) const {
         Standing standing;
@@ -99,8 +131,10 @@ private:
         const auto d = [](const T& x) { return static_cast<double>(x); };
         return {{d(l.psi.x), d(l.psi.y)}, {d(l.chi.x), d(l.chi.y)}, d(l.vn), d(l.vt), d(l.spin)};
     }
+    /// Contact ends in double's digits; the directions are of length 1 in T's, so that the body touches in these too.
     static Launch<T> launch_of(const Launch<double>& l) {
-        return {{T(l.psi.x), T(l.psi.y)}, {T(l.chi.x), T(l.chi.y)}, T(l.vn), T(l.vt), T(l.spin)};
+        return {renormalised(Vec2<T>{T(l.psi.x), T(l.psi.y)}), renormalised(Vec2<T>{T(l.chi.x), T(l.chi.y)}), T(l.vn),
+                T(l.vt), T(l.spin)};
     }
     Outcome outcome_of(ContactOutcome contact) const {
         switch (contact) {
@@ -136,7 +170,9 @@ private:
         } else if (phase.finish == ContactEvent::horizon) {
             passage.outcome = Outcome::in_contact;
         } else if (phase.finish == ContactEvent::release) {
-            const Flight<T> flight = flight_from(map_.body(), end);
+            Launch<T> leaving = end;  // a release has u_n = 0, in T's digits too
+            leaving.vn = leaving.vn - approach_of(map_.body(), leaving).un;
+            const Flight<T> flight = flight_from(map_.body(), leaving);
             collision = fly_off(flight);
             flight_time = collision.flight_time;
             flight_turned = flight.spin * flight_time;
@@ -165,6 +201,7 @@ private:
 
     const Map& map_;
     std::optional<ContactScene> contact_;
+    bool sums_chatter_ = false;  ///< e < 1: chatter is looked for after every impact
 };
 
 }  // namespace swirl

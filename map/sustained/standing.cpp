@@ -10,12 +10,6 @@ namespace swirl {
 
 namespace {
 
-/// Chatter has come to its end once what is left moves the body by less than this, in R_c.
-constexpr double chatter_tolerance = 16 * std::numeric_limits<double>::epsilon();
-
-/// A neighbour touches too if χ is this close to χ_m: the rounding of an arrival on both.
-constexpr double neighbour_tolerance = 1e-12;
-
 /// The acceleration towards the wall of the point that touches, in free flight with u_n = 0.
 double free_acceleration(const ContactScene& scene, const Launch<double>& launch, double ut) {
     const Body<double>& body = scene.body;
@@ -100,11 +94,6 @@ double slide_of(const ContactScene& scene, const ContactState& landed) {
 }
 
 }  // namespace
-
-double velocity_rounding(const ContactScene& scene, const Launch<double>& launch) {
-    return 64 * std::numeric_limits<double>::epsilon() *
-           (std::abs(launch.vn) + std::abs(launch.vt) + scene.body.beta + scene.body.alpha * std::abs(launch.spin));
-}
 
 ChatterError chatter_error(const ContactScene& scene, const Launch<double>& launch) {
     const Approach<double> u = approach_of(scene.body, launch);

@@ -12,6 +12,9 @@
 
 #include "map/sustained/contact_state.hpp"
 
+#include <cmath>
+#include <limits>
+
 namespace swirl {
 
 struct Standing {
@@ -23,7 +26,33 @@ struct Standing {
     double jacobi = 0;    ///< what taking u_n out (the rest of chatter) adds to J, −p ū_n + q (ū_t − 1)
 };
 
-/// The standing of a body just after an impact. Cost: a few operations for one that plainly leaves.
+/// Chatter has come to its end once what is left moves the body by less than this, in R_c.
+inline constexpr double chatter_tolerance = 16 * std::numeric_limits<double>::epsilon();
+
+/// A neighbour touches too if χ is this close to χ_m: the rounding of an arrival on both.
+inline constexpr double neighbour_tolerance = 1e-12;
+
+/// The largest normal velocity that is rounding only.
+inline double velocity_rounding(const ContactScene& scene, const Launch<double>& launch) {
+    return 64 * std::numeric_limits<double>::epsilon() *
+           (std::abs(launch.vn) + std::abs(launch.vt) + scene.body.beta + scene.body.alpha * std::abs(launch.spin));
+}
+
+/// False for a body that plainly leaves, as after nearly every impact; `standing_of` then says so too. It leaves if vT is
+/// above its bound with a ≤ β + (u_t − αS)²/ρ (a disk) or β + u_t² (a vertex), by a factor 2 for rounding, and the
+/// neighbour is away from the wall. Cost: some ten products.
+[[gnu::always_inline]] inline bool may_stand(const ContactScene& scene, const Launch<double>& launch) {
+    const Approach<double> u = approach_of(scene.body, launch);
+    const double along = scene.is_disk() ? u.ut - scene.body.alpha * launch.spin : u.ut;
+    const double nearer = scene.is_disk() ? scene.body.per_inner : 1;
+    const double acceleration = scene.body.beta + along * along * nearer;
+    if (!(u.un * u.un > chatter_tolerance * (1 - scene.restitution) * acceleration &&
+          std::abs(u.un) > velocity_rounding(scene, launch)))
+        return true;
+    return !scene.is_disk() && !(std::abs(std::abs(launch.chi.y) - scene.widest_sine) > 2 * neighbour_tolerance);
+}
+
+/// The standing of a body just after an impact.
 Standing standing_of(const ContactScene& scene, const Launch<double>& launch);
 
 /// What ending chatter after an impact does.
@@ -43,8 +72,5 @@ bool rests_still(const ContactScene& scene, const Standing& standing);
 /// that dies there is left out.
 ContactState landed_like(const ContactScene& scene, const Launch<double>& base, const Standing& standing,
                          const Launch<double>& near);
-
-/// The largest normal velocity that is rounding only.
-double velocity_rounding(const ContactScene& scene, const Launch<double>& launch);
 
 }  // namespace swirl

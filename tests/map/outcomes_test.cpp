@@ -127,7 +127,7 @@ TEST(Outcome, TwoVerticesHeadOnAreFlaggedSimultaneous) {
     }
     // An exact tie, in numbers that are mirror images to the last bit: equal u_n, so the lower number.
     const auto tie = first_impact(square, {0, 0, 0.3, 0, M_PI / 4, 0});
-    EXPECT_TRUE(tie.vertex_step == 0 || tie.vertex_step == 3);
+    EXPECT_EQ(tie.vertex_step, 0);
     // A hair's breadth from symmetry it is one vertex only.
     EXPECT_FALSE(first_impact(square, {0, 0, 0.3, 0, M_PI / 4 + 1e-6, 0}).simultaneous);
 }

@@ -6,6 +6,7 @@
 #include "tests/analysis/maps/logistic.hpp"
 #include "tests/analysis/maps/normal_forms.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -77,6 +78,67 @@ TEST(Classify, AnOrbitStillApproachingIsNamedAfterTheCycleItApproaches) {
     ASSERT_EQ(verdict.point.size(), 1u);
     EXPECT_NEAR(verdict.point[0], 1 - 1 / r, 1e-12);
     EXPECT_NEAR(verdict.mean, 1 - 1 / r, 1e-12);
+}
+
+/// A rotation that forgets: from [0, w) it starts again at 0.3. Every orbit is periodic from then on.
+struct Forgetful {
+    static constexpr int dimension = 1;
+    static constexpr double width = 7e-5;
+    Advance<1> advance(const Vector<1>& z) const {
+        const double turned = z[0] + 0.6180339887498949;
+        return {Vector<1>{z[0] < width ? 0.3 : turned - std::floor(turned)}, 1, 0, true};
+    }
+    Linearised<1> linearise(const Vector<1>& z) const {
+        return {advance(z).state, 1, 0, true, Matrix<1>{z[0] < width ? 0.0 : 1.0}};
+    }
+    static double angle_period(int) { return 0; }
+};
+
+/// Its period may be longer than half the tail: what comes back once has come back for ever.
+TEST(Classify, AnOrbitWhoseDerivativeForgetsNeedsOneReturn) {
+    const Forgetful map;
+    Vector<1> z{0.3};
+    std::int64_t period = 0;
+    do {
+        z = map.advance(z).state;
+        ++period;
+    } while (z[0] != 0.3);
+    ASSERT_GT(period, 5'000);
+    ASSERT_LT(period, 9'900);
+    const auto verdict = classify(map, Vector<1>{0.3}, 0);
+    EXPECT_EQ(verdict.mode, Mode::quasi_steady);
+    EXPECT_EQ(verdict.period, period);
+}
+
+/// In polar coordinates r′ = r (1 + a (r² − c²)(d² − r²)): the focus attracts, by 1 − a c² d² a step, within the unstable
+/// circle c only; the circle d attracts beyond.
+struct FocusInsideCircles {
+    static constexpr int dimension = 2;
+    static constexpr double a = 2e8, c2 = 4e-6, d2 = 2.5e-5, turn = 2.1;
+    static Matrix<2> rotation() { return Eigen::Rotation2Dd(turn).toRotationMatrix(); }
+    static double factor(double r2) { return 1 + a * (r2 - c2) * (d2 - r2); }
+    Advance<2> advance(const Vector<2>& z) const {
+        return {Vector<2>(rotation() * z * factor(z.squaredNorm())), 1, 0, true};
+    }
+    Linearised<2> linearise(const Vector<2>& z) const {
+        const double r2 = z.squaredNorm();
+        const double slope = a * (d2 + c2 - 2 * r2);  // of `factor` by r²
+        const Matrix<2> derivative =
+            rotation() * (factor(r2) * Matrix<2>::Identity() + 2 * slope * z * z.transpose());
+        return {advance(z).state, 1, 0, true, derivative};
+    }
+    static double angle_period(int) { return 0; }
+};
+
+/// The whole circle is within what counts as near a return, and Newton's method leads to the focus, which attracts: but
+/// the orbit does not come nearer to it.
+TEST(Classify, ATorusRoundAnAttractingFocusIsNotTheFocus) {
+    const FocusInsideCircles map;
+    const auto circle = classify(map, Vector<2>(0.005, 0), 0);
+    EXPECT_EQ(circle.mode, Mode::quasi_steady);
+    EXPECT_EQ(circle.kind, Kind::quasi_periodic);
+    const auto focus = classify(map, Vector<2>(0.0015, 0), 0);
+    EXPECT_EQ(focus.mode, Mode::steady);
 }
 
 TEST(Classify, AMapThatEndsIsNotNamed) {

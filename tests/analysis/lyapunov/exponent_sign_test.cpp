@@ -57,6 +57,28 @@ struct Walk {
     static double angle_period(int) { return 0; }
 };
 
+/// ln R of a chaotic x with slope 4's map: `drift` and a difference h(F(x)) − h(x), which sums to a bounded quantity.
+struct SlowDrift {
+    static constexpr int dimension = 1;
+    double drift = 0;
+    Advance<1> advance(const Vector<1>& z) const { return {Vector<1>{4 * z[0] * (1 - z[0])}, 1, 0, true}; }
+    Linearised<1> linearise(const Vector<1>& z) const {
+        const double next = advance(z).state[0];
+        return {Vector<1>{next}, 1, 0, true, Matrix<1>{std::exp(drift + 0.5 * (next - z[0]))}};
+    }
+    static double angle_period(int) { return 0; }
+};
+
+/// Growth by e²⁰⁰ in bursts that are rare: x > 1 − ε has probability 2√ε/π.
+struct Bursts {
+    static constexpr int dimension = 1;
+    Advance<1> advance(const Vector<1>& z) const { return {Vector<1>{4 * z[0] * (1 - z[0])}, 1, 0, true}; }
+    Linearised<1> linearise(const Vector<1>& z) const {
+        return {advance(z).state, 1, 0, true, Matrix<1>{z[0] > 1 - 1e-5 ? std::exp(200) : 1.0}};
+    }
+    static double angle_period(int) { return 0; }
+};
+
 TEST(ExponentSign, EachRegime) {
     const auto sign_of = [](const LyapunovSpectrum& spectrum, std::size_t i) { return judge_sign(spectrum, i).sign; };
     // Fixed.
@@ -106,6 +128,22 @@ TEST(ExponentSign, ARandomWalkIsUndecided) {
     const SignEvidence walk = judge_sign(lyapunov_spectrum(Walk{}, Vector<1>{0.3}, of_length(60000)), 0);
     EXPECT_EQ(walk.sign, ExponentSign::undecided);
     EXPECT_NEAR(walk.growth_order, 0.5, 0.25);
+}
+
+TEST(ExponentSign, AWeakDriftUnderABoundedSumIsPositive) {
+    // Σ = 25 over 10,000 steps beneath swings of ±½, within what a neutral direction may leave. Without it: neutral.
+    const SignEvidence weak = judge_sign(lyapunov_spectrum(SlowDrift{0.0025}, Vector<1>{0.3}, of_length(10'000)), 0);
+    EXPECT_LE(weak.exponent, weak.shrinking_bound);
+    EXPECT_EQ(weak.sign, ExponentSign::positive);
+    EXPECT_EQ(judge_sign(lyapunov_spectrum(SlowDrift{0}, Vector<1>{0.3}, of_length(10'000)), 0).sign,
+              ExponentSign::neutral);
+}
+
+TEST(ExponentSign, GrowthInBurstsThatGoesOnIsPositive) {
+    const auto spectrum = lyapunov_spectrum(Bursts{}, Vector<1>{0.3}, of_length(10'000));
+    const SignEvidence bursts = judge_sign(spectrum, 0);
+    EXPECT_LT(bursts.exponent, 5 * bursts.standard_error);
+    EXPECT_EQ(bursts.sign, ExponentSign::positive) << bursts.exponent << " +- " << bursts.standard_error;
 }
 
 TEST(Settling, ATransientIsSeenInTheRecord) {

@@ -153,6 +153,13 @@ class Simulate(InFolder):
             for value in row.values():
                 self.assertFalse(value is None)
 
+    def test_the_mean_of_fewer_than_two_impacts_is_the_flights_own_spin(self):
+        for_ever = document("simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0 --restitution 1 --x 0.05 --vx 0 --spin 1",
+                            code=3)
+        self.assertEqual(for_ever["result"]["mean_S"], 1)
+        before = document(f"simulate {HEXAGON} --vx 0.1 --spin 2 --time 0.5")
+        self.assertEqual(before["result"]["mean_S"], 2)
+
     def test_a_scene_file_and_physical_units_give_the_same_orbit(self):
         flags = document(f"simulate {HEXAGON} --collisions 5")["collisions"]
         file = self.file("s.toml", "[scene]\nsides = 6\nalpha = 0.9\nbeta = 0.5\nmu = 0.5\nrestitution = 0.9\n")

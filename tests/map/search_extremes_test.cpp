@@ -1,0 +1,168 @@
+// The search for the first contact where its numbers are at their ends: very fast, very small, many sides, wider types.
+#include "map/collision_map.hpp"
+#include "map/orbit.hpp"
+#include "tests/map/random_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace swirl {
+namespace {
+
+using tests::Random;
+
+Scene<double> scene_of(int sides, double alpha, double beta, double mu = 0.5, double e = 1, Law law = Law::poisson) {
+    return {sides, alpha, beta, mu, e, law, uniform_inertia_factor<double>(sides)};
+}
+
+template <class T, class From>
+Outcome outcome_after(const Scene<T>& scene, const From& start, long long impacts, long long& made) {
+    return with_collision_map(scene, [&](const auto& map) {
+        ReducedOrbit orbit(map, start);
+        while (orbit.impacts() < impacts && orbit.advance()) {}
+        made = orbit.impacts();
+        return orbit.outcome();
+    });
+}
+
+/// A flight from the wall of a container at rest, faster by a power of two.
+template <class Map>
+Flight<double> scaled_flight(const Map& map, SectionPoint<double> z, double scale) {
+    z.vn *= scale;
+    z.vt *= scale;
+    z.spin *= scale;
+    return flight_from(map.body(), launch_from(z));
+}
+
+// At these speeds S⁶ is no number any more: the proof must fall away, not hold.
+TEST(SearchAtExtremes, NoProofFromNumbersThatOverflow) {
+    Random random(41);
+    long direct = 0, later = 0;
+    for (const int power : {0, 60, 185, 195, 240})
+        for (int i = 0; i < 20'000; ++i) {
+            const Scene<double> scene =
+                scene_of(random.one_of({3, 4, 5, 6, 7, 8}), random.between(0.3, 0.95), 0, 0);
+            const SectionPoint<double> z = tests::random_point(random, scene, random.log_between(0.01, 1), 1, 8);
+            with_collision_map(scene, [&](const auto& map) {
+                constexpr Shape shape = std::decay_t<decltype(map)>::shape;
+                const Flight<double> flight = scaled_flight(map, z, std::ldexp(1.0, power));
+                Contact<double> found;
+                if (!detail::direct_contact<shape>(map.body(), flight, found)) return;
+                const auto certain = detail::certain_contact<shape>(map.body(), flight);
+                ++direct;
+                if (certain.outcome == ContactOutcome::contact && found.at.time <= certain.at.time * (1 + 1e-9)) return;
+                ++later;
+                std::printf("2^%d, %d sides, alpha %.17g, point %.17g,%.17g,%.17g,%.17g,%.17g: %.17g after %.17g\n", power,
+                            scene.sides, scene.alpha, z.psi, z.chi, z.vn, z.vt, z.spin, found.at.time, certain.at.time);
+            });
+        }
+    std::printf("%ld flights found directly, %ld of them later than by safe steps\n", direct, later);
+    EXPECT_GT(direct, 10'000);
+    EXPECT_EQ(later, 0);
+}
+
+// The ring in which vertices can touch is thinner than rounding: ¼(1 − (1 − α(1 − cos π/N))²) < ε.
+TEST(SearchAtExtremes, PolygonsThatAreAllButCirclesFindTheWall) {
+    for (const auto& [sides, alpha] : {std::pair{1'000'000, 1e-5}, {100'000, 1e-7}, {1'000'000, 1e-9}})
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            Random random(seed);
+            const LabStart<double> start{0.1, 0, random.between(-1, 1), random.between(-1, 1), random.angle(), 0.3};
+            long long made = 0;
+            EXPECT_EQ(outcome_after(scene_of(sides, alpha, 0.1), start, 200, made), Outcome::completed)
+                << sides << " sides, alpha " << alpha << ", " << made << " impacts";
+        }
+}
+
+TEST(SearchAtExtremes, AStepThatIsNoNumberProvesNothing) {
+    long long made = 0;
+    const LabStart<double> start{0, 0, 1e70, 0, 0.4, 0};
+    EXPECT_EQ(outcome_after(scene_of(3, 1e-40, 0.1), start, 5, made), Outcome::diverged);
+}
+
+// S = ½ and a triangle: the same to the container after two turns, 2 · ½ · 3 being whole.
+TEST(SearchAtExtremes, ABodyAtRestThatSpinsByAFractionHasNoContact) {
+    long long made = 0;
+    EXPECT_EQ(outcome_after(scene_of(3, 0.4, 0.3, 0), LabStart<double>{0.31, 0, 0, 0, 1, 0.5}, 5, made),
+              Outcome::no_contact);
+}
+
+template <class T>
+T worst_gap(int sides) {
+    using std::fabs;
+    Random random(7);
+    T worst(0);
+    int found = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Scene<double> plain = tests::random_scene(random, sides, 0.5, 1, Law::poisson);
+        const Scene<T> scene{sides,           T(plain.alpha), T(plain.beta), T(0.5),
+                             T(1),            Law::poisson,   uniform_inertia_factor<T>(sides)};
+        const SectionPoint<double> z = tests::random_point(random, plain, random.log_between(0.01, 1));
+        const SectionPoint<T> start{T(z.psi), T(z.chi), T(z.vn), T(z.vt), T(z.spin)};
+        with_collision_map(scene, [&](const auto& map) {
+            constexpr Shape shape = std::decay_t<decltype(map)>::shape;
+            const Flight<T> flight = flight_from(map.body(), launch_from(start));
+            Contact<T> contact;
+            if (!detail::direct_contact<shape>(map.body(), flight, contact)) return;
+            ++found;
+            const Vec2<T> x = contact.at.centre;
+            const Vec2<T> touching = shape == Shape::disk ? x : Vec2<T>(x + contact.arm);
+            const T radius = shape == Shape::disk ? map.body().inner : T(1);
+            const T way = T(1) + (T(fabs(flight.velocity.x)) + T(fabs(flight.velocity.y)) + T(fabs(flight.spin))) *
+                                     contact.at.time;
+            worst = std::max(worst, T(fabs(dot(touching, touching) - radius * radius) / (epsilon<T>() * way)));
+        });
+    }
+    EXPECT_GT(found, 100);
+    return worst;
+}
+
+// What the direct search finds is a contact to the rounding of its own type: its constants are, too. 8 ε a way gone, as
+// the issue of missed contacts allows.
+TEST(SearchAtExtremes, ContactsAreExactInEveryNumberType) {
+    for (const int sides : {disk_sides, 6}) {
+        const double in_double = worst_gap<double>(sides);
+        const double in_extended = static_cast<double>(worst_gap<long double>(sides));
+        const double in_quad = static_cast<double>(worst_gap<Quad>(sides));
+        std::printf("%d sides (0: disk): gap at the contact at most %.2f, %.2f, %.2f epsilon a way gone\n", sides, in_double,
+                    in_extended, in_quad);
+        EXPECT_LE(in_double, 8);
+        EXPECT_LE(in_extended, 8);
+        EXPECT_LE(in_quad, 8);
+    }
+}
+
+// Poisson's law and friction that holds the vertex take normal velocity too: e = 1, and yet every impact is 0.35 of the
+// one before. The orbit goes on in contact, and with it the impacts.
+TEST(SearchAtExtremes, AnElasticPolygonThatFrictionHoldsGoesOnInContact) {
+    const Scene<double> scene = scene_of(3, 0.60411159285897598, 1.0766343219893793, 1.1370511546409519, 1);
+    const CollisionMap<double, Shape::polygon, ImpactRule::poisson> map(scene);
+    long contacts = 0;
+    for (int i = 0; i < 10; ++i) {
+        Orbit orbit(map, LabStart<double>{0.9, 0, -0.4, 0.3, 0.1 * i, 0.2});
+        while (orbit.impacts() < 20'000 && orbit.advance()) contacts += !orbit.contacts().empty();
+        EXPECT_EQ(orbit.outcome(), Outcome::completed) << name_of(orbit.outcome());
+    }
+    std::printf("ten orbits of 20,000 impacts: %ld times in contact in between\n", contacts);
+    EXPECT_GT(contacts, 0);
+}
+
+// Contact is integrated in double; the flight after it must begin on the wall in the wider type's digits as well.
+TEST(SearchAtExtremes, WiderTypesGoOnAfterARelease) {
+    const SectionPoint<double> start{-0.7660487341864468, 0, -2.828050828744203, -1.0937463400211522,
+                                     2.3751268390572786};
+    const Scene<double> scene{disk_sides,         3.859921592962973e-05, 4.079155844212444,
+                              5.286795197606876,  0.6383614267269445,    Law::poisson,
+                              uniform_inertia_factor<double>(disk_sides)};
+    long long in_double = 0, in_extended = 0;
+    EXPECT_EQ(outcome_after(scene, start, 6, in_double), Outcome::completed);
+    const Scene<long double> wide{disk_sides,        scene.alpha,       scene.beta, scene.mu, scene.restitution,
+                                  Law::poisson,      uniform_inertia_factor<long double>(disk_sides)};
+    const SectionPoint<long double> same{start.psi, 0, start.vn, start.vt, start.spin};
+    EXPECT_EQ(outcome_after(wide, same, 6, in_extended), Outcome::completed);
+    EXPECT_EQ(in_extended, in_double);
+}
+
+}  // namespace
+}  // namespace swirl

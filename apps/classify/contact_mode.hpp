@@ -6,6 +6,7 @@
 #include "map/sustained/return_map.hpp"
 #include "map/sustained/rim_pendulum.hpp"
 
+#include <limits>
 #include <optional>
 
 namespace swirl::apps {
@@ -27,6 +28,7 @@ public:
     double followed() const { return followed_; }
 
 private:
+    void note_rolling(double share, const ContactState& state);
     bool slip_dies() const;
     std::optional<RimPendulum> settles_on(const analysis::Swing& swing) const;
     void describe(const analysis::Swing& swing, const std::optional<RimPendulum>& settled,
@@ -39,6 +41,9 @@ private:
     double slip_early_ = 0, slip_late_ = 0;  ///< what slip dissipates in the first and the last quarter of that half
     double last_loss_ = 0;                   ///< |f u_t| at the last look
     std::optional<ContactState> rolling_;    ///< where a disk rolled last
+    /// The least energy (RimPendulum) with which a disk rolled in the first and the last quarter.
+    double height_early_ = std::numeric_limits<double>::infinity();
+    double height_late_ = std::numeric_limits<double>::infinity();
     bool slides_ = false;
     bool on_edge_ = true;
 };

@@ -68,9 +68,8 @@ Row look_at(double alpha, double beta, double e, int starts) {
         ++row.kinds[std::string(name_of(named.kind))];
         count_landings(scene, start, row);
         SCOPED_TRACE(::testing::Message() << "alpha " << alpha << " beta " << beta << " e " << e << " seed " << seed);
-        EXPECT_NE(named.mode, analysis::Mode::undecided);
-        if (named.kind != Kind::rolling && named.kind != Kind::rolling_librating && named.kind != Kind::rolling_circulating)
-            continue;
+        EXPECT_TRUE(named.kind == Kind::rolling || named.kind == Kind::rolling_librating ||
+                    named.kind == Kind::rolling_circulating) << name_of(named.kind);
         double expected = -(1 - alpha) / alpha;
         if (named.kind == Kind::rolling_circulating) {
             const auto pendulum = own_pendulum(scene, named.end, row);
@@ -95,6 +94,14 @@ TEST(DiskTable, EndsOnItsPendulum) {
     for (const auto& [alpha, beta, e] : {std::tuple{0.1, 0.05, 0.3}, {0.35, 0.05, 0.0}, {0.15, 0.05, 0.97},
                                          {0.62, 0.23, 0.9}, {0.15, 0.6, 0.0}})
         print(alpha, beta, e, look_at(alpha, beta, e, 3));
+}
+
+/// Slips of 1e-8 in some turns: no measure by their number.
+TEST(DiskTable, NamesADiskThatHardlySlipsByWhatItSettlesOn) {
+    const Scene<double> scene{disk_sides, 0.1, 0.05, 0.4, 0.9, Law::poisson, uniform_inertia_factor<double>(disk_sides)};
+    const auto verdict = name_mode(scene, random_start(0.05, 1.0 / 7, 20, 0), {}).verdict;
+    EXPECT_EQ(verdict.kind, Kind::rolling_circulating) << name_of(verdict.kind);
+    EXPECT_NEAR(verdict.mean, -2.1446596606, 1e-6);
 }
 
 TEST(DiskTableNightly, EndsOnItsPendulumFromTwentyStartsOfNinetySixScenes) {

@@ -11,7 +11,8 @@
 namespace swirl::apps {
 
 const char* const tour_details =
-    R"(Scenes: a hexagon that is chaotic, one that is quasi-steady, one that is steady, a disk with and without friction.
+    R"(Scenes: a hexagon that is chaotic, one that is quasi-steady, one that is steady, a disk with and without
+friction, one that comes to roll on the wall (e < 1).
 
 Example:
   swirl tour -o swirl-tour.h5)";
@@ -24,12 +25,13 @@ struct Stop {
     double alpha, beta, mu, restitution;
 };
 
-constexpr std::array<Stop, 5> stops = {{
+constexpr std::array<Stop, 6> stops = {{
     {"hexagon-chaotic", 6, 0.3, 0.1, 0.1, 1.0},
     {"hexagon-quasi-steady", 6, 0.635, 0.5, 0.5, 0.95},
     {"hexagon-steady", 6, 0.4, 0.5, 0.5, 0.9},
     {"disk-with-friction", disk_sides, 0.3, 0.1, 0.5, 1.0},
     {"disk-without-friction", disk_sides, 0.3, 0.1, 0.0, 1.0},
+    {"disk-that-rolls", disk_sides, 0.4, 0.3, 0.4, 0.9},
 }};
 
 Scene<double> scene_of(const Stop& stop) {

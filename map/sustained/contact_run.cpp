@@ -1,6 +1,7 @@
 #include "map/sustained/contact_run.hpp"
 
 #include "map/sustained/contact_series.hpp"
+#include "map/sustained/rim_pendulum.hpp"
 
 #include <boost/math/tools/roots.hpp>
 
@@ -133,32 +134,67 @@ double locate(const Problem& problem, const Step& step, double from, double to, 
 /// How often a step is looked at where its series does not prove that nothing ends the motion.
 constexpr int looks_per_step = 16;
 
-/// True if no condition can fail within h: no series reaches from its first term to where it would. (False says
-/// nothing. The forces of an edge at rest are not unique and have no series.)
-bool nothing_ends(const Problem& problem, const ContactSeries& z, double h) {
-    const auto stays_positive = [h](const Series& series) { return series[0] > reach_of(series, h); };
-    const bool on_edge = problem.support == Support::edge;
-    if (on_edge && problem.sticks()) return false;
-    if (!stays_positive(z.normal) || (on_edge && !stays_positive(z.second))) return false;
-    if (problem.support == Support::vertex &&
-        !(problem.scene.widest_chi - std::abs(z.chi[0]) > reach_of(z.chi, h)))
-        return false;
-    if (problem.scene.mu == 0) return true;
-    if (problem.sticks()) {
-        const double held = problem.scene.mu * (z.normal[0] - reach_of(z.normal, h));
-        return held > std::abs(z.friction[0]) + reach_of(z.friction, h);
+/// A condition's series a − |b|, as far as bounds do not prove that it holds all along a step.
+struct Doubt {
+    const Series* falls = nullptr;   ///< a
+    const Series* against = nullptr; ///< b, nothing if there is none
+    double factor = 1, border = 0;   ///< factor a − |b| − border > 0 while the condition holds
+    double doubtful = 0;             ///< below this rounding decides
+
+    double at(double t) const {
+        const auto value = [t](const Series& series) { return series[0] + change_at(series, t); };
+        return factor * value(*falls) - (against ? std::abs(value(*against)) : 0) - border;
     }
-    if (problem.support == Support::vertex && !(z.stiffness[0] - painleve_margin > reach_of(z.stiffness, h)))
-        return false;
-    return std::abs(z.ut[0]) > reach_of(z.ut, h);
+};
+
+struct Doubts {
+    std::array<Doubt, most_conditions> list;
+    std::size_t count = 0;
+    bool all = false;  ///< the forces of an edge at rest are not unique and have no series
+
+    /// Keeps the condition unless no series reaches from its first term to where it would fail within h.
+    void unless_proven(Doubt doubt, double h) {
+        const double held = doubt.factor * (*doubt.falls)[0] - (doubt.against ? std::abs((*doubt.against)[0]) : 0);
+        const double reach = std::abs(doubt.factor) * reach_of(*doubt.falls, h) +
+                             (doubt.against ? reach_of(*doubt.against, h) : 0);
+        if (held - doubt.border > reach) return;
+        doubt.doubtful = 1e-9 * (std::abs(held) + reach);
+        list[count++] = doubt;
+    }
+
+    bool hold_at(double t) const {
+        if (all) return false;
+        return std::all_of(list.begin(), list.begin() + count, [t](const Doubt& d) { return d.at(t) > d.doubtful; });
+    }
+};
+
+Doubts doubts_of(const Problem& problem, const ContactSeries& z, double h) {
+    Doubts doubts;
+    const bool on_edge = problem.support == Support::edge, on_vertex = problem.support == Support::vertex;
+    doubts.all = on_edge && problem.sticks();
+    if (doubts.all) return doubts;
+    doubts.unless_proven({&z.normal}, h);
+    if (on_edge) doubts.unless_proven({&z.second}, h);
+    if (on_vertex) doubts.unless_proven({&z.chi, &z.chi, 0, -problem.scene.widest_chi}, h);  // χ_m − |χ|
+    if (problem.scene.mu == 0) return doubts;
+    if (problem.sticks()) {
+        doubts.unless_proven({&z.normal, &z.friction, problem.scene.mu}, h);  // μλ − |f|
+        return doubts;
+    }
+    if (on_vertex) doubts.unless_proven({&z.stiffness, nullptr, 1, painleve_margin}, h);
+    doubts.unless_proven({&z.ut, nullptr, problem.motion == ContactMotion::sliding_backward ? -1.0 : 1.0}, h);
+    return doubts;
 }
 
-/// Looks at a step's parts in turn. A condition that begins at its border (λ = 0 after a release that did not happen,
+/// Looks at a step's parts in turn, where it is not proven that nothing ends the motion: at the series, and at the forces
+/// themselves where it is close. A condition that begins at its border (λ = 0 after a release that did not happen,
 /// |χ| = χ_m after a strike) and moves inwards holds: only a negative value fails.
 Failure first_failure(const Problem& problem, const Step& step, double h) {
-    if (nothing_ends(problem, step.series(), h)) return {};
+    const Doubts doubts = doubts_of(problem, step.series(), h);
+    if (!doubts.all && doubts.count == 0) return {};
     for (int look = 1; look <= looks_per_step; ++look) {
         const double from = h * (look - 1) / looks_per_step, to = h * look / looks_per_step;
+        if (doubts.hold_at(to)) continue;
         const Conditions now = conditions_of(problem, step.at(to));
         Failure first;
         for (std::size_t k = 0; k < most_conditions; ++k) {
@@ -191,11 +227,37 @@ void show(const Problem& problem, const Step& step, double time, double h, const
     }
 }
 
+/// A disk's pendulum is advanced in closed form if that spares so many steps' time, and if the contact holds by more
+/// than this of its forces' scale wherever the pendulum comes: then nothing can end it.
+constexpr double long_contact = 20;
+constexpr double holds_beyond_doubt = 1e-9;
+
+bool holds_for_ever(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& z) {
+    if (support != Support::rim || (scene.mu > 0 && motion != ContactMotion::sticking)) return false;
+    const RimPendulum pendulum = rim_pendulum(scene, z);
+    const double scale = (1 + scene.mu) * (scene.body.beta + scene.body.inner * (1 + 2 * pendulum.height));
+    return least_hold(scene, pendulum) > holds_beyond_doubt * scale;
+}
+
+/// The whole duration at once. Of S the integral is −ρ(t + Δψ)/α rolling; friction's is IΔS/α, at u_t = 0.
+ContactEnd advanced_at_once(const ContactScene& scene, const ContactState& start, double duration) {
+    const ContactState to = advance_rim(scene, start, duration);
+    const double per_alpha = 1 / scene.body.alpha;
+    const bool rolls = scene.mu > 0;
+    const double turned =
+        rolls ? -scene.body.inner * per_alpha * (duration + (to.psi - start.psi)) : start.spin * duration;
+    const double work = rolls ? -scene.body.inertia * per_alpha * (to.spin - start.spin) : 0;
+    return {ContactEvent::horizon, to, {duration, turned, work}, false, 1};
+}
+
 }  // namespace
 
 ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& start,
                        double duration, const ContactSink& sink) {
     const Problem problem{scene, support, motion};
+    if (!sink && duration > long_contact * longest_step(scene, support, start) &&
+        holds_for_ever(scene, support, motion, start))
+        return advanced_at_once(scene, start, duration);
     State y{{start.psi, start.chi, start.ut, start.spin, 0, 0}, {}};
     ContactEnd end;
     double time = 0;
@@ -214,6 +276,7 @@ ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion
         if (failure.found) {
             const Condition condition = conditions_of(problem, y)[failure.which];
             end.first_lifts = condition.first_lifts;
+            if (sink && failure.time > 0) show(problem, step, time, failure.time, sink);
             return finish(condition.event, failure.time > 0 ? step.at(failure.time) : y, time + failure.time);
         }
         if (sink) show(problem, step, time, h, sink);

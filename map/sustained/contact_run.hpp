@@ -62,6 +62,8 @@ inline constexpr long most_contact_steps = 1'000'000;
 /// Each step is a power series in time (contact_series.hpp) with last terms below 10⁻¹⁶. Its coefficients bound what
 /// the forces do on the step, which mostly proves that no event is in it; if not it is looked at in sixteen parts. An
 /// event is located to rounding on the step's polynomial.
+/// A disk's pendulum that nothing can end, of which no sink wants to see more, takes its whole duration at once
+/// (rim_pendulum.hpp).
 /// Cost: one to three microseconds per step, a few steps per radian of swirl or turn.
 ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& start,
                        double duration, const ContactSink& sink = {});

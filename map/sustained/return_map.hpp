@@ -52,7 +52,7 @@ public:
     /// The first impact of a flight in the laboratory.
     Passage<T> advance(const Flight<T>& flight) const {
         Passage<T> passage;
-        passage.collision = map_.advance(flight);
+        map_.advance(flight, passage.collision);
         passage.turned = flight.spin * passage.collision.flight_time;
         passage.outcome = outcome_of(passage.collision.contact);
         return passage;

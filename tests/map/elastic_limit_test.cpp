@@ -1,4 +1,5 @@
 // As e → 1 the statistics of orbits that do not chatter join those of e = 1.
+#include "analysis/recurrence/rates.hpp"
 #include "map/orbit.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
@@ -9,12 +10,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 namespace swirl {
 namespace {
 
-constexpr std::size_t kinds = 4;
-constexpr std::array<const char*, kinds> names{"mean S", "rms of vn", "mean flight time", "mean of |chi|"};
+constexpr std::size_t kinds = 6;
+constexpr std::array<const char*, kinds> names{"mean S", "rms of vn", "mean flight time", "mean of |chi|",
+                                                "RC(1e-2)", "RC(1e-6)"};
 using Means = std::array<double, kinds>;
 
 struct Statistics {
@@ -28,6 +31,7 @@ Means statistics_of(const Scene<double>& scene, tests::Random& random, long impa
         Orbit orbit(map, LabStart<double>{scene.beta, 0, std::cos(angle) / 7, std::sin(angle) / 7, random.angle(), 0});
         double turned = 0, time = 0, square = 0, chi = 0;
         const long transient = impacts / 10;
+        std::vector<double> spins;
         for (long i = 0; i < transient + impacts; ++i) {
             if (!orbit.advance()) {
                 ADD_FAILURE() << name_of(orbit.outcome()) << " after " << i << " impacts";
@@ -35,13 +39,18 @@ Means statistics_of(const Scene<double>& scene, tests::Random& random, long impa
             }
             contacts += static_cast<long>(orbit.contacts().size());
             if (i < transient) continue;
+            spins.push_back(orbit.launch().spin);
             turned += orbit.passage().turned;
             time += orbit.collision().flight_time;
             square += orbit.launch().vn * orbit.launch().vn;
             chi += std::abs(std::atan2(orbit.launch().chi.y, orbit.launch().chi.x));
         }
         const double n = static_cast<double>(impacts);
-        return Means{turned / time, std::sqrt(square / n), time / n, chi / n};
+        // Of S just after impacts, the paper's threshold and a wide one. Its diagonal, 1/n, says nothing of the orbit.
+        const auto rates =
+            analysis::recurrence::recurrence_rates(analysis::recurrence::embed_series(spins), std::array{1e-2, 1e-6});
+        return Means{turned / time, std::sqrt(square / n), time / n, chi / n, rates[0].without_diagonal(),
+                     rates[1].without_diagonal()};
     });
 }
 
@@ -74,7 +83,7 @@ TEST(ElasticLimit, IsJoinedContinuouslyByTheStatistics) {
         EXPECT_EQ(s.contacts, 0);
         std::printf("1 - e = %g:", loss);
         for (std::size_t k = 0; k < kinds; ++k) {
-            std::printf("  %s %.5f (%.5f)", names[k], s.mean[k], s.error[k]);
+            std::printf("  %s %.5g (%.2g)", names[k], s.mean[k], s.error[k]);
             // Four standard errors, and what is linear in 1 - e.
             const double slope = std::abs(far.mean[k] - elastic.mean[k]) / widest;
             const double allowed = 4 * std::hypot(s.error[k], elastic.error[k]) + slope * loss;

@@ -1,214 +1,27 @@
-// Sustained contact: pendulum oracles, forces against geometry, energy, and that every orbit ends with a name.
+// Sustained contact, whole orbits: energy balances, nothing leaves the container, and every orbit ends with a name.
 #include "map/orbit.hpp"
-#include "map/sustained/motion_choice.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/sample_count.hpp"
 
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/jacobi_elliptic.hpp>
-#include <boost/math/tools/roots.hpp>
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <map>
 #include <random>
+#include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace swirl {
 namespace {
 
-using tests::contact_of;
-
 Scene<double> scene_of(int sides, double alpha, double beta, double mu, double e, Law law = Law::poisson) {
     return tests::uniform_scene(sides, alpha, beta, mu, e, law);
 }
-
-// ---- the disk is a pendulum
-
-/// ψ at time t of ψ″ = −ω² sin ψ from ψ = 0 with ψ′ = 2ωk, k < 1 (libration) or > 1 (circulation).
-double pendulum(double omega, double k, double t) {
-    double cn, dn;
-    if (k < 1) return 2 * std::asin(k * boost::math::jacobi_elliptic(k, omega * t, &cn, &dn));
-    // sin(ψ/2) = sn(ωk t, 1/k); the number of half turns from the period.
-    const double quarter = boost::math::ellint_1(1 / k) / (omega * k);  // ψ: 0 → π
-    const double turns = std::floor((t + quarter) / (2 * quarter));
-    const double rest = t - 2 * quarter * turns;
-    return 2 * pi<double>() * turns + 2 * std::asin(boost::math::jacobi_elliptic(1 / k, omega * k * rest, &cn, &dn));
-}
-
-TEST(DiskInContact, IsAPendulumForAHundredPeriods) {
-    for (const double mu : {0.0, 5.0})
-        for (const double k : {0.1, 0.7, 0.99, 1.2}) {
-            const auto scene = contact_of(scene_of(disk_sides, 0.4, 0.05, mu, 0.5));
-            const double rho = 0.6, kappa = 0.5;
-            const double omega = std::sqrt(0.05 / (rho * (mu > 0 ? 1 + kappa : 1)));
-            // Going round with ψ′ > 0 the wall presses all the time.
-            ContactState z{0, 0, 0, mu > 0 ? 0 : 0.7};
-            const double rate = 2 * omega * k;
-            if (mu > 0) z.spin = -rho * (1 + rate) / 0.4;
-            else z.ut = rho * (1 + rate) + 0.4 * z.spin;
-            const auto motion = mu > 0 ? ContactMotion::sticking : ContactMotion::sliding_forward;
-            const double period = 4 * boost::math::ellint_1(k < 1 ? k : 1 / k) / (omega * std::max(1.0, k));
-            double largest = 0;
-            const auto end = run_contact(scene, Support::rim, motion, z, 100 * period,
-                                         [&](const ContactSums& sums, Support, ContactMotion, const ContactState& at) {
-                                             largest =
-                                                 std::max(largest, std::abs(at.psi - pendulum(omega, k, sums.time)));
-                                         });
-            EXPECT_EQ(end.event, ContactEvent::horizon) << name_of(end.event);
-            std::printf("disk, mu = %g, k = %g: largest error of psi over 100 periods %.1e\n", mu, k, largest);
-            // Near the separatrix (k = 0.99) a rounding of the start grows with time like the period's derivative does.
-            EXPECT_LE(largest, 1e-10);
-            if (mu > 0)
-                EXPECT_NEAR(end.state.spin, -rho * (1 + (normal_rate(scene, Support::rim, end.state) - 1)) / 0.4,
-                            1e-12);
-            else EXPECT_EQ(end.state.spin, 0.7);
-        }
-}
-
-TEST(DiskInContact, LibratesWithTheExactMeanSpin) {
-    const auto scene = contact_of(scene_of(disk_sides, 0.4, 0.3, 5, 0.5));
-    const double omega = std::sqrt(0.3 / 0.9), k = 0.6;
-    const double period = 4 * boost::math::ellint_1(k) / omega;
-    const auto end =
-        run_contact(scene, Support::rim, ContactMotion::sticking, {0, 0, 0, -1.5 * (1 + 2 * omega * k)}, 50 * period);
-    EXPECT_NEAR(end.sums.turned / end.sums.time, -1.5, 1e-12);
-}
-
-TEST(DiskInContact, IsReleasedWhereTheNormalForceVanishes) {
-    // λ = β cos ψ + ρ(1 + ψ′)² with ψ′² = 2(H + ω² cos ψ), ψ′ < 0 on the way: both roots in closed form but for one
-    // solve.
-    for (const double mu : {0.0, 50.0}) {
-        const double beta = 2, rho = 0.6, omega2 = beta / (rho * (mu > 0 ? 1.5 : 1));
-        const auto scene = contact_of(scene_of(disk_sides, 0.4, beta, mu, 0.5));
-        const double start_rate = -1.7 * std::sqrt(omega2);
-        const double energy = 0.5 * start_rate * start_rate - omega2;
-        const auto rate_at = [&](double psi) { return -std::sqrt(2 * (energy + omega2 * std::cos(psi))); };
-        const auto lambda = [&](double psi) { return beta * std::cos(psi) + rho * std::pow(1 + rate_at(psi), 2); };
-        std::uintmax_t iterations = 100;
-        const auto [a, b] = boost::math::tools::toms748_solve(
-            lambda, -1.87, -0.5, boost::math::tools::eps_tolerance<double>(52), iterations);
-        ContactState z{0, 0, 0, mu > 0 ? -rho * (1 + start_rate) / 0.4 : 0};
-        if (mu == 0) z.ut = rho * (1 + start_rate);
-        const auto motion = mu > 0 ? ContactMotion::sticking : ContactMotion::sliding_forward;
-        const auto end = run_contact(scene, Support::rim, motion, z, 100);
-        if (mu > 0) {  // friction lets go just before: μλ = |f|
-            EXPECT_EQ(end.event, ContactEvent::slip);
-            continue;
-        }
-        ASSERT_EQ(end.event, ContactEvent::release);
-        EXPECT_NEAR(end.state.psi, 0.5 * (a + b), 1e-11);
-        // t = ∫ dψ/ψ′ = F(φ, k)/ω with sin φ = sin(ψ/2)/k
-        const double k = std::abs(start_rate) / (2 * std::sqrt(omega2));
-        const double time = boost::math::ellint_1(k, std::asin(std::sin(-end.state.psi / 2) / k)) / std::sqrt(omega2);
-        EXPECT_NEAR(end.sums.time, time, 1e-10);
-        std::printf("release at psi = %.12f, t = %.12f\n", end.state.psi, end.sums.time);
-    }
-}
-
-// ---- forces against geometry: the lab position's second difference is the force
-
-struct Place {
-    Vec2<double> centre;  ///< in the laboratory
-    double angle;         ///< of the body
-    Vec2<double> n, n2;   ///< contact normals
-};
-
-Place place_of(const ContactScene& scene, Support support, const ContactState& z, double t) {
-    const double nu = z.psi + t;
-    Place place;
-    place.n = cis(nu);
-    place.n2 = cis(nu + 2 * scene.half_chord);
-    const double arm = nu + z.chi;
-    place.centre = scene.body.beta * cis(t) + (support == Support::rim ? scene.body.inner * cis(nu)
-                                                                       : cis(nu) - scene.body.alpha * cis(arm));
-    place.angle = arm;
-    return place;
-}
-
-TEST(Reaction, IsWhatTheGeometryNeeds) {
-    std::mt19937_64 random(7);
-    std::uniform_real_distribution<double> u(-1, 1);
-    const double h = 1e-3;
-    long checked = 0;
-    double worst = 0;
-    for (const Support support : {Support::rim, Support::vertex, Support::edge})
-        for (const ContactMotion motion :
-             {ContactMotion::sliding_forward, ContactMotion::sliding_backward, ContactMotion::sticking})
-            for (int i = 0; i < 200; ++i) {
-                const int sides = support == Support::rim ? disk_sides : 3 + i % 4;
-                const auto scene = contact_of(scene_of(sides, 0.35 + 0.3 * u(random), 0.5 + 0.4 * u(random), 0.3, 0.5));
-                ContactState z{3 * u(random), 0, 0, u(random)};
-                if (support == Support::vertex) z.chi = 0.5 * scene.widest_chi * u(random);
-                if (support == Support::edge) z.chi = -scene.widest_chi;
-                if (motion == ContactMotion::sliding_forward) z.ut = 0.5 + 0.3 * u(random);
-                if (motion == ContactMotion::sliding_backward) z.ut = -0.5 + 0.3 * u(random);
-                if (support == Support::edge) z.spin = z.ut;
-                const auto now = run_contact(scene, support, motion, z, h),
-                           later = run_contact(scene, support, motion, z, 2 * h);
-                if (now.event != ContactEvent::horizon || later.event != ContactEvent::horizon) continue;
-                const Reaction r = reaction_of(scene, support, motion, now.state);
-                if (r.stiffness < 0.05) continue;
-                const Place p0 = place_of(scene, support, z, 0), p1 = place_of(scene, support, now.state, h),
-                            p2 = place_of(scene, support, later.state, 2 * h);
-                const Vec2<double> acceleration = (1 / (h * h)) * (p0.centre - p1.centre + (p2.centre - p1.centre));
-                // A disk's orientation is what its spin has turned.
-                const double turning = support == Support::rim ? (later.sums.turned - 2 * now.sums.turned) / (h * h) :
-                    (wrapped_angle(p2.angle - p1.angle) - wrapped_angle(p1.angle - p0.angle)) / (h * h);
-                Vec2<double> force = r.friction * quarter_turned(p1.n) - r.normal * p1.n;
-                if (support == Support::edge) {
-                    const double smu = motion == ContactMotion::sticking          ? 0
-                                       : motion == ContactMotion::sliding_forward ? 0.3
-                                                                                  : -0.3;
-                    const double f1 = motion == ContactMotion::sticking ? 0.5 * r.friction : -smu * r.normal;
-                    force = f1 * quarter_turned(p1.n) - r.normal * p1.n;
-                    force = force + ((r.friction - f1) * quarter_turned(p1.n2) - r.second * p1.n2);
-                }
-                const double size = 1 + std::abs(force.x) + std::abs(force.y);
-                worst = std::max({worst, std::abs(acceleration.x - force.x) / size,
-                                  std::abs(acceleration.y - force.y) / size,
-                                  std::abs(turning - r.spin_rate) / (1 + std::abs(r.spin_rate))});
-                ++checked;
-            }
-    std::printf("%ld states: largest difference of force and mass times acceleration %.1e\n", checked, worst);
-    EXPECT_GE(checked, 500);
-    EXPECT_LE(worst, 3e-5);  // h² and the fourth derivative; rounding of the differences is 1e-10
-}
-
-TEST(Strike, CreatesNoEnergyAndLeavesNothingApproaching) {
-    std::mt19937_64 random(11);
-    std::uniform_real_distribution<double> u(-1, 1);
-    long resolved = 0;
-    for (const Law law : {Law::poisson, Law::stronge})
-        for (int i = 0; i < 20'000; ++i) {
-            const double mu = i % 4 == 0 ? 0 : 0.5 + 0.5 * u(random);
-            const auto scene =
-                contact_of(scene_of(3 + i % 5, 0.5 + 0.4 * u(random), 0.5, mu, 0.5 + 0.49 * u(random), law));
-            const ContactState z{3 * u(random), i % 2 ? scene.widest_chi : -scene.widest_chi, u(random), 2 * u(random)};
-            const Launch<double> standing = launch_from(scene, z);
-            const Launch<double> before = seen_from_neighbour(scene, standing);
-            if (!(approach_of(scene.body, before).un > 1e-3)) continue;
-            const Strike strike = strike_while_standing(scene, standing, false);
-            ASSERT_TRUE(strike.resolved);
-            ++resolved;
-            // The container is heavy and moves: energy is counted in its frame.
-            const auto energy = [&](const Launch<double>& l) {
-                const Vec2<double> v{l.vn - scene.body.beta * l.psi.y, l.vt - scene.body.beta * l.psi.x};
-                return 0.5 * dot(v, v) + 0.5 * scene.body.inertia * l.spin * l.spin;
-            };
-            EXPECT_LE(energy(strike.after), energy(before) + 1e-14);
-            EXPECT_LE(approach_of(scene.body, strike.after).un, 1e-13);
-            EXPECT_LE(approach_of(scene.body, seen_from_neighbour(scene, strike.after)).un, 1e-13);
-            EXPECT_NEAR(jacobi_of(scene.body, strike.after) - jacobi_of(scene.body, before),
-                        strike.jacobi_restitution + strike.jacobi_friction, 1e-12);
-        }
-    std::printf("%ld strikes\n", resolved);
-    EXPECT_GE(resolved, 10'000);
-}
-
-// ---- whole orbits
 
 struct Tally {
     Outcome outcome = Outcome::completed;
@@ -219,13 +32,14 @@ struct Tally {
     long moments = 0;      ///< looked at by the searches for contact
     long steps = 0;        ///< of contact motions
     double outside = 0;    ///< the farthest that a vertex was outside, at impacts and along contacts
+    double fastest = 0;    ///< the largest |S| + |v_t| + β after an impact: nothing turns or slips faster
 };
 
 /// Follows an orbit until a time; contact that goes on counts as completed.
 Tally follow(const Scene<double>& scene, const LabStart<double>& start, double until, long most = 1'000'000'000) {
     return with_collision_map(scene, [&](const auto& map) {
         Tally tally;
-        const ContactScene contact = contact_of(scene);
+        const ContactScene contact = tests::contact_of(scene);
         const auto& body = map.body();
         const auto look = [&](const ContactSums&, Support support, ContactMotion, const ContactState& z) {
             if (support == Support::vertex)
@@ -234,8 +48,9 @@ Tally follow(const Scene<double>& scene, const LabStart<double>& start, double u
         Orbit orbit(map, start);
         double jacobi = 0;
         bool known = false;
+        const ContactSink sink = body.sides == disk_sides ? ContactSink{} : look;  // a disk has no vertex to look at
         while (tally.time < until && orbit.impacts() < most) {
-            const bool went_on = orbit.advance(until - tally.time, look);
+            const bool went_on = orbit.advance(until - tally.time, sink);
             tally.pieces += static_cast<long>(orbit.contacts().size());
             for (const ContactSegment& segment : orbit.contacts()) tally.steps += segment.steps;
             if (!went_on) {
@@ -246,6 +61,8 @@ Tally follow(const Scene<double>& scene, const LabStart<double>& start, double u
             tally.time = orbit.frame().time.unwound();
             const double now = jacobi_of(body, orbit.launch());
             const auto& c = orbit.collision();
+            tally.fastest =
+                std::max(tally.fastest, std::abs(c.after.spin) + std::abs(c.after.vt) + static_cast<double>(body.beta));
             tally.moments += c.steps;
             const double change = c.jacobi_restitution + c.jacobi_friction + orbit.passage().contact_work;
             if (known) tally.balance += now - jacobi - change;
@@ -329,18 +146,51 @@ TEST(Rocking, ThatFrictionStopsEndsAtRest) {
         << name_of(tally.outcome) << " at t = " << tally.time;
 }
 
-TEST(Jam, WhereTheNormalForceIsNotUniqueStopsTheSlip) {
-    // Slides to the point where the numerator and the denominator of the normal force vanish together.
-    const auto scene = contact_of(scene_of(3, 0.048062199662670724, 0.81137724721839988, 1.3105431873092972,
-                                           0.12970732048356093, Law::newton));
-    const Standing standing{true, Support::vertex, {-1.792332, 0.874762935, 0.5870, -0.00356}, 0, 0, 0};
-    const ContactPhase phase = follow_contact(scene, standing, 10);
-    ASSERT_EQ(phase.finish, ContactEvent::jam) << name_of(phase.finish);
-    EXPECT_TRUE(phase.resolved);
-    const Approach<double> after = approach_of(scene.body, phase.strike.after);
-    EXPECT_NEAR(after.ut, 0, 1e-15);
-    EXPECT_LE(after.un, 0);
-    EXPECT_GE(after.un, -1e-8);  // Newton's law: nothing approached; the border is taken 1e-9 early
+/// A bound on events per unit time. Contact begins by a landing, or by a strike of the next vertex of a polygon that
+/// turns along the wall (N Ω/2π of them, Ω = |S| + |u_t|), and by slips and releases, some per turn of ψ. Each may be
+/// followed by one chatter: rebounds that shrink by e until they are below rounding, ln(v/√(8ε a(1 − e)))/ln(1/e) of
+/// them, some 20/ln(1/e). An impact and up to three pieces of contact (slip, stick, lift) make four events. Without loss
+/// (e = 1) nothing bounds them but how flat the orbit runs along the wall.
+double most_events(const Scene<double>& scene, const Tally& tally) {
+    const double rebounds = 1 + 20 / std::log(1 / scene.restitution);
+    const double corners = scene.is_disk() ? 0 : scene.sides / (2 * pi<double>());
+    return 4 * rebounds * (1 + corners) * (1 + tally.fastest);
+}
+
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// What an event costs, in seconds (other programs' time not counted) and in looks and series.
+struct Costs {
+    std::vector<double> seconds, work;
+    std::vector<std::string> scenes;
+
+    void print_and_check() {
+        for (const auto& [name, values] : {std::pair{"seconds", &seconds}, std::pair{"looks and series", &work}}) {
+            const auto worst = static_cast<std::size_t>(std::max_element(values->begin(), values->end()) - values->begin());
+            const double typical = median(*values), largest = (*values)[worst];
+            std::printf("%s per event (and unit of time): median %.2g, largest %.2g (%.1f medians: %s)\n", name, typical,
+                        largest, largest / typical, scenes[worst].c_str());
+            EXPECT_LE(largest, 20 * typical) << name << ": " << scenes[worst];
+        }
+    }
+};
+
+std::string in_words(const Scene<double>& scene, const LabStart<double>& start) {
+    char text[300];
+    std::snprintf(text, sizeof text, "N = %d alpha %.17g beta %.17g mu %.17g e %.17g law %s vx %.17g vy %.17g angle %.17g",
+                  scene.sides, scene.alpha, scene.beta, scene.mu, scene.restitution,
+                  std::string(name_of(scene.law)).c_str(), start.vx, start.vy, start.angle);
+    return text;
 }
 
 /// The first `shapes` of the list; the last one, N = 1000, rolls on its vertices with thousands of impacts per unit of
@@ -349,8 +199,8 @@ void check_random_scenes(int count, int shapes) {
     std::mt19937_64 random(2026);
     std::uniform_real_distribution<double> unit(0, 1);
     std::map<std::string, long> outcomes;
-    std::vector<double> cost, work;
-    double busiest = 0, outside = 0, balance = 0;
+    Costs costs;
+    double usual = 0, busiest = 0, fullest = 0, outside = 0, balance = 0;
     for (int i = 0; i < count; ++i) {
         const int sides[] = {disk_sides, 3, 4, 5, 6, 8, 12, 20, 50, 1000};
         const auto scene = scene_of(sides[i % shapes], 0.02 + 0.96 * unit(random), 2 * unit(random) * unit(random),
@@ -362,39 +212,43 @@ void check_random_scenes(int count, int shapes) {
         const double direction = 2 * pi<double>() * unit(random);
         const LabStart<double> start{scene.beta,       0, std::cos(direction) / 7, std::sin(direction) / 7,
                                      6 * unit(random), 0};
-        const auto began = std::chrono::steady_clock::now();
-        const auto tally = follow(scene, start, 1000, 5'000'000);
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        Tally tally;
+        double seconds = 0;
+        // What seems dear is timed again, twice: the machine has other things to do.
+        for (int again = 0; again < 3; ++again) {
+            const double began = thread_seconds();
+            tally = follow(scene, start, 1000, 50'000'000);
+            const double taken = thread_seconds() - began;
+            seconds = again == 0 ? taken : std::min(seconds, taken);
+            const double per_event = seconds / static_cast<double>(tally.impacts + tally.pieces + 1000);
+            if (i < 20 || per_event < 10 * usual || seconds > 2) break;
+        }
+        if (i % 100 == 99 || i == 19) usual = median(costs.seconds);
         std::string name(name_of(tally.outcome));
         if (tally.outcome == Outcome::completed && tally.time < 1000) name = "too many impacts";
         ++outcomes[name];
         EXPECT_TRUE(name != "too many impacts" && (name != "diverged" || scene.law == Law::newton))
-            << name << ": N = " << scene.sides << " alpha " << scene.alpha << " beta " << scene.beta << " mu " << scene.mu
-            << " e " << scene.restitution << " law " << name_of(scene.law) << " after " << tally.impacts << " impacts, t = "
-            << tally.time << ", start vx = " << start.vx << " vy = " << start.vy << " angle = " << start.angle;
+            << name << " after " << tally.impacts << " impacts, t = " << tally.time << ": " << in_words(scene, start);
         const double events = static_cast<double>(tally.impacts + tally.pieces);
         busiest = std::max(busiest, events / 1000);
-        cost.push_back(seconds / (events + 1000));
-        work.push_back(static_cast<double>(tally.moments + tally.steps) / (events + 1000));
+        if (scene.restitution < 1) {
+            const double share = events / 1000 / most_events(scene, tally);
+            fullest = std::max(fullest, share);
+            EXPECT_LE(share, 1) << in_words(scene, start);
+        }
+        costs.seconds.push_back(seconds / (events + 1000));
+        costs.work.push_back(static_cast<double>(tally.moments + tally.steps) / (events + 1000));
+        costs.scenes.push_back(in_words(scene, start));
         outside = std::max(outside, tally.outside);
         if (tally.exchanged > 0 && scene.beta > 0)
             balance = std::max(balance, std::abs(tally.balance) / (tally.exchanged + 1));
     }
     for (const auto& [name, n] : outcomes) std::printf("%-18s %ld\n", name.c_str(), n);
     EXPECT_EQ(outcomes["unresolved"], 0);
-    std::sort(cost.begin(), cost.end());
-    std::printf(
-        "most events per unit time %.0f; seconds per event (and unit of time): median %.1e, largest %.1e (%.1f "
-        "medians); outside by %.1e; balance %.1e\n",
-        busiest, cost[cost.size() / 2], cost.back(), cost.back() / cost[cost.size() / 2], outside, balance);
-    std::sort(work.begin(), work.end());
-    std::printf("moments and steps per event (and unit of time): median %.2f, largest %.1f (%.1f medians)\n",
-                work[work.size() / 2], work.back(), work.back() / work[work.size() / 2]);
-    EXPECT_LE(work.back(), 20 * work[work.size() / 2]);
-    // By the clock a fast disk's pendulum, 20 series of 1 us per unit of time, costs 35 medians of 0.6 us; and others
-    // use the machine.
-    EXPECT_LE(cost.back(), 60 * cost[cost.size() / 2]);
+    std::printf("most events per unit time %.0f, at most %.2g of the bound; outside by %.1e; balance %.1e\n", busiest,
+                fullest, outside, balance);
     EXPECT_LE(outside, 1e-12);
+    costs.print_and_check();
 }
 
 TEST(RandomScenes, EveryOneEndsWithAName) { check_random_scenes(static_cast<int>(tests::sample_count(200)), 9); }

@@ -9,17 +9,19 @@
 
 namespace swirl {
 
-/// Checks that z can be the state just after an impact: finite, leaving the wall, no other vertex outside.
+/// Checks that z can be the state just after an impact: finite, leaving the wall (u_n ≤ 0 to rounding: an impact without
+/// restitution leaves 0 but for that), no other vertex outside.
 /// @throws std::invalid_argument
 template <class T>
 void require_leaving(const Body<T>& body, const SectionPoint<T>& z) {
     const T* values[] = {&z.psi, &z.chi, &z.vn, &z.vt, &z.spin};
     const char* names[] = {"psi", "chi", "vn", "vt", "S"};
     for (int i = 0; i < 5; ++i) detail::require_finite(names[i], *values[i]);
-    detail::require_speed(speed_of(body, z.vn, z.vt, z.spin));
+    const T speed = speed_of(body, z.vn, z.vt, z.spin);
+    detail::require_speed(speed);
     const Launch<T> launch = launch_from(z);
     const Approach<T> slip = approach_of(body, launch);
-    if (slip.un > T(0)) detail::out_of_range("point: normal velocity u_n", slip.un, "at most 0, leaving the wall");
+    if (slip.un > T(16) * epsilon<T>() * (body.beta + speed)) detail::out_of_range("point: normal velocity u_n", slip.un, "at most 0, leaving the wall");
     if (body.sides == disk_sides) return;
     const Flight<T> flight = flight_from(body, launch);
     detail::NearestTwo<T> pair;

@@ -1,10 +1,12 @@
 // Endings other than an ordinary contact: none, sustained, two at once; and no hang on the way.
-#include "map/laboratory.hpp"
+#include "map/orbit.hpp"
+#include "tests/map/random_scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace swirl {
 namespace {
@@ -152,6 +154,39 @@ TEST(Outcome, VerySlowBodiesComeToAnEnd) {
                     }
                 }
     std::printf("most moments looked at: %d\n", most);
+}
+
+// e = 0 leaves u_n = 0 but for rounding, of either sign: its states are starts, and lead where the orbit leads.
+TEST(Outcome, AStateOfAnOrbitIsAStart) {
+    tests::Random random(17);
+    int above = 0, compared = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Scene<double> scene = tests::random_scene(random, 3 + i % 8, random.between(0, 1), 0, Law::poisson);
+        with_collision_map(scene, [&](const auto& map) {
+            Orbit orbit(map, tests::random_point(random, scene, 0.5));
+            for (int n = 0; n < 10 && orbit.advance(5); ++n) {
+                const SectionPoint<double> z = section_point(orbit.launch());
+                if (approach_of(map.body(), launch_from(z)).un > 0) ++above;
+                Orbit begun(map, z);
+                Orbit goes_on = orbit;
+                if (!goes_on.advance(5)) continue;
+                ++compared;
+                ASSERT_TRUE(begun.advance(5));
+            }
+        });
+    }
+    EXPECT_GT(above, 30);
+    EXPECT_GT(compared, 300);
+}
+
+TEST(Outcome, AStateThatApproachesTheWallIsNoStart) {
+    const Scene<double> scene = scene_of(6, 0.4, 0.5, 0.5, 0);
+    const auto body = make_body(scene);
+    const SectionPoint<double> still{0, 0, 0, 0.3, -1};
+    EXPECT_NO_THROW(require_leaving(body, still));
+    SectionPoint<double> approaching = still;
+    approaching.vn = 1e-13;
+    EXPECT_THROW(require_leaving(body, approaching), std::invalid_argument);
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-
 namespace swirl {
 
 template <class T, Shape shape>
@@ -19,7 +17,6 @@ struct TimedCollision {
     Collision<T> collision;         ///< its impact, as if it were on the wall
     T gap{};                        ///< g of that vertex at τ: zero at a contact
     Eigen::Matrix<T, unknowns, unknowns> derivative;  ///< of (z after the impact, g) by (z, τ)
-    Eigen::Matrix<T, unknowns, 1> by_parameter;       ///< of the same; zero without a parameter
 };
 
 namespace detail {
@@ -43,15 +40,12 @@ Candidate<T> nearest_to_wall(const Body<T>& body, const Flight<T>& flight, const
 }  // namespace detail
 
 /// The impact at `time` after z, whether or not anything is on the wall then and whatever touched before: a solution with
-/// gap = 0 is one of the map only if the map's own first contact is at that time.
-///   z          just after an impact
-///   parameter  also ∂/∂λ, one number of the scene
-/// Cost: one pass in Jets of dimension + 2, some six collisions.
+/// gap = 0 is one of the map only if the map's own first contact is at that time. z is just after an impact.
+/// Cost: one pass in Jets of dimension + 1, some six collisions.
 template <class T, Shape shape, ImpactRule rule>
-TimedCollision<T, shape> collide_at(const Scene<T>& scene, const std::optional<Parameter>& parameter,
-                                    const SectionPoint<T>& z, const T& time) {
+TimedCollision<T, shape> collide_at(const Scene<T>& scene, const SectionPoint<T>& z, const T& time) {
     constexpr int dimension = section_dimension<shape>;
-    using Jet = ceres::Jet<T, dimension + 2>;
+    using Jet = ceres::Jet<T, dimension + 1>;
     TimedCollision<T, shape> result;
     const Body<T> body = make_body(scene);
     const Flight<T> plain_flight = flight_from(body, launch_from(z));
@@ -60,9 +54,7 @@ TimedCollision<T, shape> collide_at(const Scene<T>& scene, const std::optional<P
     result.possible = nearest.gap.rate > T(2 * detail::least_approach);  // g′ = 2 u_n
     if (!result.possible) return result;
 
-    Scene<Jet> jets = scene_in<Jet>(scene);
-    if (parameter) number_of(jets, *parameter).v[dimension + 1] = T(1);
-    const CollisionMap<Jet, shape, rule> map(jets);
+    const CollisionMap<Jet, shape, rule> map(scene_in<Jet>(scene));
     const auto c = coordinates<shape>(z);
     std::array<Jet, dimension> seeded;
     for (int i = 0; i < dimension; ++i) seeded[i] = Jet(c[i], i);
@@ -81,8 +73,7 @@ TimedCollision<T, shape> collide_at(const Scene<T>& scene, const std::optional<P
     }
     const auto next = coordinates<shape>(section_point(collision.after));
     const auto take = [&](int row, const Jet& value) {
-        result.derivative.row(row) = value.v.template head<dimension + 1>().transpose();
-        result.by_parameter[row] = value.v[dimension + 1];
+        result.derivative.row(row) = value.v.transpose();
     };
     for (int i = 0; i < dimension; ++i) take(i, next[i]);
     take(dimension, gap);

@@ -22,7 +22,7 @@ struct TimedSystem {
         const double time = y[dimension];
         if (!(time > 0)) return step;
         const SectionPoint<double> z = System::point_of(y.head<dimension>());
-        const auto timed = collide_at<double, shape, rule>(scene, std::nullopt, z, time);
+        const auto timed = collide_at<double, shape, rule>(scene, z, time);
         if (!timed.possible) return step;
         step.state.resize(dimension + 1);
         step.state << System::state_of(section_point(timed.collision.after)), timed.gap;

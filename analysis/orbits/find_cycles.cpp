@@ -46,12 +46,11 @@ SearchResult find_cycles(const ShootingMap& map, double p, const std::vector<Cyc
     const std::vector<Solved> solved = solve_all(map, p, candidates, options, result);
     KnownCycles known(map, p, options.same, options.one_per_family);
     for (const Solved& found : solved) {
-        if (options.stop && options.stop()) break;
         if (found.points.empty()) continue;
         ++result.converged;
         if (found.points.size() == static_cast<std::size_t>(options.period)) known.add(found.points, found.residual);
     }
-    result.cycles = known.completed(options.threads, options.stop);
+    result.cycles = known.completed(options.threads);
     result.stopped = options.stop && options.stop();
     return result;
 }

@@ -19,7 +19,7 @@ struct SearchOptions {
     const TimedMap* timed = nullptr;
     ShootingOptions shooting;
     std::function<void(double done)> progress;  ///< candidates tried so far; called from one thread at a time
-    std::function<bool()> stop;                 ///< true: end with what there is
+    std::function<bool()> stop;                 ///< true: solve no more; what is solved is completed
 };
 
 struct SearchResult {

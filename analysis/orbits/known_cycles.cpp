@@ -53,13 +53,13 @@ bool KnownCycles::add(const CyclePoints& points, double residual) {
     return true;
 }
 
-std::vector<Cycle> KnownCycles::completed(int threads, const std::function<bool()>& stop) const {
+std::vector<Cycle> KnownCycles::completed(int threads) const {
     std::vector<Cycle> cycles = cycles_;
     std::vector<char> done(cycles.size(), 0);
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute([&] {
         tbb::parallel_for(std::size_t{0}, cycles.size(), [&](std::size_t i) {
-            if (!(stop && stop())) done[i] = complete_cycle(map_, p_, cycles[i]) ? 1 : 0;
+            done[i] = complete_cycle(map_, p_, cycles[i]) ? 1 : 0;
         });
     });
     std::vector<Cycle> result;

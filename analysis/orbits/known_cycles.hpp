@@ -3,7 +3,6 @@
 
 #include "analysis/orbits/family.hpp"
 
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -23,8 +22,7 @@ public:
 
     /// All of them with everything that is known of a cycle, in the order in which they were added.
     ///   threads  0: all; the result does not depend on it
-    ///   stop     true: end with those that are done
-    std::vector<Cycle> completed(int threads = 0, const std::function<bool()>& stop = {}) const;
+    std::vector<Cycle> completed(int threads = 0) const;
 
 private:
     bool contains(const CyclePoints& points) const;

@@ -16,9 +16,11 @@ namespace swirl::apps {
 const char* const orbits_details =
     R"(Fixed points and cycles of the collision map, stable and unstable, each once: solved by multi-shooting with exact
 derivatives from the steady modes' closed form (period 1), close returns of trajectories and random section points, then
-polished to rounding; where that fails, as near grazing, with the impacts' times as unknowns. Multipliers are those of DF^k; index: how many lie outside the unit circle. A family (the disk at
-e = 1, conserved J or S) is given once, with its tangent; --pin S=VALUE or --pin tau=VALUE gives its members there.
-An empty list means that no candidate led to a cycle: more --starts may.
+polished to rounding; where that fails, as near grazing, with the impacts' times as unknowns. Multipliers are those of
+DF^k; index: how many lie outside the unit circle. A family (the disk at e = 1, conserved J or S) is given once, with its
+tangent; --pin S=VALUE or --pin tau=VALUE gives its members there. An empty list means that no candidate led to a cycle: more
+--starts may. --near gives the nearer of the cycles that the map and the impacts' times as unknowns lead to, and how far it
+is: near grazing start nearer than the reciprocal of the multiplier. Interrupted, it gives the cycles that were found.
 
 Examples:
   swirl orbits --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --period 1
@@ -51,7 +53,8 @@ std::pair<int, int> OrbitsOptions::periods() const {
 
 namespace {
 
-constexpr double accepted = 1e-11;         // residual of a cycle; those found end near 10⁻¹⁵
+constexpr double accepted = 1e-11;    // residual of a cycle; those found end near 10⁻¹⁵
+constexpr double same_cycle = 1e-6;   // nearer ones are one
 
 struct Pin {
     bool by_time = false;
@@ -78,7 +81,6 @@ double pinned_value(const analysis::CurvePoint& point, bool by_time) {
 void pin_families(const analysis::ShootingMap& map, const Pin& pin, FoundOrbits& found) {
     analysis::KnownCycles members(map, 0, 1e-7, false);
     for (const auto& cycle : found.cycles) {
-        if (is_interrupted()) break;
         if (cycle.tangents.cols() > 1) found.limits.push_back("a family of more than one parameter has no single member with that value: left out");
         if (cycle.tangents.cols() != 1) continue;
         const auto family = analysis::walk_family(map, 0, cycle);
@@ -89,24 +91,52 @@ void pin_families(const analysis::ShootingMap& map, const Pin& pin, FoundOrbits&
     found.cycles = members.completed();
 }
 
+/// What is said of a point whose orbit has not k impacts.
+std::string ends_early(const analysis::ShootingMap& map, const Eigen::VectorXd& near, int k) {
+    int steps = 0;
+    auto step = map.step(near, 0);
+    for (; step.alive; ++steps) step = map.step(step.state, 0);
+    return fmt::format("period {}: the orbit from --near ends after {} impacts", k, steps);
+}
+
+/// How far a solution's cycle comes from a point; +∞ if none was found.
+double distance_of(const analysis::ShootingMap& map, const analysis::ShootingResult& shot, const Eigen::VectorXd& near) {
+    double nearest = std::numeric_limits<double>::infinity();
+    if (shot.converged)
+        for (const auto& point : shot.points) nearest = std::min(nearest, map.distance(point, near));
+    return nearest;
+}
+
+/// The nearer of the cycles that the map and the impacts' times lead to: near grazing the map's steps may lead far away.
+analysis::ShootingResult solve_near(const analysis::ShootingMap& map, const analysis::TimedMap& timed,
+                                    const analysis::CyclePoints& guess) {
+    const auto plain = analysis::solve_shooting(map, guess, 0, accepted);
+    auto with_times = analysis::solve_near_grazing(map, timed, guess, 0, accepted);
+    const double left = distance_of(map, plain, guess.front()), nearer = distance_of(map, with_times, guess.front());
+    // Both to rounding on one cycle: the map's own.
+    return nearer < left - same_cycle ? with_times : plain;
+}
+
 FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, const analysis::ShootingMap& map) {
     const auto z = section_point_from<double>("--near", options.near, scene.is_disk());
     require_leaving(make_body(scene), z);
     const Eigen::VectorXd near = state_of(z, scene.is_disk());
     FoundOrbits found;
     const auto timed = timed_scene_map(scene);
-    analysis::KnownCycles known(map, 0, 1e-6, false);
+    analysis::KnownCycles known(map, 0, same_cycle, false);
     const auto [first, last] = options.periods();
     for (int k = first; k <= last; ++k) {
         if (is_interrupted()) break;
         const auto guess = analysis::orbit_from(map, near, 0, k);
-        if (guess.empty()) continue;
+        if (guess.empty()) {
+            found.limits.push_back(ends_early(map, near, k));
+            continue;
+        }
         ++found.tried;
-        auto shot = analysis::solve_shooting(map, guess, 0, accepted);
-        if (!shot.converged) shot = analysis::solve_near_grazing(map, timed, guess, 0, accepted);
+        const auto shot = solve_near(map, timed, guess);
         found.iterations = shot.iterations;
         found.reached = shot.residual;
-        const auto points = analysis::minimal_cycle(map, shot.points, 1e-6);
+        const auto points = analysis::minimal_cycle(map, shot.points, same_cycle);
         if (!shot.converged || static_cast<int>(points.size()) != k) continue;
         ++found.converged;
         known.add(points, shot.residual);

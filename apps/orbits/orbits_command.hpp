@@ -35,7 +35,7 @@ struct FoundOrbits {
     std::int64_t tried = 0;
     std::int64_t converged = 0;
     int iterations = 0;        ///< of the solution from --near
-    double reached = 0;        ///< residual that it reached
+    double reached = std::numeric_limits<double>::quiet_NaN();  ///< residual that it reached; NaN: nothing to solve
     double distance = std::numeric_limits<double>::infinity();  ///< of the nearest point of a cycle from --near
     std::vector<std::string> limits;  ///< what the search left out
     bool interrupted = false;

@@ -18,6 +18,12 @@ namespace {
 
 using analysis::CyclePoints;
 
+/// A closed form and its flight time.
+struct SteadyGuess {
+    double tau = 0;
+    Eigen::VectorXd point;
+};
+
 /// The closed form of a steady mode at e = 1, with spin S.
 Eigen::VectorXd steady_point(const Scene<double>& scene, double tau, double spin) {
     const double radius = scene.beta + 1 - scene.alpha;
@@ -42,49 +48,54 @@ constexpr double longest_tau = 200;
 
 double last_tau(const Scene<double>& scene) { return std::min(longest_flight(scene), longest_tau); }
 
-constexpr double tau_step = 0.01;
+constexpr double tau_step = 0.05;
 constexpr double fastest_spin = 5;  // without friction S is free: that of what a user may see
 constexpr int least_j = -4, most_j = 8;
 constexpr std::size_t most_guesses = 1'000'000;
+constexpr std::size_t plenty = 300;     // of guesses: from then on only those that clear the wall are tried
+constexpr std::size_t most_tried = 3000;  // of those that are guesses only, e < 1
 
-std::vector<CyclePoints> guesses_on_grid(const Scene<double>& scene, bool no_slip) {
-    std::vector<CyclePoints> guesses;
-    for (double tau = 5 * tau_step; tau < last_tau(scene); tau += 5 * tau_step) {
+std::vector<SteadyGuess> guesses_on_grid(const Scene<double>& scene, bool no_slip) {
+    std::vector<SteadyGuess> guesses;
+    for (double tau = tau_step; tau < last_tau(scene); tau += tau_step) {
         if (no_slip) {
-            guesses.push_back({steady_point(scene, tau, spin_without_slip(scene, tau))});
+            guesses.push_back({tau, steady_point(scene, tau, spin_without_slip(scene, tau))});
             continue;
         }
         if (scene.is_disk()) {  // any S will do
-            guesses.push_back({steady_point(scene, tau, 0)});
+            guesses.push_back({tau, steady_point(scene, tau, 0)});
             continue;
         }
         for (int j = least_j; j <= most_j; ++j) {
             const double spin = 1 - 2 * pi<double>() * j / (scene.sides * tau);
-            if (std::abs(spin) <= fastest_spin) guesses.push_back({steady_point(scene, tau, spin)});
+            if (std::abs(spin) <= fastest_spin) guesses.push_back({tau, steady_point(scene, tau, spin)});
         }
     }
     return guesses;
 }
 
 /// Roots τ of Nτ(1 − S(τ))/2π = j for every whole j.
-std::vector<CyclePoints> guesses_of_polygon(const Scene<double>& scene) {
+std::vector<SteadyGuess> guesses_of_polygon(const Scene<double>& scene) {
     const double turns = scene.sides / (2 * pi<double>());
     const auto vertices_on = [&](double tau) { return turns * tau * (1 - spin_without_slip(scene, tau)); };
-    std::vector<CyclePoints> guesses;
-    double last = vertices_on(0.1 * tau_step);
-    for (double tau = tau_step; tau < last_tau(scene) && guesses.size() < most_guesses; tau += tau_step) {
+    std::vector<SteadyGuess> guesses;
+    // Steps so short that two roots in one, about an extremum, are rare; from where u_n = Rτ/2 is an impact at all.
+    const auto step_from = [](double tau) { return std::min(1e-3, 0.1 * tau); };
+    double begin = 2e-6, last = vertices_on(begin);
+    while (begin < last_tau(scene) && guesses.size() < most_guesses) {
+        const double tau = begin + step_from(begin);
         const double next = vertices_on(tau);
         const double low = std::min(last, next), high = std::max(last, next);
         for (double j = std::ceil(low); j <= high && guesses.size() < most_guesses; ++j) {
             std::uintmax_t most = 100;
             const auto gap = [&](double t) { return vertices_on(t) - j; };
-            const double begin = std::max(tau - tau_step, 0.1 * tau_step);
             if (gap(begin) * gap(tau) > 0) continue;
             const auto root = boost::math::tools::toms748_solve(
                 gap, begin, tau, boost::math::tools::eps_tolerance<double>(50), most);
-            guesses.push_back({steady_point(scene, root.first, 1 - j / (turns * root.first))});
+            guesses.push_back({root.first, steady_point(scene, root.first, 1 - j / (turns * root.first))});
         }
         last = next;
+        begin = tau;
     }
     return guesses;
 }
@@ -128,19 +139,47 @@ CyclePoints states_from(const analysis::ShootingMap& map, const Eigen::VectorXd&
     return orbit.empty() ? orbit : CyclePoints(orbit.begin() + skip, orbit.end());
 }
 
+/// Guesses whose flight is that of the map: no other vertex in between, whatever e and the impact are. A microsecond each.
+std::vector<CyclePoints> clearing(const Scene<double>& scene, const std::vector<SteadyGuess>& guesses) {
+    constexpr double same_time = 1e-6;
+    return with_collision_map(scene, [&](const auto& map) {
+        std::vector<CyclePoints> clear;
+        for (const auto& guess : guesses) {
+            const auto collision = map.advance(launch_from(section_point_of(guess.point)));
+            if (collision.contact == ContactOutcome::contact && std::abs(collision.flight_time - guess.tau) < same_time)
+                clear.push_back({guess.point});
+        }
+        return clear;
+    });
+}
+
+/// At most so many, evenly taken.
+std::vector<CyclePoints> thinned(const std::vector<CyclePoints>& all, std::size_t most) {
+    std::vector<CyclePoints> some;
+    for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
+    return some;
+}
+
 }  // namespace
 
 SteadyGuesses steady_guesses(const Scene<double>& scene) {
     SteadyGuesses guesses;
-    if (scene.mu == 0) guesses.points = guesses_on_grid(scene, false);
-    else guesses.points = scene.is_disk() ? guesses_on_grid(scene, true) : guesses_of_polygon(scene);
+    const bool on_grid = scene.mu == 0 || scene.is_disk();
+    const auto all = on_grid ? guesses_on_grid(scene, scene.mu > 0) : guesses_of_polygon(scene);
+    if (all.size() > plenty) guesses.points = clearing(scene, all);
+    else for (const auto& guess : all) guesses.points.push_back({guess.point});
+    if (scene.restitution < 1 && guesses.points.size() > most_tried) {
+        guesses.limits.push_back(fmt::format("of {} steady modes of the elastic scene {} are tried as guesses",
+                                             guesses.points.size(), most_tried));
+        guesses.points = thinned(guesses.points, most_tried);
+    }
     if (longest_flight(scene) > longest_tau)
         guesses.limits.push_back(fmt::format("steady modes are sought up to tau = {:g}; there may be longer ones, up to {:g}",
                                              longest_tau, longest_flight(scene)));
     if (scene.mu == 0 && !scene.is_disk())
         guesses.limits.push_back(fmt::format("without friction S is free: steady modes are sought for |S| <= {:g}, j = {} to {}",
                                              fastest_spin, least_j, most_j));
-    if (guesses.points.size() >= most_guesses)
+    if (all.size() >= most_guesses)
         guesses.limits.push_back(fmt::format("only the first {} steady modes are tried", most_guesses));
     return guesses;
 }

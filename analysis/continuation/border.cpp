@@ -3,22 +3,32 @@
 #include "analysis/orbits/cycle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace swirl::analysis {
 
 namespace {
 
-/// Steps from `base` until a cycle with another word than `word` is met; F is continuous across, so that it is as near as
-/// the step was long.
-bool step_behind(const ShootingMap& map, const CurvePoint& base, const std::vector<std::int64_t>& word,
-                 double sign, CurvePoint& behind) {
+/// F is continuous across a border, and so is the time of each step: where another impact has slipped in or one has been
+/// left out it jumps. Near grazing the time moves by up to 1/margin per length, hence the factor.
+bool is_continuous(const Closing& behind, const Closing& last, double h) {
+    const double tolerated = 1e-6 + std::min(1e3 * h, 1e-2);
+    for (std::size_t i = 0; i < last.steps.size(); ++i)
+        if (std::abs(behind.steps[i].duration - last.steps[i].duration) > tolerated) return false;
+    return true;
+}
+
+/// Steps from `base` until a cycle with another word than that of `last` is met; F is continuous across, so that it is as
+/// near as the step was long.
+bool step_behind(const ShootingMap& map, const CurvePoint& base, const Closing& last, double sign, CurvePoint& behind) {
     CorrectorOptions any;
     any.keep_word = false;
     any.farthest = 1e3;  // DF jumps, so the tangent may lead elsewhere; F does not
     for (double h = 1e-10; h < 1e-4; h *= 10) {
         if (correct(map, base, sign * h, behind, any) != Correction::converged) continue;
-        if (word_of(behind.closing) == word) continue;
+        if (word_of(behind.closing) == word_of(last) || !is_continuous(behind.closing, last, h)) continue;
         if (curve_product(behind.tangent, base.tangent, map.has_parameter, base.points.size()) * sign < 0)
             behind.tangent *= -1;
         return true;
@@ -43,13 +53,49 @@ bool seen_from(const ShootingMap& map, const CurvePoint& last, Eigen::Index coor
     return true;
 }
 
+double margin_of(const Closing& closing) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& step : closing.steps) least = std::min(least, step.margin);
+    return least;
+}
+
 }  // namespace
+
+void extrapolate_to_border(const ShootingMap& map, CurvePoint& last) {
+    constexpr double back = 1e-5;
+    const double margin = margin_of(last.closing);
+    if (!(map.least_margin > 0 && margin < 2 * map.least_margin)) return;
+    CurvePoint before;
+    if (correct(map, last, -back, before) != Correction::converged) return;
+    const double slope = (margin_of(before.closing) - margin) / back;
+    if (!(slope > 0)) return;
+    // The cubic through four points of the curve, with the margin as its variable, at 0. They lie a hundred times farther
+    // back, at margins of 10⁻⁴: at the last cycle DF is 10⁶, and it is known to 10⁻⁹ only.
+    const double apart = 100 * margin / slope;
+    std::array<CurvePoint, 4> nodes;
+    std::array<double, 4> margins{};
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (correct(map, last, -static_cast<double>(i + 1) * apart, nodes[i]) != Correction::converged) return;
+        margins[i] = margin_of(nodes[i].closing);
+        if (!(margins[i] > (i == 0 ? margin : margins[i - 1]))) return;
+    }
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(last.closing.gap.size());
+    double p = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        double weight = 1;
+        for (std::size_t j = 0; j < nodes.size(); ++j)
+            if (j != i) weight *= margins[j] / (margins[j] - margins[i]);
+        z += weight * stacked(nodes[i].points);
+        p += weight * nodes[i].p;
+    }
+    last.points = unstacked(z, map.dimension);
+    last.p = p;
+}
 
 bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std::int64_t>& word_after,
                  CurvePoint& behind) {
-    const auto word = word_of(last.closing);
     word_after.clear();
-    if (step_behind(map, last, word, 1, behind)) {
+    if (step_behind(map, last, last.closing, 1, behind)) {
         word_after = word_of(behind.closing);
         return true;
     }
@@ -61,7 +107,7 @@ bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std
                 if (!seen_from(map, last, j, sign * shift, base)) continue;
                 if (word_after.empty()) word_after = word_of(base.closing);
                 for (const double way : {1.0, -1.0})
-                    if (step_behind(map, base, word, way, behind)) {
+                    if (step_behind(map, base, last.closing, way, behind)) {
                         word_after = word_of(behind.closing);
                         return true;
                     }

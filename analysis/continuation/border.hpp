@@ -9,8 +9,13 @@ namespace swirl::analysis {
 /// borders and DF jumps, so another smooth branch of cycles may begin there, straight on or turned back. Its tangent is
 /// worked out from the derivative at points a little aside that have another word.
 ///   word_after  the word found behind; empty if the map ends all around
-/// False if no cycle begins there.
+/// False if no cycle begins there. One whose steps take another time than those of `last` has nothing to do with it.
 bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std::int64_t>& word_after,
                  CurvePoint& behind);
+
+/// Where the map ends at a least margin (u_n = 10⁻⁶) the border itself, margin 0, lies that much farther on: moves points
+/// and parameter there by the cubic through four cycles of the curve with margins of some 10⁻⁴. The derivatives
+/// stay those of the last cycle.
+void extrapolate_to_border(const ShootingMap& map, CurvePoint& last);
 
 }  // namespace swirl::analysis

@@ -30,6 +30,7 @@ enum class BranchEnd {
     most_points,     ///< as many points as were asked for
     halved,          ///< it met the flip of a cycle of half its period, behind which it comes again
     switched,        ///< it begins at a special point of another branch
+    family,          ///< solutions are no curve over the parameter from there on, but a family at one value of it
     stopped,         ///< interrupted
 };
 std::string_view name(BranchEnd end);
@@ -48,7 +49,8 @@ struct SpecialPoint {
     SpecialKind kind = SpecialKind::fold;
     std::string border;                       ///< its name, for a border
     BranchPoint cycle;
-    std::vector<std::int64_t> word_after;     ///< on the other side of a border; empty if the map ends there
+    std::vector<std::int64_t> word_before;    ///< of a border: on the side of the branch's earlier points …
+    std::vector<std::int64_t> word_after;     ///< … and of its later ones; empty if the map ends there
     bool goes_on = true;                      ///< false: no cycle was found behind the border
     bool located = true;                      ///< false: known only to lie between two points of the branch
     std::optional<NormalForm> normal_form;
@@ -67,5 +69,8 @@ struct Branch {
 };
 
 BranchPoint branch_point_at(const CurvePoint& at);
+
+/// Makes `back`, which was walked the other way from the same point, the first part of `forth`.
+void put_before(Branch back, Branch& forth);
 
 }  // namespace swirl::analysis

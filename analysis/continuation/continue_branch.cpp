@@ -3,10 +3,9 @@
 #include "analysis/continuation/border.hpp"
 #include "analysis/continuation/locate.hpp"
 
-#include <Eigen/SVD>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swirl::analysis {
 
@@ -17,7 +16,6 @@ double parameter_of(const ContinuationOptions& options, bool has_parameter, cons
 namespace {
 
 constexpr double shortest_to_locate = 1e-5;  // a special point that can't be located is known to this
-constexpr double least_cosine = 0.97;  // between tangents a step apart: a bend of 14 degrees
 
 /// One way along a branch: the state of the walk.
 class Walk {
@@ -43,12 +41,14 @@ private:
     void step() {
         if (options_.stop && options_.stop()) return end(BranchEnd::stopped);
         if (static_cast<int>(branch_.points.size()) >= options_.most_points) return end(BranchEnd::most_points);
+        if (is_at_range() && leads_out()) return finish_at_range();
         CurvePoint next;
         failure_ = correct(map_, here(), h_, next);
         if (failure_ == Correction::converged && !goes_straight_to(next)) failure_ = Correction::failed;
         if (failure_ != Correction::converged) return shorten();
         if (const double p = value(next); p < options_.low || p > options_.high) return reach_range(next);
         if (is_halved(next)) return end(BranchEnd::halved);
+        if (joins_family(next)) return end(BranchEnd::family);
         if (!accept(next, h_, shortest_to_locate)) return shorten();
         if (++successes_ > 1) h_ = std::min(1.4 * h_, options_.longest_step);
         if (has_closed()) end(BranchEnd::closed);
@@ -76,9 +76,13 @@ private:
             special.after = branch_.points.size() - 1;
             branch_.special.push_back(std::move(special));
         }
-        branch_.points.push_back(std::move(point));
-        if (options_.progress) options_.progress(value(next));
+        append(std::move(point));
         return true;
+    }
+
+    void append(BranchPoint point) {
+        branch_.points.push_back(std::move(point));
+        if (options_.progress) options_.progress(value(here()));
     }
 
     /// The last point is that at the end of the range itself.
@@ -101,9 +105,19 @@ private:
         CyclePoints points = here().points;
         const double residual = map_.has_parameter && p != bound ? polish_cycle(map_, points, bound) : 1;
         if (residual < CorrectorOptions{}.accept && begin_curve(map_, points, bound, here().tangent, last) &&
-            distance_between(map_, points, here().points) < 1e-6)
-            accept(last, std::abs(p - bound), 1);
+            distance_between(map_, points, here().points) < 1e-6) {
+            if (is_smooth_to(last)) accept(last, std::abs(p - bound), 1);
+            else append(branch_point_at(last));
+        }
         end(BranchEnd::range);
+    }
+
+    /// At the end of a parameter's range the rule itself may change (μ → 0) and cycles become families (β = 0): test functions
+    /// say nothing there.
+    bool is_smooth_to(const CurvePoint& last) const {
+        const Eigen::MatrixXd& before = here().closing.by_points;
+        return word_of(last.closing) == word_of(here().closing) && is_on_curve(map_, last.closing) &&
+               (last.closing.by_points - before).norm() <= 1e-3 * before.norm();
     }
 
     /// Did the two halves of the cycle change places on the way? Then it went through a cycle of half the period.
@@ -114,6 +128,17 @@ private:
             product += map_.difference(here().points[i], here().points[i + k / 2])
                            .dot(map_.difference(next.points[i], next.points[i + k / 2]));
         return product < 0;
+    }
+
+    /// Do the solutions from here on fill more than a curve, or a curve at one value of the parameter? Branches cross in a
+    /// point and turn back in one: two successive points tell.
+    bool joins_family(const CurvePoint& next) {
+        if (!map_.has_parameter) return false;
+        constexpr double level = 1e-9;
+        const bool is_level = std::abs(next.parameter_slope()) < level && std::abs(here().parameter_slope()) < level &&
+                              std::abs(next.p - here().p) < level * h_;
+        const bool was_on_curve = std::exchange(on_curve_, is_on_curve(map_, next.closing));
+        return is_level || (!was_on_curve && !on_curve_);
     }
 
     /// Back where it began, after it had been away.
@@ -147,12 +172,20 @@ private:
         return std::min(std::abs(p - options_.low), std::abs(p - options_.high)) < 1e-9 * (1 + std::abs(p));
     }
 
+    /// Does the branch leave the range from its end, or run along it?
+    bool leads_out() const {
+        if (!map_.has_parameter) return false;
+        const bool low = std::abs(here().p - options_.low) < std::abs(here().p - options_.high);
+        return (low ? 1 : -1) * here().parameter_slope() < 1e-9;
+    }
+
     /// No cycle with this word goes on: names the border, and goes on behind it if a cycle with another word does.
     void meet_border() {
         if (is_at_range()) return finish_at_range();
         SpecialPoint special;
         special.kind = SpecialKind::border;
         special.cycle = branch_.points.back();
+        special.word_before = word_of(here().closing);
         special.after = branch_.points.size() - 1;
         CurvePoint behind;
         special.goes_on = find_behind(map_, here(), special.word_after, behind);
@@ -160,6 +193,7 @@ private:
                                               : nameless_border;
         if (failure_ == Correction::failed && special.word_after.empty() && special.border == nameless_border)
             return end(BranchEnd::not_converged);
+        if (!special.goes_on) extrapolate_to_border(map_, special.cycle.at);
         branch_.special.push_back(special);
         if (!special.goes_on) return end(BranchEnd::border);
         branch_.points.push_back(branch_point_at(behind));
@@ -175,30 +209,13 @@ private:
     int successes_ = 0;
     Correction failure_ = Correction::converged;  ///< how the last step failed
     bool has_left_ = false;
+    bool on_curve_ = true;    ///< was the last point that was tried on one?
     bool ended_ = false;
 };
 
 CurvePoint turned_back(CurvePoint point) {
     point.tangent *= -1;
     return point;
-}
-
-/// The branch walked the other way, as the first part of one.
-void put_before(Branch back, Branch& forth) {
-    const std::size_t count = back.points.size();  // its first is the other's first
-    std::reverse(back.points.begin(), back.points.end());
-    for (auto& point : back.points) point.at.tangent *= -1;
-    std::reverse(back.special.begin(), back.special.end());
-    for (auto& special : back.special) {
-        special.cycle.at.tangent *= -1;
-        special.after = count < 2 ? 0 : count - 2 - std::min(special.after, count - 2);
-    }
-    for (auto& special : forth.special) special.after += count - 1;
-    back.points.insert(back.points.end(), forth.points.begin() + 1, forth.points.end());
-    back.special.insert(back.special.end(), forth.special.begin(), forth.special.end());
-    back.begin = back.end;
-    back.end = forth.end;
-    forth = std::move(back);
 }
 
 }  // namespace
@@ -215,7 +232,7 @@ bool continue_branch(const ShootingMap& map, const CyclePoints& cycle, double p,
     CyclePoints points = cycle;
     polish_cycle(map, points, p);
     CurvePoint start;
-    if (!begin_curve(map, points, p, {}, start)) return false;
+    if (!begin_curve(map, points, p, {}, start) || !is_on_curve(map, start.closing)) return false;
     const double value = parameter_of(options, map.has_parameter, start);
     if (value < options.low || value > options.high) return false;
     follow_one_way(map, start, options, branch);
@@ -227,74 +244,6 @@ bool continue_branch(const ShootingMap& map, const CyclePoints& cycle, double p,
     follow_one_way(map, turned_back(start), options, back);
     put_before(std::move(back), branch);
     return true;
-}
-
-namespace {
-
-/// At a flip: the cycle run through twice, and the direction in which the two rounds part.
-bool doubled(const ShootingMap& map, const SpecialPoint& flip, CurvePoint& base) {
-    const CurvePoint& at = flip.cycle.at;
-    Eigen::VectorXd q = eigen_pair(monodromy(at.closing), -1).right.real();
-    std::vector<Eigen::VectorXd> directions;
-    for (int round = 0; round < 2; ++round)
-        for (const auto& step : at.closing.steps) {
-            directions.push_back(q);
-            q = step.by_state * q;
-        }
-    base.p = at.p;
-    base.points = at.points;
-    base.points.insert(base.points.end(), at.points.begin(), at.points.end());
-    base.closing = close_cycle(map, base.points, base.p);
-    if (!base.closing.alive) return false;
-    base.tangent = Eigen::VectorXd::Zero(base.closing.gap.size() + 1);
-    base.tangent.head(base.closing.gap.size()) = stacked(directions);
-    return true;
-}
-
-/// At a branch point ∂G/∂(Z, p) has two null vectors: the direction in their plane across the known branch.
-bool crossing(const ShootingMap& map, const SpecialPoint& special, CurvePoint& base) {
-    base = special.cycle.at;
-    const Eigen::MatrixXd full = bordered(map, base.closing, base.tangent);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(full.topRows(full.rows() - 1), Eigen::ComputeFullV);
-    const Eigen::MatrixXd plane = svd.matrixV().rightCols(2);
-    const Eigen::Vector2d known = plane.transpose() * base.tangent;
-    base.tangent = plane * Eigen::Vector2d(-known[1], known[0]);
-    return base.tangent.norm() > 0;
-}
-
-}  // namespace
-
-bool switch_branch(const ShootingMap& map, const SpecialPoint& special, const ContinuationOptions& options,
-                   Branch& branch) {
-    CurvePoint base;
-    const bool flip = special.kind == SpecialKind::flip;
-    if (flip ? !doubled(map, special, base) : !crossing(map, special, base)) return false;
-    base.tangent /= std::sqrt(curve_product(base.tangent, base.tangent, true, base.points.size()));
-    bool any = false;
-    for (const double sign : {1.0, -1.0}) {
-        // Far enough to leave the neighbourhood where both branches solve the equations to rounding.
-        for (double h = options.first_step; h > 1e-6; h *= 0.25) {
-            CurvePoint start;
-            CorrectorOptions corrector;
-            corrector.most_iterations = 20;
-            corrector.farthest = 10;  // the direction lies across the known branch, not along the one sought
-            if (correct(map, base, sign * h, start, corrector) != Correction::converged) continue;
-            if (!flip && std::abs(curve_product(start.tangent, special.cycle.at.tangent, true, base.points.size())) >
-                             least_cosine)
-                continue;  // the known branch again
-            if (flip && minimal_cycle(map, start.points, 0.1 * h).size() < start.points.size()) continue;
-            if (curve_product(start.tangent, base.tangent, true, base.points.size()) * sign < 0) start.tangent *= -1;
-            Branch half;
-            follow_one_way(map, start, options, half);
-            half.begin = BranchEnd::switched;
-            if (!any) branch = std::move(half);
-            else put_before(std::move(half), branch);
-            any = true;
-            break;
-        }
-        if (flip && any) return true;  // the other way is the same cycle begun half a period later
-    }
-    return any;
 }
 
 }  // namespace swirl::analysis

@@ -9,6 +9,9 @@
 
 namespace swirl::analysis {
 
+/// Between tangents a step apart, at least: a bend of 14 degrees.
+inline constexpr double least_cosine = 0.97;
+
 struct ContinuationOptions {
     double low = 0, high = 1;      ///< the parameter's range
     double first_step = 1e-3;      ///< in arclength, s² = |δZ|²/k + δp²
@@ -36,15 +39,11 @@ double parameter_of(const ContinuationOptions& options, bool has_parameter, cons
 /// where the word of the cycle changes or no cycle follows, steps are halved down to the border itself.
 /// Special points are zeros of test functions along the arclength, bracketed by two steps and found by TOMS 748 to
 /// rounding. Cost: about 4 × k steps of the map and two QRs of kD + 1 unknowns a point.
-/// False if the cycle can't be continued: no curve there, or p outside the range.
+/// False if the cycle can't be continued: solutions there are no curve (a family), or p is outside the range.
 bool continue_branch(const ShootingMap& map, const CyclePoints& cycle, double p, const ContinuationOptions& options,
                      Branch& branch);
 
 /// Follows one way only, from `start` in the direction of its tangent.
 void follow_one_way(const ShootingMap& map, const CurvePoint& start, const ContinuationOptions& options, Branch& branch);
-
-/// The doubled cycle at a flip, or the crossing branch at a branch point, followed within the range.
-bool switch_branch(const ShootingMap& map, const SpecialPoint& special, const ContinuationOptions& options,
-                   Branch& branch);
 
 }  // namespace swirl::analysis

@@ -2,9 +2,23 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <limits>
 
 namespace swirl::analysis {
+
+namespace {
+
+/// What one step's component is known to. Lengths and angles at its end are known to some ε, as if rates at its beginning
+/// were to ε/τ.
+Eigen::VectorXd rounding_of(const ShootingStep& step, const Eigen::VectorXd& z) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon(), most = 1e-9;
+    const Eigen::VectorXd size = step.state.cwiseAbs();
+    const Eigen::VectorXd known = 64 * epsilon * (step.by_state.cwiseAbs() * z.cwiseAbs().cwiseMax(std::max(1.0, 1 / step.duration)) + size);
+    return known.cwiseMin((most * (1 + size.array())).matrix());
+}
+
+}  // namespace
 
 Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p) {
     const auto k = static_cast<int>(points.size());
@@ -12,6 +26,7 @@ Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p)
     const int passed_on = d - map.constraints;
     Closing closing;
     closing.gap.resize(k * d);
+    closing.rounding.resize(k * d);
     closing.by_points = Eigen::MatrixXd::Zero(k * d, k * d);
     if (map.has_parameter) closing.by_parameter.resize(k * d);
     for (int i = 0; i < k; ++i) {
@@ -23,6 +38,7 @@ Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p)
         closing.by_points.block(i * d, next * d, passed_on, passed_on) -=
             Eigen::MatrixXd::Identity(passed_on, passed_on);
         if (map.has_parameter) closing.by_parameter.segment(i * d, d) = step.by_parameter;
+        closing.rounding.segment(i * d, d) = rounding_of(step, points[static_cast<std::size_t>(i)]);
         closing.duration += step.duration;
         closing.integral += step.integral;
         closing.steps.push_back(std::move(step));
@@ -31,8 +47,8 @@ Closing close_cycle(const ShootingMap& map, const CyclePoints& points, double p)
     return closing;
 }
 
-double rounding_of(const Closing& closing) {
-    return 8 * std::numeric_limits<double>::epsilon() * closing.by_points.cwiseAbs().maxCoeff();
+bool closes_to(const Closing& closing, double accept) {
+    return closing.alive && (closing.gap.array().abs() <= closing.rounding.array().max(accept)).all();
 }
 
 CyclePoints orbit_from(const ShootingMap& map, const Eigen::VectorXd& z, double p, int k) {

@@ -1,5 +1,7 @@
 #include "analysis/orbits/curve.hpp"
 
+#include "analysis/orbits/null_space.hpp"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -68,6 +70,14 @@ Eigen::MatrixXd bordered(const ShootingMap& map, const Closing& closing, const E
     return full;
 }
 
+bool is_on_curve(const ShootingMap& map, const Closing& closing) {
+    Eigen::MatrixXd scaled = jacobian(map, closing);
+    equilibrate(scaled);
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver;
+    solver.setThreshold(null_margin);
+    return solver.compute(scaled).rank() == scaled.cols() - 1;
+}
+
 bool begin_curve(const ShootingMap& map, const CyclePoints& points, double p, const Eigen::VectorXd& previous,
                  CurvePoint& point) {
     point.points = points;
@@ -92,8 +102,7 @@ Correction correct(const ShootingMap& map, const CurvePoint& base, double h, Cur
         point.closing = close_cycle(map, point.points, point.p);
         if (!point.closing.alive) return Correction::map_ended;
         const double residual = point.closing.residual();
-        const double accept = std::max(options.accept, rounding_of(point.closing));
-        if (residual <= options.goal || (residual <= accept && residual >= 0.5 * last)) {
+        if (residual <= options.goal || (residual >= 0.5 * last && closes_to(point.closing, options.accept))) {
             if (options.keep_word && word_of(point.closing) != word_of(base.closing)) return Correction::word_changed;
             const Eigen::VectorXd aside = y - origin - h * base.tangent;
             const double away = std::sqrt(curve_product(aside, aside, map.has_parameter, base.points.size()));

@@ -30,11 +30,14 @@ struct CorrectorOptions {
     double farthest = 0.5;      ///< of the cycle from where the tangent led, in units of |h|
 };
 
-/// Makes a curve point of a cycle: polishes nothing, works out the derivative and the tangent. False if the map ends,
-/// or if the solutions near the cycle are no curve.
+/// Makes a curve point of a cycle: polishes nothing, works out the derivative and the tangent. False if the map ends.
 ///   previous  the tangent points along it (empty: along growing p, or the largest coordinate of a family)
 bool begin_curve(const ShootingMap& map, const CyclePoints& points, double p, const Eigen::VectorXd& previous,
                  CurvePoint& point);
+
+/// True if solutions near the point are a curve: the Jacobian has one null vector, to 10⁻⁸ when scaled. False where
+/// branches cross, and on solution sets of two and more dimensions. Cost: one QR.
+bool is_on_curve(const ShootingMap& map, const Closing& closing);
 
 /// The point of the curve on the plane across the base's tangent at distance h: pseudo-arclength (Keller 1977).
 /// Cost: 3 to 5 iterations of k steps of the map and one QR of kD + 1 unknowns.

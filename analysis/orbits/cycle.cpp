@@ -1,8 +1,9 @@
 #include "analysis/orbits/cycle.hpp"
 
 #include "analysis/lyapunov/cycle_exponents.hpp"
+#include "analysis/orbits/null_space.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <limits>
@@ -36,13 +37,32 @@ void judge_stability(Cycle& cycle) {
     cycle.stability = cycle.index > 0 ? Stability::unstable : on ? Stability::neutral : Stability::stable;
 }
 
+namespace {
+
+template <class Multipliers>
+Eigen::Index ones_among(const Multipliers& multipliers) {
+    return std::count_if(multipliers.begin(), multipliers.end(),
+                         [](const std::complex<double>& m) { return std::abs(m - 1.0) <= neutral_margin; });
+}
+
+std::vector<Eigen::MatrixXd> derivatives_of(const Closing& closing) {
+    std::vector<Eigen::MatrixXd> derivatives;
+    for (const auto& step : closing.steps) derivatives.push_back(step.by_state);
+    return derivatives;
+}
+
+/// How many multipliers are 1, `enough` or fewer: in double, and in 100 digits only where that finds too few.
+Eigen::Index ones_of(const Closing& closing, Eigen::Index enough) {
+    const Eigen::VectorXcd quick = Eigen::EigenSolver<Eigen::MatrixXd>(monodromy(closing), false).eigenvalues();
+    if (const Eigen::Index ones = ones_among(quick); ones >= enough) return enough;
+    return std::min(enough, ones_among(cycle_exponents(derivatives_of(closing)).multipliers));
+}
+
+}  // namespace
+
 Eigen::MatrixXd family_directions(const Closing& closing, int dimension) {
-    constexpr double null = 1e-8;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(closing.by_points, Eigen::ComputeFullV);
-    const auto& values = svd.singularValues();
-    Eigen::Index rank = values.size();
-    while (rank > 0 && values[rank - 1] <= null * values[0]) --rank;
-    Eigen::MatrixXd first = svd.matrixV().rightCols(values.size() - rank).topRows(dimension);
+    const Eigen::MatrixXd null = null_vectors(closing.by_points);
+    Eigen::MatrixXd first = null.rightCols(null.cols() > 0 ? ones_of(closing, null.cols()) : 0).topRows(dimension);
     for (Eigen::Index j = 0; j < first.cols(); ++j) {
         first.col(j).normalize();
         Eigen::Index largest;
@@ -55,9 +75,7 @@ Eigen::MatrixXd family_directions(const Closing& closing, int dimension) {
 bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle) {
     const Closing closing = close_cycle(map, cycle.points, p);
     if (!closing.alive) return false;
-    std::vector<Eigen::MatrixXd> derivatives;
-    for (const auto& step : closing.steps) derivatives.push_back(step.by_state);
-    const CycleExponents exponents = cycle_exponents(derivatives);
+    const CycleExponents exponents = cycle_exponents(derivatives_of(closing));
     if (exponents.outcome != CycleOutcome::completed) return false;
     cycle.residual = closing.residual();
     cycle.return_time = closing.duration;

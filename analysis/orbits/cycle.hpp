@@ -40,8 +40,8 @@ struct Cycle {
 /// Multipliers are worked out in 100 digits: some 30 ms for D = 5.
 bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle);
 
-/// Directions at z_1, as columns, along which G stays zero: the null space of ∂G/∂Z. A family's singular value is zero but
-/// for the derivative's own rounding; an isolated cycle's is of the size of |multiplier − 1|.
+/// Directions at z_1, as columns, along which G stays zero: the null space of ∂G/∂Z, its rows and columns scaled, as far
+/// as each null vector has a multiplier 1 (to `neutral_margin`) of its own.
 Eigen::MatrixXd family_directions(const Closing& closing, int dimension);
 
 /// The smallest cyclic part that closes to `closure`.

@@ -99,7 +99,7 @@ ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, 
     result.iterations = static_cast<int>(summary.iterations.size());
     if (!summary.IsSolutionUsable() || !(summary.final_cost < 1e-6)) return result;  // |G| ≈ 10⁻³: too far for Newton
     result.residual = polish_cycle(map, result.points, p);
-    result.converged = result.residual <= accept;
+    result.converged = result.residual <= accept || closes_to(close_cycle(map, result.points, p), accept);
     return result;
 }
 
@@ -123,7 +123,7 @@ ShootingResult solve_near_grazing(const ShootingMap& map, const TimedMap& timed,
     for (std::size_t i = 0; i < guess.size(); ++i)  // the map's first contact, and no other
         if (std::abs(closing.steps[i].duration - shot.points[i].tail(1)[0]) > same_time) return result;
     result.residual = closing.residual();
-    result.converged = result.residual <= std::max(accept, rounding_of(closing));
+    result.converged = closes_to(closing, accept);
     return result;
 }
 

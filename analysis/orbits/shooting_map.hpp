@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct ShootingStep {
     double duration = 1;            ///< time that the step took
     std::int64_t letter = 0;        ///< which smooth branch of the map was taken
     double integral = 0;            ///< of an observable over the step's duration, for maps that have one
+    /// A smooth quantity that falls to zero where the step ceases to exist (an impact's normal velocity). The map may end
+    /// a little before, at its `least_margin`.
+    double margin = std::numeric_limits<double>::infinity();
 };
 
 /// z ↦ F(z; p). A map without a parameter ignores p.
@@ -31,6 +35,7 @@ struct ShootingMap {
     /// The last so many of F's components are not the next point's but must be zero; the same number of the last
     /// coordinates are unknowns of each point alone (the time of its impact, say). `by_state` is square all the same.
     int constraints = 0;
+    double least_margin = 0;            ///< of its steps: see ShootingStep::margin
     std::vector<double> angle_periods;  ///< per coordinate; 0: a plain number
     std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step;
 

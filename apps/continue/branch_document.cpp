@@ -81,7 +81,7 @@ void write_special(JsonWriter& json, const SceneBranches& scene, const analysis:
         json.end_object();
     }
     if (special.kind == analysis::SpecialKind::border) {
-        write_word(json, "word_before", analysis::word_of(special.cycle.at.closing));
+        write_word(json, "word_before", special.word_before);
         write_word(json, "word_after", special.word_after);
         json.member("goes_on", special.goes_on);
     }

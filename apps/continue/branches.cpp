@@ -1,7 +1,11 @@
 #include "apps/continue/branches.hpp"
 
+#include "analysis/continuation/on_branch.hpp"
+#include "analysis/continuation/switch_branch.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/scene_map/scene_map.hpp"
+
+#include <algorithm>
 
 namespace swirl::apps {
 
@@ -53,7 +57,12 @@ void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& 
                     branches[static_cast<std::size_t>(branches[b].parent)].period() == 2 * branches[b].period())
                     continue;
                 analysis::Branch branch;
-                if (!analysis::switch_branch(scene.map, special, scene.options, branch)) continue;
+                const auto is_known = [&](const analysis::CurvePoint& start) {
+                    return std::any_of(branches.begin(), branches.end(), [&](const analysis::Branch& known) {
+                        return analysis::find_on_branch(scene.map, known, start.p, start.points).has_value();
+                    });
+                };
+                if (!analysis::switch_branch(scene.map, special, scene.options, branch, is_known)) continue;
                 branch.parent = static_cast<int>(b);
                 branch.parent_special = static_cast<int>(s);
                 branches.push_back(std::move(branch));

@@ -35,8 +35,13 @@ std::string kind_of(const analysis::SpecialPoint& special);
 /// `branches` of the JSON document.
 void write_branches(JsonWriter& json, const SceneBranches& scene, const std::vector<analysis::Branch>& branches);
 
-/// Groups `branches` and `special` of a record.
-void write_branches(const RecordGroup& root, const SceneBranches& scene, const std::vector<analysis::Branch>& branches);
+/// Groups `branches` (points), `branch_ends` (one row a branch) and `special` of a record.
+///   observable  a coordinate that is written as `value` beside S, unless it is S
+void write_branches(const RecordGroup& root, const SceneBranches& scene, const std::vector<analysis::Branch>& branches,
+                    const std::string& observable = "S");
+
+/// Where an observable stands in a state of that size: psi, chi, vn, vt or S.
+Eigen::Index place_of(const std::string& observable, Eigen::Index size);
 
 void print_branches(const SceneBranches& scene, const Along& along, const std::vector<analysis::Branch>& branches);
 

@@ -15,8 +15,11 @@ namespace swirl::apps {
 const char* const continue_details =
     R"(Follows the cycle near --from over one parameter, both ways within A:B, through folds, by pseudo-arclength. Located to
 rounding and named: fold, flip, neimark-sacker, branch-point; and the borders of the map: stick-slip, two-vertices, grazing,
-landing, with the word on either side. Where the word changes and the branch goes on, it is followed on. Flips and branch
-points are switched at (--switch). Why a branch ends: range, closed, border, most-points.
+landing (border where none of these is seen), with the word on either side. Where the word changes and the branch goes
+on, it is followed on. Flips and branch points are switched at (--switch); a branch that is known already is left out.
+Why a branch begins or ends: range; closed; border; family (no curve over the parameter from there on); not-converged (no
+cycle found to go on); most-points (20000 each way); halved (at the flip of a cycle of half its period); switched (begins at
+another branch's special point); stopped (interrupted).
 --along S=A:B or tau=A:B follows a family (the disk at e = 1) along itself instead, by S or by its return time.
 Normal forms: flip xi' = (-1 + a d) xi + b xi^3 (supercritical: b > 0), neimark-sacker z' = z e^(i theta)(1 + a d + b|z|^2)
 (supercritical: Re b < 0), fold xi' = xi + a d + b xi^2.
@@ -34,8 +37,8 @@ void ContinueOptions::add_to(CLI::App& command) {
     command.add_option("--period", period, "of the cycle (default 1)")->type_name("K")->check(CLI::Range(1, 256));
     command.add_option("--switch", switches, "how many flips and branch points to switch at one after another (default 1)")
         ->type_name("DEPTH")->check(CLI::Range(0, 16));
-    command.add_option("--longest-step", longest_step, "along the branch (default 0.02)")
-        ->type_name("H")->check(CLI::Range(1e-6, 1.0));
+    command.add_option("--longest-step", longest_step, "along the branch, 1e-6 to 1 (default 0.02)")
+        ->type_name("H");
 }
 
 namespace {
@@ -90,6 +93,8 @@ int continue_orbit(ContinueOptions& options) {
     const Scene<double> scene = options.scene.scene<double>();
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: continue works in double", options.output.accuracy_name));
+    if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
+        throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
     if (along.parameter)
         for (const double end : {along.low, along.high}) validated(with_parameter(scene, *along.parameter, end));
     SceneBranches system = scene_branches(scene, along);

@@ -1,6 +1,7 @@
 #include "apps/scene_map/scene_map.hpp"
 
 #include "apps/section_system.hpp"
+#include "map/timed_collision.hpp"
 
 #include <cmath>
 #include <memory>
@@ -10,8 +11,8 @@ namespace swirl::apps {
 
 namespace {
 
-/// As u_n → 0 every state of a body at rest on the wall solves F(z) = z: a step that takes no longer ends the map.
-constexpr double shortest_flight = 1e-6;
+/// As u_n → 0 every state of a body at rest on the wall solves F(z) = z: an impact that is no faster ends the map.
+constexpr double least_approach = detail::least_approach;
 
 /// Solvers ask for cycles of impacts: contact that lasts longer than a few swings has none.
 constexpr double solver_horizon = 50;
@@ -19,10 +20,44 @@ constexpr double solver_horizon = 50;
 /// A map and its system, which refers to it.
 template <Shape shape, ImpactRule rule>
 struct OwnedSystem {
-    explicit OwnedSystem(const CollisionMap<double, shape, rule>& m) : map(m), system(map, solver_horizon) {}
+    explicit OwnedSystem(const CollisionMap<double, shape, rule>& m)
+        : map(m), system(map, solver_horizon), differentiated(map) {}
     CollisionMap<double, shape, rule> map;
     SectionSystem<shape, rule> system;
+    DifferentiatedMap<double, shape, rule> differentiated;
 };
+
+/// u_n before the impact, from the state after it: C = −u_n changes by B₂p + B₃q.
+double approach_before(const Body<double>& body, const Collision<double>& collision) {
+    const Approach<double> after = approach_of(body, collision.after);
+    return after.un + after.b2() * collision.impulse.normal + after.b3() * collision.impulse.tangential;
+}
+
+/// All of a step but its derivatives. False where the map ends.
+template <class System>
+bool fill_step(const System& system, const Passage<double>& passage, analysis::ShootingStep& step) {
+    analysis::Advance<System::dimension> plain;
+    system.fill(plain, passage);
+    if (!plain.alive || !plain.state.allFinite()) return false;
+    step.state = plain.state;
+    step.duration = plain.duration;
+    step.letter = plain.letter;
+    step.integral = plain.integral;
+    step.margin = approach_before(system.map().body(), passage.collision);
+    return step.margin > least_approach;
+}
+
+template <Shape shape, ImpactRule rule>
+analysis::ShootingStep step_of(const OwnedSystem<shape, rule>& owned, const Eigen::VectorXd& z) {
+    analysis::ShootingStep step;
+    const SectionPoint<double> point = SectionSystem<shape, rule>::point_of(z);
+    const Passage<double> passage = owned.system.return_map().advance(launch_from(point), solver_horizon);
+    if (!fill_step(owned.system, passage, step)) return step;
+    if (passage.contacts.empty()) step.by_state = owned.differentiated.derivative_of(point, passage.collision);
+    else step.by_state = derivative_through_contact(owned.system.return_map(), point, passage);
+    step.alive = step.by_state.allFinite();
+    return step;
+}
 
 /// True if the parameter is within its range there.
 bool is_allowed(Parameter parameter, double value) {
@@ -53,13 +88,7 @@ struct AlongParameter {
         const System system(map, solver_horizon);
         const SectionPoint<double> point = System::point_of(z);
         const Passage<double> passage = system.return_map().advance(launch_from(point), solver_horizon);
-        analysis::Advance<dimension> plain;
-        system.fill(plain, passage);
-        if (!plain.alive || !plain.state.allFinite() || plain.duration <= shortest_flight) return step;
-        step.state = plain.state;
-        step.duration = plain.duration;
-        step.letter = plain.letter;
-        step.integral = plain.integral;
+        if (!fill_step(system, passage, step)) return step;
         if (passage.contacts.empty()) {
             const auto d = derivative_with_parameter<double, shape, rule>(here, parameter, point, passage.collision);
             step.by_state = d.first;
@@ -101,12 +130,9 @@ analysis::ShootingMap scene_map(const Scene<double>& scene) {
     return with_collision_map(scene, [](const auto& map) {
         auto owned = std::make_shared<OwnedSystem<std::decay_t<decltype(map)>::shape, std::decay_t<decltype(map)>::rule>>(map);
         analysis::ShootingMap result = analysis::shooting_map(owned->system);
+        result.least_margin = least_approach;
         // The system must live as long as the step that refers to it.
-        result.step = [owned, linearise = result.step](const Eigen::VectorXd& z, double p) {
-            analysis::ShootingStep step = linearise(z, p);
-            step.alive = step.alive && step.duration > shortest_flight;
-            return step;
-        };
+        result.step = [owned](const Eigen::VectorXd& z, double) { return step_of(*owned, z); };
         return result;
     });
 }
@@ -118,6 +144,7 @@ analysis::ShootingMap scene_map(const Scene<double>& scene, Parameter parameter)
         const SectionSystem system(map);
         analysis::ShootingMap result = analysis::shooting_map(system);
         result.has_parameter = true;
+        result.least_margin = least_approach;
         result.step = along_parameter(map, parameter);
         return result;
     });

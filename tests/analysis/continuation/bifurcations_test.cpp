@@ -1,5 +1,5 @@
 // Published bifurcation values, found by continuation.
-#include "analysis/continuation/continue_branch.hpp"
+#include "analysis/continuation/switch_branch.hpp"
 #include "tests/analysis/continuation/families.hpp"
 
 #include <gtest/gtest.h>

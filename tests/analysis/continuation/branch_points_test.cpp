@@ -1,5 +1,5 @@
 // Where branches cross: found on either of them, and switched at.
-#include "analysis/continuation/continue_branch.hpp"
+#include "analysis/continuation/switch_branch.hpp"
 #include "tests/analysis/continuation/families.hpp"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace swirl {
 namespace {
@@ -18,6 +20,15 @@ nlohmann::json listed(const std::string& file) {
     nlohmann::json cycles = tests::read_oracle(file)["cycles"];
     EXPECT_GE(cycles.size(), 10U);
     return cycles;
+}
+
+/// [references.md] The hexagon's fixed point.
+nlohmann::json hexagon() {
+    return {{"sides", 6}, {"alpha", "0.4"}, {"beta", "0.5"}, {"mu", "0.5"}, {"restitution", "0.9"}, {"law", "poisson"},
+            {"period", 1},
+            {"point", {{"psi", "-0.083922288419212287574"}, {"chi", "0.027966794811174552721"},
+                       {"vn", "-0.55420644250323559488"}, {"vt", "0.88979354385790028771"},
+                       {"S", "-0.97926605821858726645"}}}};
 }
 
 struct Followed {
@@ -98,6 +109,67 @@ TEST(Branches, AGrazingIsLocatedToRounding) {
         EXPECT_NEAR(largest_inner_gap(scene, grazing->cycle.at), 0, 1e-9) << "cycle " << i;
     }
     EXPECT_GT(seen, 0);
+}
+
+/// The second vertex's gap at the impacts of a cycle, the smallest; or the shortest flight, at whose end it touches too.
+double nearest_to_two_vertices(const Scene<double>& scene, const analysis::CurvePoint& cycle) {
+    const auto body = make_body(scene);
+    double nearest = 1;
+    for (std::size_t i = 0; i < cycle.points.size(); ++i) {
+        const auto flight = flight_from(body, launch_from(apps::section_point_of(cycle.points[i])));
+        const auto at = instant_at<Shape::polygon>(flight, cycle.closing.steps[i].duration);
+        std::vector<double> gaps;
+        for (int k = 0; k < scene.sides; ++k) {
+            const auto x = at.centre + body.turned_to_vertex(at.arm, k);
+            gaps.push_back(std::abs(dot(x, x) - 1));
+        }
+        std::sort(gaps.begin(), gaps.end());
+        nearest = std::min({nearest, gaps[1], cycle.closing.steps[i].duration});
+    }
+    return nearest;
+}
+
+TEST(Branches, TwoVerticesAreLocatedToRounding) {
+    int seen = 0;
+    for (const auto& c : listed("cycles.json")) {
+        const auto followed = follow(c, "alpha=0.05:0.97");
+        for (const auto& special : followed.branch.special) {
+            if (apps::kind_of(special) != "two-vertices") continue;
+            ++seen;
+            const auto scene = with_parameter(followed.scene, Parameter::alpha, special.cycle.at.p);
+            EXPECT_LE(nearest_to_two_vertices(scene, special.cycle.at), 1e-10) << "alpha = " << special.cycle.at.p;
+        }
+    }
+    std::printf("%d borders of two vertices\n", seen);
+    EXPECT_GE(seen, 5);
+}
+
+// What lies behind a border takes the time that the cycle takes: no impact slips in or is left out.
+TEST(Branches, FlightsAreContinuousAlongABranch) {
+    for (const char* along : {"beta=0:2", "alpha=0.01:0.99"}) {
+        const auto followed = follow(hexagon(), along);
+        ASSERT_GT(followed.branch.points.size(), 10U);
+        for (std::size_t i = 1; i < followed.branch.points.size(); ++i) {
+            const auto& a = followed.branch.points[i - 1].at;
+            const auto& b = followed.branch.points[i].at;
+            EXPECT_LE(std::abs(a.closing.duration - b.closing.duration), 0.1) << along << " = " << b.p;
+            for (const auto& step : b.closing.steps) EXPECT_GT(step.margin, 1e-6) << along << " = " << b.p;
+        }
+        for (const auto end : {followed.branch.begin, followed.branch.end})
+            EXPECT_NE(end, analysis::BranchEnd::not_converged) << along;
+    }
+}
+
+// The steady mode whose impacts fade as β → 1 − α.
+TEST(Branches, WhereImpactsVanishIsLocated) {
+    const auto followed = follow(hexagon(), "beta=0:2");
+    const auto* grazing = first_of(followed, "grazing");
+    ASSERT_NE(grazing, nullptr);
+    EXPECT_FALSE(grazing->goes_on);
+    double nearest = 1;
+    for (const auto& special : followed.branch.special)
+        if (apps::kind_of(special) == "grazing") nearest = std::min(nearest, std::abs(special.cycle.at.p - (1 - followed.scene.alpha)));
+    EXPECT_LE(nearest, 1e-10);
 }
 
 TEST(Branches, PointsAreCyclesOfTheirScenes) {

@@ -63,6 +63,31 @@ TEST(ClosedForm, EverySteadyModeOfTenPolygonsIsFound) {
     EXPECT_GE(all, 50U);
 }
 
+// As α → 0 S grows as 1/α, and DF with it; every mode is isolated all the same, and none is missing.
+void expect_all_modes_isolated(double alpha) {
+    Scene<double> scene{5, alpha, 0.5, 0.5, 1, Law::poisson, uniform_inertia_factor<double>(5)};
+    apps::CandidateOptions options;
+    options.starts = options.trajectories = 0;
+    const auto cycles = tests::cycles_of(scene, 1, options);
+    for (const auto& cycle : cycles) {
+        double nearest = 1;
+        for (const auto& m : cycle.multipliers) nearest = std::min(nearest, std::abs(m - 1.0));
+        EXPECT_EQ(cycle.is_family(), nearest <= analysis::neutral_margin) << "S = " << cycle.points[0][4];
+    }
+    const auto map = apps::scene_map(scene);
+    const auto modes = steady_modes(scene, 3);
+    std::size_t missing = 0;
+    for (const auto& z : modes)
+        if (std::none_of(cycles.begin(), cycles.end(), [&](const auto& c) { return tests::distance_to(map, c, z) < 1e-6; }))
+            ++missing;
+    std::printf("alpha = %g: %zu modes listed up to tau = 3, %zu found in all\n", alpha, modes.size(), cycles.size());
+    EXPECT_GE(modes.size(), 50U);
+    EXPECT_EQ(missing, 0U) << "alpha = " << alpha;
+}
+
+TEST(ClosedForm, ModesOfASmallBodyAreIsolatedAndAllFound) { expect_all_modes_isolated(0.003); }
+TEST(ClosedFormNightly, ModesOfATinyBodyAreIsolatedAndAllFound) { expect_all_modes_isolated(0.001); }
+
 Scene<double> disk() { return {disk_sides, 0.3, 0.1, 0.5, 1, Law::poisson, 0.5}; }
 
 // [references.md] τ = 1.33899: S = −1.6049495, |multipliers| 0.98723008 (a pair), 1, 0; τ = 2.5: 1.0072349.

@@ -27,6 +27,7 @@ struct Kept {
     double turned = 0, time = 0;
     Outcome outcome = Outcome::completed;
     bool any = false;
+    bool interrupted = false;  ///< before all impacts were followed
     typename System::State last;
 };
 
@@ -39,7 +40,8 @@ Kept<System> follow(const System& system, const Start<double>& start, const Samp
             ExactReturn exact;
             std::int64_t left_out = 0;  // whole periods of an orbit that repeats itself to the bit
             const auto impacts = [&] { return orbit.impacts() + left_out; };
-            while (impacts() < settings.transient + settings.collisions && !is_interrupted() && orbit.advance()) {
+            const auto goes_on = [&] { return impacts() < settings.transient + settings.collisions; };
+            while (goes_on() && !(kept.interrupted = is_interrupted()) && orbit.advance()) {
                 if (impacts() <= settings.transient) {
                     if (left_out > 0) continue;
                     if (const auto period = exact.after(orbit.launch()); period > 0)
@@ -127,24 +129,41 @@ void name(const System& system, const Kept<System>& kept, const SampleSettings& 
 
 }  // namespace
 
+namespace {
+
+constexpr std::int64_t longest_death = 100'000;  // impacts for which an orbit's end is waited for
+
+/// Does every orbit lose its energy for good? In a container at rest, and without friction (J only falls; design,
+/// section 3), impacts only take. What looks irregular there is on its way to rest.
+bool must_die(const Scene<double>& scene) { return scene.restitution < 1 && (scene.beta == 0 || scene.mu == 0); }
+
+}  // namespace
+
 Attractor settle(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings) {
     Attractor attractor;
-    const bool landed = with_collision_map(scene, [&](const auto& map) {
+    const bool ends_in_contact = with_collision_map(scene, [&](const auto& map) {
         const SectionSystem system(map);
         const auto kept = follow(system, start, settings);
         attractor.outcome = kept.outcome;
         if (kept.any) attractor.last = kept.last;
-        if (kept.outcome == Outcome::completed) name(system, kept, settings, attractor);
+        attractor.finished = !kept.interrupted;
+        if (must_die(scene)) return attractor.finished;
+        if (attractor.finished && kept.outcome == Outcome::completed) name(system, kept, settings, attractor);
         return kept.outcome == Outcome::in_contact;
     });
-    if (landed) {
+    if (ends_in_contact) {
         analysis::ClassifyOptions options;
-        options.transient = settings.transient;
+        options.transient = settings.transient + (must_die(scene) ? longest_death : 0);
         options.collisions = std::max<std::int64_t>(settings.collisions, 64);
         const NamedMode named = name_mode(scene, start, options);
         attractor.mode = named.verdict.mode;
         attractor.kind = named.verdict.kind;
         attractor.mean_spin = named.verdict.mean;
+        attractor.outcome = named.outcome;
+        if (must_die(scene) && named.outcome == Outcome::completed) {
+            attractor.mode = analysis::Mode::undecided;
+            attractor.kind = analysis::Kind::transient;
+        }
     }
     return attractor;
 }

@@ -21,6 +21,7 @@ struct SampleSettings {
 enum class Origin { random, up, down };
 
 struct Attractor {
+    bool finished = false;                ///< false: interrupted, and nothing else is meaningful
     Origin origin = Origin::random;
     std::int64_t start = 0;               ///< number of the random start
     Outcome outcome = Outcome::completed;
@@ -36,7 +37,8 @@ struct Attractor {
 /// Follows a start and names what it settles on: steady or quasi-steady by a period of the kept states (returned to
 /// within 10⁻⁹, or an attracting cycle found by Newton's method from the last state within the distance that the orbit's
 /// own return suggests), chaotic by a tangent vector that grows by more than 5 standard errors, undecided otherwise.
-/// What ends in contact is named as `classify` names it. A pure function of its arguments. Cost: one step of the map an
+/// What ends in contact is named as `classify` names it. An interruption is named (`finished` false); apart from that
+/// a pure function of its arguments. Cost: one step of the map an
 /// impact, for irregular orbits some 5 more for each of 400.
 /// @throws std::invalid_argument for a start out of range
 Attractor settle(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings);

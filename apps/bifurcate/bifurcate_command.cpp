@@ -12,9 +12,10 @@ const char* const bifurcate_details =
     R"(The attractor diagram: S after each impact (or another coordinate), after a transient, for every value of the parameter.
 Columns are sampled from R random starts (start r: that of `swirl classify --seed SEED+r`), with --follow also by following
 the attractor from column to column upwards and downwards (hysteresis). Where an orbit settles on a cycle its samples are
-those of one period, once it is on it but for rounding. A column's mode and period are those of most of its starts. --branches continues every cycle found (period
-<= --longest-branch) over the whole range, stable or not, names its special points, and says how well samples and stable
-branches agree. An interrupted run writes the columns that are done. `swirl plot` draws the record.
+those of one period, once it is on it but for rounding. A column's mode and period are those of most of its starts. --branches
+continues every cycle found (period <= --longest-branch) over the whole range, stable or not, names its special points, and
+says how well samples and stable branches agree. An interrupted run writes the orbits that are done. `swirl plot` draws the
+record.
 
 Examples:
   swirl bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.35:0.42:15 --starts 2
@@ -87,7 +88,7 @@ int bifurcate(BifurcateOptions& options) {
     Diagram diagram;
     diagram.along = along_from(options.along, true, false);
     check(options, diagram.along);
-    for (const double value : diagram.along.columns) diagram.columns.push_back({value, false, {}});
+    for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}});
     std::optional<RecordWriter> record;
     if (!options.output.record.empty())
         record.emplace(open_record(options.output.record, "Attractors of a swirled polygon over one parameter"));
@@ -95,6 +96,7 @@ int bifurcate(BifurcateOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     sample_columns(options, diagram);
     if (options.follow) follow_columns(options, diagram);
+    keep_finished(diagram);
     if (options.branches && !is_interrupted()) continue_attractors(options, diagram);
     diagram.interrupted = is_interrupted();
     if (record) write_diagram_record(*record, options, diagram);

@@ -29,7 +29,7 @@ extern const char* const bifurcate_details;
 
 struct DiagramColumn {
     double parameter = 0;
-    bool done = false;
+    bool complete = true;               ///< false: interrupted before all of its orbits were followed
     std::vector<Attractor> attractors;  ///< random starts first, then those followed up and down
 };
 
@@ -37,6 +37,7 @@ struct DiagramColumn {
 struct Agreement {
     std::int64_t compared = 0;   ///< periodic attractors whose cycle a stable branch with |multiplier| < 0.99 gives too
     std::int64_t without = 0;    ///< periodic attractors (period ≤ longest_branch, attracting) that lie on no branch
+    std::int64_t in_families = 0;  ///< members of families, which no branch over the parameter goes through
     double largest = 0;          ///< the largest difference of S between the two
     double distance = 0;         ///< the largest distance of such an orbit's samples from its cycle
 };
@@ -56,11 +57,17 @@ Scene<double> column_scene(const BifurcateOptions& options, const Along& along, 
 void sample_columns(const BifurcateOptions& options, Diagram& diagram);
 /// Follows the attractor from column to column, upwards and downwards.
 void follow_columns(const BifurcateOptions& options, Diagram& diagram);
+/// Leaves out the orbits that an interruption cut short, and the columns that have no other.
+void keep_finished(Diagram& diagram);
 /// Continues every periodic attractor over the whole range, each branch once, and compares.
 void continue_attractors(const BifurcateOptions& options, Diagram& diagram);
 
 /// The mode and period that most random starts of a column have; the first of them on a tie.
 const Attractor& typical(const DiagramColumn& column);
+
+Settings diagram_settings(const BifurcateOptions& options, const Diagram& diagram);
+/// The scene without the parameter that varies.
+Settings diagram_scene(const BifurcateOptions& options, const Diagram& diagram);
 
 void write_diagram_document(const BifurcateOptions& options, const Diagram& diagram);
 void write_diagram_record(RecordWriter& record, const BifurcateOptions& options, const Diagram& diagram);

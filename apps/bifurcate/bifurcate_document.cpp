@@ -8,32 +8,6 @@ namespace {
 
 constexpr const char* origins[] = {"random", "up", "down"};
 
-/// Where the observable stands in a state.
-Eigen::Index place_of(const std::string& observable, Eigen::Index size) {
-    constexpr const char* polygon[] = {"psi", "chi", "vn", "vt", "S"};
-    constexpr const char* disk[] = {"psi", "vn", "vt", "S"};
-    for (Eigen::Index i = 0; i < size; ++i)
-        if (observable == (size == 4 ? disk[i] : polygon[i])) return i;
-    return size - 1;
-}
-
-Settings settings_of(const BifurcateOptions& options, const Diagram& diagram) {
-    return {{"along", diagram.along.name}, {"range", options.along}, {"observable", options.observable},
-            {"starts", options.starts}, {"speed", options.start.speed()},
-            {"seed", options.start.seed()}, {"transient", options.settings.transient},
-            {"collisions", options.settings.collisions}, {"follow", std::int64_t{options.follow}},
-            {"branches", std::int64_t{options.branches}}, {"longest_branch", std::int64_t{options.longest_branch}}};
-}
-
-/// The scene without the parameter that varies.
-Settings scene_of(const BifurcateOptions& options, const Diagram& diagram) {
-    Settings settings;
-    for (const auto& item : scene_settings(column_scene(options, diagram.along, diagram.along.low)))
-        if (item.first != diagram.along.name && !(item.first == "inertia_factor" && diagram.along.name == "inertia-factor"))
-            settings.push_back(item);
-    return settings;
-}
-
 void write_values(JsonWriter& json, std::string_view key, const Attractor& attractor, Eigen::Index place) {
     if (!key.empty()) json.key(key);
     json.begin_array();
@@ -71,6 +45,7 @@ void write_column(JsonWriter& json, const BifurcateOptions& options, const Diagr
     json.key("period");
     if (usual.period > 0) json.value(usual.period);
     else json.null();
+    if (!column.complete) json.member("interrupted", true);
     json.key("attractors");
     json.begin_array();
     for (const auto& attractor : column.attractors) write_attractor(json, options, attractor);
@@ -80,16 +55,32 @@ void write_column(JsonWriter& json, const BifurcateOptions& options, const Diagr
 
 }  // namespace
 
+Settings diagram_settings(const BifurcateOptions& options, const Diagram& diagram) {
+    return {{"along", diagram.along.name}, {"range", options.along}, {"observable", options.observable},
+            {"starts", options.starts}, {"speed", options.start.speed()},
+            {"seed", options.start.seed()}, {"transient", options.settings.transient},
+            {"collisions", options.settings.collisions}, {"follow", std::int64_t{options.follow}},
+            {"branches", std::int64_t{options.branches}}, {"longest_branch", std::int64_t{options.longest_branch}}};
+}
+
+Settings diagram_scene(const BifurcateOptions& options, const Diagram& diagram) {
+    Settings settings;
+    for (const auto& item : scene_settings(column_scene(options, diagram.along, diagram.along.low)))
+        if (item.first != diagram.along.name && !(item.first == "inertia_factor" && diagram.along.name == "inertia-factor"))
+            settings.push_back(item);
+    return settings;
+}
+
 void write_diagram_document(const BifurcateOptions& options, const Diagram& diagram) {
     JsonWriter json(stdout);
     json.begin_object(JsonLayout::rows);
-    write_json(json, "scene", scene_of(options, diagram));
+    write_json(json, "scene", diagram_scene(options, diagram));
     if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
     json.member("along", diagram.along.name);
     json.key("columns");
     json.begin_array(JsonLayout::rows);
     for (const auto& column : diagram.columns)
-        if (column.done) write_column(json, options, column);
+        write_column(json, options, column);
     json.end_array();
     if (options.branches) {
         const auto scene = scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along);
@@ -100,61 +91,14 @@ void write_diagram_document(const BifurcateOptions& options, const Diagram& diag
         json.member("largest_difference_of_S", diagram.agreement.largest);
         json.member("largest_distance_of_orbit", diagram.agreement.distance);
         json.member("without_branch", diagram.agreement.without);
+        json.member("in_families", diagram.agreement.in_families);
         json.end_object();
     }
     json.member("outcome", diagram.interrupted ? "interrupted" : "completed");
-    write_json(json, "settings", settings_of(options, diagram));
+    write_json(json, "settings", diagram_settings(options, diagram));
     json.member("swirl_version", std::string_view(version()));
     json.end_object();
     json.finish();
-}
-
-void write_diagram_record(RecordWriter& record, const BifurcateOptions& options, const Diagram& diagram) {
-    const RecordGroup root = record.root();
-    write_attributes(root.group("scene"), scene_of(options, diagram));
-    write_attributes(root.group("settings"), settings_of(options, diagram));
-    std::vector<double> parameter, spin, value, column_parameter;
-    std::vector<std::int64_t> number, start, origin, period;
-    std::vector<std::string> mode;
-    std::int64_t c = 0;
-    for (const auto& column : diagram.columns) {
-        if (!column.done) continue;
-        column_parameter.push_back(column.parameter);
-        period.push_back(typical(column).period);
-        mode.emplace_back(name_of(typical(column).mode));
-        for (const auto& attractor : column.attractors)
-            for (const auto& z : attractor.states) {
-                parameter.push_back(column.parameter);
-                spin.push_back(z[z.size() - 1]);
-                value.push_back(z[place_of(options.observable, z.size())]);
-                number.push_back(c);
-                start.push_back(attractor.start);
-                origin.push_back(static_cast<std::int64_t>(attractor.origin));
-            }
-        ++c;
-    }
-    if (c > 0) {
-        const RecordGroup group = root.group("columns");
-        group.dimension("column", column_parameter.size());
-        group.write<double>("parameter", {"column"}, column_parameter, {"1", "parameter " + diagram.along.name, {}});
-        group.write<std::int64_t>("period", {"column"}, period, {"1", "of most starts; 0: none", {}});
-        group.write_strings("mode", {"column"}, mode);
-    }
-    if (!spin.empty()) {
-        const RecordGroup group = root.group("samples");
-        group.dimension("sample", spin.size());
-        group.write<double>("parameter", {"sample"}, parameter, {"1", "parameter " + diagram.along.name, {}});
-        group.write<double>("S", {"sample"}, spin, {"omega_s", "S just after an impact", {}});
-        if (options.observable != "S")
-            group.write<double>("value", {"sample"}, value, {"1", "observable " + options.observable, {}});
-        group.write<std::int64_t>("column", {"sample"}, number, {"1", "column", {}});
-        group.write<std::int64_t>("start", {"sample"}, start, {"1", "number of the random start", {}});
-        group.write<std::int64_t>("origin", {"sample"}, origin, {"1", "0 random start, 1 followed up, 2 followed down", {}});
-    }
-    if (options.branches)
-        write_branches(root, scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along),
-                       diagram.branches);
-    record.finish();
 }
 
 void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
@@ -163,7 +107,6 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
     std::string last;
     fmt::print("  {:>14} {:>14} {:>7} {:>15}\n", diagram.along.name, "mode", "period", "mean S");
     for (const auto& column : diagram.columns) {
-        if (!column.done) continue;
         const Attractor& usual = typical(column);
         if (diagram.columns.size() <= 100)
             fmt::print("  {:>14.10g} {:>14} {:>7} {:>15.10f}\n", column.parameter, name_of(usual.mode),
@@ -182,9 +125,9 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
     print_branches(scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along), diagram.along,
                    diagram.branches);
     fmt::print("{} cycles on stable branches (|multiplier| < 0.99): S differs by {:.1e} at most, the orbits' own last "
-               "states by {:.1e}; {} on no branch\n",
+               "states by {:.1e}; {} on no branch, {} members of families\n",
                diagram.agreement.compared, diagram.agreement.largest, diagram.agreement.distance,
-               diagram.agreement.without);
+               diagram.agreement.without, diagram.agreement.in_families);
 }
 
 }  // namespace swirl::apps

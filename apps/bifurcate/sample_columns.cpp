@@ -8,7 +8,6 @@
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
-#include <atomic>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -59,12 +58,7 @@ std::vector<Attractor> follow_way(const BifurcateOptions& options, const Diagram
 void sample_columns(const BifurcateOptions& options, Diagram& diagram) {
     const auto starts = static_cast<std::size_t>(options.starts);
     const std::size_t total = diagram.columns.size() * starts;
-    std::vector<std::atomic<int>> left(diagram.columns.size());
-    for (std::size_t c = 0; c < left.size(); ++c) {
-        left[c] = static_cast<int>(starts);
-        diagram.columns[c].attractors.resize(starts);
-        diagram.columns[c].done = starts == 0;
-    }
+    for (auto& column : diagram.columns) column.attractors.resize(starts);
     Progress progress("bifurcate", static_cast<double>(total), options.output.quiet);
     std::mutex mutex;
     std::size_t finished = 0;
@@ -75,9 +69,9 @@ void sample_columns(const BifurcateOptions& options, Diagram& diagram) {
             const auto run = static_cast<std::int64_t>(i % starts);
             const Scene<double> scene = column_scene(options, diagram.along, column.parameter);
             Attractor attractor = settle(scene, start_of(options, scene, run), options.settings);
+            if (!attractor.finished) return;
             attractor.start = run;
             column.attractors[i % starts] = std::move(attractor);
-            if (--left[i / starts] == 0) column.done = true;
             const std::lock_guard lock(mutex);
             progress.at(static_cast<double>(++finished));
         });
@@ -91,13 +85,18 @@ void follow_columns(const BifurcateOptions& options, Diagram& diagram) {
                              [&] { down = follow_way(options, diagram, Origin::down); });
     });
     for (std::size_t c = 0; c < diagram.columns.size(); ++c) {
-        if (is_interrupted()) {
-            diagram.columns[c].done = diagram.columns[c].done && options.starts > 0;
-            continue;
-        }
         diagram.columns[c].attractors.push_back(std::move(up[c]));
         diagram.columns[c].attractors.push_back(std::move(down[c]));
     }
+}
+
+void keep_finished(Diagram& diagram) {
+    for (auto& column : diagram.columns) {
+        const auto wanted = column.attractors.size();
+        std::erase_if(column.attractors, [](const Attractor& attractor) { return !attractor.finished; });
+        column.complete = column.attractors.size() == wanted;
+    }
+    std::erase_if(diagram.columns, [](const DiagramColumn& column) { return column.attractors.empty(); });
 }
 
 }  // namespace swirl::apps

@@ -30,6 +30,9 @@ constexpr std::array<SceneName, 12> scene_names = {{
     {"mass", "m, in your unit of mass (default 1)"},
 }};
 
+/// A ratio, and the length that may be given instead.
+constexpr std::pair<const char*, const char*> same_quantity[] = {{"alpha", "polygon-radius"}, {"beta", "swirl-radius"}};
+
 bool is_scene_name(const std::string& name) {
     for (const auto& known : scene_names)
         if (name == known.name) return true;
@@ -101,11 +104,17 @@ void SceneOptions::read_file() {
         }
     }
     // A flag replaces the file's other way of saying the same, too.
-    for (const auto& [flag, other] : {std::pair("alpha", "polygon-radius"), std::pair("beta", "swirl-radius")}) {
+    for (const auto& [flag, other] : same_quantity) {
         if (flags_.count(flag) != 0 && flags_.count(other) == 0) values_.erase(other);
         if (flags_.count(other) != 0 && flags_.count(flag) == 0) values_.erase(flag);
     }
     for (const auto& [name, text] : flags_) values_[name] = text;
+}
+
+void SceneOptions::set(const std::string& name, const std::string& text) {
+    for (const auto& [flag, other] : same_quantity)
+        if (name == flag) values_.erase(other);
+    values_[name] = text;
 }
 
 const std::string& SceneOptions::required(const std::string& name, const std::string& instead) const {

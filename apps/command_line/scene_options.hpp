@@ -39,7 +39,7 @@ public:
     bool given() const { return !flags_.empty() || !file_.empty(); }
 
     /// Replaces one parameter (a sweep's or continuation's), as if its flag had been given.
-    void set(const std::string& name, const std::string& text) { values_[name] = text; }
+    void set(const std::string& name, const std::string& text);
 
 private:
     bool has(const std::string& name) const { return values_.count(name) != 0; }

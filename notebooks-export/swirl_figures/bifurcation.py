@@ -7,7 +7,7 @@ from matplotlib.lines import Line2D
 
 from .record import RecordError, open_record
 from .style import BLACK, BLUE, GREEN, MANY_POINTS, ORANGE, PURPLE, SKY, VERMILION, styled
-from .symbols import SPIN, axis_label, scene_title
+from .symbols import SPIN, axis_label, number, observable_label, scene_title
 
 #: By the record's `origin`: name, colour, size. Light, for the branches lie over them; of falling size, for attractors
 #: that are found in several ways lie on one another.
@@ -16,11 +16,17 @@ _ORIGINS = {0: ("random starts", "#8A8A8A", 7), 1: ("followed up", SKY, 4), 2: (
 _PERIODS = (BLUE, VERMILION, GREEN, PURPLE, "#7A5C00", BLACK, SKY, "#882255", "#44AA99", "#332288", "#999933", ORANGE)
 
 _MARKERS = {"fold": ">", "flip": "s", "neimark-sacker": "D", "branch-point": "*", "grazing": "^",
-            "two-vertices": "v", "stick-slip": "P", "end": "X"}
+            "two-vertices": "v", "stick-slip": "P", "landing": "p", "border": "X"}
+
+
+def _observable(record):
+    """(name of the variable in `samples` and `branches`, axis label)."""
+    name = str(record.attributes("settings").get("observable", "S"))
+    return ("S", SPIN) if name == "S" else ("value", observable_label(name))
 
 
 def _draw_samples(axes, record):
-    parameter, spin = record.column("samples", "parameter"), record.column("samples", "S")
+    parameter, spin = record.column("samples", "parameter"), record.column("samples", _observable(record)[0])
     origin = record.column("samples", "origin")
     handles = []
     scale = 0.5 if len(spin) > 5_000 else 1
@@ -32,6 +38,20 @@ def _draw_samples(axes, record):
                          rasterized=len(spin) > MANY_POINTS)
             handles.append(Line2D([], [], ls="", marker="o", ms=3, mec="none", color=colour, label=label))
     return handles
+
+
+def _draw_contact(axes, record):
+    """Orbits that end in contact have no impacts to show: their mean spin."""
+    if "attractors" not in record or _observable(record)[0] != "S":
+        return []
+    without = record.column("attractors", "samples") == 0
+    mean = record.column("attractors", "mean_S")
+    of = without & (record.names("attractors", "outcome") == "in-contact") & numpy.isfinite(mean)
+    if not of.any():
+        return []
+    style = {"ls": "", "marker": "_", "ms": 5, "mew": 1.2, "color": "#8A8A8A"}
+    axes.plot(record.column("attractors", "parameter")[of], mean[of], zorder=1, **style)
+    return [Line2D([], [], label="in contact: mean $S$", **style)]
 
 
 def _pieces(stable):
@@ -74,17 +94,47 @@ def _branch_handles(record, colours):
 
 
 def _draw_special(axes, record):
-    parameter, spin = record.column("special", "parameter"), record.column("special", "S")
+    parameter, spin = record.column("special", "parameter"), record.column("special", _observable(record)[0])
     kinds = record.names("special", "kind")
+    if "located" in record["special"].variables:
+        located = record.column("special", "located") != 0
+        kinds = numpy.where(located, kinds, [f"{kind}, not located" for kind in kinds])
     handles = []
+    scale = 1 if numpy.isfinite(spin).sum() <= 60 else 0.6  # many would hide the branches that they are on
     for kind in dict.fromkeys(kinds):
         of = kinds == kind
-        marker = {"marker": _MARKERS.get(kind, "o"), "mec": BLACK, "mfc": "white", "mew": 0.9,
-                  "ms": 9 if kind == "branch-point" else 5.5}
+        plain = kind.split(",")[0]
+        marker = {"marker": _MARKERS.get(plain, "o"), "mec": BLACK if kind == plain else "0.6", "mfc": "white",
+                  "mew": 0.9 * scale, "ms": scale * (9 if plain == "branch-point" else 5.5)}
         x = numpy.repeat(parameter[of], spin.shape[1])
         axes.plot(x, spin[of].ravel(), ls="", zorder=4, **marker)
-        handles.append(Line2D([], [], ls="", label=kind, **marker))
+        handles.append(Line2D([], [], ls="", label=kind, **{**marker, "ms": marker["ms"] / scale}))
     return handles
+
+
+def _shown_values(record):
+    """Every ordinate of the upper panel."""
+    name = _observable(record)[0]
+    values = [record.column(group, name).ravel() for group in ("samples", "branches", "special") if group in record]
+    values = numpy.concatenate(values) if values else numpy.zeros(0)
+    return values[numpy.isfinite(values)]
+
+
+def _limit_ordinate(axes, record):
+    """A few far values (S grows as 1/alpha) would flatten all others: limits that leave out at most 3 % of either side
+    where that at least halves the axis, and say how many."""
+    values = _shown_values(record)
+    if len(values) < 50:
+        return
+    low, high = numpy.quantile(values, [0.03, 0.97])
+    margin = 0.15 * (high - low)
+    low, high = max(low - margin, values.min()), min(high + margin, values.max())
+    if high - low <= 0 or high - low > 0.5 * (values.max() - values.min()):
+        return
+    outside = int(((values < low) | (values > high)).sum())
+    axes.set_ylim(low - 0.03 * (high - low), high + 0.03 * (high - low))
+    axes.annotate(f"{outside:,} of {len(values):,} points lie outside: from {number(values.min())} to "
+                  f"{number(values.max())}", (0.995, 0.012), xycoords="axes fraction", ha="right", fontsize=7, color="0.35")
 
 
 def _draw_multiplier(axes, record, colours):
@@ -101,9 +151,9 @@ def _draw_multiplier(axes, record, colours):
 
 @styled
 def draw_bifurcation(record):
-    """The figure: S against the parameter; below it, where there are branches, their largest multiplier."""
+    """The figure: S, or the record's observable, against the parameter; below it, where there are branches, their largest multiplier."""
     record = open_record(record)
-    drawn = [name for name in ("samples", "branches", "special") if name in record]
+    drawn = [name for name in ("samples", "branches", "special", "attractors") if name in record]
     if not any(len(record.column(name, "parameter")) for name in drawn):
         raise RecordError(f"record '{record.path}' holds no samples and no branches: there is nothing to draw")
     along = str(record.attributes("settings").get("along", "parameter"))
@@ -111,18 +161,21 @@ def draw_bifurcation(record):
     figure = Figure(figsize=(8.5, 6.4 if with_branches else 4.8), layout="constrained")
     panels = figure.subplots(1 + with_branches, 1, sharex=True, squeeze=False,
                              height_ratios=(7, 2) if with_branches else (1,))[:, 0]
+    name, label = _observable(record)
     handles = _draw_samples(panels[0], record) if "samples" in record else []
+    handles += _draw_contact(panels[0], record)
     if with_branches:
         periods = numpy.unique(record.column("branches", "period"))
         colours = {period: _PERIODS[i % len(_PERIODS)] for i, period in enumerate(periods)}
-        _draw_branches(panels[0], record, record.column("branches", "S"), colours)
+        _draw_branches(panels[0], record, record.column("branches", name), colours)
         _draw_multiplier(panels[1], record, colours)
         handles += _branch_handles(record, colours)
     if "special" in record:
         handles += _draw_special(panels[0], record)
     panels[0].autoscale_view()
     panels[0].margins(x=0.02)
-    panels[0].set_ylabel(f"{SPIN}, just after each impact")
+    _limit_ordinate(panels[0], record)
+    panels[0].set_ylabel(f"{label}, just after each impact")
     panels[0].legend(handles=handles, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     panels[-1].set_xlabel(axis_label(along))
     figure.suptitle(scene_title(record.scene(), leave_out=[along]))

@@ -14,7 +14,7 @@ KINDS = {
     "spin": ({"collisions"}, draw_spin),
     "path": ({"collisions"}, draw_path),
     "modes": ({"sweep"}, draw_sweep),
-    "bifurcation": ({"samples", "branches", "special"}, draw_bifurcation),
+    "bifurcation": ({"samples", "branches", "special", "attractors"}, draw_bifurcation),
     "multipliers": ({"orbits"}, draw_multipliers),
 }
 

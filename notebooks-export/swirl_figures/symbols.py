@@ -15,6 +15,8 @@ _PARAMETERS = {
     "sides": ("N", r"$N$  (number of sides)"),
 }
 
+_OBSERVABLES = {"psi": r"$\psi$", "chi": r"$\chi$", "vn": r"$v_n$", "vt": r"$v_t$", "S": SPIN}
+
 _POLYGONS = {3: "triangle", 4: "square", 5: "pentagon", 6: "hexagon", 7: "heptagon", 8: "octagon"}
 
 
@@ -25,6 +27,11 @@ def symbol(name):
 
 def axis_label(name):
     return _PARAMETERS.get(name.replace("-", "_"), (name, name))[1]
+
+
+def observable_label(name):
+    """A coordinate of the section."""
+    return _OBSERVABLES.get(name, name)
 
 
 def number(value):

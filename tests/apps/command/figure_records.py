@@ -72,7 +72,7 @@ def _special(file):
     rows = [("flip", 0, 3.0, [2 / 3]),
             ("flip", 1, flip, [(flip + 1 - root) / (2 * flip), (flip + 1 + root) / (2 * flip)]),
             ("fold", 2, fold, [0.159929, 0.514355, 0.956318]),
-            ("end", 0, 4.0, [0.75])]
+            ("border", 0, 4.0, [0.75])]
     group = file.create_group("special")
     _dimension(group, "special_point", len(rows))
     _dimension(group, "phase", 3)

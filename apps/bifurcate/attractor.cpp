@@ -36,7 +36,7 @@ Kept<System> follow(const System& system, const Start<double>& start, const Samp
     Kept<System> kept;
     std::visit(
         [&](const auto& s) {
-            Orbit orbit(system.map(), s);
+            ReducedOrbit orbit(system.map(), s);
             ExactReturn exact;
             std::int64_t left_out = 0;  // whole periods of an orbit that repeats itself to the bit
             const auto impacts = [&] { return orbit.impacts() + left_out; };

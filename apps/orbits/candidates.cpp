@@ -189,7 +189,7 @@ std::vector<CyclePoints> trajectories_of(const Scene<double>& scene, const Candi
         std::vector<CyclePoints> trajectories;
         for (std::int64_t run = 0; run < options.trajectories; ++run) {
             const auto start = random_start(scene.beta, options.speed, options.seed, static_cast<std::uint64_t>(run));
-            Orbit orbit(map, start);
+            ReducedOrbit orbit(map, start);
             CyclePoints states;
             const auto goes_on = [&] { return orbit.impacts() < options.collisions && !stopped(options); };
             while (goes_on() && orbit.advance(10))

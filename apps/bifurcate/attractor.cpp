@@ -135,7 +135,7 @@ constexpr std::int64_t longest_death = 100'000;  // impacts for which an orbit's
 
 /// Does every orbit lose its energy for good? In a container at rest, and without friction (J only falls; design,
 /// section 3), impacts only take. What looks irregular there is on its way to rest.
-bool must_die(const Scene<double>& scene) { return scene.restitution < 1 && (scene.beta == 0 || scene.mu == 0); }
+bool must_die(const Scene<double>& scene) { return only_loses(scene) || (scene.beta == 0 && scene.restitution < 1); }
 
 }  // namespace
 

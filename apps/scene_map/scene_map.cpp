@@ -1,6 +1,7 @@
 #include "apps/scene_map/scene_map.hpp"
 
 #include "apps/section_system.hpp"
+#include "map/sustained/contact_derivative.hpp"
 #include "map/timed_collision.hpp"
 
 #include <cmath>

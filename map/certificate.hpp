@@ -73,8 +73,8 @@ template <class T>
     const T rounding = T(4) * epsilon<T>();
     const auto c = inner_coefficients(from, to, h, sixth);
     // One by one: a remainder that is no number (M beyond the numbers, h⁶ below) proves nothing.
-    return (c.first <= rounding) & (c.second <= rounding) & (c.third <= rounding) & (c.fourth <= rounding) &
-           (from.value <= rounding) & (to.value <= rounding);
+    return c.first <= rounding && c.second <= rounding && c.third <= rounding && c.fourth <= rounding &&
+           from.value <= rounding && to.value <= rounding;
 }
 
 template <class T>

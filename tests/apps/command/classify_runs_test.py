@@ -1,38 +1,16 @@
 """swirl classify --runs and what a verdict says would change it: classify_runs_test.py SWIRL"""
 
-import json
-import shlex
 import signal
-import subprocess
-import sys
-import tempfile
 import time
 import unittest
-from pathlib import Path
 
 import xarray
 
-SWIRL = str(Path(sys.argv.pop(1)).resolve())
+from driving import InFolder, document, run, start
+
 COEXISTING = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"  # a fixed point and an 8-cycle
 FAMILY = "--sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1"
 MIXED = "--sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1"
-
-
-def run(arguments, **options):
-    return subprocess.run([SWIRL, *shlex.split(arguments)], capture_output=True, text=True, timeout=300, **options)
-
-
-def document(arguments):
-    result = run(arguments + " --json")
-    assert result.returncode == 0, (arguments, result.stderr)
-    return json.loads(result.stdout)
-
-
-class InFolder(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
 
 
 class Runs(InFolder):
@@ -105,7 +83,7 @@ class Runs(InFolder):
 
     def test_interrupted_it_exits_with_130_and_keeps_the_finished_runs(self):
         file = self.folder / "cut.h5"
-        process = subprocess.Popen([SWIRL, *shlex.split(f"classify {MIXED} --runs 100000 --quiet -o {file}")])
+        process = start(f"classify {MIXED} --runs 100000 --quiet -o {file}")
         time.sleep(2)
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(60), 130)
@@ -115,7 +93,7 @@ class Runs(InFolder):
             self.assertEqual(runs.attrs["wanted"], 100000)
 
     def test_one_verdict_is_interrupted_at_once(self):
-        process = subprocess.Popen([SWIRL, *shlex.split(f"classify {MIXED} --collisions 100000000")])
+        process = start(f"classify {MIXED} --collisions 100000000")
         time.sleep(1)
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(10), 130)

@@ -2,25 +2,16 @@
 
 import json
 import math
-import shlex
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-SWIRL, SHARED = sys.argv[1], Path(sys.argv[2])
-sys.argv = sys.argv[:1]
+import xarray
 
+from driving import document, run
 
-def run(arguments):
-    return subprocess.run([SWIRL, *shlex.split(arguments)], capture_output=True, text=True, timeout=300)
-
-
-def document(arguments, code=0):
-    result = run(arguments + " --json")
-    assert result.returncode == code, (arguments, result.returncode, result.stderr)
-    return json.loads(result.stdout)
+SHARED = Path(sys.argv.pop(1))
 
 
 class Lyapunov(unittest.TestCase):
@@ -77,7 +68,6 @@ class Lyapunov(unittest.TestCase):
                              result.stderr)
 
     def test_equal_work_gives_equal_records_that_open_in_xarray(self):
-        import xarray
         with tempfile.TemporaryDirectory() as folder:
             files = [Path(folder) / name for name in ("a.h5", "b.h5")]
             for file in files:

@@ -1,41 +1,21 @@
 """swirl orbits, continue and bifurcate, from outside: orbits_command_test.py SWIRL"""
 
 import json
-import shlex
 import signal
 import subprocess
-import sys
-import tempfile
 import time
 import unittest
-from pathlib import Path
 
 import xarray
 
-SWIRL = sys.argv[1]
-sys.argv = sys.argv[:1]
+from driving import InFolder, document, run, start
+
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 POINT = "-0.083922288419212287574,0.027966794811174552721,-0.55420644250323559488,0.88979354385790028771,-0.97926605821858726645"
 WINDOW = "--sides 6 --beta 0.5 --mu 0.5 --restitution 0.95"
 
 
-def run(arguments, **options):
-    return subprocess.run([SWIRL, *shlex.split(arguments)], capture_output=True, text=True, timeout=300, **options)
-
-
-def document(arguments):
-    result = run(arguments + " --json")
-    assert result.returncode == 0, (arguments, result.stderr)
-    assert result.stderr == "", result.stderr
-    return json.loads(result.stdout)
-
-
-class InFolder(unittest.TestCase):
-    def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = Path(self.temporary.name)
-        self.addCleanup(self.temporary.cleanup)
-
+class Refusing(InFolder):
     def refused(self, arguments, mention):
         result = run(f"{arguments} -o {self.folder}/a.h5")
         self.assertEqual((result.returncode, result.stdout), (2, ""), (arguments, result.stderr))
@@ -44,7 +24,7 @@ class InFolder(unittest.TestCase):
         self.assertEqual(list(self.folder.iterdir()), [])
 
 
-class Orbits(InFolder):
+class Orbits(Refusing):
     def test_the_published_fixed_point_is_found_with_its_multipliers(self):
         found = document(f"orbits {HEXAGON} --period 1")["orbits"]
         wanted = [float(x) for x in POINT.split(",")]
@@ -137,7 +117,7 @@ class Orbits(InFolder):
             self.refused(f"orbits {HEXAGON} {extra}", mention)
 
 
-class Continue(InFolder):
+class Continue(Refusing):
     def test_a_branch_with_its_special_points(self):
         branches = document(f"continue {HEXAGON} --from={POINT} --along alpha=0.1:0.9")["branches"]
         kinds = [s["kind"] for s in branches[0]["special"]]
@@ -217,7 +197,7 @@ class Continue(InFolder):
             self.refused(f"{rest} {extra}", mention)
 
 
-class Bifurcate(InFolder):
+class Bifurcate(Refusing):
     def test_columns_and_branches(self):
         path = self.folder / "d.h5"
         answer = document(f"bifurcate {WINDOW} --along alpha=0.365:0.41:10 --starts 2 --branches --follow -o {path}")
@@ -304,8 +284,8 @@ class Interrupted(InFolder):
     """SIGINT: exit 130, and what is finished, whole, in the document and on disk."""
 
     def interrupt(self, arguments, seconds):
-        process = subprocess.Popen([SWIRL, *shlex.split(arguments), "--json", "--quiet", "-o", f"{self.folder}/i.h5"],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process = start(f"{arguments} --json --quiet -o {self.folder}/i.h5", stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                        text=True)
         time.sleep(seconds)
         process.send_signal(signal.SIGINT)
         out, error = process.communicate(timeout=100)

@@ -3,7 +3,6 @@
 import json
 import os
 import re
-import shlex
 import signal
 import subprocess
 import sys
@@ -14,8 +13,10 @@ from pathlib import Path
 
 import numpy
 
-SWIRL, ROOT = (str(Path(sys.argv.pop(1)).resolve()) for _ in range(2))
-sys.path[:0] = [str(Path(ROOT) / "notebooks-export"), str(Path(__file__).parent)]
+from driving import SWIRL, run, start
+
+ROOT = str(Path(sys.argv.pop(1)).resolve())
+sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
 
 import figure_records
 from swirl_figures import draw, kinds_of, open_record
@@ -37,11 +38,6 @@ RECORDS = {
 }
 SHORT = " --transient 100 --collisions 100"
 HEADS = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF-"}
-
-
-def run(arguments, **options):
-    words = shlex.split(arguments) if isinstance(arguments, str) else arguments
-    return subprocess.run([SWIRL, *words], capture_output=True, text=True, timeout=300, **options)
 
 
 class WithRecords(unittest.TestCase):
@@ -222,8 +218,8 @@ class BadInput(WithRecords):
 class Interrupted(WithRecords):
     def test_leaves_nothing(self):
         before = sorted(self.folder.rglob("*"))
-        process = subprocess.Popen([SWIRL, "plot", str(self.records["chaotic"]), "-o", str(self.folder / "cut.png")],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process = start(f"plot {self.records['chaotic']} -o {self.folder / 'cut.png'}", stdout=subprocess.PIPE,
+                        stderr=subprocess.PIPE, text=True)
         time.sleep(0.5)
         process.send_signal(signal.SIGINT)
         output, errors = process.communicate(timeout=60)

@@ -4,28 +4,19 @@ Fixed, periodic, quasi-periodic, chaotic, transient, and each measured with 1 % 
 its counterpart there is the exponent of classify --series.)
 """
 
-import json
 import math
 import random
-import shlex
-import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-SWIRL = str(Path(sys.argv.pop(1)).resolve())
+from driving import document
+
 FIXED = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 CYCLE = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"  # of period 8
 TORUS = "--sides 4 --alpha 0.52 --beta 0.46 --mu 0.6 --restitution 0.75"  # attracts
 CHAOS = "--sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1"
 GROWS = "--sides 4 --alpha 0.625 --beta 0.493 --mu 0.475 --restitution 1"  # accelerated for ever: no mode
-
-
-def document(arguments, code=0):
-    result = subprocess.run([SWIRL, *shlex.split(arguments + " --json")], capture_output=True, text=True, timeout=300)
-    assert result.returncode == code, (arguments, result.returncode, result.stderr)
-    return json.loads(result.stdout)
 
 
 def impacts(scene, count, skip):

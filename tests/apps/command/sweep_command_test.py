@@ -1,37 +1,16 @@
 """swirl sweep, from outside: sweep_command_test.py SWIRL"""
 
-import json
-import shlex
 import signal
-import subprocess
-import sys
-import tempfile
 import time
 import unittest
-from pathlib import Path
 
-SWIRL = sys.argv[1]
-sys.argv = sys.argv[:1]
+import xarray
+
+from driving import InFolder, document, run, start
+
 BASE = "--sides 6 --mu 0.5 --restitution 0.95 --transient 300 --collisions 300"
 GRID = f"{BASE} --grid alpha=0.2:0.7:6 --grid beta=0.1:0.9:5 --runs 2"
 LONG = f"{BASE} --grid alpha=0.2:0.7:26 --grid beta=0.1:0.9:25 --runs 4"
-
-
-def run(arguments, **options):
-    return subprocess.run([SWIRL, *shlex.split(arguments)], capture_output=True, text=True, timeout=300, **options)
-
-
-def document(arguments):
-    result = run(arguments + " --json")
-    assert result.returncode == 0, (arguments, result.stderr)
-    return json.loads(result.stdout)
-
-
-class InFolder(unittest.TestCase):
-    def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = Path(self.temporary.name)
-        self.addCleanup(self.temporary.cleanup)
 
 
 class BadGrids(InFolder):
@@ -64,7 +43,6 @@ class Sweeps(InFolder):
             self.assertAlmostEqual(sum(cell["modes"].values()), 1, delta=1e-15)
 
     def test_threads_do_not_change_a_bit_and_xarray_opens_the_grid(self):
-        import xarray
         for threads in (1, 2):
             swept = run(f"sweep {GRID} --threads {threads} -o {self.folder}/{threads}.h5 --quiet")
             self.assertEqual(swept.returncode, 0)
@@ -81,7 +59,7 @@ class Sweeps(InFolder):
         self.assertEqual(run(f"sweep {LONG} -o {whole} --quiet").returncode, 0)
         half = (time.monotonic() - begin) / 2
         for signal_, code in ((signal.SIGKILL, -9), (signal.SIGINT, 130)):
-            process = subprocess.Popen([SWIRL, *shlex.split(f"sweep {LONG} -o {cut} --quiet")])
+            process = start(f"sweep {LONG} -o {cut} --quiet")
             time.sleep(half)
             process.send_signal(signal_)
             ended = process.wait(timeout=60)
@@ -101,7 +79,7 @@ class Sweeps(InFolder):
         file = self.folder / "a.h5"
         first = document(f"sweep {GRID} -o {file}")
         bytes_ = file.read_bytes()
-        self.assertEqual(document(f"sweep {GRID} -o {file}"), first)
+        self.assertEqual(document(f"sweep {GRID} -o {file} --quiet"), first)
         for change, name in (("--seed 2", "seed"), ("--runs 3", "runs"), ("--collisions 400", "collisions")):
             grid = GRID.replace({"runs": "--runs 2", "collisions": "--collisions 300"}.get(name, "nothing"), "")
             refused = run(f"sweep {grid} {change} -o {file}")

@@ -3,44 +3,22 @@
 import json
 import math
 import re
-import resource
 import shlex
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from pathlib import Path
 
 import xarray
 
-SWIRL, ROOT, SHARED = (sys.argv.pop(1) for _ in range(3))
+from driving import SWIRL, InFolder, document, run, start
+
+ROOT, SHARED = (sys.argv.pop(1) for _ in range(2))
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 ROW = """t x y vx vy angle spin vertex psi chi vn vt flight_time impulse_normal impulse_tangential contact_mode jacobi
 jacobi_restitution jacobi_friction""".split()
-
-
-def run(arguments, **options):
-    return subprocess.run([SWIRL, *shlex.split(arguments)], capture_output=True, text=True, timeout=120, **options)
-
-
-def document(arguments, code=0):
-    result = run(arguments + " --json")
-    assert result.returncode == code, (arguments, result.returncode, result.stderr)
-    return json.loads(result.stdout)
-
-
-class InFolder(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
-    def file(self, name, text):
-        path = self.folder / name
-        path.write_text(text)
-        return path
 
 
 class BadInput(InFolder):
@@ -190,8 +168,7 @@ class Simulate(InFolder):
 
     def test_an_interrupted_orbit_is_kept(self):
         record = self.folder / "long.h5"
-        process = subprocess.Popen([SWIRL, *shlex.split(f"simulate {HEXAGON} --collisions 1000000000 --every 1000 "
-                                                        f"--quiet -o {record}")])
+        process = start(f"simulate {HEXAGON} --collisions 1000000000 --every 1000 --quiet -o {record}")
         time.sleep(2)
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(60), 130)

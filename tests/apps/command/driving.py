@@ -1,0 +1,50 @@
+"""Drives the built `swirl` as a user does. The first argument of the script that imports this is the binary."""
+
+import json
+import shlex
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SWIRL = str(Path(sys.argv.pop(1)).resolve())
+
+
+def _refuse(constant):
+    raise ValueError(f"{constant} is no JSON")
+
+
+def run(arguments, **options):
+    words = shlex.split(arguments) if isinstance(arguments, str) else arguments
+    return subprocess.run([SWIRL, *words], capture_output=True, text=True, timeout=300, **options)
+
+
+def start(arguments, **options):
+    """In the background, to be interrupted or killed."""
+    return subprocess.Popen([SWIRL, *shlex.split(arguments)], **options)
+
+
+def document(arguments, code=0, **options):
+    """What it printed, as strict JSON; an answer comes without a word on standard error."""
+    result = run(arguments + " --json", **options)
+    assert result.returncode == code and (code or not result.stderr), (arguments, result.returncode, result.stderr)
+    return json.loads(result.stdout, parse_constant=_refuse)
+
+
+class InFolder(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def file(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def series(self, name, values, times=None):
+        rows = [f"{v!r}" if times is None else f"{times[i]!r},{v!r}" for i, v in enumerate(values)]
+        return self.file(name, "\n".join((["S"] if times is None else ["t,S"]) + rows) + "\n")

@@ -1,0 +1,269 @@
+"""Measured series and records as input to recurrence, spectrum and classify: series_command_test.py SWIRL SHARED"""
+
+import math
+import random
+import signal
+import sys
+import time
+import unittest
+from pathlib import Path
+
+import xarray
+
+from driving import InFolder, document, run, start
+
+ORACLE = Path(sys.argv.pop(1)).resolve() / "oracle"
+STEADY = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+CHAOTIC = "--sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1"
+CHATTER = "--sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9"
+GOLDEN = (math.sqrt(5) - 1) / 2
+
+
+class MeasuredRegimes(InFolder):
+    """One oracle per regime, with 1 % of noise: what the measures and the spectrum must say."""
+
+    def setUp(self):
+        super().setUp()
+        noise = random.Random(3)
+        n = 2000
+        logistic, x = [], 0.4
+        for _ in range(n):
+            x = 4 * x * (1 - x)
+            logistic.append(x)
+        clean = {
+            "periodic": [[-1.0, 0.2, 0.9, 0.5][i % 4] for i in range(n)],
+            "quasi-periodic": [math.cos(2 * math.pi * GOLDEN * i) for i in range(n)],
+            "chaotic": logistic,
+            "transient": [math.exp(-i / 100) for i in range(n)],
+        }
+        self.clean = {k: self.series(f"{k}.csv", v) for k, v in clean.items()}
+        self.noisy = {k: self.series(f"{k}-noisy.csv", [v + noise.gauss(0, 0.01) for v in values])
+                      for k, values in clean.items()}
+        self.fixed = self.series("fixed.csv", [0.25] * n)
+
+    def test_recurrence(self):
+        for files in (self.clean, self.noisy):
+            found = {k: document(f"recurrence --series {f} --threshold-std 0.1 --min-diagonal 5")
+                     for k, f in files.items()}
+            self.assertAlmostEqual(found["periodic"]["RC"], 0.25, delta=0.001)
+            self.assertGreater(found["periodic"]["DET"], 0.99)
+            self.assertLess(found["chaotic"]["DET"], 0.4)
+            self.assertGreater(found["transient"]["LAM"], 0.8)  # it stays where it has come to
+            self.assertLess(found["chaotic"]["LAM"], 0.5)
+        # Lines of rotation by the golden mean never break off: the longest is cut by the matrix alone.
+        quasi = document(f"recurrence --series {self.clean['quasi-periodic']} --threshold-std 0.1 --dimension 2")
+        self.assertGreater(quasi["Lmax"], 900)
+        self.assertEqual(document(f"recurrence --series {self.fixed} --threshold 1e-6")["RR"], 1)
+
+    def test_spectrum(self):
+        self.assertEqual(document(f"spectrum --series {self.fixed}")["spectrum_outcome"], "constant")
+        for files, off in ((self.clean, 1e-7), (self.noisy, 1e-4)):
+            found = {k: document(f"spectrum --series {f}") for k, f in files.items()}
+            self.assertEqual(found["periodic"]["verdict"], "lines")
+            self.assertAlmostEqual(found["periodic"]["peaks"][0]["frequency"], 0.25, delta=off)
+            self.assertAlmostEqual(found["periodic"]["peaks"][1]["frequency"], 0.5, delta=off)
+            self.assertEqual(found["quasi-periodic"]["verdict"], "lines")
+            self.assertAlmostEqual(found["quasi-periodic"]["peaks"][0]["frequency"], 1 - GOLDEN, delta=off)
+            self.assertAlmostEqual(found["quasi-periodic"]["peaks"][0]["power"], 0.5, delta=0.005)
+            self.assertEqual(found["chaotic"]["verdict"], "continuum")
+            self.assertGreater(found["chaotic"]["entropy"], 0.9)  # r = 4: white
+            self.assertEqual(found["transient"]["verdict"], "nonstationary")
+
+    def test_the_integral_of_the_power_is_the_variance(self):
+        for file in (*self.clean.values(), *self.noisy.values()):
+            values = [float(v) for v in file.read_text().split()[1:]]
+            mean = math.fsum(values) / len(values)
+            variance = math.fsum((v - mean) ** 2 for v in values) / len(values)
+            for flags in ("", "--window rectangular --segments 1",
+                          "--window blackman-harris --segments 5 --overlap 0.3"):
+                found = document(f"spectrum --series {file} {flags}")
+                integral = math.fsum(found["power"]) * (found["frequency"][1] - found["frequency"][0])
+                self.assertAlmostEqual(integral / variance, 1, delta=1e-12)
+
+    def test_a_rectangular_window_gives_the_periodogram_of_parseval_without_rescaling(self):
+        found = document(f"spectrum --series {self.clean['chaotic']} --window rectangular --segments 1")
+        self.assertAlmostEqual(found["variance_scale"], 1, delta=1e-12)
+
+
+class ClassifySeries(InFolder):
+    def test_each_regime_by_its_series_alone(self):
+        noise = random.Random(5)
+        n = 2000
+        henon, (a, b) = [], (0.1, 0.1)
+        for _ in range(n):
+            a, b = 1 - 1.4 * a * a + b, 0.3 * a
+            henon.append(a)
+        regimes = {("quasi-steady", "cycle"): [[-1.0, 0.2, 0.9, 0.5][i % 4] for i in range(n)],
+                   ("quasi-steady", "quasi-periodic"): [math.cos(2 * math.pi * GOLDEN * i) for i in range(n)],
+                   ("chaotic", "chaotic"): henon,
+                   ("undecided", "transient"): [math.exp(-i / 100) for i in range(n)]}
+        for size in (0, 0.01):
+            for expected, values in regimes.items():
+                file = self.series("s.csv", [v + noise.gauss(0, size) for v in values])
+                found = document(f"classify --series {file}")
+                self.assertEqual((found["mode"], found["kind"]), expected, size)
+                self.assertEqual(found["period"], 4 if found["kind"] == "cycle" else None)
+                self.assertEqual(found["largest_exponent"] is None, found["mode"] != "chaotic")
+                self.assertIsNone(found["mean_S"])  # no times, no mean over time
+        # Noise lowers the rate at which neighbours part: 10 % of 0.41922 (references.md).
+        found = document(f"classify --series {self.series('h.csv', henon)}")
+        self.assertAlmostEqual(found["largest_exponent"], 0.41922, delta=0.02)
+
+    def test_a_noisy_constant_is_steady_only_for_who_knows_the_noise(self):
+        noise = random.Random(6)
+        file = self.series("c.csv", [0.25 + noise.gauss(0, 0.0025) for _ in range(1000)])
+        self.assertEqual(document(f"classify --series {file}")["mode"], "undecided")
+        known = document(f"classify --series {file} --noise 0.0025")
+        self.assertEqual((known["mode"], known["kind"], known["period"]), ("steady", "fixed-point", 1))
+
+    def test_a_record_is_followed_on_from_its_scene_and_start(self):
+        record = self.folder / "o.h5"
+        for begin in ("", "--seed 3 --speed 0.2", "--x 0.45 --vx 0.1 --spin 0.3",
+                      "--point -0.0839222884192122,0.0279667948111745,-0.554206442503235,"
+                      "0.889793543857900,-0.97926606"):
+            self.assertEqual(run(f"simulate {STEADY} {begin} --collisions 5 --quiet -o {record}").returncode, 0)
+            found, scene = document(f"classify {record} --quiet"), document(f"classify {STEADY} {begin}")
+            found.pop("swirl_version"), scene.pop("swirl_version")
+            self.assertEqual(found, scene)
+        self.assertIn("followed", run(f"classify {record}").stderr)
+
+    def test_a_record_without_a_scene_is_a_series(self):
+        file = self.series("s.csv", [[-1.0, 0.2, 0.9][i % 3] for i in range(300)], [0.5 * i for i in range(300)])
+        record = self.folder / "r.h5"
+        run(f"recurrence --series {file} --quiet -o {record}")
+        for flags in ("", "--rows impacts"):
+            direct, kept = document(f"classify --series {file} {flags}"), document(f"classify {record} {flags}")
+            self.assertEqual(direct, kept)
+        self.assertEqual((kept["mode"], kept["period"]), ("quasi-steady", 3))
+        again = self.folder / "again.h5"
+        self.assertEqual(run(f"classify {record} --quiet -o {again}").returncode, 0)
+        with xarray.open_dataset(again, group="mode", engine="h5netcdf") as data:
+            self.assertEqual(data.attrs["mode"], "quasi-steady")
+
+    def test_bad_input(self):
+        short = self.series("short.csv", [float(i) for i in range(20)])
+        series = self.series("s.csv", [float(i % 5) for i in range(100)])
+        for flags, mention in ((f"--series {short}", "20 samples"), (f"--series {series} --noise -1", "noise"),
+                               (f"--series {series} --rows both", "impacts, samples"),
+                               (f"--series {series} --sides 6", "one"), ("--column S", "--series"),
+                               (f"{series}", "--series"), (f"--series {self.folder}", "directory"),
+                               (f"--series {series} --transient 99", "100 samples")):
+            result = run(f"classify {flags}")
+            self.assertEqual((result.returncode, result.stdout), (2, ""), flags)
+            self.assertIn(mention, result.stderr, flags)
+
+
+class BadInput(InFolder):
+    def check(self, arguments, *mentions, commands=("recurrence", "spectrum"), **options):
+        for command in commands:
+            result = run(f"{command} {arguments}", **options)
+            self.assertEqual(result.returncode, 2, (command, arguments, result.stderr))
+            self.assertEqual(result.stdout, "", arguments)
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+            for mention in mentions:
+                self.assertIn(mention, result.stderr)
+
+    def test_files(self):
+        self.check(f"--series {self.folder}/none.csv", "none.csv", "No such file")
+        self.check(f"--series {self.folder}", "directory")
+        self.check(f"--series {self.file('empty.csv', '')}", "no rows")
+        self.check(f"{self.folder}/none.h5", "none.h5", "No such file")
+        self.check(f"{self.folder}", "directory")
+        self.check(f"{self.file('text.h5', 'hello')}", "not an HDF5 file", "--series")
+        text = self.file("text.csv", "t,S\n0,1\n1,abc\n")
+        self.check(f"--series {text}", "text.csv", "line 3", "abc")
+        again = self.file("again.csv", "t,S\n0,1\n0,2\n")
+        self.check(f"--series {again}", "line 3", "repeats")
+        record = self.folder / "steady.h5"
+        run(f"spectrum {STEADY} --quiet -o {record}")
+        self.check(f"{record}", "holds no impacts")
+
+    def test_columns(self):
+        file = self.file("c.csv", "t,S,x\n0,1,2\n1,2,3\n2,4,1\n")
+        self.check(f"--series {file} --column spin", "spin", "t, S, x")
+        self.check(f"--series {file} --time 7", "--time", "7", "t, S, x")
+        self.check("--column S", "--series")
+        self.check(f"--series {file} --column S {STEADY}", "one")
+        self.check(f"--series {file} somewhere.h5", "one")
+        self.check("", "nothing to analyse")
+
+    def test_recurrence_options(self):
+        file = ORACLE / "rossler_250.txt"
+        for flags, mentions in {
+                "--threshold -1": ("threshold", "-1"), "--threshold nan": ("threshold", "nan"),
+                "--threshold 0.1,x": ("threshold", "x"), "--threshold-std inf": ("threshold-std", "inf"),
+                "--recurrence-rate 0": ("recurrence-rate", "0"), "--recurrence-rate 1.5": ("recurrence-rate", "1.5"),
+                "--threshold 1 --threshold-std 0.1": ("only one",), "--dimension 0": ("dimension", "0"),
+                "--delay 0": ("delay", "0"), "--dimension 40 --delay 7": ("250", "273"),
+                "--theiler 250": ("theiler", "250"), "--theiler -1": ("theiler", "-1"),
+                "--min-diagonal 0": ("min-diagonal", "0"), "--norm taxi": ("norm", "taxi", "manhattan"),
+                "--convention R": ("convention", "pyunicorn"), "--image 10": ("--image", "-o"),
+                "--image 999 --json": ("pixels", "999"), "--resample 0": ("resample", "0"),
+                "--observable psi": ("observable", "--column"), "--cross no.csv": ("no.csv",),
+                "--period -1": ("period", "-1")}.items():
+            self.check(f"--series {file} {flags}", *mentions, commands=["recurrence"])
+        self.check(f"{STEADY} --observable zeta", "zeta", "psi", commands=["recurrence"])
+        self.check(f"{CHATTER} --observable chi", "chi", commands=["recurrence"])
+        constant = self.series("constant.csv", [1.5] * 20)
+        self.check(f"--series {constant}", "constant", "--threshold", commands=["recurrence"])
+
+    def test_spectrum_options(self):
+        file = ORACLE / "rossler_250.txt"
+        for flags, mentions in {
+                "--window boxcar": ("window", "boxcar", "hann"), "--overlap 1": ("overlap", "1"),
+                "--overlap nan": ("overlap", "nan"), "--segments 0": ("segments", "0"),
+                "--segments 200": ("segments", "200"), "--bins 64": ("--bins",),
+                "--detrend cubic": ("detrend", "cubic"),
+                "--resample -1": ("resample", "-1"), "--observable x": ("observable", "--column")}.items():
+            self.check(f"--series {file} {flags}", *mentions, commands=["spectrum"])
+        self.check(f"{STEADY} --frame moon", "frame", "moon", "laboratory", commands=["spectrum"])
+        self.check(f"{STEADY} --observable psi", "psi", "position", commands=["spectrum"])
+        self.check(f"--series {self.series('short.csv', [1.0, 2.0, 3.0])}", "3 samples", commands=["spectrum"])
+        record = self.folder / "thin.h5"
+        run(f"simulate {STEADY} --every 2 --quiet -o {record}")
+        self.check(f"{record}", "every 2", commands=["spectrum"])
+
+    def test_counts_beyond_what_there_is(self):
+        file = self.series("s.csv", [float(i % 7) for i in range(100)])
+        self.check(f"--series {file} --transient 99", "100 samples")
+        self.check(f"--series {file} --transient 50 --collisions 51", "100 samples", "need 101")
+        record = self.folder / "o.h5"
+        run(f"simulate {STEADY} --collisions 50 --quiet -o {record}")
+        self.check(f"{record} --transient 50", "50 impacts")
+
+    def test_nothing_is_written(self):
+        file = self.file("bad.csv", "1\nx\n")
+        self.check(f"--series {file} -o {self.folder}/out.h5", "line 2")
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["bad.csv"])
+
+
+class Input(InFolder):
+    def test_a_series_comes_from_standard_input_too(self):
+        values = (ORACLE / "rossler_250.txt").read_text()
+        piped = document("recurrence --series - --threshold 1", input=values)
+        self.assertEqual(piped["RR"], document(f"recurrence --series {ORACLE / 'rossler_250.txt'} --threshold 1")["RR"])
+
+    def test_accuracy_belongs_to_the_orbit(self):
+        flags = f"{STEADY} --transient 500 --collisions 100 --threshold 1e-6"
+        self.assertEqual(document(f"recurrence {flags} --accuracy quad")["RC"], 1)
+        self.assertEqual(run(f"recurrence --series {ORACLE / 'rossler_250.txt'} --accuracy quad").returncode, 2)
+
+    def test_an_interrupted_orbit_leaves_nothing_half_done(self):
+        for command in ("recurrence", "spectrum"):
+            process = start(f"{command} {CHAOTIC} --collisions 100000000 --quiet -o {self.folder}/long.h5")
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(60), 130)
+            self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_examples_of_the_help_run(self):
+        for command in ("recurrence", "spectrum"):
+            examples = [line.split("swirl ", 1)[1] for line in run(f"{command} --help").stdout.splitlines()
+                        if line.startswith("  swirl ")]
+            self.assertEqual(len(examples), 2)
+            for example in examples:
+                self.assertEqual(run(example, cwd=self.folder).returncode, 0, example)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -19,9 +19,15 @@ auto SectionSystem<shape, rule>::linearise(const State& z) const -> analysis::Li
     analysis::Linearised<dimension> step;
     fill(step, passage);
     if (!step.alive) return step;
-    step.derivative = passage.contacts.empty() ? map_.derivative_of(point, passage.collision)
-                                               : derivative_through_contact(return_, point, passage);
+    step.derivative = derivative_of(point, passage);
     return step;
+}
+
+template <Shape shape, ImpactRule rule>
+auto SectionSystem<shape, rule>::derivative_of(const SectionPoint<double>& z, const Passage<double>& passage) const
+    -> Eigen::Matrix<double, dimension, dimension> {
+    if (passage.contacts.empty()) return map_.derivative_of(z, passage.collision);
+    return derivative_through_contact(return_, z, passage);
 }
 
 template class SectionSystem<Shape::disk, ImpactRule::frictionless>;

@@ -31,6 +31,9 @@ public:
 
     analysis::Advance<dimension> advance(const State& z) const;
     analysis::Linearised<dimension> linearise(const State& z) const;
+    /// DF(z), where `passage` is F(z) and completed.
+    Eigen::Matrix<double, dimension, dimension> derivative_of(const SectionPoint<double>& z,
+                                                              const Passage<double>& passage) const;
 
     static double angle_period(int coordinate) {
         const int angles = shape == Shape::disk ? 1 : 2;

@@ -169,11 +169,12 @@ bool every_vertex_clear(const Body<T>& body, const Flight<T>& flight, const Inst
            every_vertex_clear(body, flight, half_way, to, striking, halvings - 1);
 }
 
-/// What is left when a glance is not enough; also tells whether the neighbour touches at the same time.
+/// What is left when a glance is not enough. False, too, if the neighbour touches at the same time: which of the two it
+/// is, `choose` tells.
 template <class T>
 [[gnu::noinline]] bool clear_on_inspection(const Body<T>& body, const Flight<T>& flight, const Gap<T>& leaving,
                                            const Gap<T>& struck, const Instant<T>& at, const Candidate<T>& nearest,
-                                           const T& correction, bool& simultaneous) {
+                                           const T& correction) {
     if (!is_nearest(body, at.centre, nearest.arm)) return false;
     const Instant<T> start = instant_at_start(flight);
     const Gap<T> arriving = gap_after(centre_gap(body, flight, at), correction);
@@ -181,7 +182,7 @@ template <class T>
     striking.value = T(0);
     const Gap<T> neighbour = gap_after(neighbour_of(body, flight, at, nearest).gap, correction);
     const T time = at.time + correction;
-    simultaneous = touch_together(striking, neighbour, time);
+    if (touch_together(striking, neighbour, time)) return false;
     if (clear_by_pairs(body, flight, start, leaving, arriving, struck, striking, neighbour, time, correction))
         return true;
     if (body.sides > few_sides) return false;
@@ -250,10 +251,7 @@ template <class T>
     if (!clear_at_a_glance(body, flight, leaving, struck, at, nearest, correction)) [[unlikely]] {
         const Instant<T> here = at;  // copies, so that the others stay in registers
         const Candidate<T> vertex = nearest;
-        bool simultaneous = false;
-        const bool clear =
-            clear_on_inspection(body, flight, leaving, struck, here, vertex, T(correction), simultaneous);
-        if (!clear || simultaneous) return false;  // which of two it is, `choose` tells
+        if (!clear_on_inspection(body, flight, leaving, struck, here, vertex, T(correction))) return false;
     }
     advance<Shape::polygon>(flight, at, correction);
     contact.outcome = ContactOutcome::contact;

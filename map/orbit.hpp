@@ -21,7 +21,8 @@ void require_leaving(const Body<T>& body, const SectionPoint<T>& z) {
     detail::require_speed(speed);
     const Launch<T> launch = launch_from(z);
     const Approach<T> slip = approach_of(body, launch);
-    if (slip.un > T(16) * epsilon<T>() * (body.beta + speed)) detail::out_of_range("point: normal velocity u_n", slip.un, "at most 0, leaving the wall");
+    if (slip.un > T(16) * epsilon<T>() * (body.beta + speed))
+        detail::out_of_range("point: normal velocity u_n", slip.un, "at most 0, leaving the wall");
     if (body.sides == disk_sides) return;
     const Flight<T> flight = flight_from(body, launch);
     detail::NearestTwo<T> pair;

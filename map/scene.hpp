@@ -85,11 +85,13 @@ inline void require_speed(const T& speed) {
 
 }  // namespace detail
 
-/// True if every impact lowers J for ever: without friction, with e < 1, ΔJ = −½(1 − e) p u_n, and J is bounded from
-/// below. Impacts must fade, so no cycle and no attractor has any (design, section 3).
+/// True if every impact lowers J for ever: with e < 1, without friction (ΔJ = −½(1 − e) p u_n) or in a container at rest,
+/// where J is the energy and friction takes, too, but under Newton's law. J is bounded from below, so impacts must fade:
+/// no cycle and no attractor has any (design, section 3).
 template <class T>
 inline bool only_loses(const Scene<T>& scene) {
-    return scene.mu == T(0) && scene.restitution < T(1);
+    if (!(scene.restitution < T(1))) return false;
+    return scene.mu == T(0) || (scene.beta == T(0) && scene.law != Law::newton);
 }
 
 /// Returns the scene if every parameter is within its range.

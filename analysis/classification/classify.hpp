@@ -85,12 +85,12 @@ Means means_of(const std::vector<Vector<D>>& states, const std::vector<double>& 
     return {weighted / time, plain / static_cast<double>(states.size())};
 }
 
-/// Takes a cycle that was found into the findings and the result. Returns whether there is one.
+/// Takes a cycle, if one was found, into the findings and the result.
 template <SectionMap M>
-bool take_cycle(const M& map, const FoundCycle<M::dimension>& cycle, const ClassifyOptions& options, int observable,
+void take_cycle(const M& map, const FoundCycle<M::dimension>& cycle, const ClassifyOptions& options, int observable,
                 Findings& findings, Classification& result) {
     findings.has_cycle = cycle.period > 0;
-    if (!findings.has_cycle) return false;
+    if (!findings.has_cycle) return;
     findings.is_family = cycle.family;
     findings.attracting = cycle.attracting;
     findings.kept = cycle.kept;
@@ -107,11 +107,10 @@ bool take_cycle(const M& map, const FoundCycle<M::dimension>& cycle, const Class
     result.point.assign(cycle.point.data(), cycle.point.data() + cycle.point.size());
     result.multipliers = cycle.multipliers;
     const auto once = follow_tail(map, cycle.point, 0, cycle.period);
-    if (once.ended) return true;
+    if (once.ended) return;
     const Means means = means_of<M::dimension>(once.states, once.durations, observable);
     result.mean = means.per_time;
     result.mean_per_step = means.per_step;
-    return true;
 }
 
 /// The spread (root mean square about the mean) of a tail's last quarter over that of its first, of the coordinate in
@@ -198,7 +197,7 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
 
     detail::Findings findings;
     const auto take = [&](const FoundCycle<M::dimension>& cycle) {
-        return detail::take_cycle(map, cycle, options, observable, findings, result);
+        detail::take_cycle(map, cycle, options, observable, findings, result);
     };
     take(find_period(map, tail, options.period));
     LyapunovOptions lyapunov;

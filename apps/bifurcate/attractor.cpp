@@ -17,6 +17,7 @@ namespace swirl::apps {
 
 namespace {
 
+constexpr std::int64_t longest_death = 100'000;  // impacts for which an orbit's end is waited for
 constexpr std::int64_t growth_align = 50;
 constexpr std::int64_t growth_steps[] = {200, 400};  // the second only where the first does not decide
 
@@ -129,16 +130,6 @@ void name(const System& system, const Kept<System>& kept, const SampleSettings& 
 
 }  // namespace
 
-namespace {
-
-constexpr std::int64_t longest_death = 100'000;  // impacts for which an orbit's end is waited for
-
-/// Does every orbit lose its energy for good? In a container at rest, and without friction (J only falls; design,
-/// section 3), impacts only take. What looks irregular there is on its way to rest.
-bool must_die(const Scene<double>& scene) { return only_loses(scene) || (scene.beta == 0 && scene.restitution < 1); }
-
-}  // namespace
-
 Attractor settle(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings) {
     Attractor attractor;
     const bool ends_in_contact = with_collision_map(scene, [&](const auto& map) {
@@ -147,23 +138,19 @@ Attractor settle(const Scene<double>& scene, const Start<double>& start, const S
         attractor.outcome = kept.outcome;
         if (kept.any) attractor.last = kept.last;
         attractor.finished = !kept.interrupted;
-        if (must_die(scene)) return attractor.finished;
+        if (only_loses(scene)) return attractor.finished;  // what looks irregular there is on its way to rest
         if (attractor.finished && kept.outcome == Outcome::completed) name(system, kept, settings, attractor);
         return kept.outcome == Outcome::in_contact;
     });
     if (ends_in_contact) {
         analysis::ClassifyOptions options;
-        options.transient = settings.transient + (must_die(scene) ? longest_death : 0);
+        options.transient = settings.transient + (only_loses(scene) ? longest_death : 0);
         options.collisions = std::max<std::int64_t>(settings.collisions, 64);
         const NamedMode named = name_mode(scene, start, options);
         attractor.mode = named.verdict.mode;
         attractor.kind = named.verdict.kind;
         attractor.mean_spin = named.verdict.mean;
         attractor.outcome = named.outcome;
-        if (must_die(scene) && named.outcome == Outcome::completed) {
-            attractor.mode = analysis::Mode::undecided;
-            attractor.kind = analysis::Kind::transient;
-        }
     }
     return attractor;
 }

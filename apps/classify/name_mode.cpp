@@ -50,9 +50,9 @@ void name_what_fades(analysis::Classification& verdict) {
     verdict.mode = analysis::Mode::undecided;
     verdict.kind = analysis::Kind::transient;
     verdict.evidence.push_back({"loss of J by every impact", 1, 1,
-                                "without friction and with e < 1 no attractor has impacts: the orbit is on its way to "
-                                "contact",
-                                "0 (e = 1, or friction): the evidence above would decide"});
+                                "with e < 1, without friction or swirl, no attractor has impacts: the orbit is on its way "
+                                "to contact",
+                                "0 (e = 1, or friction and swirl): the evidence above would decide"});
 }
 
 }  // namespace

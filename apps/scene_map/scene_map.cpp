@@ -1,7 +1,6 @@
 #include "apps/scene_map/scene_map.hpp"
 
 #include "apps/section_system.hpp"
-#include "map/sustained/contact_derivative.hpp"
 #include "map/timed_collision.hpp"
 
 #include <cmath>
@@ -22,10 +21,9 @@ constexpr double solver_horizon = 50;
 template <Shape shape, ImpactRule rule>
 struct OwnedSystem {
     explicit OwnedSystem(const CollisionMap<double, shape, rule>& m)
-        : map(m), system(map, solver_horizon), differentiated(map) {}
+        : map(m), system(map, solver_horizon) {}
     CollisionMap<double, shape, rule> map;
     SectionSystem<shape, rule> system;
-    DifferentiatedMap<double, shape, rule> differentiated;
 };
 
 /// u_n before the impact, from the state after it: C = −u_n changes by B₂p + B₃q.
@@ -54,8 +52,7 @@ analysis::ShootingStep step_of(const OwnedSystem<shape, rule>& owned, const Eige
     const SectionPoint<double> point = SectionSystem<shape, rule>::point_of(z);
     const Passage<double> passage = owned.system.return_map().advance(launch_from(point), solver_horizon);
     if (!fill_step(owned.system, passage, step)) return step;
-    if (passage.contacts.empty()) step.by_state = owned.differentiated.derivative_of(point, passage.collision);
-    else step.by_state = derivative_through_contact(owned.system.return_map(), point, passage);
+    step.by_state = owned.system.derivative_of(point, passage);
     step.alive = step.by_state.allFinite();
     return step;
 }
@@ -95,7 +92,7 @@ struct AlongParameter {
             step.by_state = d.first;
             step.by_parameter = d.second;
         } else {
-            step.by_state = derivative_through_contact(system.return_map(), point, passage);
+            step.by_state = system.derivative_of(point, passage);
             step.by_parameter = quotient_along(z, p);
         }
         step.alive = step.by_state.allFinite() && step.by_parameter.allFinite();

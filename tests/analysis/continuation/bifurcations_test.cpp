@@ -10,13 +10,6 @@
 namespace swirl::analysis {
 namespace {
 
-ContinuationOptions range(double low, double high) {
-    ContinuationOptions options;
-    options.low = low;
-    options.high = high;
-    return options;
-}
-
 const SpecialPoint* first_of(const Branch& branch, SpecialKind kind) {
     for (const auto& special : branch.special)
         if (special.kind == kind) return &special;

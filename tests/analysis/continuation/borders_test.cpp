@@ -9,13 +9,6 @@
 namespace swirl::analysis {
 namespace {
 
-ContinuationOptions range(double low, double high) {
-    ContinuationOptions options;
-    options.low = low;
-    options.high = high;
-    return options;
-}
-
 ShootingMap one_dimensional(std::function<ShootingStep(double x, double p)> step) {
     ShootingMap map;
     map.dimension = 1;

@@ -9,13 +9,6 @@
 namespace swirl::analysis {
 namespace {
 
-ContinuationOptions range(double low, double high) {
-    ContinuationOptions options;
-    options.low = low;
-    options.high = high;
-    return options;
-}
-
 std::vector<const SpecialPoint*> all_of(const Branch& branch, SpecialKind kind) {
     std::vector<const SpecialPoint*> found;
     for (const auto& special : branch.special)

@@ -1,9 +1,22 @@
 // Maps with one parameter whose bifurcations are known in closed form or published.
 #pragma once
 
+#include "analysis/continuation/continue_branch.hpp"
 #include "analysis/orbits/shooting_map.hpp"
 
 #include <cmath>
+
+namespace swirl::analysis {
+
+/// A branch is followed from `low` to `high`.
+inline ContinuationOptions range(double low, double high) {
+    ContinuationOptions options;
+    options.low = low;
+    options.high = high;
+    return options;
+}
+
+}  // namespace swirl::analysis
 
 namespace swirl::analysis::maps {
 

@@ -18,6 +18,7 @@ template <Shape shape, ImpactRule rule>
 class SectionSystem {
 public:
     static constexpr int dimension = section_dimension<shape>;
+    static constexpr int integrated = dimension - 1;  ///< S: ∫S dt through contact, too
     using State = analysis::Vector<dimension>;
 
     ///   horizon  the map ends where contact lasts longer than that

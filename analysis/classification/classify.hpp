@@ -68,21 +68,22 @@ struct Findings {
 /// The verdict: a cycle and a positive exponent contradict each other; so do chaos and a converged rotation number.
 void decide(const Findings& findings, const ClassifyOptions& options, Classification& result);
 
-/// Time mean Σ x_i d_i / Σ d_i and plain mean of one coordinate.
+/// Time mean ∫x dt / Σ d_i, with ∫x dt = Σ x_i d_i of a coordinate that is held, and plain mean.
 struct Means {
     double per_time = 0;
     double per_step = 0;
 };
 
-template <int D>
-Means means_of(const std::vector<Vector<D>>& states, const std::vector<double>& durations, int coordinate) {
-    double weighted = 0, time = 0, plain = 0;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        weighted += states[i][coordinate] * durations[i];
-        time += durations[i];
-        plain += states[i][coordinate];
+template <SectionMap M>
+Means means_of(const Tail<M::dimension>& tail, int coordinate) {
+    const bool integrated = coordinate == integrated_coordinate<M>();
+    double integral = 0, time = 0, plain = 0;
+    for (std::size_t i = 0; i < tail.states.size(); ++i) {
+        integral += integrated ? tail.integrals[i] : tail.states[i][coordinate] * tail.durations[i];
+        time += tail.durations[i];
+        plain += tail.states[i][coordinate];
     }
-    return {weighted / time, plain / static_cast<double>(states.size())};
+    return {integral / time, plain / static_cast<double>(tail.states.size())};
 }
 
 /// Takes a cycle, if one was found, into the findings and the result.
@@ -108,7 +109,7 @@ void take_cycle(const M& map, const FoundCycle<M::dimension>& cycle, const Class
     result.multipliers = cycle.multipliers;
     const auto once = follow_tail(map, cycle.point, 0, cycle.period);
     if (once.ended) return;
-    const Means means = means_of<M::dimension>(once.states, once.durations, observable);
+    const Means means = means_of<M>(once, observable);
     result.mean = means.per_time;
     result.mean_per_step = means.per_step;
 }
@@ -168,6 +169,36 @@ RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
 
 }  // namespace classification_detail
 
+/// What an orbit's tail tells before any verdict (which stays `undecided`, without evidence): its end if it ended, means
+/// and recurrence rate.
+template <SectionMap M>
+Classification observed(const M&, const Tail<M::dimension>& tail, int observable, double recurrence_threshold) {
+    Classification result;
+    result.ended = tail.ended;
+    result.steps = tail.steps;
+    if (tail.ended) {
+        result.end.assign(tail.end.data(), tail.end.data() + tail.end.size());
+        return result;
+    }
+    std::vector<double> series(tail.states.size());
+    for (std::size_t i = 0; i < series.size(); ++i) series[i] = tail.states[i][observable];
+    const auto rate = recurrence::recurrence_rate(recurrence::embed_series(series), recurrence_threshold);
+    result.recurrence_rate = rate.with_diagonal();
+    result.recurrence_rate_without_diagonal = rate.without_diagonal();
+    const auto means = classification_detail::means_of<M>(tail, observable);
+    result.mean = means.per_time;
+    result.mean_per_step = means.per_step;
+    return result;
+}
+
+/// Follows an orbit from `start` and says only that. Cost: transient + collisions steps of the map.
+template <SectionMap M>
+Classification observe(const M& map, const Vector<M::dimension>& start, int observable,
+                       const ClassifyOptions& options = {}) {
+    const auto tail = follow_tail(map, start, options.transient, options.collisions);
+    return observed(map, tail, observable, options.recurrence_threshold);
+}
+
 /// Follows an orbit from `start` and names its mode.
 ///   observable  the coordinate whose means and recurrence rate are reported (S)
 /// In this order: does the tail return to itself (`find_period`)? Is the largest exponent positive (`judge_sign`)? If
@@ -177,23 +208,9 @@ template <SectionMap M>
 Classification classify(const M& map, const Vector<M::dimension>& start, int observable,
                         const ClassifyOptions& options = {}) {
     namespace detail = classification_detail;
-    Classification result;
     const auto tail = follow_tail(map, start, options.transient, options.collisions);
-    result.ended = tail.ended;
-    result.steps = tail.steps;
-    if (tail.ended) {
-        result.end.assign(tail.end.data(), tail.end.data() + tail.end.size());
-        return result;
-    }
-
-    std::vector<double> series(tail.states.size());
-    for (std::size_t i = 0; i < series.size(); ++i) series[i] = tail.states[i][observable];
-    const auto rate = recurrence::recurrence_rate(recurrence::embed_series(series), options.recurrence_threshold);
-    result.recurrence_rate = rate.with_diagonal();
-    result.recurrence_rate_without_diagonal = rate.without_diagonal();
-    const auto means = detail::means_of<M::dimension>(tail.states, tail.durations, observable);
-    result.mean = means.per_time;
-    result.mean_per_step = means.per_step;
+    Classification result = observed(map, tail, observable, options.recurrence_threshold);
+    if (result.ended) return result;
 
     detail::Findings findings;
     const auto take = [&](const FoundCycle<M::dimension>& cycle) {

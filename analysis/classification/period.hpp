@@ -3,6 +3,7 @@
 
 #include "analysis/classification/tail.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
+#include "analysis/lyapunov/lyapunov_spectrum.hpp"
 
 #include <Eigen/Dense>
 
@@ -40,7 +41,7 @@ struct FoundCycle {
     bool family = false;      ///< a multiplier is 1
     bool attracting = false;  ///< all multipliers inside the unit circle, those of a family apart
     bool kept = false;        ///< the orbit itself has closed all along the tail's last quarter
-    bool approached = false;  ///< the orbit has come ever nearer, or is within 10⁻⁶ already
+    bool approached = false;  ///< the orbit has come ever nearer, or is within 10⁻⁶ already, and its returns shrink
     bool forgets = false;     ///< every direction is annihilated on the way: what comes again once comes again for ever
 };
 
@@ -81,6 +82,23 @@ double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_
         largest = std::max(largest, distance(map, tail.states[static_cast<std::size_t>(j)],
                                              tail.states[static_cast<std::size_t>(j - k)], give_up));
     return largest;
+}
+
+/// Do the orbit's returns after k steps shrink along the tail, as an approach makes them: by half, or by half of what the
+/// slowest multiplier m of the cycle (of period `period`) predicts, in the logarithm? On a torus near a rational one they
+/// stay as they are, and Newton's method finds a cycle there all the same.
+template <SectionMap M>
+bool returns_shrink(const M& map, const Tail<M::dimension>& tail, std::int64_t k, double slowest, std::int64_t period) {
+    const auto n = static_cast<std::int64_t>(tail.states.size());
+    const auto largest = [&](std::int64_t first) {  // of the k states from `first` on, to those k steps before
+        double farthest = 0;
+        for (std::int64_t j = first; j < first + k; ++j)
+            farthest = std::max(farthest, distance(map, tail.states[static_cast<std::size_t>(j)],
+                                                   tail.states[static_cast<std::size_t>(j - k)]));
+        return farthest;
+    };
+    const double apart = static_cast<double>(n - 2 * k) / static_cast<double>(period);
+    return largest(n - k) <= std::max(0.5, std::pow(slowest, 0.5 * apart)) * largest(k);
 }
 
 /// Fᵏ and its derivative at z; false if the map ends on the way.
@@ -182,7 +200,7 @@ FoundCycle<M::dimension> cycle_near(const M& map, const Tail<M::dimension>& tail
     found.distance = distance(map, tail.states.back(), z);
     const double along = std::pow(slowest, static_cast<double>(returned_after) / static_cast<double>(k));
     found.farthest = 10 * std::max(closure, options.residual) / std::max(1 - along, 1e-6);
-    found.approached = approaches(map, tail, z, k);
+    found.approached = approaches(map, tail, z, k) && returns_shrink(map, tail, returned_after, slowest, k);
     return found;
 }
 
@@ -209,8 +227,8 @@ FoundCycle<M::dimension> cycle_of_closed(const M& map, const Tail<M::dimension>&
 
 /// The smallest k ≤ max_period whose cycle the orbit is on, or is settling on: either it returns to `closure` after k
 /// steps, or Newton's method from its last state finds an attracting k-cycle within the distance that its own return
-/// suggests, which the tail has come nearer to. Period 0 if neither. Cost: max_period² comparisons at worst, few in practice; 20 k derivatives per
-/// candidate.
+/// suggests, which the tail has come nearer to. Period 0 if neither.
+/// Cost: max_period² comparisons at worst, few in practice; 20 k derivatives per candidate.
 template <SectionMap M>
 FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tail, const PeriodOptions& options = {}) {
     namespace detail = classification_detail;
@@ -237,7 +255,8 @@ FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tai
 }
 
 /// The cycle of an orbit whose derivatives annihilate every direction: one return is enough, so that periods up to the
-/// tail's length are found. The last 64 states must come back to `closure`. Period 0 if they do not. O(n).
+/// tail's length are found. The last 64 states must come back to `closure`, and the annihilation must lie within the
+/// period: else it may be an unstable cycle in passing. Period 0 if not so. O(n), k derivatives.
 template <SectionMap M>
 FoundCycle<M::dimension> find_forgetful_period(const M& map, const Tail<M::dimension>& tail,
                                                const PeriodOptions& options = {}) {
@@ -247,6 +266,11 @@ FoundCycle<M::dimension> find_forgetful_period(const M& map, const Tail<M::dimen
     for (std::int64_t k = 1; k <= n - states; ++k) {
         const double returned = classification_detail::return_distance(map, tail, k, states, options.closure);
         if (returned > options.closure) continue;
+        LyapunovOptions once;
+        once.transient = 0;
+        once.steps = k;
+        const auto growth = largest_exponent(map, tail.states.back(), once);
+        if (growth.outcome != LyapunovOutcome::completed || !std::isinf(growth.exponents.front())) break;
         found.period = k;
         found.point = tail.states.back();
         found.closure = found.residual = returned;

@@ -14,6 +14,7 @@ template <int D>
 struct Tail {
     std::vector<Vector<D>> states;   ///< n states
     std::vector<double> durations;   ///< durations[i]: from states[i] to the next
+    std::vector<double> integrals;   ///< Advance::integral on that way
     std::int64_t steps = 0;          ///< steps taken in all, the transient included
     bool ended = false;              ///< the map ended before all steps were taken
     Vector<D> end = Vector<D>::Zero();  ///< if so: the state that has no next one
@@ -40,11 +41,13 @@ Tail<M::dimension> follow_tail(const M& map, Vector<M::dimension> z, std::int64_
     }
     tail.states.reserve(static_cast<std::size_t>(count));
     tail.durations.reserve(static_cast<std::size_t>(count));
+    tail.integrals.reserve(static_cast<std::size_t>(count));
     for (std::int64_t i = 0; i < count; ++i) {
         const auto step = step_from(z);
         if (tail.ended) return tail;
         tail.states.push_back(z);
         tail.durations.push_back(step.duration);
+        tail.integrals.push_back(step.integral);
         z = step.state;
     }
     return tail;

@@ -115,15 +115,6 @@ bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {
     return !series.time.empty() && series.even;
 }
 
-/// A number or a word as its flag would give it; 17 digits give the same double back.
-std::string text_of(const AttributeValue& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.17g}", *number);
-    if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
-    if (const auto* natural = std::get_if<std::uint64_t>(&value)) return fmt::format("{}", *natural);
-    throw BadInput("record: a value of its scene or start is neither a number nor a word");
-}
-
 }  // namespace
 
 void ClassifyInput::add_to(CLI::App& command) {
@@ -162,16 +153,7 @@ bool ClassifyInput::is_series(const SceneOptions& scene, const StartOptions& sta
 void ClassifyInput::take_record(SceneOptions& scene, StartOptions& start, bool quiet) const {
     if (record.empty()) return;
     const OrbitColumns orbit = read_orbit(record, {}, {"S"});
-    for (const auto& [name, value] : orbit.scene)
-        scene.set(name == "inertia_factor" ? "inertia-factor" : name, text_of(value));
-    std::string point;
-    const bool on_section = std::any_of(orbit.start.begin(), orbit.start.end(),
-                                        [](const auto& entry) { return entry.first == "psi"; });
-    for (const auto& [name, value] : orbit.start) {
-        if (on_section) point += (point.empty() ? "" : ",") + text_of(value);
-        else start.set(name, text_of(value));
-    }
-    if (on_section) start.set("point", point);
+    set_from_record(orbit, scene, start);
     if (!quiet) fmt::print(stderr, "record: the orbit is followed again from its scene and start\n");
 }
 

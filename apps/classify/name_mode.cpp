@@ -3,6 +3,8 @@
 #include "apps/orbit_ending.hpp"
 #include "apps/section_system.hpp"
 
+#include <fmt/format.h>
+
 namespace swirl::apps {
 
 namespace {
@@ -12,11 +14,19 @@ template <class Map>
 void judge_contact(const ReturnMap<Map>& map, const Launch<double>& last, analysis::Classification& verdict) {
     // Friction may take longer than that to bring slip to an end: a tail that still changes is followed ten times on.
     for (const double time : {contact_horizon, 10 * contact_horizon}) {
-        ContactTail tail(map.contact(), time);
-        const auto passage = map.advance(last, time, [&](const auto&... seen) { tail.add(seen...); });
-        if (passage.outcome != Outcome::in_contact) return;
-        verdict.evidence.clear();
-        if (tail.judge(verdict)) return;
+        double reached = time;
+        for (bool cut = true; cut;) {  // a body that swings very fast (most_contact_steps): once more, to where that was
+            const double followed = reached;
+            ContactTail tail(map.contact(), followed);
+            const auto passage = map.advance(last, followed, [&](const auto&... seen) { tail.add(seen...); });
+            if (passage.outcome != Outcome::in_contact) return;
+            reached = passage.contacts.back().end;
+            cut = reached < followed;
+            if (cut) continue;
+            verdict.evidence.clear();
+            if (tail.judge(verdict)) return;
+        }
+        if (reached < time) return;
     }
 }
 
@@ -45,14 +55,21 @@ void look_for_landings(const System& system, analysis::Classification& verdict) 
     }
 }
 
-/// Impacts that only lose J must fade, whatever they look like so far.
+/// Impacts that only lose must fade, whatever they look like so far.
 void name_what_fades(analysis::Classification& verdict) {
     verdict.mode = analysis::Mode::undecided;
     verdict.kind = analysis::Kind::transient;
-    verdict.evidence.push_back({"loss of J by every impact", 1, 1,
-                                "with e < 1, without friction or swirl, no attractor has impacts: the orbit is on its way "
-                                "to contact",
-                                "0 (e = 1, or friction and swirl): the evidence above would decide"});
+    verdict.evidence = {{"loss by every impact", 1, 1,
+                         "with e < 1 every impact lowers J (without friction) or the energy (without swirl), so that no "
+                         "attractor has impacts: the orbit is on its way to contact",
+                         "0 (e = 1, or friction and swirl): period, exponent and rotation number would decide"}};
+}
+
+/// An orbit that ended with neither impacts nor contact to go on with.
+void name_ending(Outcome outcome, long long impacts, analysis::Classification& verdict) {
+    verdict.evidence.push_back({"impacts until the end", static_cast<double>(impacts), static_cast<double>(impacts),
+                                fmt::format("the orbit has ended: {}", name_of(outcome)),
+                                "more: named by the orbit of its impacts"});
 }
 
 }  // namespace
@@ -67,19 +84,26 @@ NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, cons
             named.verdict.ended = true;
             if (named.outcome == Outcome::in_contact)
                 judge_contact(system.return_map(), launch_from(std::get<SectionPoint<double>>(start)), named.verdict);
+            else
+                name_ending(named.outcome, named.impacts, named.verdict);
             return named;
         }
         if (std::holds_alternative<SectionPoint<double>>(start)) named.impacts = 0;  // followed again from the point
-        named.verdict = analysis::classify(system, system.state_of(first), system.dimension - 1, settings);
+        // Where the verdict is known beforehand, derivatives and periods would cost much and tell nothing.
+        named.verdict = only_loses(scene) ? analysis::observe(system, system.state_of(first), system.integrated, settings)
+                                          : analysis::classify(system, system.state_of(first), system.integrated, settings);
         named.impacts += named.verdict.steps;
         if (named.verdict.ended) {
             const auto last = state_of<decltype(system)>(named.verdict.end);
             named.outcome = ending_at(system, last, named.impacts);
             if (named.outcome == Outcome::in_contact)
                 judge_contact(system.return_map(), launch_from(system.point_of(last)), named.verdict);
+            else
+                name_ending(named.outcome, named.impacts, named.verdict);
+        } else if (only_loses(scene)) {
+            name_what_fades(named.verdict);
         }
         look_for_landings(system, named.verdict);
-        if (!named.verdict.ended && only_loses(scene)) name_what_fades(named.verdict);
         return named;
     });
 }

@@ -17,12 +17,16 @@ const ImpactField* field_of(const std::string& column) {
 }
 
 template <class Map>
-void follow(Orbit<Map>& orbit, const ImpactRange& range, bool quiet, OrbitColumns& columns) {
+void follow(Orbit<Map>& orbit, const ImpactRange& range, bool quiet, StretchCutter& cutter, OrbitColumns& columns) {
     std::vector<const ImpactField*> fields;
     for (const auto& name : columns.names) fields.push_back(field_of(column_of_observable(name)));
     const std::int64_t limit = range.transient + range.collisions;
     Progress progress("orbit", static_cast<double>(limit), quiet);
-    while (orbit.impacts() < limit && orbit.advance()) {
+    const ContactSink sink = cutter.sink();
+    while (orbit.impacts() < limit && orbit.advance(contact_horizon, sink)) {
+        const auto& stretches = cutter.passed(orbit, true);
+        if (const auto kept = orbit.impacts() - range.transient; kept > 1 && !orbit.contacts().empty())
+            columns.contacts.push_back({static_cast<std::size_t>(kept - 2), stretches});
         if (orbit.impacts() > range.transient) {
             const ImpactRow row = impact_row(orbit);
             for (std::size_t k = 0; k < fields.size(); ++k) columns.values[k].push_back(row.*(fields[k]->member));
@@ -47,7 +51,9 @@ void follow_in(const SceneOptions& scene_options, const StartOptions& start_opti
         std::visit(
             [&](const auto& s) {
                 Orbit orbit(map, s);
-                follow(orbit, range, quiet, columns);
+                StretchCutter cutter(scene, s);
+                columns.contact_scene = cutter.scene();
+                follow(orbit, range, quiet, cutter, columns);
             },
             start);
         return 0;

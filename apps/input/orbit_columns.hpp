@@ -3,8 +3,10 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
+#include "map/sustained/stretch.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,12 @@ struct ImpactRange {
     std::int64_t collisions = -1;
 };
 
+/// The way from one impact to the next where it led through contact.
+struct ContactPassage {
+    std::size_t after = 0;  ///< index, among those kept, of the impact before it
+    std::vector<Stretch> stretches;
+};
+
 struct OrbitColumns {
     Settings scene, start, units;             ///< as documents write them; units empty: dimensionless
     double beta = 0;
@@ -25,6 +33,10 @@ struct OrbitColumns {
     std::string outcome = "completed";        ///< how the orbit ended
     std::int64_t impacts = 0;                 ///< that the orbit has had, the transient included
     std::int64_t every = 1;                   ///< of a thinned record: only every k-th impact is there
+    std::vector<ContactPassage> contacts;     ///< between the impacts kept; of an orbit that was followed
+    std::optional<ContactScene> contact_scene;  ///< what they belong to
+    std::string accuracy = "double";          ///< a record's
+    std::int64_t contacts_listed = 0;         ///< a record's, over the whole orbit
 };
 
 /// "S" is called spin among the columns of an orbit.
@@ -42,7 +54,11 @@ void require_observables(const std::vector<std::string>& names, bool disk);
 OrbitColumns follow_orbit(const SceneOptions& scene, const StartOptions& start, const OutputOptions& output,
                           const ImpactRange& range, const std::vector<std::string>& names);
 
+/// The impacts alone: see `set_from_record` for its contacts.
 /// @throws BadInput if the file is no record of an orbit, or has not this many impacts
 OrbitColumns read_orbit(const std::string& record, const ImpactRange& range, const std::vector<std::string>& names);
+
+/// Sets scene and start to a record's, so that its orbit can be followed again.
+void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptions& start);
 
 }  // namespace swirl::apps

@@ -23,6 +23,15 @@ T setting(const Settings& settings, const std::string& name, T otherwise) {
     return otherwise;
 }
 
+/// A number or a word as its flag would give it; 17 digits give the same double back.
+std::string text_of(const AttributeValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.17g}", *number);
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
+    if (const auto* natural = std::get_if<std::uint64_t>(&value)) return fmt::format("{}", *natural);
+    throw BadInput("record: a value of its scene or start is neither a number nor a word");
+}
+
 /// Whole settings or nothing: what HDF5 lists by name goes back into the order in which documents write it.
 Settings in_order(const Settings& settings, const std::vector<std::string>& order) {
     Settings sorted;
@@ -48,6 +57,9 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
     const Settings result = attributes_of(record, "/result");
     columns.outcome = setting<std::string>(result, "outcome", "completed");
     columns.impacts = setting<std::int64_t>(result, "impacts", 0);
+    columns.accuracy = setting<std::string>(attributes_of(record, "/settings"), "accuracy", "double");
+    if (record.contains("/contacts/t_start"))
+        columns.contacts_listed = static_cast<std::int64_t>(record.info("/contacts/t_start").shape.at(0));
     require_observables(names, columns.disk);
     columns.names = names;
     for (const auto& name : names) {
@@ -76,6 +88,19 @@ OrbitColumns read_orbit(const std::string& file, const ImpactRange& range, const
     } catch (const RecordError& error) {  // a named file that can't be read is bad input: no work has begun
         throw BadInput(fmt::format("{} (a text file of numbers is given with --series)", error.what()));
     }
+}
+
+void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptions& start) {
+    for (const auto& [name, value] : record.scene)
+        scene.set(name == "inertia_factor" ? "inertia-factor" : name, text_of(value));
+    std::string point;
+    const bool on_section = std::any_of(record.start.begin(), record.start.end(),
+                                        [](const auto& entry) { return entry.first == "psi"; });
+    for (const auto& [name, value] : record.start) {
+        if (on_section) point += (point.empty() ? "" : ",") + text_of(value);
+        else start.set(name, text_of(value));
+    }
+    if (on_section) start.set("point", point);
 }
 
 }  // namespace swirl::apps

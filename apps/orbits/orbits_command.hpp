@@ -39,7 +39,7 @@ struct FoundOrbits {
     double distance = std::numeric_limits<double>::infinity();  ///< of the nearest point of a cycle from --near
     std::vector<std::string> limits;  ///< what the search left out
     bool interrupted = false;
-    bool none_exist = false;   ///< proven: every impact lowers J (map/scene.hpp, `only_loses`)
+    bool none_exist = false;   ///< proven: every impact takes (map/scene.hpp, `only_loses`)
 };
 
 /// A family's range over its members, worked out for families of one parameter.

@@ -54,7 +54,7 @@ void write_cycle(JsonWriter& json, const analysis::ShootingMap& map, const analy
     json.end_object();
 }
 
-constexpr const char* none_reason = "no cycle exists: with e < 1, without friction or swirl, every impact lowers J";
+constexpr const char* none_reason = "no cycle exists: with e < 1 every impact lowers J (without friction) or the energy (without swirl)";
 
 }  // namespace
 

@@ -55,6 +55,7 @@ void JsonImpacts::finish() {
         json_.member("motion", row.motion);
         json_.member("mean_S", row.mean_spin);
         json_.member("jacobi_friction", row.jacobi_friction);
+        json_.member("landing_jacobi", row.landing_jacobi);
         json_.member("landing_error", row.landing_error);
         json_.end_object();
     }
@@ -105,6 +106,8 @@ RecordContacts::RecordContacts(RecordGroup group) {
     numbers_.push_back(group.column<double>("mean_S", along, {"omega_s", "time mean of S", {}}));
     numbers_.push_back(group.column<double>("jacobi_friction", along,
                                             {"m R_c^2 omega_s^2", "change of J by friction, int f (u_t - 1) dt", {}}));
+    numbers_.push_back(group.column<double>("landing_jacobi", along,
+                                            {"m R_c^2 omega_s^2", "change of J by the chatter summed up before it", {}}));
     numbers_.push_back(group.column<double>(
         "landing_error", along, {"1", "what summing up chatter did to place and velocities (an estimate)", {}}));
     vertices_.push_back(group.column<std::int32_t>("vertex", along, {"1", "vertex on the wall", {}}));
@@ -117,7 +120,7 @@ RecordContacts::RecordContacts(RecordGroup group) {
 void RecordContacts::add(const ContactRow& row) {
     index_[0].append(++count_);
     const double values[] = {row.t_start, row.t_end, row.mean_spin, row.jacobi_friction,
-                             row.landing_error};
+                             row.landing_jacobi, row.landing_error};
     for (std::size_t i = 0; i < numbers_.size(); ++i) numbers_[i].append(values[i]);
     vertices_[0].append(std::int32_t{row.vertices[0]});
     vertices_[1].append(std::int32_t{row.vertices.size() > 1 ? row.vertices[1] : -1});

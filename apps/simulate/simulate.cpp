@@ -3,8 +3,10 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/simulate/impact_sinks.hpp"
+#include "apps/simulate/samples.hpp"
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace swirl::apps {
@@ -12,12 +14,16 @@ namespace swirl::apps {
 const char* const simulate_details =
     R"(Outcomes: completed; no-contact (the body never meets the wall again: proven); in-contact (e < 1: the body came to
 stay on the wall, with no impact for 1,000 time units); resting (e = 1: held on the wall from the start; beta = 0: slower
-than 1e-75); diverged (Newton's law with friction creates energy without end); unresolved (one flight outlasted the search for its contact, or no contact motion was consistent);
-interrupted. All but the first exit with 3, interrupted with 130.
+than 1e-75); diverged (Newton's law with friction creates energy without end); unresolved (one flight outlasted the search
+for its contact, or no contact motion was consistent); interrupted. All but the first exit with 3, interrupted with 130.
+
+All contacts are listed, whatever --skip and --every leave out of the impacts. J after an impact is J after the one before
+plus jacobi_restitution + jacobi_friction of the impact, and jacobi_friction + landing_jacobi of the contacts between.
 
 Examples:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 20
-  swirl simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --collisions 100000 --every 10 -o disk.h5)";
+  swirl simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --collisions 100000 --every 10 -o disk.h5
+  swirl simulate --sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --time 50 --sample 0.1 --json)";
 
 namespace {
 
@@ -28,10 +34,13 @@ public:
         if (record != nullptr) {
             record_.emplace(record->root().group("collisions"), scene.is_disk());
             contacts_.emplace(record->root().group("contacts"));
+            if (options.sample) record_samples_.emplace(record->root().group("samples"));
         }
-        if (json != nullptr)
+        if (json != nullptr) {
             json_.emplace(*json, scene.is_disk());
-        else if (!(options.output.quiet || record != nullptr))
+            if (options.sample) json_samples_.emplace(*json);
+        }
+        if (json == nullptr && record == nullptr && !options.output.quiet)
             table_.emplace(scene.is_disk());
     }
 
@@ -47,8 +56,14 @@ public:
         if (table_) table_->add(row);
     }
 
+    void add(const SampleRow& row) {
+        if (record_samples_) record_samples_->add(row);
+        if (json_samples_) json_samples_->add(row);
+    }
+
     void finish() {
         if (json_) json_->finish();
+        if (json_samples_) json_samples_->finish();
     }
 
 private:
@@ -56,6 +71,36 @@ private:
     std::optional<RecordContacts> contacts_;
     std::optional<JsonImpacts> json_;
     std::optional<TableImpacts> table_;
+    std::optional<RecordSamples> record_samples_;
+    std::optional<JsonSamples> json_samples_;
+};
+
+/// Takes the samples of an orbit that is being followed, if there are to be any.
+class Samples {
+public:
+    template <class T, class AnyStart>
+    Samples(const SimulateOptions& options, const Scene<T>& scene, const AnyStart& start)
+        : skip_(options.skip), until_(options.time.value_or(std::numeric_limits<double>::infinity())) {
+        if (!options.sample) return;
+        cutter_.emplace(scene, start);
+        sampler_.emplace(*options.sample);
+    }
+
+    ContactSink sink() { return cutter_ ? cutter_->sink() : ContactSink{}; }
+
+    template <class Map>
+    void passed(const Orbit<Map>& orbit, bool struck, Sinks& sinks) {
+        if (!cutter_) return;
+        const auto& stretches = cutter_->passed(orbit, struck);
+        if (struck && orbit.impacts() <= skip_) sampler_->pass_over(static_cast<double>(orbit.frame().time.unwound()));
+        else sampler_->take(cutter_->scene(), stretches, until_, [&](const SampleRow& row) { sinks.add(row); });
+    }
+
+private:
+    std::int64_t skip_;
+    double until_;
+    std::optional<StretchCutter> cutter_;
+    std::optional<Sampler> sampler_;
 };
 
 struct Ending {
@@ -65,54 +110,73 @@ struct Ending {
     double mean_spin = 0;  ///< ∫S dt / t from the first impact to the last; of fewer than two: S of the last flight
 };
 
+/// Keeps count of an orbit.
+class Count {
+public:
+    explicit Count(double spin) : spin_(spin) {}
+
+    double time() const { return ending_.time; }
+
+    template <class Map>
+    void strike(const Orbit<Map>& orbit) {
+        if (orbit.impacts() > 1) {
+            flown_ += static_cast<double>(orbit.collision().flight_time);
+            turned_ += static_cast<double>(orbit.passage().turned);
+        }
+        ending_.impacts = orbit.impacts();
+        ending_.time = static_cast<double>(orbit.frame().time.unwound());
+        spin_ = static_cast<double>(orbit.launch().spin);
+    }
+
+    /// Contact after the last impact.
+    void stand(const std::vector<ContactRow>& contacts) {
+        if (contacts.empty()) return;
+        for (const ContactRow& row : contacts) turned_ += row.turned();
+        flown_ += contacts.back().t_end - ending_.time;
+        ending_.time = contacts.back().t_end;
+    }
+
+    Ending end(std::string_view outcome) {
+        ending_.mean_spin = flown_ > 0 ? turned_ / flown_ : spin_;
+        ending_.outcome = outcome;
+        return ending_;
+    }
+
+private:
+    Ending ending_;
+    double spin_;
+    double turned_ = 0, flown_ = 0;
+};
+
 template <class Map>
-Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, double spin, Sinks& sinks) {
+Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, double spin, Samples& samples, Sinks& sinks) {
     const std::int64_t limit = options.limit();
-    const bool by_time = options.time.has_value();
-    Progress progress("simulate", by_time ? *options.time : static_cast<double>(limit), options.output.quiet);
-    Ending ending;
-    double turned = 0;
-    double flown = 0;
-    bool cut = false;
-    while (by_time || orbit.impacts() < limit) {
-        const bool first = orbit.impacts() == 0;
+    const double until = options.time.value_or(std::numeric_limits<double>::infinity());
+    Progress progress("simulate", options.time.value_or(static_cast<double>(limit)), options.output.quiet);
+    Count count(spin);
+    const ContactSink sink = samples.sink();
+    while (options.time || orbit.impacts() < limit) {
         const int vertex = orbit.frame().vertex;
-        const bool struck = orbit.advance(by_time ? *options.time - ending.time : contact_horizon);
-        const auto contacts = contact_rows(orbit, ending.time, vertex);
+        const bool struck = orbit.advance(options.time ? until - count.time() : contact_horizon, sink);
+        samples.passed(orbit, struck, sinks);
+        const auto contacts = contact_rows(orbit, count.time(), vertex);
         for (const ContactRow& row : contacts) sinks.add(row);
-        if (!struck) {
-            for (const ContactRow& row : contacts) turned += row.turned();
-            if (!contacts.empty()) flown += contacts.back().t_end - ending.time;
-            if (!contacts.empty()) ending.time = contacts.back().t_end;
-            const bool reached = by_time && ending.time >= *options.time * (1 - 1e-12);
-            if (reached && orbit.outcome() == Outcome::in_contact) ending.outcome = "completed";
-            break;
+        const bool beyond = struck && static_cast<double>(orbit.frame().time.unwound()) > until;
+        if (!struck || beyond) {
+            count.stand(contacts);
+            const bool stood = orbit.outcome() == Outcome::in_contact && count.time() >= until * (1 - 1e-12);
+            return count.end(is_interrupted() ? "interrupted"
+                             : beyond || stood ? "completed"
+                                               : name_of(orbit.outcome()));
         }
-        const double now = static_cast<double>(orbit.frame().time.unwound());
-        if (by_time && now > *options.time) {
-            ending.outcome = "completed";
-            break;
-        }
-        if (!first) {
-            flown += static_cast<double>(orbit.collision().flight_time);
-            turned += static_cast<double>(orbit.passage().turned);
-        }
-        ending.impacts = orbit.impacts();
-        ending.time = now;
-        spin = static_cast<double>(orbit.launch().spin);
+        count.strike(orbit);
         const std::int64_t kept = orbit.impacts() - 1 - options.skip;
         if (kept >= 0 && kept % options.every == 0) sinks.add(impact_row(orbit));
-        if (orbit.impacts() % 1024 == 0) {
-            progress.at(by_time ? now : static_cast<double>(orbit.impacts()));
-            if ((cut = is_interrupted())) break;
-        }
+        if (orbit.impacts() % 1024 != 0) continue;
+        progress.at(options.time ? count.time() : static_cast<double>(orbit.impacts()));
+        if (is_interrupted()) break;
     }
-    ending.mean_spin = flown > 0 ? turned / flown : spin;
-    if (cut || is_interrupted())
-        ending.outcome = "interrupted";
-    else if (ending.outcome.empty())
-        ending.outcome = std::string(name_of(orbit.outcome()));
-    return ending;
+    return count.end(is_interrupted() ? "interrupted" : name_of(orbit.outcome()));
 }
 
 template <class T>
@@ -123,7 +187,8 @@ Ending run_in(const SimulateOptions& options, Sinks& sinks) {
         return std::visit(
             [&](const auto& s) {
                 Orbit orbit(map, s);
-                return follow(options, orbit, static_cast<double>(s.spin), sinks);
+                Samples samples(options, scene, s);
+                return follow(options, orbit, static_cast<double>(s.spin), samples, sinks);
             },
             start);
     });
@@ -143,6 +208,10 @@ void check_limits(const SimulateOptions& options) {
     if (options.collisions && options.time) throw BadInput("--collisions and --time are both given; give one");
     if (options.time && !(*options.time > 0 && std::isfinite(*options.time)))
         throw BadInput(fmt::format("time = {} is outside its range: time > 0, finite", *options.time));
+    if (options.sample && !(*options.sample > 0 && std::isfinite(*options.sample)))
+        throw BadInput(fmt::format("sample = {} is outside its range: sample > 0, finite", *options.sample));
+    if (options.sample && !options.output.json && options.output.record.empty())
+        throw BadInput("--sample goes into a document or a record: give --json or -o FILE.h5");
     if (!options.time && options.skip >= options.limit())
         throw BadInput(fmt::format("skip = {} leaves nothing of {} collisions: give less", options.skip, options.limit()));
 }
@@ -160,6 +229,9 @@ void SimulateOptions::add_to(CLI::App& command) {
         ->type_name("K")->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}));
     command.add_option("--every", every, "list every K-th impact (default 1)")
         ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
+    command.add_option("--sample", sample,
+                       "also x, y, angle and S at the multiples of DT, in flight and in contact: `samples`")
+        ->type_name("DT");
 }
 
 int simulate(SimulateOptions& options) {

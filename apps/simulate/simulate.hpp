@@ -18,6 +18,7 @@ struct SimulateOptions {
     std::optional<double> time;
     std::int64_t skip = 0;
     std::int64_t every = 1;
+    std::optional<double> sample;  ///< time step of `samples`
 
     void add_to(CLI::App& command);
     std::int64_t limit() const { return collisions.value_or(100); }

@@ -9,8 +9,8 @@
 namespace swirl::apps {
 
 const char* const spectrum_details =
-    R"(An orbit's S(t) is constant between impacts and is averaged exactly over equal time bins; its frequencies are in
-units of the swirl's. A series' frequencies are cycles per unit of its times; uneven times are resampled, and
+    R"(An orbit's S(t), constant in flight and smooth in contact, is averaged exactly over equal time bins; its frequencies
+are in units of the swirl's. A series' frequencies are cycles per unit of its times; uneven times are resampled, and
 the document says how; gaps stay open, and segments that touch one are left out. The integral of the power is
 the variance. An orbit that ends early is analysed as far as it came, with exit code 3.
 

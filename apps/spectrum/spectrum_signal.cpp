@@ -4,6 +4,8 @@
 #include "analysis/spectrum/resample.hpp"
 #include "analysis/spectrum/uniform_motion.hpp"
 
+#include <boost/math/quadrature/gauss.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,28 +33,99 @@ std::vector<std::string> columns_for(const SpectrumOptions& options) {
     throw BadInput(fmt::format("observable = '{}' is none of: S, x, y, position", options.observable));
 }
 
-/// Exact averages of the position over `bins` equal bins of the flights.
-std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bins, analysis::Frame frame) {
+/// Averages over `bins` equal bins of the orbit's time.
+///   flight(i, until, averager)              adds the flight from impact i on
+///   contact(stretch, until, averager)       adds a stretch of the way through contact
+template <class Value, class Flight, class Contact>
+std::vector<Value> averages(const OrbitColumns& orbit, std::size_t bins, const Flight& flight, const Contact& contact) {
     const auto& t = orbit.values[0];
     const double width = (t.back() - t.front()) / static_cast<double>(bins);
-    analysis::BinAverager<Complex> averager(t.front(), width);
+    analysis::BinAverager<Value> averager(t.front(), width);
     const double last_edge = t.front() + static_cast<double>(bins) * width;  // can lie an ulp beyond t.back()
+    auto passage = orbit.contacts.begin();
     for (std::size_t i = 0; i + 1 < t.size(); ++i) {
-        const analysis::UniformMotion motion{{orbit.values[1][i], orbit.values[2][i]},
-                                             {orbit.values[3][i], orbit.values[4][i]}, t[i]};
         const double until = i + 2 < t.size() ? t[i + 1] : std::max(t[i + 1], last_edge);
+        if (passage == orbit.contacts.end() || passage->after != i) {
+            flight(i, until, averager);
+            continue;
+        }
+        for (const Stretch& stretch : passage->stretches)
+            contact(stretch, &stretch == &passage->stretches.back() ? until : std::clamp(stretch.end, averager.end(), until),
+                    averager);
+        ++passage;
+    }
+    return averager.averages();
+}
+
+std::vector<double> spin_averages(const OrbitColumns& orbit, std::size_t bins) {
+    const auto flight = [&](std::size_t i, double until, analysis::BinAverager<double>& averager) {
+        averager.add_constant(until, orbit.values[1][i]);
+    };
+    const auto contact = [&](const Stretch& stretch, double until, analysis::BinAverager<double>& averager) {
+        averager.add(until, [&](double a, double b) {
+            return moment_at(*orbit.contact_scene, stretch, b).turned - moment_at(*orbit.contact_scene, stretch, a).turned;
+        });
+    };
+    return averages<double>(orbit, bins, flight, contact);
+}
+
+/// ∫ f dt from a to b, of what turns by less than half a radian in that time: ten points give it to rounding.
+template <class F>
+Complex integral_of(const F& f, double a, double b) {
+    using Rule = boost::math::quadrature::gauss<double, 10>;
+    const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
+    Complex sum = 0;
+    for (std::size_t k = 0; k < Rule::abscissa().size(); ++k)
+        sum += Rule::weights()[k] * (f(middle + half * Rule::abscissa()[k]) + f(middle - half * Rule::abscissa()[k]));
+    return half * sum;
+}
+
+/// Exact averages of the position over `bins` equal bins.
+std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bins, analysis::Frame frame) {
+    using analysis::UniformMotion;
+    const auto point = [](const Vec2<double>& v) { return Complex(v.x, v.y); };
+    const auto fly = [&](const UniformMotion& motion, double until, analysis::BinAverager<Complex>& averager) {
         averager.add(until, [&](double a, double b) {
             return analysis::position_integral(motion, a, b, frame, orbit.beta);
         });
-    }
-    return averager.averages();
+    };
+    const auto flight = [&](std::size_t i, double until, analysis::BinAverager<Complex>& averager) {
+        const auto& v = orbit.values;
+        fly({{v[1][i], v[2][i]}, {v[3][i], v[4][i]}, v[0][i]}, until, averager);
+    };
+    const auto contact = [&](const Stretch& stretch, double until, analysis::BinAverager<Complex>& averager) {
+        if (!stretch.in_contact && stretch.end > stretch.start) {
+            const Complex velocity = point(stretch.to - stretch.from) / (stretch.end - stretch.start);
+            fly({point(stretch.from), velocity, stretch.start}, until, averager);
+            return;
+        }
+        const auto place = [&](double t) {
+            const UniformMotion here{point(moment_at(*orbit.contact_scene, stretch, t).centre), 0, t};
+            return analysis::position_at(here, t, frame, orbit.beta);
+        };
+        averager.add(until, [&](double a, double b) { return integral_of(place, a, b); });
+    };
+    return averages<Complex>(orbit, bins, flight, contact);
+}
+
+/// A record lists the pieces of its contacts, not the motion on them: its orbit is followed again.
+OrbitColumns orbit_of(SpectrumOptions& options, const std::vector<std::string>& names, SpectrumSignal& signal) {
+    OrbitColumns orbit = options.input.orbit(options.output, names);
+    if (orbit.contacts_listed == 0) return orbit;
+    ImpactRange range = options.input.range();
+    if (range.collisions < 0) range.collisions = static_cast<std::int64_t>(orbit.values[0].size());
+    OutputOptions output = options.output;
+    output.accuracy_name = orbit.accuracy;
+    set_from_record(orbit, options.input.scene, options.input.start);
+    signal.notes.push_back("the orbit leads through contact: it is followed again from the record's scene and start");
+    return follow_orbit(options.input.scene, options.input.start, output, range, names);
 }
 
 SpectrumSignal signal_of_orbit(SpectrumOptions& options) {
     if (!options.resample.empty()) throw BadInput("--resample is a measured series'; an orbit has --bins");
     SpectrumSignal signal;
     const analysis::Frame frame = analysis::frame_from_name(options.frame);
-    signal.orbit = options.input.orbit(options.output, columns_for(options));
+    signal.orbit = orbit_of(options, columns_for(options), signal);
     const auto& orbit = *signal.orbit;
     if (orbit.every > 1)
         throw BadInput(fmt::format("the record lists every {}th impact; a spectrum needs all: simulate with --every 1",
@@ -69,7 +142,7 @@ SpectrumSignal signal_of_orbit(SpectrumOptions& options) {
     signal.duration = t.back() - t.front();
     signal.spacing = signal.duration / static_cast<double>(bins);
     if (is_spin(options)) {
-        signal.values = analysis::bin_averages(t, {orbit.values[1].data(), t.size() - 1}, bins).values;
+        signal.values = spin_averages(orbit, bins);
         return signal;
     }
     signal.positions = position_averages(orbit, bins, frame);

@@ -23,7 +23,8 @@ struct SpectrumSignal {
     Settings resampled;                          ///< empty: the samples are as measured
 };
 
-/// An orbit: S(t), constant between impacts, or the positions of its free flights, averaged exactly over equal bins.
+/// An orbit: S(t), constant in flight and smooth in contact, or the body's places, averaged exactly over equal bins, from
+/// the first impact kept to the last.
 /// A series: its samples, resampled where their times are uneven. @throws BadInput
 SpectrumSignal signal_of(SpectrumOptions& options);
 

@@ -3,9 +3,10 @@
 // An impact that ends in contact leaves with a normal velocity that may be as small as 10⁻⁸: differences over more than
 // that would compare with flights. So DF = B A is taken apart at the landing. A is the derivative of the state in
 // contact, in which the removal of u_n, with its friction, is smooth whatever the sign of u_n (`landed_like`); B that
-// of the way from there to the next impact. Both are central differences of order h². Where only one neighbour goes the
-// way of the orbit itself (`same_way`) its one-sided difference stands, where none does the column is zero. A singular
-// value of B that is no more than rounding belongs to a direction that contact has lost: it is zero, too.
+// of the way from there to the next impact. Both are central differences of order h². Where neighbours on one side only
+// go the way of the orbit itself (`same_way`) theirs stands, one-sided, of the same order; where none does the column is
+// zero. A singular value of B that is no more than rounding belongs to a direction that contact has lost: it is zero,
+// too.
 #pragma once
 
 #include "map/linearised_collision.hpp"
@@ -109,6 +110,19 @@ auto landing_derivative(const ContactScene& scene, const SectionPoint<double>& z
     return Eigen::Matrix<double, 4, dimension>(a / (2 * h));
 }
 
+/// One column of B: `end(s)` is F at s along the coordinate, nothing where it goes another way.
+template <Shape shape, class End>
+Eigen::Matrix<double, section_dimension<shape>, 1> column_of(const Launch<double>& after, const End& end, double h) {
+    const auto above = end(h), below = end(-h);
+    if (above && below) return section_difference<shape>(*above, *below) / (2 * h);
+    if (!above && !below) return Eigen::Matrix<double, section_dimension<shape>, 1>::Zero();
+    const double side = above ? h : -h;
+    const auto near = section_difference<shape>(above ? *above : *below, after);
+    const auto beyond = end(2 * side);
+    if (!beyond) return near / side;
+    return (4 * near - section_difference<shape>(*beyond, after)) / (2 * side);
+}
+
 inline Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b) {
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(b, Eigen::ComputeThinU | Eigen::ComputeThinV);
     Eigen::VectorXd sizes = svd.singularValues();
@@ -137,11 +151,7 @@ auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<do
             if (!detail::same_way(passage, known)) return {};
             return passage.collision.after;
         };
-        const auto above = end(h), below = end(-h);
-        if (!above && !below) continue;
-        const Launch<double>& after = known.collision.after;
-        const double width = above && below ? 2 * h : h;
-        b.col(i) = detail::section_difference<Map::shape>(above ? *above : after, below ? *below : after) / width;
+        b.col(i) = detail::column_of<Map::shape>(known.collision.after, end, h);
     }
     return Eigen::Matrix<double, dimension, dimension>(
         detail::without_rounding(b) * detail::landing_derivative<Map::shape>(map.contact(), z, standing));

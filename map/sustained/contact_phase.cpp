@@ -3,6 +3,7 @@
 #include "map/sustained/motion_choice.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace swirl {
 
@@ -30,6 +31,7 @@ struct Follower {
     const ContactScene& scene;
     const ContactSink& sink;
     ContactPhase phase;
+    double settled_jacobi = 0;  ///< what a neighbour that came to rest added to J: part of the next piece's landing
 
     void finish(ContactEvent event, const Launch<double>& launch, int vertex_step) {
         phase.finish = event;
@@ -44,8 +46,7 @@ struct Follower {
         finish(ContactEvent::jam, launch, choice.vertex_step);
     }
 
-    void strike(const ContactSegment& segment) {
-        const bool plastic = ends_second_chatter(scene, segment.motion, segment.to);
+    void strike(const ContactSegment& segment, bool plastic) {
         ContactState z = segment.to;
         z.chi = std::copysign(scene.widest_chi, z.chi);
         phase.strike = strike_while_standing(scene, launch_from(scene, z), plastic);
@@ -62,7 +63,8 @@ struct Follower {
         const Strike rest = strike_while_standing(scene, standing, true);
         const Standing on = standing_of(scene, rest.after);
         if (!on.in_contact || on.support != Support::edge) return {};
-        phase.sums.work += rest.jacobi_restitution + rest.jacobi_friction + on.jacobi;
+        settled_jacobi = rest.jacobi_restitution + rest.jacobi_friction + on.jacobi;
+        phase.sums.work += settled_jacobi;
         const int step = segment.vertex_step + (z.chi > 0 ? -1 : 1) + on.vertex_step;
         return MotionChoice{true, Support::edge, ContactMotion::sticking, on.state, step, ContactEvent::strike};
     }
@@ -79,14 +81,15 @@ struct Follower {
         phase.sums.turned += end.sums.turned;
         phase.sums.work += end.sums.work;
         phase.segments.push_back({start, phase.sums.time, choice.vertex_step, choice.support, choice.motion, begin,
-                                  end.event, choice.state, end.state, end.sums.turned, end.sums.work, 0, end.steps});
+                                  end.event, choice.state, end.state, end.sums.turned, end.sums.work,
+                                  std::exchange(settled_jacobi, 0), 0, end.steps});
         const ContactSegment& segment = phase.segments.back();
         MotionChoice next = choice;
         next.state = end.state;
         switch (end.event) {
             case ContactEvent::strike:
                 if (const auto settled = settled_neighbour(segment)) return settled;
-                strike(segment);
+                strike(segment, ends_second_chatter(scene, segment.motion, segment.to));
                 return {};
             case ContactEvent::jam: jam(next); return {};
             case ContactEvent::horizon:
@@ -135,7 +138,20 @@ ContactPhase follow_contact(const ContactScene& scene, const Standing& standing,
     Follower follower{scene, sink, {}};
     follower.follow({true, standing.support, ContactMotion::sticking, standing.state, standing.vertex_step,
                      ContactEvent::release}, ContactEvent::landing, horizon);
-    if (!follower.phase.segments.empty()) follower.phase.segments.front().error = standing.error;
+    if (!follower.phase.segments.empty()) {
+        follower.phase.segments.front().landing_jacobi += standing.jacobi;
+        follower.phase.segments.front().error = standing.error;
+    }
+    return follower.phase;
+}
+
+ContactPhase struck_at_once(const ContactScene& scene, const Launch<double>& launch) {
+    Follower follower{scene, {}, {}};
+    ContactSegment segment;
+    segment.from = segment.to = contact_state(scene, launch);
+    segment.finish = ContactEvent::strike;
+    follower.phase.segments.push_back(segment);
+    follower.strike(segment, false);
     return follower.phase;
 }
 

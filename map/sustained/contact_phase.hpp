@@ -20,6 +20,7 @@ struct ContactSegment {
     ContactState from, to;
     double turned = 0;    ///< ∫ S dt
     double work = 0;      ///< ∫ f (u_t − 1) dt: what friction added to J
+    double landing_jacobi = 0;  ///< what the end of chatter before it (a landing's, a neighbour's) added to J
     double error = 0;     ///< of a landing: what ending chatter there does to place and velocities (an estimate)
     long steps = 0;       ///< power series that it took
 };
@@ -36,5 +37,9 @@ struct ContactPhase {
 /// Follows contact until the body leaves the wall, another vertex strikes, or `horizon` is over.
 ContactPhase follow_contact(const ContactScene& scene, const Standing& standing, double horizon,
                             const ContactSink& sink = {});
+
+/// Where two vertices strike in turn and flights shrink to rounding (`Standing::struck`): the neighbour strikes before
+/// the body has left the wall, after no time.
+ContactPhase struck_at_once(const ContactScene& scene, const Launch<double>& launch);
 
 }  // namespace swirl

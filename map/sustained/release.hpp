@@ -12,11 +12,14 @@ namespace swirl {
 namespace detail {
 
 /// How long a gap that is (all but) closed and at rest certainly stays inside: with g = g′ = 0 and g″ < 0 by the advance
-/// off the wall; with g″ = 0 too and g‴ < 0 for τ₀ = 2|g‴|/M, |g⁗| ≤ M, where g ≤ τ³(g‴ + Mτ/4)/6 < 0. 0 if neither.
+/// off the wall; with g″ ≤ 0 and g‴ < 0 for τ₀ = 2|g‴|/M, |g⁗| ≤ M, where g ≤ τ³(g‴ + Mτ/4)/6 < 0. The longer of the two:
+/// a g″ that is rounding, magnified by large friction, would not take it far. 0 if neither.
 template <class T>
 inline T leaving_time(const Gap<T>& gap, const T& third, const T& fourth, const T& rounding) {
-    if (gap.bend < -rounding) return safe_step_off_the_wall(Gap<T>{T(0), T(0), gap.bend, gap.jerk}, third);
-    return gap.bend <= rounding && gap.jerk < T(0) ? T(T(-2) * gap.jerk / fourth) : T(0);
+    T time(0);
+    if (gap.bend < -rounding) time = safe_step_off_the_wall(Gap<T>{T(0), T(0), gap.bend, gap.jerk}, third);
+    if (gap.bend <= rounding && gap.jerk < T(0)) time = std::max(time, T(T(-2) * gap.jerk / fourth));
+    return time;
 }
 
 /// Goes on for a time in which nothing can touch; false (and still at the start) if none lifts the gaps out of

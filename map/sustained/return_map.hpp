@@ -63,7 +63,8 @@ public:
     ///   sink     looks at contact on its way
     Passage<T> advance(const Launch<T>& launch, double horizon = contact_horizon, const ContactSink& sink = {}) const {
         if (sums_chatter_ && may_stand(*contact_, plain_launch(launch)))
-            if (const Standing standing = standing_of(*contact_, plain_launch(launch)); standing.in_contact)
+            if (const Standing standing = standing_of(*contact_, plain_launch(launch));
+                standing.in_contact || standing.struck)
                 return advance_standing(launch, standing, horizon, sink);
         Passage<T> passage = advance(flight_from(map_.body(), launch));
         if (contact_ && passage.collision.contact == ContactOutcome::sustained)
@@ -107,7 +108,8 @@ public:
     /// From a landing on, `launch` being the impact before it.
     Passage<T> advance_standing(const Launch<T>& launch, const Standing& standing, double horizon = contact_horizon,
                                 const ContactSink& sink = {}) const {
-        const ContactPhase phase = follow_contact(*contact_, standing, horizon, sink);
+        const ContactPhase phase = standing.struck ? struck_at_once(*contact_, plain_launch(launch))
+                                                   : follow_contact(*contact_, standing, horizon, sink);
         Passage<T> passage = after_contact(launch, phase);
         passage.contact_work = T(phase.sums.work + standing.jacobi);
         return passage;

@@ -93,6 +93,13 @@ double slide_of(const ContactScene& scene, const ContactState& landed) {
     return slowing > 0 ? landed.ut * landed.ut / (2 * slowing) : std::numeric_limits<double>::infinity();
 }
 
+/// Puts χ at ±χ_m if it is that close: the neighbour touches, too. An ulp inside it would fall by an ulp, which gives it
+/// a velocity of 10⁻⁸ that it did not have: where the two vertices strike in turn it would be taken and given for ever.
+void keep_neighbour_at_wall(const ContactScene& scene, double tolerance, ContactState& state) {
+    if (scene.is_disk() || std::abs(std::abs(state.chi) - scene.widest_chi) > tolerance) return;
+    state.chi = std::copysign(scene.widest_chi, state.chi);
+}
+
 }  // namespace
 
 ChatterError chatter_error(const ContactScene& scene, const Launch<double>& launch) {
@@ -134,14 +141,16 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     Standing standing;
     const Touch here = touch_of(scene, launch);
     bool there_rests = false;
+    bool there_approaches = false;
     Launch<double> neighbour;
     Touch there{false, false, 0};
     if (!scene.is_disk()) {
-        const double angle = std::abs(std::atan2(launch.chi.y, launch.chi.x));
-        if (std::abs(angle - scene.widest_chi) <= neighbour_tolerance) {
+        const double apart = std::abs(std::abs(std::atan2(launch.chi.y, launch.chi.x)) - scene.widest_chi);
+        if (apart <= neighbour_tolerance) {
             neighbour = seen_from_neighbour(scene, launch);
             there = touch_of(scene, neighbour);
             there_rests = there.rests;
+            there_approaches = !there.rests && apart <= chatter_tolerance && approach_of(scene.body, neighbour).un > 0;
         }
     }
     const int step = launch.chi.y > 0 ? -1 : 1;
@@ -158,10 +167,13 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     } else if (here.rests && here.pressed) {
         standing = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, here.error, 0};
         standing.state = landed(scene, launch, standing.jacobi);
+        keep_neighbour_at_wall(scene, chatter_tolerance, standing.state);
     } else if (there_rests && there.pressed) {
         standing = {true, Support::vertex, {}, step, there.error, 0};
         standing.state = landed(scene, neighbour, standing.jacobi);
-        standing.state.chi = std::copysign(scene.widest_chi, standing.state.chi);  // as exact as its rebound is small
+        keep_neighbour_at_wall(scene, neighbour_tolerance, standing.state);  // as exact as its rebound is small
+    } else {
+        standing.struck = here.rests && there_approaches;
     }
     return standing;
 }

@@ -24,6 +24,7 @@ struct Standing {
     int vertex_step = 0;  ///< from the vertex that struck to the one that the state belongs to: −1, 0 or 1
     double error = 0;     ///< of ending chatter here (ChatterError::estimate)
     double jacobi = 0;    ///< what taking u_n out (the rest of chatter) adds to J, −p ū_n + q (ū_t − 1)
+    bool struck = false;  ///< not in contact: it is about to leave, but its neighbour is at the wall, too, and approaches
 };
 
 /// Chatter has come to its end once what is left moves the body by less than this, in R_c.

@@ -74,6 +74,34 @@ TEST(Neighbours, ReboundsBelowTheRoundingOfChiComeToAnEnd) {
     }
 }
 
+TEST(Neighbours, StrikingInTurnOnAVertexThatRestsComeToAnEnd) {
+    // An ulp of chi is a fall that gives back what the strikes take: 7e7 impacts a unit of time, for ever.
+    for (const auto& [scene, vx, vy, angle] :
+         {std::tuple{scene_of(3, 0.2305, 0.8881, 0, 0.9), 0.13253878162171626, -0.053306984828792633,
+                     1.8834260572510948},
+          std::tuple{scene_of(3, 0.2645, 1.1694, 0.02, 0.95), 0.088817989841380604, 0.11189069642218934,
+                     2.3074061207662746}}) {
+        const Tally tally = follow_scene(scene, vx, vy, angle, 50);
+        EXPECT_LE(tally.impacts, 2000);
+        EXPECT_EQ(tally.time, 50);
+    }
+}
+
+TEST(Neighbours, WhoseFlightsShrinkToNothingStrikeAtOnce) {
+    // e = 0: two vertices strike in turn, 6e-5, 3e-9, 0 apart; neither stands, as both would leave.
+    const auto scene = scene_of(3, 0.16461011689074043, 0.25485641651225677, 0, 0, Law::stronge);
+    const Tally tally = follow_scene(scene, -0.018940639782931395, -0.14159595838130182, 5.6101918097274952, 60);
+    EXPECT_EQ(tally.outcome, Outcome::completed) << name_of(tally.outcome) << " at t = " << tally.time;
+    EXPECT_LE(std::abs(tally.balance), 1e-12);
+}
+
+TEST(Release, AtLargeFrictionIsResolved) {
+    // What rounding leaves of the gap's second derivative is magnified by mu: the third takes it off the wall.
+    const auto scene = scene_of(5, 0.58729167534569859, 1.1549464061924219, 707.61110839153741, 0);
+    const Tally tally = follow_scene(scene, 0.10732384401654826, -0.094285501381801765, 1.5706488779670016, 60);
+    EXPECT_EQ(tally.outcome, Outcome::completed) << name_of(tally.outcome) << " at t = " << tally.time;
+}
+
 TEST(Release, CloseToAStrikeOfTheNeighbourIsResolved) {
     // A vertex is released 1e-4 before its neighbour strikes: its gap is below 1e-16 all the way.
     const auto scene =

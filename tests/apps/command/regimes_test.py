@@ -56,6 +56,14 @@ class QuasiPeriodic(unittest.TestCase):
                          "--mu 0.33155311847740321 --restitution 1 --seed 1588")
         self.assertEqual((found["kind"], found["period"]), ("quasi-periodic", None))
 
+    def test_a_torus_near_a_rational_one_is_no_cycle(self):
+        # Nothing attracts there (mu = 0, e = 1), and Newton's method finds a cycle beside each.
+        for alpha, beta, seed in ((0.3, 0, 1), (0.6739, 1.45501, 460), (0.3, 0.001, 3), (0.7784, 0.00134, 185),
+                                  (0.4665, 0.00174, 768)):
+            scene = f"--sides disk --alpha {alpha} --beta {beta} --mu 0 --restitution 1 --seed {seed}"
+            found = document(f"classify {scene}")
+            self.assertEqual((found["kind"], found["period"]), ("quasi-periodic", None), scene)
+
     def test_lyapunov_has_one_zero_the_rest_attracts(self):
         found = document(f"lyapunov {TORUS} --collisions 20000")
         self.assertEqual(found["signs"], ["neutral"] + 4 * ["negative"])
@@ -114,6 +122,67 @@ class Transient(unittest.TestCase):
         exact = math.log(math.hypot(0.603654650944, 0.745364501151))
         plain = document(f"lyapunov {early}")["plain_means"][0], document(f"lyapunov {late}")["plain_means"][0]
         self.assertGreater(abs(plain[0] - exact), abs(plain[1] - exact))
+
+
+class InContact(unittest.TestCase):
+    """Cycles that land: mean S, spectrum and samples go through the contact as through the flights."""
+
+    LANDING = "--sides 5 --alpha 0.6433 --beta 0.5562 --mu 2 --restitution 0 --seed 803"  # of period 1
+    OTHERS = ("--sides 3 --alpha 0.8 --beta 0.9 --mu 0.5 --restitution 0",
+              "--sides 12 --alpha 0.5899 --beta 0.971 --mu 2 --restitution 0",
+              "--sides 4 --alpha 0.7373 --beta 1.3231 --mu 1.5 --restitution 0 --seed 237")
+
+    def test_mean_S_is_that_of_the_angle(self):
+        for scene in (self.LANDING, *self.OTHERS):
+            found = document(f"classify {scene}")
+            self.assertEqual((found["mode"], found["kind"]), ("quasi-steady", "landing"), scene)
+            rows = impacts(scene, found["period"] * 10 + 1, 4000)
+            mean = (rows[-1]["angle"] - rows[0]["angle"]) / (rows[-1]["t"] - rows[0]["t"])
+            self.assertAlmostEqual(found["mean_S"], mean, delta=1e-8, msg=scene)
+
+    def test_the_changes_of_J_add_up(self):
+        scene = "--sides 3 --alpha 0.1999 --beta 0.224 --mu 3 --restitution 0.2 --law newton --seed 8878"
+        found = document(f"simulate {scene} --collisions 300")
+        largest = 0
+        for before, after in zip(found["collisions"], found["collisions"][1:]):
+            change = after["jacobi_restitution"] + after["jacobi_friction"]
+            for contact in found["contacts"]:  # those between the two, but for the rounding of t
+                if before["t"] - 1e-12 <= contact["t_start"] and contact["t_end"] <= after["t"] + 1e-12:
+                    change += contact["jacobi_friction"] + contact["landing_jacobi"]
+            largest = max(largest, abs(after["jacobi"] - before["jacobi"] - change))
+        self.assertLess(largest, 1e-12)  # contact is integrated to some 1e-14 a piece
+
+    def test_what_contact_annihilates_has_no_exponent(self):
+        found = document(f"lyapunov {self.LANDING}")
+        self.assertEqual(found["exponents"][2:], [None, None, None])
+        orbit, = document(f"orbits {self.LANDING} --period 1")["orbits"][:1]
+        self.assertEqual([m for m in orbit["multipliers"][2:]], [[0, 0]] * 3)
+
+    def test_the_spectrum_has_the_variance_of_the_samples(self):
+        scene = f"{self.LANDING} --transient 500 --collisions 501"
+        found = document(f"spectrum {scene} --bins 65536 --window rectangular --segments 1")
+        rows = impacts(self.LANDING, 501, 500)
+        begin, end = rows[0]["t"], rows[-1]["t"]
+        width = (end - begin) / 65536
+        step = width / 2  # two samples a bin: S jumps in few of them
+        samples = document(f"simulate {self.LANDING} --collisions 1001 --skip 500 --sample {step!r}")["samples"]
+        spins = [row["spin"] for row in samples if begin <= row["t"] <= end]
+        mean = math.fsum(spins) / len(spins)
+        variance = math.fsum((v - mean) ** 2 for v in spins) / len(spins)
+        self.assertAlmostEqual(found["variance"] / variance, 1, delta=0.01)
+        self.assertTrue(0.6 < sum(row["in_contact"] for row in samples) / len(samples) < 0.7)
+
+    def test_the_place_follows_its_spectrum(self):
+        """The mean of x over the bins is the mean of the samples of x."""
+        scene = f"{self.OTHERS[0]} --transient 50 --collisions 101"
+        found = document(f"spectrum {scene} --observable position --frame corotating --bins 4096 --detrend none "
+                         "--window rectangular --segments 1")
+        rows = impacts(self.OTHERS[0], 101, 50)
+        samples = document(f"simulate {self.OTHERS[0]} --collisions 151 --skip 50 --sample 0.001")["samples"]
+        inside = [row for row in samples if rows[0]["t"] <= row["t"] <= rows[-1]["t"]]
+        turned = [complex(r["x"], r["y"]) * complex(math.cos(r["t"]), -math.sin(r["t"])) for r in inside]
+        square = math.fsum(abs(z) ** 2 for z in turned) / len(turned)
+        self.assertAlmostEqual(found["variance"] / square, 1, delta=1e-3)
 
 
 class Measured(unittest.TestCase):

@@ -1,0 +1,68 @@
+// The orbit at equal steps of time, in flight and in contact.
+#pragma once
+
+#include "apps/command_line/documents.hpp"
+#include "map/sustained/stretch.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace swirl::apps {
+
+struct SampleRow {
+    double t = 0, x = 0, y = 0, angle = 0, spin = 0;
+    bool in_contact = false;
+};
+
+/// Samples at the multiples of a time step; at an impact, just before it.
+class Sampler {
+public:
+    explicit Sampler(double step) : step_(step) {}
+
+    /// Hands on the samples of these stretches (the first ones, or those that follow the last ones taken) up to `until`.
+    template <class Use>
+    void take(const ContactScene& scene, std::span<const Stretch> stretches, double until, const Use& use) {
+        for (const Stretch& stretch : stretches)
+            for (; time() <= stretch.end && time() <= until; ++next_) {
+                if (time() < stretch.start) continue;
+                const Moment now = moment_at(scene, stretch, time());
+                use(SampleRow{time(), now.centre.x, now.centre.y, now.angle, now.spin, stretch.in_contact});
+            }
+    }
+    /// Leaves out all before a time.
+    void pass_over(double until) {
+        while (time() < until) ++next_;
+    }
+
+private:
+    double time() const { return static_cast<double>(next_) * step_; }
+
+    double step_;
+    std::int64_t next_ = 0;
+};
+
+/// Writes "samples": [...] into an open JSON object, and keeps the rows until then.
+class JsonSamples {
+public:
+    explicit JsonSamples(JsonWriter& json) : json_(json) {}
+    void add(const SampleRow& row) { rows_.push_back(row); }
+    void finish();
+
+private:
+    JsonWriter& json_;
+    std::vector<SampleRow> rows_;
+};
+
+/// Group `samples` of a record, dimension `sample`.
+class RecordSamples {
+public:
+    explicit RecordSamples(RecordGroup group);
+    void add(const SampleRow& row);
+
+private:
+    std::vector<Column<double>> numbers_;  // in the order of SampleRow
+    std::vector<Column<bool>> in_contact_;
+};
+
+}  // namespace swirl::apps

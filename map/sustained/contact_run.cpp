@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace swirl {
 
@@ -75,6 +76,7 @@ struct Condition {
 };
 
 constexpr std::size_t most_conditions = 4;
+constexpr std::size_t strike_condition = 2;  ///< the neighbour's
 using Conditions = std::array<Condition, most_conditions>;
 constexpr Condition always{1, ContactEvent::horizon};
 
@@ -101,7 +103,7 @@ Conditions conditions_of(const Problem& problem, const State& y) {
     else if (problem.scene.mu > 0)
         c[1] = {problem.motion == ContactMotion::sliding_forward ? z.ut : -z.ut, ContactEvent::stick};
     if (problem.support == Support::vertex) {
-        c[2] = {y.room(problem.scene.widest_chi), ContactEvent::strike};
+        c[strike_condition] = {y.room(problem.scene.widest_chi), ContactEvent::strike};
         if (!problem.sticks() && problem.scene.mu > 0) c[3] = {r.stiffness - painleve_margin, ContactEvent::jam};
     }
     return c;
@@ -186,10 +188,21 @@ Doubts doubts_of(const Problem& problem, const ContactSeries& z, double h) {
     return doubts;
 }
 
+/// Does the neighbour, at the wall already, go on outwards? Its strike may be over before the first look.
+bool strikes_at_once(const Problem& problem, const Step& step) {
+    if (problem.support != Support::vertex) return false;
+    const State start = step.at(0);
+    if (start.room(problem.scene.widest_chi) > 0) return false;
+    const double outwards = start.value[1] < 0 ? -step.series().chi[1] : step.series().chi[1];
+    const double rates = 1 + std::abs(start.value[2]) + std::abs(start.value[3]);
+    return outwards > 64 * std::numeric_limits<double>::epsilon() * rates;
+}
+
 /// Looks at a step's parts in turn, where it is not proven that nothing ends the motion: at the series, and at the forces
 /// themselves where it is close. A condition that begins at its border (λ = 0 after a release that did not happen,
 /// |χ| = χ_m after a strike) and moves inwards holds: only a negative value fails.
 Failure first_failure(const Problem& problem, const Step& step, double h) {
+    if (strikes_at_once(problem, step)) return {0, strike_condition, true};
     const Doubts doubts = doubts_of(problem, step.series(), h);
     if (!doubts.all && doubts.count == 0) return {};
     for (int look = 1; look <= looks_per_step; ++look) {

@@ -84,7 +84,7 @@ TEST(Stretch, APolygonStaysOnTheWallInContactAndInsideInFlight) {
     check(tests::uniform_scene(4, 0.3, 0.6, 0, 0.3), 200);
 }
 
-TEST(Stretch, ADiskToo) { check(tests::uniform_scene(disk_sides, 0.1275, 0.8098, 0, 0.4093), 200); }
+TEST(Stretch, ADiskToo) { check(tests::uniform_scene(disk_sides, 0.1, 0.05, 0.4, 0.3), 200); }
 
 TEST(Stretch, AStartOnTheSectionBeginsWhereItStands) {
     const auto scene = tests::uniform_scene(6, 0.4, 0.5, 0.5, 0.9);

@@ -60,6 +60,20 @@ Tally follow_scene(const Scene<double>& scene, double vx, double vy, double angl
     return tests::follow(scene, {scene.beta, 0, vx, vy, angle, 0}, until, 1'000'000);
 }
 
+void expect_goes_on(const Tally& tally) {
+    EXPECT_TRUE(tally.outcome == Outcome::completed || tally.outcome == Outcome::in_contact)
+        << name_of(tally.outcome) << " at t = " << tally.time;
+}
+
+TEST(Neighbours, ThatMoveOutwardsFromTheWallStrikeAtOnce) {
+    // They would be back inside before the first look, 1e-13 outside meanwhile.
+    const auto scene =
+        scene_of(4, 0.12258780038963203, 0.17039617652250127, 1.4930782370778422, 0.28325069853683554, Law::stronge);
+    const Tally tally = follow_scene(scene, 0.013145127895567769, 0.14225107689545022, 3.156319074828724, 1000);
+    EXPECT_LE(tally.outside, 1e-15);
+    expect_goes_on(tally);
+}
+
 TEST(Neighbours, ReboundsBelowTheRoundingOfChiComeToAnEnd) {
     // The neighbour's rebounds shrink by 0.7 % and 3.4 % only: at 1e-8 their height is below the rounding of chi, and
     // they must go on shrinking.
@@ -91,7 +105,7 @@ TEST(Neighbours, WhoseFlightsShrinkToNothingStrikeAtOnce) {
     // e = 0: two vertices strike in turn, 6e-5, 3e-9, 0 apart; neither stands, as both would leave.
     const auto scene = scene_of(3, 0.16461011689074043, 0.25485641651225677, 0, 0, Law::stronge);
     const Tally tally = follow_scene(scene, -0.018940639782931395, -0.14159595838130182, 5.6101918097274952, 60);
-    EXPECT_EQ(tally.outcome, Outcome::completed) << name_of(tally.outcome) << " at t = " << tally.time;
+    expect_goes_on(tally);
     EXPECT_LE(std::abs(tally.balance), 1e-12);
 }
 
@@ -99,7 +113,7 @@ TEST(Release, AtLargeFrictionIsResolved) {
     // What rounding leaves of the gap's second derivative is magnified by mu: the third takes it off the wall.
     const auto scene = scene_of(5, 0.58729167534569859, 1.1549464061924219, 707.61110839153741, 0);
     const Tally tally = follow_scene(scene, 0.10732384401654826, -0.094285501381801765, 1.5706488779670016, 60);
-    EXPECT_EQ(tally.outcome, Outcome::completed) << name_of(tally.outcome) << " at t = " << tally.time;
+    expect_goes_on(tally);
 }
 
 TEST(Release, CloseToAStrikeOfTheNeighbourIsResolved) {
@@ -107,7 +121,7 @@ TEST(Release, CloseToAStrikeOfTheNeighbourIsResolved) {
     const auto scene =
         scene_of(8, 0.36454827658835726, 0.866862777474248, 1.8310345267194184, 0.043470744687158516);
     const Tally tally = follow_scene(scene, 0.023506691470764139, -0.14090989575400453, 1.005305731755205, 300);
-    EXPECT_EQ(tally.outcome, Outcome::completed) << name_of(tally.outcome) << " at t = " << tally.time;
+    expect_goes_on(tally);
 }
 
 TEST(Rocking, ThatFrictionStopsEndsAtRest) {
@@ -115,8 +129,7 @@ TEST(Rocking, ThatFrictionStopsEndsAtRest) {
     const auto scene =
         scene_of(4, 0.13418721697544064, 0.28448658488686412, 1.9592219650602412, 0, Law::newton);
     const Tally tally = follow_scene(scene, -0.11763498469767016, -0.081056607630007757, 5.9218009112310632, 300);
-    EXPECT_TRUE(tally.outcome == Outcome::completed || tally.outcome == Outcome::in_contact)
-        << name_of(tally.outcome) << " at t = " << tally.time;
+    expect_goes_on(tally);
 }
 
 }  // namespace

@@ -170,7 +170,6 @@ Classification classify_series(std::span<const double> x, const ClassifySeriesOp
         throw std::invalid_argument("noise = " + std::to_string(options.noise) + ": must be >= 0, finite");
     Classification result;
     result.mode = Mode::undecided;
-    result.kind = Kind::transient;
     result.steps = static_cast<std::int64_t>(x.size());
     const auto points = recurrence::embed_series(x);  // throws for a value that is not finite
     const auto rate = recurrence::recurrence_rate(points, options.recurrence_threshold);
@@ -183,7 +182,10 @@ Classification classify_series(std::span<const double> x, const ClassifySeriesOp
     const double deviation = deviation_of(x);
     const double exact = rounding * largest;
     const bool constant = deviation <= std::max(exact, 1.5 * options.noise);
-    if (!constant && !lasts(x, deviation, result)) return result;
+    if (!constant && !lasts(x, deviation, result)) {
+        result.kind = Kind::transient;
+        return result;
+    }
     const double limit = options.noise > 0 ? 1.5 * options.noise : constant ? exact : options.largest_noise * deviation;
     const Repetition repetition = repetition_of(x, std::max(limit, exact), exact, options.max_period);
     const double white = 4 / std::sqrt(static_cast<double>(x.size()));

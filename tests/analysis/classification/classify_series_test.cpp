@@ -75,6 +75,19 @@ TEST_P(WithNoise, WhatStillSettlesIsATransient) {
     }
 }
 
+TEST(ClassifySeries, WhatIsUndecidedForWantOfEvidenceIsNoTransient) {
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    double last = 0;
+    const auto white = [&](int) { return normal(random); };
+    const auto reddened = [&](int) { return last = 0.5 * last + normal(random); };
+    for (const auto& found : {classify_series(made(white)), classify_series(made(reddened)),
+                              classify_series(made(white, 0, 64)), classify_series(made(logistic(4), 0, 64))}) {
+        EXPECT_EQ(found.mode, Mode::undecided);
+        EXPECT_EQ(found.kind, Kind::none) << name_of(found.kind);
+    }
+}
+
 TEST(ClassifySeries, AConstantIsSteady) {
     const auto found = classify_series(Series(100, 0.25));
     EXPECT_EQ(found.mode, Mode::steady);

@@ -4,8 +4,9 @@
 //   1. Does it last? The means of the halves differ by less than half a standard deviation, and the variances by
 //      less than 3 : 1. If not: transient.
 //   2. Does it repeat? The smallest k for which the k phase means leave a residual within the noise (given, or at most
-//      `largest_noise` of the standard deviation) that is white: no autocorrelation up to lag 2k + 8 beyond 4/√n. A
-//      structured residual is a torus, a band or a drift, and no noise.
+//      `largest_noise` of the standard deviation) that is white; after a first k whose residual is small but structured
+//      a multiple of it whose residual is white and half as large, or nothing but rounding (repetition.hpp).
+//      A structured residual is otherwise a torus, a band or a drift, and no noise.
 //   3. Is the spectrum all lines, and do neighbours stay neighbours (their distance less than doubles, on the
 //      mean, over a quarter of the series)? Then the series is quasi-periodic; of a flow, periodic or quasi-periodic.
 //      Lines with neighbours that part are chaos on narrow bands, or noise: undecided.

@@ -35,6 +35,13 @@ std::function<double(int)> logistic(double r) {
     return [r, x = 0.4](int) mutable { return x = r * x * (1 - x); };
 }
 
+/// After 20,000 steps: on its cycle to rounding.
+std::function<double(int)> settled_logistic(double r) {
+    auto next = logistic(r);
+    for (int i = 0; i < 20000; ++i) next(i);
+    return next;
+}
+
 class WithNoise : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(ClassifySeries, WithNoise, testing::Values(0.0, 0.01));
 
@@ -45,6 +52,28 @@ TEST_P(WithNoise, ACycleHasItsPeriod) {
         EXPECT_EQ(found.kind, Kind::cycle);
         EXPECT_EQ(found.period, k);
     }
+}
+
+// Doubled, a period leaves a small, structured residual at its half.
+TEST_P(WithNoise, ADoubledCycleHasItsWholePeriod) {
+    const auto doubled = [](int i) { return (i % 2 == 0 ? 1.0 : -1.0) + (i % 4 < 2 ? 0.05 : -0.05); };
+    for (const int count : {200, 1000}) {
+        const auto found = classify_series(made(doubled, GetParam(), count));
+        EXPECT_EQ(found.mode, Mode::quasi_steady);
+        EXPECT_EQ(found.kind, Kind::cycle);
+        EXPECT_EQ(found.period, 4);
+    }
+    for (const auto& [r, period] : {std::pair(3.46, 4), {3.545, 8}, {3.55, 8}, {3.566, 16}, {3.845, 6}}) {
+        const auto found = classify_series(made(settled_logistic(r), GetParam(), 1000));
+        EXPECT_EQ(found.kind, Kind::cycle) << r;
+        EXPECT_EQ(found.period, period) << r;
+    }
+}
+
+TEST(ClassifySeries, TheEvidenceNamesThePeriodThatIsStructured) {
+    const auto says = [](const Series& x) { return classify_series(x).evidence.at(2).says; };
+    EXPECT_EQ(says(made(settled_logistic(3.55))), "repeats within the noise (structured at period 4)");
+    EXPECT_EQ(says(made(logistic(3.58))), "small, but structured at period 4 and no finer: no noise");
 }
 
 TEST_P(WithNoise, ARotationIsATorus) {

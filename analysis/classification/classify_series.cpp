@@ -19,12 +19,13 @@ constexpr double rounding = 1e-9;  // of the largest value: as the closure of an
 
 double deviation_of(std::span<const double> x) { return gsl_stats_sd(x.data(), 1, x.size()); }
 
-/// Which period was structured, if another of its multiples was looked for.
+/// With the structured period, if multiples of one were looked for.
 std::string words_of(const Repetition& repetition) {
     const std::string structured = "structured at period " + std::to_string(repetition.structured);
-    if (repetition.period == 0) return repetition.structured > 0 ? "small, but " + structured + " and no finer: no noise"
-                                                                 : "repeats at no period looked for";
-    return repetition.structured > 0 ? "repeats within the noise (" + structured + ")" : "repeats within the noise";
+    if (repetition.period > 0)
+        return "repeats within the noise" + (repetition.structured > 0 ? " (" + structured + ")" : "");
+    return repetition.structured > 0 ? "small, but " + structured + " and no finer: no noise"
+                                     : "repeats at no period looked for";
 }
 
 void describe_repetition(const Repetition& repetition, double limit, std::size_t samples, Classification& result) {
@@ -35,11 +36,18 @@ void describe_repetition(const Repetition& repetition, double limit, std::size_t
                                : found ? "at most half of it and white at a multiple of that period: that cycle"
                                        : "at most " + in_words(limit) + " and white at one period: that cycle"});
     if (!(repetition.residual > 0)) return;
+    const auto add = [&](const char* name, double value, double threshold, bool is_white, const std::string& within,
+                         const std::string& beyond) {
+        result.evidence.push_back({name, value, threshold, is_white ? "white" : "structured",
+                                   is_white ? beyond + ": no noise; lines and predictability would decide"
+                                            : within + ": noise about a cycle"});
+    };
     const double white = white_autocorrelation(samples);
-    result.evidence.push_back(
-        {"autocorrelation of the residual", repetition.correlation, white, repeats ? "white" : "structured",
-         repeats ? "above " + in_words(white) + ": no noise; lines and predictability would decide"
-                 : "at most " + in_words(white) + ": noise about a cycle"});
+    add("autocorrelation of the residual", repetition.correlation, white, repetition.correlation <= white,
+        "at most " + in_words(white) + ", and white phase by phase", "above " + in_words(white));
+    add("chance of the residual's correlations phase by phase", repetition.chance, smallest_chance,
+        repetition.chance >= smallest_chance, "at least " + in_words(smallest_chance) + ", and no autocorrelation",
+        "below " + in_words(smallest_chance));
 }
 
 /// Largest shift between the halves: of their means over the standard deviation, of their variances over their sum.

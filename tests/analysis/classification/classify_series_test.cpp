@@ -31,8 +31,8 @@ Series made(const std::function<double(int)>& signal, double noise = 0, int coun
     return x;
 }
 
-std::function<double(int)> logistic(double r) {
-    return [r, x = 0.4](int) mutable { return x = r * x * (1 - x); };
+std::function<double(int)> logistic(double r, double start = 0.4) {
+    return [r, x = start](int) mutable { return x = r * x * (1 - x); };
 }
 
 /// After 20,000 steps: on its cycle to rounding.
@@ -94,6 +94,30 @@ TEST_P(WithNoise, ChaosHasItsExponent) {
 TEST_P(WithNoise, ChaosOnNarrowBandsIsNoTorusAndNoCycle) {
     const auto found = classify_series(made(logistic(3.58), GetParam()));
     EXPECT_TRUE(found.mode == Mode::undecided || found.mode == Mode::chaotic) << name_of(found.mode);
+}
+
+TEST_P(WithNoise, ChaosInBandsIsNoCycleHoweverFewSamplesThereAre) {
+    for (const int count : {64, 100})
+        for (const double r : {3.575, 3.58, 3.59, 3.6, 3.64})
+            for (int s = 0; s < 40; ++s) {
+                const auto found = classify_series(made(logistic(r, 0.05 + 0.0225 * s), GetParam(), count));
+                EXPECT_NE(found.kind, Kind::cycle) << r << ", start " << s << ", period " << found.period;
+            }
+}
+
+TEST_P(WithNoise, ShortCyclesKeepTheirPeriod) {
+    for (const int k : {2, 4, 8, 24}) {
+        const auto cycle = [k](int i) { return std::cos(2.0 * (i % k) * (i % k)); };
+        const auto found = classify_series(made(cycle, GetParam(), 16 * std::max(k, 4)));
+        EXPECT_EQ(found.kind, Kind::cycle) << k;
+        EXPECT_EQ(found.period, k);
+    }
+}
+
+TEST(ClassifySeries, EightRepetitionsAreEnoughOnlyIfExact) {
+    const auto cycle = [](int i) { return std::cos(2.0 * (i % 12) * (i % 12)); };
+    EXPECT_EQ(classify_series(made(cycle, 0, 100)).period, 12);
+    EXPECT_EQ(classify_series(made(cycle, 0.01, 100)).period, 0);
 }
 
 TEST_P(WithNoise, WhatStillSettlesIsATransient) {

@@ -147,6 +147,23 @@ TEST(ClassifySeries, AConstantIsSteady) {
     EXPECT_EQ(found.period, 1);
 }
 
+TEST(ClassifySeries, ALargeOffsetHidesNothing) {
+    const auto on_offset = [](Series x) {
+        for (double& v : x) v += 1e9;
+        return classify_series(x);
+    };
+    const auto torus = on_offset(made([](int i) { return std::cos(maps::two_pi * maps::golden_mean * i); }));
+    EXPECT_EQ(torus.kind, Kind::quasi_periodic);
+    const auto chaos = on_offset(made([z = std::pair(0.1, 0.1)](int) mutable {
+        z = {1 - 1.4 * z.first * z.first + z.second, 0.3 * z.first};
+        return z.first;
+    }));
+    EXPECT_EQ(chaos.mode, Mode::chaotic);
+    EXPECT_NEAR(chaos.largest_exponent, 0.41922, 0.02);
+    EXPECT_EQ(on_offset(Series(100, 0.25)).mode, Mode::steady);
+    EXPECT_EQ(classify_series(Series(100'000, 0.1)).mode, Mode::steady);
+}
+
 // The classical traps: noise that a correlation dimension or an exponent alone takes for chaos.
 TEST(ClassifySeries, LinearNoiseIsNeverChaotic) {
     std::mt19937_64 random(11);

@@ -198,7 +198,10 @@ class BadInput(InFolder):
                 "--theiler 250": ("theiler", "250"), "--theiler -1": ("theiler", "-1"),
                 "--min-diagonal 0": ("min-diagonal", "0"), "--norm taxi": ("norm", "taxi", "manhattan"),
                 "--convention R": ("convention", "pyunicorn"), "--image 10": ("--image", "-o"),
-                "--image 999 --json": ("pixels", "999"), "--resample 0": ("resample", "0"),
+                "--image 999 --json": ("--image", "999", "1 to 250"),
+                "--image 3 --json --threshold 0.1,0.2": ("--image takes one threshold",),
+                "--image 3 --json --threshold-std 0.1 --threshold-std 0.2": ("--image takes one threshold",),
+                "--resample 0": ("resample", "0"),
                 "--observable psi": ("observable", "--column"), "--cross no.csv": ("no.csv",),
                 "--period -1": ("period", "-1")}.items():
             self.check(f"--series {file} {flags}", *mentions, commands=["recurrence"])

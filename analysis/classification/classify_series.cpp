@@ -1,6 +1,7 @@
 #include "analysis/classification/classify_series.hpp"
 
 #include "analysis/classification/repetition.hpp"
+#include "analysis/refusal.hpp"
 #include "analysis/spectrum/lines.hpp"
 
 #include <gsl/gsl_statistics_double.h>
@@ -135,7 +136,7 @@ Classification classify_series(std::span<const double> x, const ClassifySeriesOp
         throw std::invalid_argument("series of " + std::to_string(x.size()) + " samples: must be " +
                                     std::to_string(fewest) + " or more without a gap");
     if (!(options.noise >= 0 && std::isfinite(options.noise)))
-        throw std::invalid_argument("noise = " + std::to_string(options.noise) + ": must be >= 0, finite");
+        refuse("noise", options.noise, ">= 0, finite");
     Classification result;
     result.mode = Mode::undecided;
     result.steps = static_cast<std::int64_t>(x.size());

@@ -51,6 +51,8 @@ void check_flags(const SpectrumOptions& options) {
         throw BadInput(fmt::format("overlap = {:g} is outside its range: 0 <= overlap < 1", options.overlap));
     if (options.output.accuracy() != Accuracy::double_precision && options.input.kind() != InputKind::scene)
         throw BadInput(fmt::format("accuracy = {} is an orbit's that is followed", options.output.accuracy_name));
+    if (options.input.kind() == InputKind::series && options.frame != SpectrumOptions{}.frame)
+        throw BadInput(fmt::format("frame = '{}' is of an orbit's positions; a series has none", options.frame));
 }
 
 SpectrumReport report_of(const SpectrumOptions& options, const SpectrumSignal& signal) {

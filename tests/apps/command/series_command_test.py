@@ -143,7 +143,8 @@ class ClassifySeries(InFolder):
     def test_bad_input(self):
         short = self.series("short.csv", [float(i) for i in range(20)])
         series = self.series("s.csv", [float(i % 5) for i in range(100)])
-        for flags, mention in ((f"--series {short}", "20 samples"), (f"--series {series} --noise -1", "noise"),
+        for flags, mention in ((f"--series {short}", "20 samples"),
+                               (f"--series {series} --noise -1", "noise = -1: must"),
                                (f"--series {series} --rows both", "impacts, samples"),
                                (f"--series {series} --sides 6", "one"), ("--column S", "--series"),
                                (f"{series}", "--series"), (f"--series {self.folder}", "directory"),
@@ -217,6 +218,8 @@ class BadInput(InFolder):
                 "--overlap nan": ("overlap", "nan"), "--segments 0": ("segments", "0"),
                 "--segments 200": ("segments", "200"), "--bins 64": ("--bins",),
                 "--detrend cubic": ("detrend", "cubic"),
+                "--resample 1e-9": ("spacing = 1e-09: must be at least 9.", "e-07"),
+                "--frame container": ("frame", "orbit"),
                 "--resample -1": ("resample", "-1"), "--observable x": ("observable", "--column")}.items():
             self.check(f"--series {file} {flags}", *mentions, commands=["spectrum"])
         self.check(f"{STEADY} --frame moon", "frame", "moon", "laboratory", commands=["spectrum"])

@@ -222,6 +222,8 @@ class BadInput(InFolder):
                 "--frame container": ("frame", "orbit"),
                 "--resample -1": ("resample", "-1"), "--observable x": ("observable", "--column")}.items():
             self.check(f"--series {file} {flags}", *mentions, commands=["spectrum"])
+        for bins in ("1", "7", "16777217", "268435456"):
+            self.check(f"{STEADY} --bins {bins}", "--bins", bins, "8 to 16777216", commands=["spectrum"])
         self.check(f"{STEADY} --frame moon", "frame", "moon", "laboratory", commands=["spectrum"])
         self.check(f"{STEADY} --observable psi", "psi", "position", commands=["spectrum"])
         self.check(f"--series {self.series('short.csv', [1.0, 2.0, 3.0])}", "3 samples", commands=["spectrum"])

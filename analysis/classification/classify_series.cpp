@@ -1,5 +1,7 @@
 #include "analysis/classification/classify_series.hpp"
 
+#include "analysis/classification/repetition.hpp"
+#include "analysis/refusal.hpp"
 #include "analysis/spectrum/lines.hpp"
 
 #include <gsl/gsl_statistics_double.h>
@@ -14,74 +16,41 @@ namespace {
 
 constexpr std::size_t fewest = 64;
 constexpr double largest_change = 0.5;  // between the halves
-constexpr double rounding = 1e-9;  // of the largest value: as the closure of an orbit that has settled
-
-struct Repetition {
-    int period = 0;           ///< 0: none
-    double residual = 0;      ///< standard deviation about the phase means
-    double correlation = 0;   ///< largest autocorrelation of the residual
-};
+// Of the largest value, some 5000 ε: what rounding leaves of a computed series, and far below a measured signal on a large
+// offset.
+constexpr double rounding = 1e-12;
 
 double deviation_of(std::span<const double> x) { return gsl_stats_sd(x.data(), 1, x.size()); }
 
-/// The residual about the k phase means.
-std::vector<double> residual_of(std::span<const double> x, std::size_t k) {
-    std::vector<double> means(k, 0), rest(x.begin(), x.end());
-    for (std::size_t p = 0; p < k; ++p) {
-        std::size_t count = 0;
-        for (std::size_t i = p; i < x.size(); i += k) means[p] += x[i], ++count;
-        means[p] /= static_cast<double>(count);
-    }
-    for (std::size_t i = 0; i < x.size(); ++i) rest[i] -= means[i % k];
-    return rest;
+/// With the structured period, if multiples of one were looked for.
+std::string words_of(const Repetition& repetition) {
+    const std::string structured = "structured at period " + std::to_string(repetition.structured);
+    if (repetition.period > 0)
+        return "repeats within the noise" + (repetition.structured > 0 ? " (" + structured + ")" : "");
+    return repetition.structured > 0 ? "small, but " + structured + " and no finer: no noise"
+                                     : "repeats at no period looked for";
 }
 
-double largest_autocorrelation(const std::vector<double>& r, std::size_t lags) {
-    double variance = 0, largest = 0;
-    for (const double v : r) variance += v * v;
-    for (std::size_t lag = 1; lag <= lags && lag < r.size() / 4; ++lag) {
-        double sum = 0;
-        for (std::size_t i = 0; i + lag < r.size(); ++i) sum += r[i] * r[i + lag];
-        largest = std::max(largest, std::abs(sum / variance));
-    }
-    return largest;
-}
-
-/// The smallest period whose residual is noise. A period whose residual is small but not white ends the search: the
-/// multiples of it would hide the structure in more means.
-Repetition repetition_of(std::span<const double> x, double limit, double exact, int max_period) {
-    const std::size_t n = x.size();
-    const std::size_t most = std::min(static_cast<std::size_t>(max_period), n / 8);
-    for (std::size_t k = 1; k <= most; ++k) {
-        const auto rest = residual_of(x, k);
-        double squares = 0;
-        for (const double v : rest) squares += v * v;
-        const double residual = std::sqrt(squares / static_cast<double>(n - k));
-        if (residual > limit) continue;
-        if (residual <= exact) return {static_cast<int>(k), residual, 0};
-        const double correlation = largest_autocorrelation(rest, 2 * k + 8);
-        const bool white = correlation <= 4 / std::sqrt(static_cast<double>(n));
-        return {white ? static_cast<int>(k) : 0, residual, correlation};
-    }
-    return {};
-}
-
-void describe_repetition(const Repetition& repetition, double limit, double white, Classification& result) {
-    const bool repeats = repetition.period > 0, found = repeats || repetition.residual > 0;
-    result.evidence.push_back({"residual about the phase means", repetition.residual, limit,
-                               repeats ? "repeats within the noise"
-                               : found ? "small at one period, but structured: no noise"
-                                       : "repeats at no period looked for",
+void describe_repetition(const Repetition& repetition, double limit, std::size_t samples, Classification& result) {
+    const bool repeats = repetition.period > 0, found = repeats || repetition.structured > 0;
+    result.evidence.push_back({"residual about the phase means", repetition.residual, limit, words_of(repetition),
                                repeats
                                    ? "above " + in_words(limit) + ": another period, or lines and predictability decide"
-                               : found ? "nothing alone: its structure decides"
+                               : found ? "at most half of it and white at a multiple of that period: that cycle"
                                        : "at most " + in_words(limit) + " and white at one period: that cycle"});
     if (!(repetition.residual > 0)) return;
-    const bool is_white = repetition.correlation <= white;
-    result.evidence.push_back(
-        {"autocorrelation of the residual", repetition.correlation, white, is_white ? "white" : "structured",
-         is_white ? "above " + in_words(white) + ": no noise; lines and predictability would decide"
-                  : "at most " + in_words(white) + ": noise about a cycle"});
+    const auto add = [&](const char* name, double value, double threshold, bool is_white, const std::string& within,
+                         const std::string& beyond) {
+        result.evidence.push_back({name, value, threshold, is_white ? "white" : "structured",
+                                   is_white ? beyond + ": no noise; lines and predictability would decide"
+                                            : within + ": noise about a cycle"});
+    };
+    const double white = white_autocorrelation(samples);
+    add("autocorrelation of the residual", repetition.correlation, white, repetition.correlation <= white,
+        "at most " + in_words(white) + ", and white phase by phase", "above " + in_words(white));
+    add("chance of the residual's correlations phase by phase", repetition.chance, smallest_chance,
+        repetition.chance >= smallest_chance, "at least " + in_words(smallest_chance) + ", and no autocorrelation",
+        "below " + in_words(smallest_chance));
 }
 
 /// Largest shift between the halves: of their means over the standard deviation, of their variances over their sum.
@@ -167,10 +136,9 @@ Classification classify_series(std::span<const double> x, const ClassifySeriesOp
         throw std::invalid_argument("series of " + std::to_string(x.size()) + " samples: must be " +
                                     std::to_string(fewest) + " or more without a gap");
     if (!(options.noise >= 0 && std::isfinite(options.noise)))
-        throw std::invalid_argument("noise = " + std::to_string(options.noise) + ": must be >= 0, finite");
+        refuse("noise", options.noise, ">= 0, finite");
     Classification result;
     result.mode = Mode::undecided;
-    result.kind = Kind::transient;
     result.steps = static_cast<std::int64_t>(x.size());
     const auto points = recurrence::embed_series(x);  // throws for a value that is not finite
     const auto rate = recurrence::recurrence_rate(points, options.recurrence_threshold);
@@ -183,11 +151,14 @@ Classification classify_series(std::span<const double> x, const ClassifySeriesOp
     const double deviation = deviation_of(x);
     const double exact = rounding * largest;
     const bool constant = deviation <= std::max(exact, 1.5 * options.noise);
-    if (!constant && !lasts(x, deviation, result)) return result;
+    if (!constant && !lasts(x, deviation, result)) {
+        result.kind = Kind::transient;
+        return result;
+    }
     const double limit = options.noise > 0 ? 1.5 * options.noise : constant ? exact : options.largest_noise * deviation;
-    const Repetition repetition = repetition_of(x, std::max(limit, exact), exact, options.max_period);
-    const double white = 4 / std::sqrt(static_cast<double>(x.size()));
-    describe_repetition(repetition, std::max(limit, exact), white, result);
+    const RepetitionLimits limits{std::max(limit, exact), exact, options.max_period};
+    const Repetition repetition = repetition_of(x, limits);
+    describe_repetition(repetition, limits.residual, x.size(), result);
     if (repetition.period > 0) {
         result.period = options.sampled_flow && repetition.period > 1 ? 0 : repetition.period;
         result.mode = repetition.period == 1 ? Mode::steady : Mode::quasi_steady;

@@ -35,10 +35,9 @@ inline std::string_view name_of(Mode mode) {
     return "";
 }
 
-/// Empty for `none`.
 inline std::string_view name_of(Kind kind) {
     switch (kind) {
-        case Kind::none: return "";
+        case Kind::none: return "none";
         case Kind::fixed_point: return "fixed-point";
         case Kind::family: return "family";
         case Kind::cycle: return "cycle";

@@ -1,11 +1,11 @@
 #include "analysis/lyapunov/exponent_record.hpp"
 
+#include "analysis/refusal.hpp"
 #include "analysis/rotation/weighted_birkhoff.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 
 namespace swirl::analysis {
@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void require(bool valid, const std::string& what, double value, const std::string& allowed) {
-    if (!valid) throw std::invalid_argument(what + " = " + std::to_string(value) + ": must be " + allowed);
+    if (!valid) refuse(what, value, allowed);
 }
 
 std::vector<std::size_t> falling_order(const std::vector<double>& values) {

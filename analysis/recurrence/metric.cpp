@@ -1,5 +1,7 @@
 #include "analysis/recurrence/metric.hpp"
 
+#include "analysis/refusal.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,13 +14,11 @@ namespace {
 void require_finite(std::span<const double> values) {
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!std::isfinite(values[i]))
-            throw std::invalid_argument("series value " + std::to_string(i) + " = " + std::to_string(values[i]) +
-                                        ": must be finite");
+            refuse("series value " + std::to_string(i), values[i], "finite");
 }
 
 void require_period(double period) {
-    if (!(std::isfinite(period) && period >= 0))
-        throw std::invalid_argument("period = " + std::to_string(period) + ": must be finite and >= 0 (0: no angle)");
+    if (!(std::isfinite(period) && period >= 0)) refuse("period", period, "finite and >= 0 (0: no angle)");
 }
 
 // Row numbers are kept in 32 bits.
@@ -74,8 +74,7 @@ double distance_of_key(double key, Norm norm, int dimension) {
 }
 
 double key_bound(double threshold, Norm norm, bool strict, int dimension) {
-    if (!(threshold >= 0))
-        throw std::invalid_argument("threshold = " + std::to_string(threshold) + ": must be >= 0");
+    if (!(threshold >= 0)) refuse("threshold", threshold, ">= 0");
     const double infinity = std::numeric_limits<double>::infinity();
     const double distance = strict ? std::nextafter(threshold, -infinity) : threshold;
     if (norm != Norm::euclidean || dimension == 1 || distance <= 0 || std::isinf(distance)) return distance;

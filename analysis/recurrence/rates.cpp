@@ -1,6 +1,7 @@
 #include "analysis/recurrence/rates.hpp"
 
 #include "analysis/recurrence/pair_census.hpp"
+#include "analysis/refusal.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -106,8 +107,7 @@ RecurrenceRate recurrence_rate(const Points& points, double threshold, const Set
 }
 
 double threshold_of_deviation(const Points& points, double factor, Deviation deviation) {
-    if (!(factor >= 0 && std::isfinite(factor)))
-        throw std::invalid_argument("threshold-std = " + std::to_string(factor) + ": must be finite and >= 0");
+    if (!(factor >= 0 && std::isfinite(factor))) refuse("threshold-std", factor, "finite and >= 0");
     if (points.count < 2)
         throw std::invalid_argument("number of points = " + std::to_string(points.count) +
                                     ": a standard deviation needs at least 2");
@@ -123,8 +123,7 @@ double threshold_of_deviation(const Points& points, double factor, Deviation dev
 
 double threshold_of_rate(const Points& points, double rate, const Settings& settings) {
     validate(settings);
-    if (!(rate > 0 && rate <= 1))
-        throw std::invalid_argument("recurrence-rate = " + std::to_string(rate) + ": must be in (0, 1]");
+    if (!(rate > 0 && rate <= 1)) refuse("recurrence-rate", rate, "in (0, 1]");
     const auto window = static_cast<std::size_t>(theiler_window(settings, false));
     const std::size_t gap = std::max<std::size_t>(window, 1);
     const bool with_diagonal = window == 0;

@@ -1,5 +1,6 @@
 #include "analysis/rotation/rotation_number.hpp"
 
+#include "analysis/refusal.hpp"
 #include "analysis/rotation/weighted_birkhoff.hpp"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 
 namespace swirl::analysis {
@@ -19,10 +19,7 @@ constexpr double rounding_turns = 1e-15;
 
 void require_finite(std::span<const double> samples, const char* what) {
     for (std::size_t j = 0; j < samples.size(); ++j) {
-        if (!std::isfinite(samples[j])) {
-            throw std::invalid_argument(std::string(what) + "[" + std::to_string(j) + "] = " +
-                                        std::to_string(samples[j]) + ": must be finite");
-        }
+        if (!std::isfinite(samples[j])) refuse(std::string(what) + "[" + std::to_string(j) + "]", samples[j], "finite");
     }
 }
 
@@ -131,9 +128,7 @@ Fraction simplest_fraction(double x, double tolerance, std::int64_t max_denomina
 
 RotationNumber rotation_number_of_angle(std::span<const double> angles, double period,
                                         const RotationOptions& options) {
-    if (!(period > 0) || !std::isfinite(period)) {
-        throw std::invalid_argument("period = " + std::to_string(period) + ": must be positive and finite");
-    }
+    if (!(period > 0) || !std::isfinite(period)) refuse("period", period, "positive and finite");
     require_finite(angles, "angles");
     std::vector<double> turns(angles.size());
     for (std::size_t j = 0; j < turns.size(); ++j) turns[j] = fraction_of_turn(angles[j] / period);

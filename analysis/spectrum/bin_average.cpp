@@ -1,20 +1,12 @@
 #include "analysis/spectrum/bin_average.hpp"
 
+#include "analysis/refusal.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
 namespace swirl::analysis {
-
-namespace {
-
-[[noreturn]] void refuse(const std::string& what, double value, const std::string& allowed) {
-    throw std::invalid_argument(what + " = " + std::to_string(value) + ": must be " + allowed);
-}
-
-}  // namespace
 
 template <class Value>
 BinAverager<Value>::BinAverager(double start, double width, std::size_t max_bins)
@@ -27,7 +19,7 @@ BinAverager<Value>::BinAverager(double start, double width, std::size_t max_bins
 template <class Value>
 void BinAverager<Value>::require_piece(double until) const {
     if (!std::isfinite(until) || until < end_) {
-        refuse("end of piece", until, "finite and not before the last, " + std::to_string(end_));
+        refuse("end of piece", until, "finite and not before the last, " + digits_of(end_));
     }
     const double resolution = std::numeric_limits<double>::epsilon() * std::max(std::abs(start_), std::abs(until));
     if (width_ < 4 * resolution) refuse("bin width", width_, "wider than the rounding of the times");

@@ -1,5 +1,6 @@
 #include "analysis/spectrum/power_spectrum.hpp"
 
+#include "analysis/refusal.hpp"
 #include "analysis/spectrum/fft.hpp"
 
 #include <algorithm>
@@ -22,10 +23,6 @@ constexpr std::size_t least_segments_for_spread = 4;
 
 bool missing(double x) { return std::isnan(x); }
 bool missing(const Complex& x) { return std::isnan(x.real()) || std::isnan(x.imag()); }
-
-[[noreturn]] void refuse(const std::string& what, double value, const std::string& allowed) {
-    throw std::invalid_argument(what + " = " + std::to_string(value) + ": must be " + allowed);
-}
 
 template <class Sample>
 void require_valid(std::span<const Sample> series, double spacing, const SpectrumOptions& options) {

@@ -1,5 +1,7 @@
 #include "analysis/spectrum/resample.hpp"
 
+#include "analysis/refusal.hpp"
+
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
@@ -30,8 +32,7 @@ Samples checked(std::span<const double> times, std::span<const double> values) {
     Samples kept;
     for (std::size_t i = 0; i < times.size(); ++i) {
         if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1]))) {
-            throw std::invalid_argument("times[" + std::to_string(i) + "] = " + std::to_string(times[i]) +
-                                        ": must be finite and later than the one before");
+            refuse("times[" + std::to_string(i) + "]", times[i], "finite and later than the one before");
         }
         if (std::isnan(values[i])) continue;
         kept.times.push_back(times[i]);
@@ -78,14 +79,13 @@ Interpolation interpolation_from_name(std::string_view word) {
 Resampled resample(std::span<const double> times, std::span<const double> values, const ResampleOptions& options) {
     const Samples in = checked(times, values);
     const double median = median_distance(in.times);
-    if (!(options.gap_factor > 1)) {
-        throw std::invalid_argument("gap_factor = " + std::to_string(options.gap_factor) + ": must be above 1");
-    }
+    if (!(options.gap_factor > 1)) refuse("gap_factor", options.gap_factor, "above 1");
     const double spacing = options.spacing == 0 ? median : options.spacing;
     const double span = in.times.back() - in.times.front();
-    if (!(spacing > 0) || span / spacing > static_cast<double>(most_samples)) {
-        throw std::invalid_argument("spacing = " + std::to_string(spacing) + ": must be positive, and the series " +
-                                    "shorter than 2^28 of it");
+    if (!(spacing > 0)) refuse("spacing", spacing, "positive");
+    if (span / spacing > static_cast<double>(most_samples)) {
+        refuse("spacing", spacing, "at least " + digits_of(span / static_cast<double>(most_samples)) +
+                                       ", the length of the series over 2^28");
     }
     Resampled result;
     result.series.start = in.times.front();

@@ -1,5 +1,7 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 
+#include "apps/classify/kind_document.hpp"
+
 #include <map>
 
 namespace swirl::apps {
@@ -21,10 +23,8 @@ void write_attractor(JsonWriter& json, const BifurcateOptions& options, const At
     json.member("start", attractor.start);
     json.member("outcome", name_of(attractor.outcome));
     json.member("mode", name_of(attractor.mode));
-    json.member("kind", name_of(attractor.kind));
-    json.key("period");
-    if (attractor.period > 0) json.value(attractor.period);
-    else json.null();
+    write_kind(json, attractor.kind);
+    write_period(json, attractor.period);
     json.member("mean_S", attractor.mean_spin);
     const Eigen::Index size = attractor.states.empty() ? 1 : attractor.states.front().size();
     write_values(json, "S", attractor, size - 1);
@@ -42,9 +42,7 @@ void write_column(JsonWriter& json, const BifurcateOptions& options, const Diagr
         for (const auto& z : attractor.states) json.value(z[z.size() - 1]);
     json.end_array();
     json.member("mode", name_of(usual.mode));
-    json.key("period");
-    if (usual.period > 0) json.value(usual.period);
-    else json.null();
+    write_period(json, usual.period);
     if (!column.complete) json.member("interrupted", true);
     json.key("attractors");
     json.begin_array();

@@ -2,6 +2,7 @@
 
 #include "analysis/classification/classify_series.hpp"
 #include "apps/classify/evidence_document.hpp"
+#include "apps/classify/kind_document.hpp"
 #include "apps/input/input_options.hpp"
 #include "apps/record/record_reader.hpp"
 
@@ -74,12 +75,8 @@ void write_document(const SeriesVerdict& v) {
     json.begin_object(JsonLayout::rows);
     write_json(json, "series", series_settings(v.whole));
     json.member("mode", name_of(v.verdict.mode));
-    json.key("kind");
-    if (v.verdict.kind == analysis::Kind::none) json.null();
-    else json.value(name_of(v.verdict.kind));
-    json.key("period");
-    if (v.verdict.period > 0) json.value(v.verdict.period);
-    else json.null();
+    write_kind(json, v.verdict.kind);
+    write_period(json, v.verdict.period);
     for (const auto& [name, value] : numbers_of(v)) json.member(name, value);
     write_evidence(json, v.verdict.evidence);
     write_json(json, "settings", settings_of(v));

@@ -1,5 +1,6 @@
 #include "apps/classify/runs_document.hpp"
 
+#include "apps/classify/kind_document.hpp"
 #include "apps/classify/verdict_document.hpp"
 
 #include <fmt/format.h>
@@ -24,20 +25,12 @@ double share(std::size_t count, const RunsFound& found) {
     return static_cast<double>(count) / static_cast<double>(found.runs.size());
 }
 
-std::string_view kind_name(analysis::Kind kind) { return kind == analysis::Kind::none ? "none" : name_of(kind); }
-
 /// The attractor of every run.
 std::vector<std::int64_t> places_of(const RunsFound& found) {
     std::vector<std::int64_t> places(found.runs.size());
     for (std::size_t a = 0; a < found.attractors.size(); ++a)
         for (const std::size_t r : found.attractors[a].runs) places[r] = static_cast<std::int64_t>(a);
     return places;
-}
-
-void write_period(JsonWriter& json, std::int64_t period) {
-    json.key("period");
-    if (period > 0) json.value(period);
-    else json.null();
 }
 
 void write_shares(JsonWriter& json, const RunsFound& found) {
@@ -49,7 +42,7 @@ void write_shares(JsonWriter& json, const RunsFound& found) {
     json.key("kinds");
     json.begin_object();
     for (const auto& [kind, count] : counts_of(found.runs, &RunVerdict::kind))
-        json.member(kind_name(kind), share(count, found));
+        json.member(name_of(kind), share(count, found));
     json.end_object();
 }
 
@@ -61,7 +54,7 @@ void write_attractors(JsonWriter& json, const RunsFound& found) {
         json.begin_object();
         json.member("share", share(attractor.runs.size(), found));
         json.member("mode", name_of(first.mode));
-        json.member("kind", kind_name(first.kind));
+        write_kind(json, first.kind);
         json.member("outcome", name_of(first.outcome));
         write_period(json, first.period);
         json.member("mean_S", attractor.mean_spin);
@@ -84,7 +77,7 @@ void write_each(JsonWriter& json, const RunsFound& found) {
         json.member("seed", run.seed);
         json.member("attractor", places[r]);
         json.member("mode", name_of(run.mode));
-        json.member("kind", kind_name(run.kind));
+        write_kind(json, run.kind);
         json.member("outcome", name_of(run.outcome));
         write_period(json, run.period);
         json.member("mean_S", run.mean_spin);
@@ -125,7 +118,7 @@ void write_runs_group(const RecordGroup& group, const RunsFound& found) {
     words("seed", [](const RunVerdict& run) { return fmt::format("{}", run.seed); });
     group.write<std::int64_t>("attractor", along, places_of(found), {"1", "place in the group attractors", {}});
     words("mode", [](const RunVerdict& run) { return std::string(name_of(run.mode)); });
-    words("kind", [](const RunVerdict& run) { return std::string(kind_name(run.kind)); });
+    words("kind", [](const RunVerdict& run) { return std::string(name_of(run.kind)); });
     words("outcome", [](const RunVerdict& run) { return std::string(name_of(run.outcome)); });
     integers("period", [](const RunVerdict& run) { return run.period; }, "period, 0: none");
     integers("impacts", [](const RunVerdict& run) { return run.impacts; }, "impacts followed");
@@ -156,7 +149,7 @@ void write_attractors_group(const RecordGroup& group, const RunsFound& found) {
     group.dimension("attractor", found.attractors.size());
     words("seed", [&](const Attractor& a) { return fmt::format("{}", first(a).seed); });
     words("mode", [&](const Attractor& a) { return std::string(name_of(first(a).mode)); });
-    words("kind", [&](const Attractor& a) { return std::string(kind_name(first(a).kind)); });
+    words("kind", [&](const Attractor& a) { return std::string(name_of(first(a).kind)); });
     words("outcome", [&](const Attractor& a) { return std::string(name_of(first(a).outcome)); });
     group.write<std::int64_t>(
         "period", along,
@@ -208,7 +201,7 @@ void print_runs(const Scene<double>& scene, const RunsFound& found) {
     for (const auto& attractor : found.attractors) {
         const RunVerdict& first = found.runs[attractor.runs.front()];
         fmt::print("  {:>6.2f} %  {:<13} {:<20} {:>6} {:>14.8g} {:>9.2g} {:>11.4g} {:>11.4g}  {}\n",
-                   100 * share(attractor.runs.size(), found), name_of(first.mode), kind_name(first.kind),
+                   100 * share(attractor.runs.size(), found), name_of(first.mode), name_of(first.kind),
                    first.period > 0 ? fmt::format("{}", first.period) : "-", attractor.mean_spin,
                    attractor.mean_spin_error, attractor.largest_exponent, attractor.recurrence_rate, first.seed);
     }

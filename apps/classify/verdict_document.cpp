@@ -1,6 +1,7 @@
 #include "apps/classify/verdict_document.hpp"
 
 #include "apps/classify/evidence_document.hpp"
+#include "apps/classify/kind_document.hpp"
 
 #include <fmt/format.h>
 
@@ -44,12 +45,8 @@ std::vector<NamedNumber> numbers_of(const analysis::Classification& v) {
 void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings) {
     const auto& v = named.verdict;
     json.member("mode", name_of(v.mode));
-    json.key("kind");
-    if (v.kind == analysis::Kind::none) json.null();
-    else json.value(name_of(v.kind));
-    json.key("period");
-    if (v.period > 0) json.value(v.period);
-    else json.null();
+    write_kind(json, v.kind);
+    write_period(json, v.period);
     for (const auto& number : numbers_of(v)) json.member(number.name, number.value);
     json.member("outcome", name_of(named.outcome));
     json.member("impacts", named.impacts);

@@ -77,11 +77,18 @@ std::optional<double> number_in(const std::string& cell) {
     return value;
 }
 
+/// Meant as a number, though perhaps none that can be used: inf, 1e400, 0x10.
+bool looks_like_a_number(const std::string& cell) {
+    char* end = nullptr;
+    const double value = std::strtod(cell.c_str(), &end);
+    return !cell.empty() && *end == '\0' && !std::isnan(value);
+}
+
 bool is_header(const std::vector<std::string>& cells) {
     bool word = false;
     for (const auto& cell : cells) {
         if (number_in(cell)) return false;
-        word = word || !is_missing(cell);
+        word = word || !(is_missing(cell) || looks_like_a_number(cell));
     }
     return word;
 }

@@ -3,7 +3,8 @@
 // One row a line. Cells are separated by a tab, a semicolon, a comma or blanks: the first of these, in this order, that
 // the first row has outside quotes. Lines that are empty or begin with # or % are skipped; line ends are LF or CR LF; a
 // cell may stand in double quotes ("" inside is one quote); blanks around a cell don't count. The first row is a header
-// when none of its cells is a number and one is a word. All rows have as many cells as the first.
+// when none of its cells is a number and one is a word (inf and 1e400 are numbers, if bad ones). All rows have as many
+// cells as the first.
 #pragma once
 
 #include <cstddef>

@@ -2,6 +2,7 @@
 
 #include "apps/command_line/errors.hpp"
 #include "apps/input/delimited_file.hpp"
+#include "map/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -54,10 +55,27 @@ void require_rising(const DelimitedFile& file, const std::vector<double>& times,
                 times[i - 1], file.rows[i - 1].line, column)));
 }
 
-/// Counts what is missing and looks at the times. @throws BadInput with fewer than two values
+void require_not_too_large(const DelimitedFile& file, const std::vector<double>& column, const std::string& name) {
+    for (std::size_t i = 0; i < column.size(); ++i)
+        if (std::abs(column[i]) > detail::largest_magnitude)
+            throw BadInput(at_line(file, i, fmt::format("{:g} in column {} is outside its range: -{:g} to {:g}",
+                                                        column[i], name, detail::largest_magnitude,
+                                                        detail::largest_magnitude)));
+}
+
+/// Counts what is missing and looks at the times. @throws BadInput with fewer than two values, or none whose square can
+/// be held
 void describe(MeasuredSeries& series) {
     series.missing = 0;
-    for (const double v : series.values) series.missing += std::isnan(v) ? 1 : 0;
+    double largest = 0;
+    for (const double v : series.values) {
+        series.missing += std::isnan(v) ? 1 : 0;
+        largest = std::max(largest, std::isnan(v) ? 0 : std::abs(v));
+    }
+    if (!detail::is_holdable(largest))
+        throw BadInput(fmt::format("series: the largest value of column {}, {:g}, is outside its range: 0, or {:g} to "
+                                   "{:g}", series.column, largest, detail::smallest_magnitude,
+                                   detail::largest_magnitude));
     if (series.values.size() - series.missing < 2)
         throw BadInput(fmt::format("series: column {} has {} values; at least 2 are needed", series.column,
                                    series.values.size() - series.missing));
@@ -84,15 +102,18 @@ MeasuredSeries read_series(const SeriesChoice& choice) {
     if (time) {
         columns = numbers_of(file, {value, *time}, {true, false});
         series.time = column_name(file, *time);
+        require_not_too_large(file, columns[1], series.time);
         require_rising(file, columns[1], series.time);
         series.times = std::move(columns[1]);
     } else {
-        if (!(choice.spacing > 0 && std::isfinite(choice.spacing)))
-            throw BadInput(fmt::format("spacing = {} is outside its range: spacing > 0, finite", choice.spacing));
+        if (!(choice.spacing > 0 && detail::is_holdable(choice.spacing)))
+            throw BadInput(fmt::format("spacing = {} is outside its range: {:g} to {:g}", choice.spacing,
+                                       detail::smallest_magnitude, detail::largest_magnitude));
         columns = numbers_of(file, {value}, {true});
         for (std::size_t i = 0; i < columns[0].size(); ++i)
             series.times.push_back(static_cast<double>(i) * choice.spacing);
     }
+    require_not_too_large(file, columns[0], series.column);
     series.values = std::move(columns[0]);
     describe(series);
     return series;

@@ -45,6 +45,21 @@ void write_list(JsonWriter& json, std::string_view key, const std::vector<double
     json.end_array();
 }
 
+void write_exponents(JsonWriter& json, const OrbitSpectrum& s) {
+    write_list(json, "exponents", s.exponents);
+    write_list(json, "exponents_per_time", s.per_time);
+    const analysis::LyapunovSpectrum nothing;
+    const auto& spectrum = s.exponents.empty() ? nothing : s.spectrum;  // that of no step is a NaN for each direction
+    write_list(json, "standard_errors", spectrum.standard_errors);
+    write_list(json, "standard_errors_per_time", spectrum.per_time_standard_errors);
+    write_list(json, "plain_means", spectrum.exponents);
+    write_list(json, "weighted_means", spectrum.weighted_exponents);
+    json.key("signs");
+    json.begin_array();
+    for (const auto& sign : s.signs) json.value(analysis::name(sign.sign));
+    json.end_array();
+}
+
 /// Why an exponent may be zero, as far as the scene tells.
 std::string_view reason_of(const Scene<double>& scene) {
     if (scene.mu == 0 && scene.restitution == 1) return "J is conserved (mu = 0, e = 1)";
@@ -60,16 +75,7 @@ void write_document(const LyapunovCommandOptions& options, const Scene<double>& 
     write_json(json, "scene", scene_settings(scene));
     write_json(json, "start", start_settings(options.start, scene));
     if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
-    write_list(json, "exponents", s.exponents);
-    write_list(json, "exponents_per_time", s.per_time);
-    write_list(json, "standard_errors", s.spectrum.standard_errors);
-    write_list(json, "standard_errors_per_time", s.spectrum.per_time_standard_errors);
-    write_list(json, "plain_means", s.spectrum.exponents);
-    write_list(json, "weighted_means", s.spectrum.weighted_exponents);
-    json.key("signs");
-    json.begin_array();
-    for (const auto& sign : s.signs) json.value(analysis::name(sign.sign));
-    json.end_array();
+    write_exponents(json, s);
     json.key("neutral");
     json.begin_array(JsonLayout::rows);
     for (std::size_t i = 0; i < s.signs.size(); ++i) {

@@ -24,17 +24,25 @@ Examples:
 
 namespace {
 
+/// Window and image against the numbers of points.
+void check_sizes(const RecurrenceOptions& options, int window, std::size_t rows, std::size_t columns) {
+    const std::size_t longest = std::max(rows, columns), shortest = std::min(rows, columns);
+    if (window > 0 && static_cast<std::size_t>(window) >= longest)
+        throw BadInput(fmt::format("theiler = {} leaves no pair of {} points; allowed: 0 to {}", window, longest,
+                                   longest - 1));
+    if (options.image > shortest)
+        throw BadInput(fmt::format("--image = {} is outside its range: 1 to {}, the number of points", options.image,
+                                   shortest));
+}
+
 Quantification quantify(const RecurrenceOptions& options, const RecurrencePoints& points,
                         const std::optional<RecurrencePoints>& cross) {
     Quantification result;
     result.conventions = options.conventions.settings();
     result.thresholds = thresholds_of(options, points, cross.has_value(), result.conventions);
     if (!points.enough || (cross && !cross->enough)) return result;
-    const std::size_t longest = std::max(points.points.count, cross ? cross->points.count : 0);
-    const int window = recurrence::theiler_window(result.conventions, cross.has_value());
-    if (window > 0 && static_cast<std::size_t>(window) >= longest)
-        throw BadInput(fmt::format("theiler = {} leaves no pair of {} points; allowed: 0 to {}", window, longest,
-                                   longest - 1));
+    check_sizes(options, recurrence::theiler_window(result.conventions, cross.has_value()), points.points.count,
+                cross ? cross->points.count : points.points.count);
     const auto& deltas = result.thresholds.delta;
     result.lines = cross ? recurrence::count_cross_lines(points.points, cross->points, deltas, result.conventions)
                          : recurrence::count_lines(points.points, deltas, result.conventions);
@@ -63,8 +71,10 @@ void check_flags(const RecurrenceOptions& options) {
     if (options.image == 0) return;
     if (options.output.record.empty() && !options.output.json)
         throw BadInput("--image goes into a record or a document: give -o FILE.h5 or --json");
-    if (options.thresholds.size() + options.thresholds_std.size() + options.rates.size() > 1)
-        throw BadInput("--image takes one threshold");
+    std::size_t values = 0;
+    for (const auto* texts : {&options.thresholds, &options.thresholds_std, &options.rates})
+        for (const auto& text : *texts) values += values_in(text);
+    if (values > 1) throw BadInput("--image takes one threshold");
 }
 
 }  // namespace

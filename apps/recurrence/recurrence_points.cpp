@@ -120,10 +120,8 @@ bool is_hdf5(const std::string& file) {
 
 std::vector<double> numbers_in(const char* option, const std::vector<std::string>& texts) {
     std::vector<double> numbers;
-    for (const auto& text : texts) {
-        const auto count = static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
-        for (const double number : numbers_from<double>(option, text, count)) numbers.push_back(number);
-    }
+    for (const auto& text : texts)
+        for (const double number : numbers_from<double>(option, text, values_in(text))) numbers.push_back(number);
     return numbers;
 }
 
@@ -135,6 +133,10 @@ double rounding_floor(const recurrence::Points& points) {
 }
 
 }  // namespace
+
+std::size_t values_in(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
+}
 
 std::vector<std::string> observables_of(const std::string& text) {
     std::vector<std::string> names;

@@ -25,6 +25,9 @@ struct RecurrencePoints {
 /// "psi,chi" -> psi, chi. @throws BadInput for an empty name
 std::vector<std::string> observables_of(const std::string& text);
 
+/// How many comma-separated values a threshold's text has.
+std::size_t values_in(const std::string& text);
+
 RecurrencePoints main_points(RecurrenceOptions& options);
 
 /// The second trajectory, if --cross or --cross-column was given: a record's, if the file is one, or a series'.

@@ -21,6 +21,7 @@ Examples:
 namespace {
 
 constexpr std::size_t fewest_samples = 8;  // as analysis::power_spectrum
+constexpr std::int64_t most_bins = std::int64_t{1} << 24;  // some seconds and 1 GB, also of few impacts
 
 /// As many samples as make `segments` overlapping segments of n.
 std::size_t segment_length(std::size_t n, std::int64_t segments, double overlap) {
@@ -51,6 +52,8 @@ void check_flags(const SpectrumOptions& options) {
         throw BadInput(fmt::format("overlap = {:g} is outside its range: 0 <= overlap < 1", options.overlap));
     if (options.output.accuracy() != Accuracy::double_precision && options.input.kind() != InputKind::scene)
         throw BadInput(fmt::format("accuracy = {} is an orbit's that is followed", options.output.accuracy_name));
+    if (options.input.kind() == InputKind::series && options.frame != SpectrumOptions{}.frame)
+        throw BadInput(fmt::format("frame = '{}' is of an orbit's positions; a series has none", options.frame));
 }
 
 SpectrumReport report_of(const SpectrumOptions& options, const SpectrumSignal& signal) {
@@ -80,7 +83,7 @@ void SpectrumOptions::add_to(CLI::App& command) {
     text("--observable", observable, "NAME", "of an orbit: S (default), x, y, or position (x + iy, two-sided)");
     text("--frame", frame, "NAME", "of positions: laboratory (default), container or corotating");
     command.add_option("--bins", bins, "equal time bins of an orbit (default 4 or more an impact, a power of 2)")
-        ->type_name("B")->check(CLI::Range(std::int64_t{8}, std::int64_t{1} << 28))->group("Spectrum");
+        ->type_name("B")->check(CLI::Range(std::int64_t{fewest_samples}, most_bins))->group("Spectrum");
     text("--window", window, "NAME", "rectangular, hann (default), hamming, blackman-harris or flat-top");
     text("--detrend", detrend, "NAME", "what is subtracted: none, mean (default) or linear");
     command.add_option("--segments", segments, "of Welch's method (default about 16; 1: the finest resolution)")

@@ -142,6 +142,7 @@ bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done,
                 sweep_run(scene, options.start.speed(), options.start.seed(), index % runs, options.settings);
             const std::lock_guard lock(mutex);
             sweep.results[index] = result;
+            done[index] = 1;
             if (journal != nullptr) journal->append(index, result);
             progress.at(static_cast<double>(++finished));
         });
@@ -188,7 +189,12 @@ int sweep(SweepOptions& options) {
         std::vector<char> done(sweep.results.size(), 0);
         std::optional<SweepJournal> journal;
         if (!path.empty()) journal.emplace(path, sweep, done);
-        if (!run_all(options, sweep, done, journal ? &*journal : nullptr)) return exit_interrupted;
+        if (!run_all(options, sweep, done, journal ? &*journal : nullptr)) {
+            if (journal && !options.output.quiet)
+                fmt::print(stderr, "swirl: interrupted; {} of {} runs are kept: the same command goes on from there\n",
+                           std::count(done.begin(), done.end(), 1), done.size());
+            return exit_interrupted;
+        }
         if (!path.empty()) {
             write_sweep(path, sweep);
             journal->remove();

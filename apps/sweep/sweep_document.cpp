@@ -1,5 +1,7 @@
 #include "apps/sweep/sweep_command.hpp"
 
+#include "apps/classify/kind_document.hpp"
+
 namespace swirl::apps {
 
 namespace {
@@ -36,9 +38,9 @@ void write_runs(JsonWriter& json, std::span<const RunResult> runs) {
     for (const auto& run : runs) {
         json.begin_object();
         json.member("mode", name_of(static_cast<analysis::Mode>(static_cast<int>(run.mode))));
-        json.member("kind", name_of(static_cast<analysis::Kind>(static_cast<int>(run.kind))));
+        write_kind(json, static_cast<analysis::Kind>(static_cast<int>(run.kind)));
         json.member("outcome", name_of(static_cast<Outcome>(static_cast<int>(run.outcome))));
-        json.member("period", static_cast<std::int64_t>(run.period));
+        write_period(json, static_cast<std::int64_t>(run.period));
         json.member("mean_S", run.mean_spin);
         json.member("largest_exponent", run.largest_exponent);
         json.end_object();

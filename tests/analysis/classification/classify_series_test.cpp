@@ -31,8 +31,15 @@ Series made(const std::function<double(int)>& signal, double noise = 0, int coun
     return x;
 }
 
-std::function<double(int)> logistic(double r) {
-    return [r, x = 0.4](int) mutable { return x = r * x * (1 - x); };
+std::function<double(int)> logistic(double r, double start = 0.4) {
+    return [r, x = start](int) mutable { return x = r * x * (1 - x); };
+}
+
+/// After 20,000 steps: on its cycle to rounding.
+std::function<double(int)> settled_logistic(double r) {
+    auto next = logistic(r);
+    for (int i = 0; i < 20000; ++i) next(i);
+    return next;
 }
 
 class WithNoise : public testing::TestWithParam<double> {};
@@ -45,6 +52,28 @@ TEST_P(WithNoise, ACycleHasItsPeriod) {
         EXPECT_EQ(found.kind, Kind::cycle);
         EXPECT_EQ(found.period, k);
     }
+}
+
+// Doubled, a period leaves a small, structured residual at its half.
+TEST_P(WithNoise, ADoubledCycleHasItsWholePeriod) {
+    const auto doubled = [](int i) { return (i % 2 == 0 ? 1.0 : -1.0) + (i % 4 < 2 ? 0.05 : -0.05); };
+    for (const int count : {200, 1000}) {
+        const auto found = classify_series(made(doubled, GetParam(), count));
+        EXPECT_EQ(found.mode, Mode::quasi_steady);
+        EXPECT_EQ(found.kind, Kind::cycle);
+        EXPECT_EQ(found.period, 4);
+    }
+    for (const auto& [r, period] : {std::pair(3.46, 4), {3.545, 8}, {3.55, 8}, {3.566, 16}, {3.845, 6}}) {
+        const auto found = classify_series(made(settled_logistic(r), GetParam(), 1000));
+        EXPECT_EQ(found.kind, Kind::cycle) << r;
+        EXPECT_EQ(found.period, period) << r;
+    }
+}
+
+TEST(ClassifySeries, TheEvidenceNamesThePeriodThatIsStructured) {
+    const auto says = [](const Series& x) { return classify_series(x).evidence.at(2).says; };
+    EXPECT_EQ(says(made(settled_logistic(3.55))), "repeats within the noise (structured at period 4)");
+    EXPECT_EQ(says(made(logistic(3.58))), "small, but structured at period 4 and no finer: no noise");
 }
 
 TEST_P(WithNoise, ARotationIsATorus) {
@@ -67,6 +96,30 @@ TEST_P(WithNoise, ChaosOnNarrowBandsIsNoTorusAndNoCycle) {
     EXPECT_TRUE(found.mode == Mode::undecided || found.mode == Mode::chaotic) << name_of(found.mode);
 }
 
+TEST_P(WithNoise, ChaosInBandsIsNoCycleHoweverFewSamplesThereAre) {
+    for (const int count : {64, 100})
+        for (const double r : {3.575, 3.58, 3.59, 3.6, 3.64})
+            for (int s = 0; s < 40; ++s) {
+                const auto found = classify_series(made(logistic(r, 0.05 + 0.0225 * s), GetParam(), count));
+                EXPECT_NE(found.kind, Kind::cycle) << r << ", start " << s << ", period " << found.period;
+            }
+}
+
+TEST_P(WithNoise, ShortCyclesKeepTheirPeriod) {
+    for (const int k : {2, 4, 8, 24}) {
+        const auto cycle = [k](int i) { return std::cos(2.0 * (i % k) * (i % k)); };
+        const auto found = classify_series(made(cycle, GetParam(), 16 * std::max(k, 4)));
+        EXPECT_EQ(found.kind, Kind::cycle) << k;
+        EXPECT_EQ(found.period, k);
+    }
+}
+
+TEST(ClassifySeries, EightRepetitionsAreEnoughOnlyIfExact) {
+    const auto cycle = [](int i) { return std::cos(2.0 * (i % 12) * (i % 12)); };
+    EXPECT_EQ(classify_series(made(cycle, 0, 100)).period, 12);
+    EXPECT_EQ(classify_series(made(cycle, 0.01, 100)).period, 0);
+}
+
 TEST_P(WithNoise, WhatStillSettlesIsATransient) {
     for (const double time : {100.0, 600.0}) {
         const auto found = classify_series(made([time](int i) { return std::exp(-i / time); }, GetParam()));
@@ -75,10 +128,40 @@ TEST_P(WithNoise, WhatStillSettlesIsATransient) {
     }
 }
 
+TEST(ClassifySeries, WhatIsUndecidedForWantOfEvidenceIsNoTransient) {
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    double last = 0;
+    const auto white = [&](int) { return normal(random); };
+    const auto reddened = [&](int) { return last = 0.5 * last + normal(random); };
+    for (const auto& found : {classify_series(made(white)), classify_series(made(reddened)),
+                              classify_series(made(white, 0, 64)), classify_series(made(logistic(4), 0, 64))}) {
+        EXPECT_EQ(found.mode, Mode::undecided);
+        EXPECT_EQ(found.kind, Kind::none) << name_of(found.kind);
+    }
+}
+
 TEST(ClassifySeries, AConstantIsSteady) {
     const auto found = classify_series(Series(100, 0.25));
     EXPECT_EQ(found.mode, Mode::steady);
     EXPECT_EQ(found.period, 1);
+}
+
+TEST(ClassifySeries, ALargeOffsetHidesNothing) {
+    const auto on_offset = [](Series x) {
+        for (double& v : x) v += 1e9;
+        return classify_series(x);
+    };
+    const auto torus = on_offset(made([](int i) { return std::cos(maps::two_pi * maps::golden_mean * i); }));
+    EXPECT_EQ(torus.kind, Kind::quasi_periodic);
+    const auto chaos = on_offset(made([z = std::pair(0.1, 0.1)](int) mutable {
+        z = {1 - 1.4 * z.first * z.first + z.second, 0.3 * z.first};
+        return z.first;
+    }));
+    EXPECT_EQ(chaos.mode, Mode::chaotic);
+    EXPECT_NEAR(chaos.largest_exponent, 0.41922, 0.02);
+    EXPECT_EQ(on_offset(Series(100, 0.25)).mode, Mode::steady);
+    EXPECT_EQ(classify_series(Series(100'000, 0.1)).mode, Mode::steady);
 }
 
 // The classical traps: noise that a correlation dimension or an exponent alone takes for chaos.

@@ -130,10 +130,10 @@ TEST(BadInput, NamesValueAndRange) {
     EXPECT_EQ(error_of([&] { embed_series(series, 3, 2); }),
               "series length = 4: must be > 4 = (dimension - 1) * delay");
     EXPECT_EQ(error_of([&] { embed_series(series, 1, 1, -1); }),
-              "period = -1.000000: must be finite and >= 0 (0: no angle)");
+              "period = -1: must be finite and >= 0 (0: no angle)");
     EXPECT_EQ(error_of([&] { section_points(series, 3); }),
               "number of values = 4: must be a positive multiple of the dimension 3");
-    EXPECT_EQ(error_of([&] { count_lines(embed_series(series), -1.0); }), "threshold = -1.000000: must be >= 0");
+    EXPECT_EQ(error_of([&] { count_lines(embed_series(series), -1.0); }), "threshold = -1: must be >= 0");
     EXPECT_EQ(error_of([&] { count_lines(embed_series(series), nan); }), "threshold = nan: must be >= 0");
     Settings s;
     s.theiler = -1;
@@ -142,9 +142,9 @@ TEST(BadInput, NamesValueAndRange) {
     s.min_diagonal = 0;
     EXPECT_EQ(error_of([&] { count_lines(embed_series(series), 1.0, s); }), "min-diagonal = 0: must be >= 1");
     EXPECT_EQ(error_of([&] { threshold_of_rate(embed_series(series), 1.5); }),
-              "recurrence-rate = 1.500000: must be in (0, 1]");
+              "recurrence-rate = 1.5: must be in (0, 1]");
     EXPECT_EQ(error_of([&] { threshold_of_deviation(embed_series(series), -1); }),
-              "threshold-std = -1.000000: must be finite and >= 0");
+              "threshold-std = -1: must be finite and >= 0");
     EXPECT_EQ(error_of([&] { count_cross_lines(embed_series(series), embed_series(series, 2), std::vector{1.0}); }),
               "dimension = 2 of the second series: must be 1, that of the first");
 }

@@ -85,4 +85,18 @@ TEST(Resample, RefusesWhatIsNotASeries) {
     EXPECT_THROW(interpolation_from_name("cubic"), std::invalid_argument);
 }
 
+TEST(Resample, SaysTheSmallestSpacing) {
+    const std::vector<double> times = {0, 0x1p-20};
+    ResampleOptions options;
+    options.spacing = 1e-20;
+    try {
+        resample(times, times, options);
+        FAIL() << "nothing was refused";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "spacing = 1e-20: must be at least 3.552713678800501e-15, the length of the series "
+                                   "over 2^28");
+        EXPECT_EQ(std::stod("3.552713678800501e-15"), 0x1p-48);
+    }
+}
+
 }  // namespace

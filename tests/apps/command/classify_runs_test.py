@@ -4,6 +4,7 @@ import signal
 import time
 import unittest
 
+import numpy
 import xarray
 
 from driving import InFolder, document, run, start
@@ -61,6 +62,29 @@ class Runs(InFolder):
             self.assertAlmostEqual(float(attractors["share"].sum()), 1, delta=1e-15)
         with xarray.open_dataset(self.folder / "1.h5", group="mode", engine="h5netcdf") as mode:
             self.assertIn("changes_if", mode)
+
+    def test_no_kind_and_no_period_are_null_in_every_document_and_none_in_every_record(self):
+        record = self.folder / "o.h5"
+        flags = f"--sides 6 --beta 0.1 --mu 0.5 --restitution 0.9 --speed 0 --collisions 100 --quiet -o {record}"
+        for command, groups in ((f"classify --alpha 0.4 {flags}", ["mode"]),
+                                (f"classify --alpha 0.4 --runs 2 {flags}", ["mode", "attractors", "runs"]),
+                                (f"sweep --grid alpha=0.4:0.4:1 {flags}", ["settings"]),
+                                (f"bifurcate --along alpha=0.4:0.5:2 {flags}", ["attractors"])):
+            found = document(command)
+            named = [found, *found.get("attractors", []), *found.get("runs", []),
+                     *(run for cell in found.get("cells", []) for run in cell["runs"]),
+                     *(orbit for column in found.get("columns", []) for orbit in column["attractors"])]
+            named = [verdict for verdict in named if "mode" in verdict]
+            self.assertTrue(named, command)
+            for verdict in named:
+                answer = [verdict[key] for key in ("mode", "kind", "period")]
+                self.assertEqual(answer, ["undecided", None, None], command)
+            for group in groups:
+                with xarray.open_dataset(record, group=group, engine="h5netcdf") as data:
+                    found = data if "kind" in data else data.attrs
+                    kinds = found["kind"] if "kind" in found else found["kinds"][0]
+                    self.assertEqual(set(numpy.atleast_1d(kinds)), {"none"}, (command, group))
+            record.unlink()
 
     def test_a_table_for_people_lists_the_attractors(self):
         shares = document(f"classify {COEXISTING} --runs 16")["modes"]

@@ -58,6 +58,10 @@ class Lyapunov(unittest.TestCase):
         self.assertEqual(ended["outcome"], "in-contact")
         none = document("lyapunov --sides 6 --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.9 --x 0.1", 3)
         self.assertEqual((none["outcome"], none["exponents"]), ("no-contact", []))
+        for found in (ended, none):
+            for key in ("exponents", "exponents_per_time", "standard_errors", "standard_errors_per_time",
+                        "plain_means", "weighted_means", "signs"):
+                self.assertEqual(found[key], [], key)
 
     def test_bad_input(self):
         scene = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"

@@ -143,7 +143,8 @@ class ClassifySeries(InFolder):
     def test_bad_input(self):
         short = self.series("short.csv", [float(i) for i in range(20)])
         series = self.series("s.csv", [float(i % 5) for i in range(100)])
-        for flags, mention in ((f"--series {short}", "20 samples"), (f"--series {series} --noise -1", "noise"),
+        for flags, mention in ((f"--series {short}", "20 samples"),
+                               (f"--series {series} --noise -1", "noise = -1: must"),
                                (f"--series {series} --rows both", "impacts, samples"),
                                (f"--series {series} --sides 6", "one"), ("--column S", "--series"),
                                (f"{series}", "--series"), (f"--series {self.folder}", "directory"),
@@ -198,7 +199,10 @@ class BadInput(InFolder):
                 "--theiler 250": ("theiler", "250"), "--theiler -1": ("theiler", "-1"),
                 "--min-diagonal 0": ("min-diagonal", "0"), "--norm taxi": ("norm", "taxi", "manhattan"),
                 "--convention R": ("convention", "pyunicorn"), "--image 10": ("--image", "-o"),
-                "--image 999 --json": ("pixels", "999"), "--resample 0": ("resample", "0"),
+                "--image 999 --json": ("--image", "999", "1 to 250"),
+                "--image 3 --json --threshold 0.1,0.2": ("--image takes one threshold",),
+                "--image 3 --json --threshold-std 0.1 --threshold-std 0.2": ("--image takes one threshold",),
+                "--resample 0": ("resample", "0"),
                 "--observable psi": ("observable", "--column"), "--cross no.csv": ("no.csv",),
                 "--period -1": ("period", "-1")}.items():
             self.check(f"--series {file} {flags}", *mentions, commands=["recurrence"])
@@ -214,8 +218,12 @@ class BadInput(InFolder):
                 "--overlap nan": ("overlap", "nan"), "--segments 0": ("segments", "0"),
                 "--segments 200": ("segments", "200"), "--bins 64": ("--bins",),
                 "--detrend cubic": ("detrend", "cubic"),
+                "--resample 1e-9": ("spacing = 1e-09: must be at least 9.", "e-07"),
+                "--frame container": ("frame", "orbit"),
                 "--resample -1": ("resample", "-1"), "--observable x": ("observable", "--column")}.items():
             self.check(f"--series {file} {flags}", *mentions, commands=["spectrum"])
+        for bins in ("1", "7", "16777217", "268435456"):
+            self.check(f"{STEADY} --bins {bins}", "--bins", bins, "8 to 16777216", commands=["spectrum"])
         self.check(f"{STEADY} --frame moon", "frame", "moon", "laboratory", commands=["spectrum"])
         self.check(f"{STEADY} --observable psi", "psi", "position", commands=["spectrum"])
         self.check(f"--series {self.series('short.csv', [1.0, 2.0, 3.0])}", "3 samples", commands=["spectrum"])

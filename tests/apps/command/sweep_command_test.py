@@ -1,6 +1,7 @@
 """swirl sweep, from outside: sweep_command_test.py SWIRL"""
 
 import signal
+import subprocess
 import time
 import unittest
 
@@ -74,6 +75,17 @@ class Sweeps(InFolder):
             self.assertEqual(run(f"sweep {LONG} -o {cut} --quiet").returncode, 0)
         self.assertEqual(whole.read_bytes(), cut.read_bytes())
         self.assertFalse((self.folder / ".cut.h5.journal").exists())
+
+    def test_interrupted_it_says_what_is_kept_if_a_record_was_asked_for(self):
+        kept = r"^swirl: interrupted; [1-9]\d* of 2600 runs are kept: the same command goes on from there$"
+        longer = LONG.replace("--collisions 300", "--collisions 20000")
+        for flags, said in ((f"-o {self.folder}/a.h5", kept), (f"-o {self.folder}/b.h5 --quiet", "^$"), ("", "^$")):
+            process = start(f"sweep {longer} {flags}", stderr=subprocess.PIPE, text=True)
+            time.sleep(2)
+            process.send_signal(signal.SIGINT)
+            message = process.communicate(timeout=60)[1]
+            self.assertEqual(process.returncode, 130)
+            self.assertRegex(message.rstrip("\n"), said)
 
     def test_a_finished_record_is_used_and_one_of_other_options_refused(self):
         file = self.folder / "a.h5"

@@ -71,6 +71,18 @@ TEST(DelimitedFile, AHeaderIsALineOfWordsWithoutANumber) {
     }
 }
 
+TEST(DelimitedFile, AFirstRowOfBadNumbersIsNoHeader) {
+    for (const std::string cell : {"1e400", "inf", "-Infinity", "0x10"})
+        for (const auto& first : {cell, cell + ",nan"}) {
+            const WrittenFile file(first + "\n" + (first == cell ? "1\n2\n" : "1,1\n2,2\n"));
+            const auto read = read_delimited(file.path());
+            EXPECT_TRUE(read.header.empty()) << first;
+            EXPECT_THAT(refusal([&] { all_columns(read); }), HasSubstr("line 1: '" + cell + "' in column 1 is not a"));
+        }
+    const WrittenFile named("inf,label\n1,2\n");
+    EXPECT_EQ(read_delimited(named.path()).header, (Words{"inf", "label"}));
+}
+
 TEST(DelimitedFile, AMissingCellIsAGapWhereOneMayBe) {
     const WrittenFile file("a,b\n1,\n2,nan\n3,NA\n4,5\n");
     const auto read = read_delimited(file.path());

@@ -91,6 +91,19 @@ TEST(MeasuredSeries, TimesMustRise) {
     EXPECT_EQ(read("t,S\n0,1\n0,2\n", "", "none").values, (Numbers{1, 2}));
 }
 
+TEST(MeasuredSeries, ValuesAreOfASizeThatCanBeReckonedWith) {
+    EXPECT_THAT(refusal("t,S\n0,1\n1,-1e308\n2,1\n"), HasSubstr("line 3: -1e+308 in column S is outside its range: "
+                                                               "-1e+75 to 1e+75; the line reads '1,-1e308'"));
+    EXPECT_THAT(refusal("t,S\n-1e308,1\n1e308,2\n"), HasSubstr("line 2: -1e+308 in column t"));
+    EXPECT_THAT(refusal("1e-200\n-3e-200\n2e-200\n"),
+                HasSubstr("the largest value of column 1, 3e-200, is outside its range: 0, or 1e-75 to 1e+75"));
+    EXPECT_EQ(read("1e75\n-1e75\n").values, (Numbers{1e75, -1e75}));
+    EXPECT_EQ(read("1e-200\n1e-75\n0\n").values, (Numbers{1e-200, 1e-75, 0}));
+    EXPECT_EQ(read("0\n0\n").values, (Numbers{0, 0}));
+    EXPECT_THROW(part_of(read("1\n1e-200\n2e-200\n"), 1, 2), BadInput);
+    EXPECT_THROW(read("1\n2\n", "", "", 1e308), BadInput);
+}
+
 TEST(MeasuredSeries, APartIsDescribedByItself) {
     const auto series = read("t,S\n0,1\n1,2\n2,\n4,5\n");
     const auto part = part_of(series, 0, 2);

@@ -20,6 +20,8 @@ struct Tally {
 /// Follows an orbit until a time; contact that goes on counts as completed.
 
 /// Follows an orbit until a time; contact that goes on counts as completed.
-Tally follow(const Scene<double>& scene, const LabStart<double>& start, double until, long most = 1'000'000'000);
+///   looks  into contact on its way, for `outside`: that takes a third of a polygon's time there
+Tally follow(const Scene<double>& scene, const LabStart<double>& start, double until, long most = 1'000'000'000,
+             bool looks = true);
 
 }  // namespace swirl::tests

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <vector>
 
 namespace swirl::apps {
@@ -29,7 +30,7 @@ struct Attractor {
     analysis::Kind kind = analysis::Kind::none;
     std::int64_t period = 0;              ///< 0: none found
     double distance = 0;                  ///< of the samples from the cycle, where there is one
-    double mean_spin = 0;                 ///< time mean of S over the kept impacts, or over the period
+    double mean_spin = std::nan("");      ///< time mean of S over the kept impacts, or over the period; NaN without
     std::vector<Eigen::VectorXd> states;  ///< the kept states; where there is a cycle one period of the orbit, settled on it
     Eigen::VectorXd last;                 ///< the orbit's last state; empty without impacts
 };

@@ -7,6 +7,7 @@
 #include "apps/command_line/start_options.hpp"
 #include "map/outcome.hpp"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct OrbitSpectrum {
     /// and quasi-periodic orbits, on which it converges faster than any power), the plain mean elsewhere.
     std::vector<double> exponents;
     std::vector<double> per_time;               ///< the same per unit of time
-    double sum = 0;                             ///< −∞ where a rank is lost
+    double sum = std::nan("");                  ///< −∞ where a rank is lost; NaN without exponents
     double jacobi_residual = 0;                 ///< ‖∇J(F(z)) DF − ∇J(z)‖ relative, NaN where J is not conserved
     Outcome outcome = Outcome::completed;       ///< how following the orbit ended
     long long impacts = 0;

@@ -62,6 +62,7 @@ class Lyapunov(unittest.TestCase):
             for key in ("exponents", "exponents_per_time", "standard_errors", "standard_errors_per_time",
                         "plain_means", "weighted_means", "signs"):
                 self.assertEqual(found[key], [], key)
+            self.assertIsNone(found["result"]["sum"])
 
     def test_bad_input(self):
         scene = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"

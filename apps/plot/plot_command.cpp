@@ -17,7 +17,8 @@ namespace swirl::apps {
 const char* const plot_details =
     R"(The figure follows from what the record holds:
   simulate            orbit (the default: the next two in one), spin (S(t) with its running time mean), path (of the
-                      centre, in the laboratory, in the container, and co-rotating with the swirl)
+                      centre, in the laboratory, in the container, and co-rotating with the swirl; on the wall too, with
+                      simulate --sample)
   sweep               modes: bands, a map or panels, by the number of parameters
   bifurcate, continue bifurcation: samples, branches and the points where they change
   orbits              multipliers: in the complex plane, with the mean spin of each orbit

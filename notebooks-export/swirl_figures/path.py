@@ -49,6 +49,16 @@ def sample(flights):
     return curves
 
 
+def stays(record):
+    """[(t, x, y)] of each stay on the wall, from the record's samples (simulate --sample); none without these."""
+    if "samples" not in record:
+        return []
+    t, x, y, on_wall = (record.column("samples", name) for name in ("t", "x", "y", "in_contact"))
+    borders = numpy.flatnonzero(numpy.diff(on_wall.astype(int))) + 1
+    parts = numpy.split(numpy.arange(len(t)), borders)
+    return [(t[part], x[part], y[part]) for part in parts if len(part) > 1 and on_wall[part[0]]]
+
+
 def _draw_container(axes, name, t, beta):
     """The container's circle at time t, the swirl's centre, and the circle on which the container's centre runs."""
     centre = FRAMES[name](beta * numpy.cos(t), beta * numpy.sin(t), t, beta)
@@ -82,7 +92,9 @@ def _title(flights, record):
     shown = min(len(flights), MOST_FLIGHTS)
     which = "the last {0:,} of {1:,} flights" if shown < len(flights) else "{0:,} flight" + "s" * (shown > 1)
     text = f"Path of the centre, {which.format(shown, len(flights))}"
-    if not flights.last(shown).follows().all():
+    if stays(record):
+        text += "; thick: on the wall"
+    elif not flights.last(shown).follows().all():
         text += "; gaps where the record lists no flight"
     return text
 
@@ -93,11 +105,18 @@ def draw_path_into(figure, panels, record):
     shown = flights.last(MOST_FLIGHTS)
     beta = record.scene()["beta"]
     curves = sample(shown)
-    times = Normalize(shown.begin[0], shown.end[-1])
+    walls = [(t, x, y) for t, x, y in stays(record) if t[-1] >= shown.begin[0]]
+    ends = numpy.array([t[-1] for t, _, _ in walls])
+    times = Normalize(shown.begin[0], max([shown.end[-1], *ends]))
+
+    def lines_of(some, into, array, width):
+        return LineCollection([numpy.column_stack(into(x, y, t, beta)) for t, x, y in some], cmap="cividis_r",
+                              norm=times, array=array, linewidths=width, capstyle="round")
+
     for axes, (name, into) in zip(panels, FRAMES.items()):
-        lines = LineCollection([numpy.column_stack(into(x, y, t, beta)) for t, x, y in curves],
-                               cmap="cividis_r", norm=times, array=shown.end, linewidths=0.8, capstyle="round")
+        lines = lines_of(curves, into, shown.end, 0.8)
         axes.add_collection(lines)
+        axes.add_collection(lines_of(walls, into, ends, 2))
         axes.set_aspect("equal")
         axes.set(title=name, xlabel=r"$x/R_c$")
         for axis in (axes.xaxis, axes.yaxis):

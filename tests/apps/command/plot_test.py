@@ -21,7 +21,7 @@ sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
 import figure_records
 from swirl_figures import draw, kinds_of, open_record
 from swirl_figures.flights import flights_of
-from swirl_figures.path import FRAMES, sample
+from swirl_figures.path import FRAMES, sample, stays
 from swirl_figures.spin import running_mean
 
 STEADY = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
@@ -30,6 +30,7 @@ RECORDS = {
     "chaotic": "simulate --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --collisions 2000",
     "every": "simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --collisions 1000 --every 10",
     "contact": "simulate --sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --collisions 200",
+    "sampled": "simulate --sides disk --alpha 0.1 --beta 0.05 --mu 0.4 --restitution 0.3 --time 60 --sample 0.05",
     "single": f"simulate {STEADY} --collisions 1",
     "sweep1": "sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.8:0.1:4 --runs 2",
     "sweep2": "sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:5 --grid beta=0.1:0.9:4 --runs 2",
@@ -143,6 +144,15 @@ class Orbits(WithRecords):
             mean = running_mean(record)[1][-1]
             delta = 1e-3 if name == "contact" else 1e-12
             self.assertAlmostEqual(mean, record.attributes("result")["mean_S"], delta=delta)
+
+    def test_stays_on_the_wall_are_on_the_wall(self):
+        record = open_record(self.records["sampled"])
+        found = stays(record)
+        self.assertGreater(len(found), 0)
+        for t, x, y in found:
+            away = numpy.hypot(*FRAMES["Container (not turning)"](x, y, t, 0.05))
+            self.assertLess(abs(away - 0.9).max(), 1e-12)
+        self.assertEqual(stays(open_record(self.records["contact"])), [])
 
     def test_no_path_leaves_the_container(self):
         for name in ("steps", "chaotic", "every", "contact"):

@@ -97,6 +97,14 @@ void describe_recurrence(Classification& result) {
              ")"});
 }
 
+void describe_rounding(const Findings& findings, const ClassifyOptions& options, Classification& result) {
+    const double limit = options.period.rounding;
+    result.evidence.push_back({"growth of rounding along the period", findings.rounding, limit,
+                               "the orbit returns to itself, but where is an accident of rounding: chaos between landings "
+                               "that forget everything",
+                               "at most " + in_words(limit) + ": that cycle"});
+}
+
 void describe_rotation(const Findings& findings, Classification& result) {
     const RotationOptions limits;
     const RotationNumber& rotation = findings.rotation;
@@ -116,9 +124,10 @@ bool describe_size(const Findings& findings, const ClassifyOptions& options, Cla
     const bool settled = std::abs(std::log(findings.spread_change)) <= std::log(options.settled_spread);
     const std::string range = in_words(1 / options.settled_spread) + " to " + in_words(options.settled_spread);
     const bool torus = findings.rotation.outcome == RotationOutcome::quasi_periodic;
+    const std::string changing = options.conserves ? "too short a tail for its slow beats" : "still settling";
     result.evidence.push_back({"change of spread along the tail", findings.spread_change, options.settled_spread,
-                               settled ? "the orbit keeps its size" : "the orbit is still settling",
-                               settled ? "outside " + range + ": undecided, still settling"
+                               settled ? "the orbit keeps its size" : changing,
+                               settled ? "outside " + range + ": undecided, " + changing
                                : torus ? "within " + range + ": quasi-steady, a torus"
                                        : "within " + range + ": still undecided, for want of a rotation number"});
     return settled;
@@ -133,7 +142,7 @@ void decide(const Findings& findings, const ClassifyOptions& options, Classifica
     describe_recurrence(result);
     const bool chaotic = findings.exponent.sign == ExponentSign::positive;
     result.mode = Mode::undecided;
-    result.kind = findings.has_cycle && chaotic ? Kind::transient : Kind::none;
+    result.kind = findings.has_cycle && chaotic && !options.conserves ? Kind::transient : Kind::none;
     if (findings.has_cycle && !chaotic) {
         result.mode = result.period == 1 ? Mode::steady : Mode::quasi_steady;
         result.kind = result.period > 1 ? Kind::cycle : findings.is_family ? Kind::family : Kind::fixed_point;
@@ -144,10 +153,14 @@ void decide(const Findings& findings, const ClassifyOptions& options, Classifica
         result.kind = Kind::chaotic;
         return;
     }
+    if (findings.rounding > 0) {
+        describe_rounding(findings, options, result);
+        return;
+    }
     if (findings.has_cycle) return;  // settles on an attracting cycle and yet grows: a transient
     describe_rotation(findings, result);
     if (!describe_size(findings, options, result)) {
-        result.kind = Kind::transient;
+        if (!options.conserves) result.kind = Kind::transient;
         return;
     }
     if (findings.rotation.outcome != RotationOutcome::quasi_periodic) return;

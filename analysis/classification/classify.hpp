@@ -23,6 +23,7 @@ struct ClassifyOptions {
     double recurrence_threshold = 1e-6;  ///< δ of RC
     double settled_spread = 1.1;       ///< a torus' spread changes by less than this factor along the tail
     double sigmas = 5;                 ///< standard errors from zero that make an exponent positive
+    bool conserves = false;            ///< the map keeps volumes: nothing settles, and so nothing is a transient
     PeriodOptions period;
 };
 
@@ -58,6 +59,7 @@ inline constexpr int more_candidates = 8;
 struct Findings {
     bool has_cycle = false;
     bool is_family = false, attracting = false, kept = false, forgets = false, has_multipliers = false;
+    double rounding = 0;  ///< of a cycle that was found, but is none for its sake (FoundCycle::rounding); 0: no such
     double closure = 0, residual = 0, distance = 0, farthest = 0, slowest_multiplier = 0;
     double spread_change = 1;  ///< of the tail's last quarter over its first; far from 1: still settling
     SignEvidence exponent;
@@ -90,7 +92,8 @@ Means means_of(const Tail<M::dimension>& tail, int coordinate) {
 template <SectionMap M>
 void take_cycle(const M& map, const FoundCycle<M::dimension>& cycle, const ClassifyOptions& options, int observable,
                 Findings& findings, Classification& result) {
-    findings.has_cycle = cycle.period > 0;
+    if (cycle.rounding > options.period.rounding) findings.rounding = cycle.rounding;
+    findings.has_cycle = cycle.period > 0 && findings.rounding == 0;
     if (!findings.has_cycle) return;
     findings.is_family = cycle.family;
     findings.attracting = cycle.attracting;
@@ -230,9 +233,9 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
         result.largest_exponent_error = findings.exponent.standard_error;
     }
     const bool forgets = std::isinf(findings.exponent.exponent) && findings.exponent.exponent < 0;
-    if (!findings.has_cycle && forgets) take(find_forgetful_period(map, tail, options.period));
+    if (!findings.has_cycle && findings.rounding == 0 && forgets) take(find_forgetful_period(map, tail, options.period));
     findings.spread_change = detail::spread_change(map, tail);
-    if (!findings.has_cycle && findings.exponent.sign != ExponentSign::positive) {
+    if (!findings.has_cycle && findings.rounding == 0 && findings.exponent.sign != ExponentSign::positive) {
         findings.rotation = detail::rotation_of(map, tail);
         PeriodOptions thorough = options.period;
         thorough.candidates *= detail::more_candidates;

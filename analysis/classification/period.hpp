@@ -1,6 +1,7 @@
 // The period of an orbit that has settled, or is settling, on a cycle.
 #pragma once
 
+#include "analysis/classification/rounding_growth.hpp"
 #include "analysis/classification/tail.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
@@ -24,6 +25,7 @@ struct PeriodOptions {
     int candidates = 4;             ///< periods tried by Newton's method
     double residual = 1e-12;        ///< |Fᵏ(z) − z| that Newton's method must reach
     double neutral = 1e-6;          ///< a multiplier this near to 1 belongs to a family
+    double rounding = 1e-6;         ///< a cycle along which rounding grows to more than this is an accident of it
     bool exact_multipliers = true;  ///< always in 100 digits; false: only where double's own can't decide
     double stable = 1e-8;           ///< an attracting cycle's multipliers are below 1 − stable, those near 1 apart
 };
@@ -42,6 +44,7 @@ struct FoundCycle {
     bool attracting = false;  ///< all multipliers inside the unit circle, those of a family apart
     bool kept = false;        ///< the orbit itself has closed all along the tail's last quarter
     bool approached = false;  ///< the orbit has come ever nearer, or is within 10⁻⁶ already, and its returns shrink
+    double rounding = 0;      ///< of one that returns to `closure`: rounding_growth along it
     bool forgets = false;     ///< every direction is annihilated on the way: what comes again once comes again for ever
 };
 
@@ -90,15 +93,16 @@ double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_
 template <SectionMap M>
 bool returns_shrink(const M& map, const Tail<M::dimension>& tail, std::int64_t k, double slowest, std::int64_t period) {
     const auto n = static_cast<std::int64_t>(tail.states.size());
-    const auto largest = [&](std::int64_t first) {  // of the k states from `first` on, to those k steps before
+    const std::int64_t count = std::max(k, n / 16);  // states, so that the phase of a complex multiplier plays no part
+    const auto largest = [&](std::int64_t first) {   // from `first` on, to those k steps before
         double farthest = 0;
-        for (std::int64_t j = first; j < first + k; ++j)
+        for (std::int64_t j = first; j < first + count; ++j)
             farthest = std::max(farthest, distance(map, tail.states[static_cast<std::size_t>(j)],
                                                    tail.states[static_cast<std::size_t>(j - k)]));
         return farthest;
     };
-    const double apart = static_cast<double>(n - 2 * k) / static_cast<double>(period);
-    return largest(n - k) <= std::max(0.5, std::pow(slowest, 0.5 * apart)) * largest(k);
+    const double apart = static_cast<double>(n - count - k) / static_cast<double>(period);
+    return largest(n - count) <= std::max(0.5, std::pow(slowest, 0.5 * apart)) * largest(k);
 }
 
 /// Fᵏ and its derivative at z; false if the map ends on the way.
@@ -220,6 +224,7 @@ FoundCycle<M::dimension> cycle_of_closed(const M& map, const Tail<M::dimension>&
         found.closure = found.residual = closure;
     }
     found.kept = kept;
+    found.rounding = rounding_growth(map, found.point, found.period);
     return found;
 }
 
@@ -275,6 +280,7 @@ FoundCycle<M::dimension> find_forgetful_period(const M& map, const Tail<M::dimen
         found.point = tail.states.back();
         found.closure = found.residual = returned;
         found.kept = found.approached = found.forgets = true;
+        found.rounding = rounding_growth(map, found.point, k);
         break;
     }
     return found;

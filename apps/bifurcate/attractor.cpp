@@ -113,7 +113,7 @@ void name(const System& system, const Kept<System>& kept, const SampleSettings& 
     options.max_period = settings.max_period;
     options.exact_multipliers = false;
     const auto cycle = analysis::find_period(system, kept.tail, options);
-    if (cycle.period > 0) {
+    if (cycle.period > 0 && cycle.rounding <= options.rounding) {
         take_cycle(system, cycle, kept, attractor);
         return;
     }

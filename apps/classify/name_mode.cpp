@@ -74,7 +74,9 @@ void name_ending(Outcome outcome, long long impacts, analysis::Classification& v
 
 }  // namespace
 
-NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& settings) {
+NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& options) {
+    analysis::ClassifyOptions settings = options;
+    settings.conserves = scene.mu == 0 && scene.restitution == 1;
     return with_collision_map(scene, [&](const auto& map) {
         NamedMode named;
         SectionPoint<double> first{};

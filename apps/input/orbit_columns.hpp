@@ -36,6 +36,7 @@ struct OrbitColumns {
     std::vector<ContactPassage> contacts;     ///< between the impacts kept; of an orbit that was followed
     std::optional<ContactScene> contact_scene;  ///< what they belong to
     std::string accuracy = "double";          ///< a record's
+    ImpactRange range;                        ///< of the whole orbit's impacts: those that are kept
     std::int64_t contacts_listed = 0;         ///< a record's, over the whole orbit
 };
 
@@ -60,5 +61,9 @@ OrbitColumns read_orbit(const std::string& record, const ImpactRange& range, con
 
 /// Sets scene and start to a record's, so that its orbit can be followed again.
 void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptions& start);
+
+/// The same impacts with the contacts between them. @throws BadInput
+OrbitColumns followed_again(const OrbitColumns& record, const OutputOptions& output,
+                            const std::vector<std::string>& names);
 
 }  // namespace swirl::apps

@@ -58,6 +58,7 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
     columns.outcome = setting<std::string>(result, "outcome", "completed");
     columns.impacts = setting<std::int64_t>(result, "impacts", 0);
     columns.accuracy = setting<std::string>(attributes_of(record, "/settings"), "accuracy", "double");
+    columns.range.transient = setting<std::int64_t>(attributes_of(record, "/settings"), "skip", 0) + range.transient;
     if (record.contains("/contacts/t_start"))
         columns.contacts_listed = static_cast<std::int64_t>(record.info("/contacts/t_start").shape.at(0));
     require_observables(names, columns.disk);
@@ -74,6 +75,7 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
                                        rows, range.transient, std::max<std::int64_t>(range.collisions, 1),
                                        range.transient + std::max<std::int64_t>(range.collisions, 1)));
         const std::int64_t count = range.collisions < 0 ? left : range.collisions;
+        columns.range.collisions = count;
         columns.values.push_back(record.read<double>(path, {{static_cast<std::uint64_t>(range.transient)},
                                                             {static_cast<std::uint64_t>(count)}}));
     }
@@ -101,6 +103,14 @@ void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptio
         else start.set(name, text_of(value));
     }
     if (on_section) start.set("point", point);
+}
+
+OrbitColumns followed_again(const OrbitColumns& record, const OutputOptions& output,
+                            const std::vector<std::string>& names) {
+    SceneOptions scene;
+    StartOptions start;
+    set_from_record(record, scene, start);
+    return follow_orbit(scene, start, output, record.range, names);
 }
 
 }  // namespace swirl::apps

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "apps/command_line/documents.hpp"
+#include "apps/command_line/interruption.hpp"
 #include "map/sustained/stretch.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,6 +17,9 @@ struct SampleRow {
     bool in_contact = false;
 };
 
+/// The shortest time between samples: 10⁹ time units of them can be counted.
+inline constexpr double least_sample_step = 1e-9;
+
 /// Samples at the multiples of a time step; at an impact, just before it.
 class Sampler {
 public:
@@ -25,15 +30,14 @@ public:
     void take(const ContactScene& scene, std::span<const Stretch> stretches, double until, const Use& use) {
         for (const Stretch& stretch : stretches)
             for (; time() <= stretch.end && time() <= until; ++next_) {
+                if (next_ % 1024 == 0 && is_interrupted()) return;
                 if (time() < stretch.start) continue;
                 const Moment now = moment_at(scene, stretch, time());
                 use(SampleRow{time(), now.centre.x, now.centre.y, now.angle, now.spin, stretch.in_contact});
             }
     }
     /// Leaves out all before a time.
-    void pass_over(double until) {
-        while (time() < until) ++next_;
-    }
+    void pass_over(double until) { next_ = static_cast<std::int64_t>(std::ceil(until / step_)); }
 
 private:
     double time() const { return static_cast<double>(next_) * step_; }

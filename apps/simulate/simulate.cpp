@@ -92,8 +92,11 @@ public:
     void passed(const Orbit<Map>& orbit, bool struck, Sinks& sinks) {
         if (!cutter_) return;
         const auto& stretches = cutter_->passed(orbit, struck);
-        if (struck && orbit.impacts() <= skip_) sampler_->pass_over(static_cast<double>(orbit.frame().time.unwound()));
-        else sampler_->take(cutter_->scene(), stretches, until_, [&](const SampleRow& row) { sinks.add(row); });
+        if (skip_ > 0 && orbit.impacts() <= skip_) {
+            if (struck) sampler_->pass_over(static_cast<double>(orbit.frame().time.unwound()));
+            return;
+        }
+        sampler_->take(cutter_->scene(), stretches, until_, [&](const SampleRow& row) { sinks.add(row); });
     }
 
 private:
@@ -208,8 +211,9 @@ void check_limits(const SimulateOptions& options) {
     if (options.collisions && options.time) throw BadInput("--collisions and --time are both given; give one");
     if (options.time && !(*options.time > 0 && std::isfinite(*options.time)))
         throw BadInput(fmt::format("time = {} is outside its range: time > 0, finite", *options.time));
-    if (options.sample && !(*options.sample > 0 && std::isfinite(*options.sample)))
-        throw BadInput(fmt::format("sample = {} is outside its range: sample > 0, finite", *options.sample));
+    if (options.sample && !(*options.sample >= least_sample_step && std::isfinite(*options.sample)))
+        throw BadInput(fmt::format("sample = {} is outside its range: {:g} or more, finite", *options.sample,
+                                   least_sample_step));
     if (options.sample && !options.output.json && options.output.record.empty())
         throw BadInput("--sample goes into a document or a record: give --json or -o FILE.h5");
     if (!options.time && options.skip >= options.limit())

@@ -111,14 +111,15 @@ std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bi
 /// A record lists the pieces of its contacts, not the motion on them: its orbit is followed again.
 OrbitColumns orbit_of(SpectrumOptions& options, const std::vector<std::string>& names, SpectrumSignal& signal) {
     OrbitColumns orbit = options.input.orbit(options.output, names);
+    if (orbit.every > 1)
+        throw BadInput(fmt::format("the record lists every {}th impact; a spectrum needs all: simulate with --every 1",
+                                   orbit.every));
     if (orbit.contacts_listed == 0) return orbit;
-    ImpactRange range = options.input.range();
-    if (range.collisions < 0) range.collisions = static_cast<std::int64_t>(orbit.values[0].size());
-    OutputOptions output = options.output;
-    output.accuracy_name = orbit.accuracy;
-    set_from_record(orbit, options.input.scene, options.input.start);
+    if (orbit.accuracy != "double")
+        throw BadInput(fmt::format("the record's orbit leads through contact in {} accuracy, and its scene is kept in "
+                                   "double: give the scene and --accuracy instead of the record", orbit.accuracy));
     signal.notes.push_back("the orbit leads through contact: it is followed again from the record's scene and start");
-    return follow_orbit(options.input.scene, options.input.start, output, range, names);
+    return followed_again(orbit, options.output, names);
 }
 
 SpectrumSignal signal_of_orbit(SpectrumOptions& options) {
@@ -127,9 +128,6 @@ SpectrumSignal signal_of_orbit(SpectrumOptions& options) {
     const analysis::Frame frame = analysis::frame_from_name(options.frame);
     signal.orbit = orbit_of(options, columns_for(options), signal);
     const auto& orbit = *signal.orbit;
-    if (orbit.every > 1)
-        throw BadInput(fmt::format("the record lists every {}th impact; a spectrum needs all: simulate with --every 1",
-                                   orbit.every));
     signal.cycle_time = 2 * std::numbers::pi;
     const auto& t = orbit.values[0];
     signal.enough = t.size() >= 2 && t.back() > t.front();

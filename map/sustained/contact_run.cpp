@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace swirl {
 
@@ -142,10 +144,56 @@ struct Doubt {
     const Series* against = nullptr; ///< b, nothing if there is none
     double factor = 1, border = 0;   ///< factor a − |b| − border > 0 while the condition holds
     double doubtful = 0;             ///< below this rounding decides
+    double bend = 0;                 ///< bounds its second derivative from above, on the step
 
     double at(double t) const {
-        const auto value = [t](const Series& series) { return series[0] + change_at(series, t); };
-        return factor * value(*falls) - (against ? std::abs(value(*against)) : 0) - border;
+        return factor * value_at(*falls, t) - (against ? std::abs(value_at(*against, t)) : 0) - border;
+    }
+    double rate_at(double t) const {
+        const double rate = factor * derivative_at(*falls, t);
+        return against ? rate - std::copysign(1.0, value_at(*against, t)) * derivative_at(*against, t) : rate;
+    }
+
+    /// The moment between two looks at which the condition is lowest, if it fails there beyond rounding (some 10⁻¹³ of its
+    /// terms) though it holds at both.
+    std::optional<double> dip(double from, double to) const {
+        Lowest lowest{-1e-4 * doubtful, 0, false};
+        seek(from, to, 8, lowest);
+        return lowest.found ? std::optional(lowest.time) : std::nullopt;
+    }
+
+private:
+    struct Lowest {
+        double value, time;
+        bool found;
+
+        void note(double v, double t) {
+            if (v <= value) *this = {v, t, true};
+        }
+    };
+
+    /// The second derivative bounds how far the condition falls between two moments, and tells where it only rises or only
+    /// falls; what is left is halved.
+    void seek(double from, double to, int halvings, Lowest& lowest) const {
+        const double width = to - from;
+        if (std::min(at(from), at(to)) - 0.125 * bend * width * width > lowest.value) return;
+        const double before = rate_at(from), after = rate_at(to);
+        if (before >= bend * width || after <= -bend * width) return;
+        if (before < 0 && after > 0) {
+            const double time = lowest_between(from, to);
+            return lowest.note(at(time), time);
+        }
+        if (halvings == 0) return;
+        const double middle = 0.5 * (from + to);
+        lowest.note(at(middle), middle);
+        seek(from, middle, halvings - 1, lowest);
+        seek(middle, to, halvings - 1, lowest);
+    }
+
+    double lowest_between(double from, double to) const {
+        std::uintmax_t iterations = 60;
+        return boost::math::tools::toms748_solve([this](double t) { return rate_at(t); }, from, to,
+                                                 boost::math::tools::eps_tolerance<double>(30), iterations).first;
     }
 };
 
@@ -161,12 +209,22 @@ struct Doubts {
                              (doubt.against ? reach_of(*doubt.against, h) : 0);
         if (held - doubt.border > reach) return;
         doubt.doubtful = 1e-9 * (std::abs(held) + reach);
+        doubt.bend = std::abs(doubt.factor) * bend_of(*doubt.falls, h) + (doubt.against ? bend_of(*doubt.against, h) : 0);
         list[count++] = doubt;
     }
 
     bool hold_at(double t) const {
         if (all) return false;
         return std::all_of(list.begin(), list.begin() + count, [t](const Doubt& d) { return d.at(t) > d.doubtful; });
+    }
+
+    /// Moments to look at between two others: where a condition may fail for a time that is over at the second.
+    std::vector<double> dips(double from, double to) const {
+        std::vector<double> moments;
+        for (std::size_t i = 0; i < count; ++i)
+            if (const auto moment = list[i].dip(from, to)) moments.push_back(*moment);
+        std::sort(moments.begin(), moments.end());
+        return moments;
     }
 };
 
@@ -198,24 +256,32 @@ bool strikes_at_once(const Problem& problem, const Step& step) {
     return outwards > 64 * std::numeric_limits<double>::epsilon() * rates;
 }
 
-/// Looks at a step's parts in turn, where it is not proven that nothing ends the motion: at the series, and at the forces
-/// themselves where it is close. A condition that begins at its border (λ = 0 after a release that did not happen,
-/// |χ| = χ_m after a strike) and moves inwards holds: only a negative value fails.
+/// The first of the conditions that fail at `to`.
+Failure failure_by(const Problem& problem, const Step& step, double from, double to) {
+    const Conditions now = conditions_of(problem, step.at(to));
+    Failure first;
+    for (std::size_t k = 0; k < most_conditions; ++k) {
+        if (!(now[k].value < 0)) continue;
+        const double time = locate(problem, step, from, to, k);
+        if (!first.found || time < first.time) first = {time, k, true};
+    }
+    return first;
+}
+
+/// Looks at a step's parts in turn, where it is not proven that nothing ends the motion: at the series, also where a
+/// condition is lowest between two looks, and at the forces themselves where it is close. A condition that begins at its
+/// border (λ = 0 after a release that did not happen, |χ| = χ_m after a strike) and moves inwards holds: only a negative
+/// value fails.
 Failure first_failure(const Problem& problem, const Step& step, double h) {
     if (strikes_at_once(problem, step)) return {0, strike_condition, true};
     const Doubts doubts = doubts_of(problem, step.series(), h);
     if (!doubts.all && doubts.count == 0) return {};
     for (int look = 1; look <= looks_per_step; ++look) {
         const double from = h * (look - 1) / looks_per_step, to = h * look / looks_per_step;
+        for (const double moment : doubts.dips(from, to))
+            if (const Failure failure = failure_by(problem, step, from, moment); failure.found) return failure;
         if (doubts.hold_at(to)) continue;
-        const Conditions now = conditions_of(problem, step.at(to));
-        Failure first;
-        for (std::size_t k = 0; k < most_conditions; ++k) {
-            if (!(now[k].value < 0)) continue;
-            const double time = locate(problem, step, from, to, k);
-            if (!first.found || time < first.time) first = {time, k, true};
-        }
-        if (first.found) return first;
+        if (const Failure failure = failure_by(problem, step, from, to); failure.found) return failure;
     }
     return {};
 }

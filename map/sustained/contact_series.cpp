@@ -186,6 +186,20 @@ double change_at(const Series& series, double t) {
     return sum;
 }
 
+double value_at(const Series& series, double t) { return series[0] + change_at(series, t); }
+
+double derivative_at(const Series& series, double t) {
+    double sum = 0;
+    for (int k = order; k >= 1; --k) sum = k * series[k] + t * sum;
+    return sum;
+}
+
+double bend_of(const Series& series, double t) {
+    double sum = 0;
+    for (int k = order; k >= 2; --k) sum = k * (k - 1) * std::abs(series[k]) + t * sum;
+    return sum;
+}
+
 double reach_of(const Series& series, double t) {
     double sum = 0;
     for (int k = order; k >= 1; --k) sum = t * (std::abs(series[k]) + sum);

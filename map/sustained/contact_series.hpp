@@ -39,6 +39,13 @@ ContactSeries contact_series(const ContactScene& scene, Support support, Contact
 /// Σ cₖ tᵏ over k ≥ 1: what changes by time t.
 double change_at(const Series& series, double t);
 
+/// Σ cₖ tᵏ, and its derivative.
+double value_at(const Series& series, double t);
+double derivative_at(const Series& series, double t);
+
+/// Bounds the second derivative within t: Σ k(k − 1)|cₖ| tᵏ⁻².
+double bend_of(const Series& series, double t);
+
 /// The largest step whose last terms are below `tolerance` of max(1, |value|) in each of ψ, χ, u_t, S and the sums;
 /// infinite for a motion whose last terms vanish.
 double step_of(const ContactSeries& series, double tolerance);

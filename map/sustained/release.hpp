@@ -42,7 +42,8 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
             const Gap<T>& gap = candidate->gap;
             const bool closed = gap.value > T(-1e-12) && fabs(gap.rate) <= T(1e-12) * (T(1) + bounds.drift);
             time = std::min(time, closed ? leaving_time(gap, bounds.vertex_third, fourth, rounding)
-                                         : gap.value < T(0) ? safe_step(gap, bounds.vertex_third) : T(0));
+                                         // Half of it: the whole may lead to the wall itself.
+                                         : gap.value < T(0) ? T(T(0.5) * safe_step(gap, bounds.vertex_third)) : T(0));
         }
         if (time > T(0)) advance<shape>(flight, at, time);
         look_around(body, flight, at, pair);

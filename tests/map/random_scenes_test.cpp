@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -36,10 +37,10 @@ struct RandomScene {
     bool stalled() const { return tally.outcome == Outcome::completed && tally.time < until; }
 };
 
-/// The first `shapes` of the list; the last one, N = 1000, rolls on its vertices with thousands of impacts per unit of
-/// time.
-std::vector<RandomScene> draw(int count, int shapes) {
-    constexpr int sides[] = {disk_sides, 3, 4, 5, 6, 8, 12, 20, 50, 1000};
+/// `with_thousand`: one scene in 40 has N = 1000, which rolls on its vertices with 10⁴ impacts per unit of time, elastic
+/// ones with 10⁵.
+std::vector<RandomScene> draw(int count, bool with_thousand) {
+    constexpr int sides[] = {disk_sides, 3, 4, 5, 6, 8, 12, 20, 50};
     std::mt19937_64 random(2026);
     std::uniform_real_distribution<double> unit(0, 1);
     std::vector<RandomScene> cases(static_cast<std::size_t>(count));
@@ -49,7 +50,7 @@ std::vector<RandomScene> draw(int count, int shapes) {
         const double beta = 2 * unit(random) * unit(random);
         const double mu = i % 7 == 0 ? 0 : 2 * unit(random);
         const double e = i % 11 == 0 ? 0 : i % 11 == 1 ? 1 : unit(random);
-        c.scene = tests::uniform_scene(sides[i % shapes], alpha, beta, mu, e, static_cast<Law>(i % 3));
+        c.scene = tests::uniform_scene(with_thousand && i % 40 == 39 ? 1000 : sides[i % 9], alpha, beta, mu, e, static_cast<Law>(i % 3));
         const double direction = 2 * pi<double>() * unit(random);
         c.start = {beta, 0, std::cos(direction) / 7, std::sin(direction) / 7, 6 * unit(random), 0};
     }
@@ -59,10 +60,15 @@ std::vector<RandomScene> draw(int count, int shapes) {
 /// A bound on events per unit time. Contact begins by a landing, or by a strike of the next vertex of a polygon that
 /// turns along the wall (N Ω/2π of them, Ω = |S| + |u_t|), and by slips and releases, some per turn of ψ. Each may be
 /// followed by one chatter: rebounds that shrink by e until they are below rounding, ln(v/√(8ε a(1 − e)))/ln(1/e) of
-/// them, some 20/ln(1/e). An impact and up to three pieces of contact (slip, stick, lift) make four events. Without loss
-/// (e = 1) nothing bounds them but how flat the orbit runs along the wall.
+/// them, some 20/ln(1/e). A polygon that rocks on an edge keeps the share r = (κ + cos 2π/N)/(κ + 1) of its turn at each
+/// strike even if e = 0 (its angular momentum about the striking vertex stays: Housner, Bull. Seismol. Soc. Am. 53 (1963)
+/// 403), r + e(1 − r) between that and e = 1. An impact and up to three pieces of contact (slip, stick, lift) make four
+/// events. Without loss (e = 1) nothing bounds them but how flat the orbit runs along the wall.
 double most_events(const Scene<double>& scene, const Tally& tally) {
-    const double rebounds = 1 + 20 / std::log(1 / scene.restitution);
+    const double kappa = scene.inertia_factor;
+    const double rocking =
+        scene.is_disk() ? 0 : std::max(0.0, (kappa + std::cos(2 * pi<double>() / scene.sides)) / (kappa + 1));
+    const double rebounds = 1 + 20 / std::log(1 / (rocking + scene.restitution * (1 - rocking)));
     const double corners = scene.is_disk() ? 0 : scene.sides / (2 * pi<double>());
     return 4 * rebounds * (1 + corners) * (1 + tally.fastest);
 }
@@ -134,11 +140,11 @@ void check_endings(const std::vector<RandomScene>& cases) {
     for (const auto& c : cases) {
         const std::string name = c.stalled() ? "too many impacts" : std::string(name_of(c.tally.outcome));
         ++outcomes[name];
-        EXPECT_TRUE(!c.stalled() && (c.tally.outcome != Outcome::diverged || c.scene.law == Law::newton))
+        EXPECT_TRUE(!c.stalled() && c.tally.outcome != Outcome::unresolved &&
+                    (c.tally.outcome != Outcome::diverged || c.scene.law == Law::newton))
             << name << " after " << c.tally.impacts << " impacts, t = " << c.tally.time << ": " << in_words(c);
     }
     for (const auto& [name, n] : outcomes) std::printf("%-18s %ld\n", name.c_str(), n);
-    EXPECT_EQ(outcomes["unresolved"], 0);
 }
 
 void check_orbits(const std::vector<RandomScene>& cases) {
@@ -152,17 +158,21 @@ void check_orbits(const std::vector<RandomScene>& cases) {
             EXPECT_LE(share, 1) << in_words(c);
         }
         outside = std::max(outside, c.tally.outside);
+        EXPECT_LE(c.tally.outside, 1e-12) << in_words(c);
         if (c.tally.exchanged > 0 && c.scene.beta > 0)
             balance = std::max(balance, std::abs(c.tally.balance) / (c.tally.exchanged + 1));
     }
     std::printf("most events per unit time %.0f, at most %.2g of the bound; outside by %.1e; balance %.1e\n", busiest,
                 fullest, outside, balance);
-    EXPECT_LE(outside, 1e-12);
 }
 
-void check_random_scenes(int count, int shapes) {
-    auto cases = draw(count, shapes);
-    tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) { follow(cases[i]); });
+void check_random_scenes(int count, bool with_thousand) {
+    auto cases = draw(count, with_thousand);
+    std::atomic<int> done{0};
+    tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) {
+        follow(cases[i]);
+        if (++done % 2000 == 0) std::fprintf(stderr, "%d of %d scenes\n", done.load(), count);
+    });
     time_again(cases);
     check_endings(cases);
     check_orbits(cases);
@@ -170,8 +180,8 @@ void check_random_scenes(int count, int shapes) {
     check_costs("looks and series", cases, work_of);
 }
 
-TEST(RandomScenes, EveryOneEndsWithAName) { check_random_scenes(static_cast<int>(tests::sample_count(200)), 9); }
-TEST(RandomScenesNightly, EveryOneOfTwentyThousandEndsWithAName) { check_random_scenes(20'000, 10); }
+TEST(RandomScenes, EveryOneEndsWithAName) { check_random_scenes(static_cast<int>(tests::sample_count(200)), false); }
+TEST(RandomScenesNightly, EveryOneOfTwentyThousandEndsWithAName) { check_random_scenes(20'000, true); }
 
 }  // namespace
 }  // namespace swirl

@@ -74,6 +74,20 @@ TEST(Neighbours, ThatMoveOutwardsFromTheWallStrikeAtOnce) {
     expect_goes_on(tally);
 }
 
+TEST(Neighbours, ThatAreOutsideBetweenTwoLooksStrike) {
+    // A swing from edge to edge that goes too far by 8e-6, for a fortieth of a step; a slip that turns round.
+    for (const auto& [scene, vx, vy, angle] :
+         {std::tuple{scene_of(50, 0.97608948378345117, 0.44666920243550368, 1.7449815208099522, 0, Law::stronge),
+                     -0.12998357684496356, -0.059265782842172703, 0.89632774093571277},
+          std::tuple{scene_of(3, 0.17141008545796713, 0.0013397472815017204, 0.27727887373260257,
+                              0.16662228081437142, Law::newton),
+                     -0.14208770075879187, -0.014807044215039629, 1.5576608303647883}}) {
+        const Tally tally = follow_scene(scene, vx, vy, angle, 200);
+        EXPECT_LE(tally.outside, 1e-12);
+        expect_goes_on(tally);
+    }
+}
+
 TEST(Neighbours, ReboundsBelowTheRoundingOfChiComeToAnEnd) {
     // The neighbour's rebounds shrink by 0.7 % and 3.4 % only: at 1e-8 their height is below the rounding of chi, and
     // they must go on shrinking.
@@ -121,7 +135,15 @@ TEST(Release, CloseToAStrikeOfTheNeighbourIsResolved) {
     const auto scene =
         scene_of(8, 0.36454827658835726, 0.866862777474248, 1.8310345267194184, 0.043470744687158516);
     const Tally tally = follow_scene(scene, 0.023506691470764139, -0.14090989575400453, 1.005305731755205, 300);
+    EXPECT_EQ(tally.outcome, Outcome::completed) << name_of(tally.outcome) << " at t = " << tally.time;
+}
+
+TEST(Release, FiveMillionthsBeforeAStrikeOfTheNeighbourIsResolved) {
+    const auto scene = scene_of(20, 0.64924916475612793, 0.099972223845483502, 1.340329544151627, 0.16642231990613229,
+                                Law::newton);
+    const Tally tally = follow_scene(scene, -0.1421816906209733, 0.013875522241269108, 2.5455178191748407, 300);
     expect_goes_on(tally);
+    EXPECT_GE(tally.time, 300);
 }
 
 TEST(Rocking, ThatFrictionStopsEndsAtRest) {

@@ -64,6 +64,9 @@ class BadInput(InFolder):
         self.check(f"simulate {HEXAGON} --seed 3 --x 0.5", "--seed")
         self.check(f"simulate {HEXAGON} --seed -1", "--seed", "-1")
         self.check(f"simulate {HEXAGON} --collisions 5 --time 3", "--time")
+        for step in ("0", "-1", "nan", "inf", "1e-300"):
+            self.check(f"simulate {HEXAGON} --sample {step} --json", "sample", "1e-09")
+        self.check(f"simulate {HEXAGON} --sample 0.1", "--json")
         self.check(f"simulate {HEXAGON} --time 0", "time", "0")
         self.check(f"simulate {HEXAGON} --collisions 5 --skip 5", "skip", "5")
         self.check(f"simulate {HEXAGON} --vx 1e-300", "speed", "1e-300")
@@ -165,6 +168,16 @@ class Simulate(InFolder):
             self.assertEqual(data["t"].attrs["units"], "1/omega_s")
         for group in ("/", "scene", "start", "settings", "result"):
             xarray.open_dataset(self.folder / "a.h5", group=group, engine="h5netcdf").close()
+
+    def test_sampling_can_be_interrupted(self):
+        record = self.folder / "samples.h5"
+        process = start("simulate --sides disk --alpha 0.3 --beta 0.3 --mu 0.4 --restitution 0.5 --collisions 1000 "
+                        f"--sample 1e-6 --quiet -o {record}")
+        time.sleep(1.5)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(60), 130)
+        with xarray.open_dataset(record, group="samples", engine="h5netcdf") as samples:
+            self.assertGreater(samples.sizes["sample"], 0)
 
     def test_an_interrupted_orbit_is_kept(self):
         record = self.folder / "long.h5"

@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from driving import document
+from driving import document, run
 
 FIXED = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 CYCLE = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"  # of period 8
@@ -172,8 +172,34 @@ class InContact(unittest.TestCase):
         self.assertAlmostEqual(found["variance"] / variance, 1, delta=0.01)
         self.assertTrue(0.6 < sum(row["in_contact"] for row in samples) / len(samples) < 0.7)
 
+    def test_a_record_has_the_spectrum_of_its_scene(self):
+        with tempfile.TemporaryDirectory() as folder:
+            whole, late, thin = (f"{folder}/{name}.h5" for name in ("whole", "late", "thin"))
+            for flags, record in (("", whole), ("--skip 100", late), ("--every 4", thin)):
+                done = run(f"simulate {self.OTHERS[0]} --collisions 300 {flags} --quiet -o {record}")
+                self.assertEqual(done.returncode, 0)
+            direct = document(f"spectrum {self.OTHERS[0]} --transient 100 --collisions 200 --quiet")
+            for arguments in (f"{whole} --transient 100", late):
+                found = document(f"spectrum {arguments} --quiet")
+                for key in ("frequency", "power", "variance"):
+                    self.assertEqual(found[key], direct[key], arguments)
+            refused = run(f"spectrum {thin}")
+            self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+            self.assertIn("every 4th", refused.stderr)
+
+    def test_a_period_that_only_rounding_closes_is_none(self):
+        # Double returns after 48 impacts, 80 bits after 127: chaos between landings that forget everything.
+        found = document("classify --sides 3 --alpha 0.3259 --beta 0.2656 --mu 1 --restitution 0 --law newton --seed 150")
+        self.assertEqual((found["mode"], found["kind"], found["period"]), ("undecided", None, None))
+        self.assertIn("growth of rounding along the period", [e["name"] for e in found["evidence"]])
+
+    def test_no_sample_comes_before_what_is_skipped(self):
+        scene = "--sides disk --alpha 0.3 --beta 0.3 --mu 0.4 --restitution 0.5"
+        found = document(f"simulate {scene} --collisions 1000 --skip 900 --sample 50", 3)
+        self.assertEqual((found["collisions"], found["samples"]), ([], []))
+
     def test_the_place_follows_its_spectrum(self):
-        """The mean of x over the bins is the mean of the samples of x."""
+        """Its mean square over the bins is that of the samples."""
         scene = f"{self.OTHERS[0]} --transient 50 --collisions 101"
         found = document(f"spectrum {scene} --observable position --frame corotating --bins 4096 --detrend none "
                          "--window rectangular --segments 1")

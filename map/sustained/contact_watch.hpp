@@ -1,0 +1,35 @@
+// What ends a motion in contact, looked for along a step. Internal to the integration of contact.
+#pragma once
+
+#include "map/sustained/contact_run.hpp"
+#include "map/sustained/contact_step.hpp"
+
+namespace swirl::contact_detail {
+
+/// A condition that holds along the motion, and what ends it when it no longer does.
+struct Condition {
+    double value;  ///< ≥ 0 while it holds
+    ContactEvent event;
+    bool first_lifts = false;
+};
+
+inline constexpr std::size_t most_conditions = 4;
+inline constexpr std::size_t strike_condition = 2;  ///< the neighbour's
+using Conditions = std::array<Condition, most_conditions>;
+
+Conditions conditions_of(const Problem& problem, const State& y);
+
+/// The first condition that fails within a step, and when.
+struct Failure {
+    double time = 0;
+    std::size_t which = 0;
+    bool found = false;
+};
+
+/// Looks at a step's parts in turn, where it is not proven that nothing ends the motion: at the series, also where a
+/// condition is lowest between two looks, and at the forces themselves where it is close. A condition that begins at its
+/// border (λ = 0 after a release that did not happen, |χ| = χ_m after a strike) and moves inwards holds: only a negative
+/// value fails.
+Failure first_failure(const Problem& problem, const Step& step, double h);
+
+}  // namespace swirl::contact_detail

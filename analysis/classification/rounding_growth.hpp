@@ -1,7 +1,7 @@
 // How far rounding is carried along a cycle that forgets its past.
 #pragma once
 
-#include "analysis/section_map.hpp"
+#include "analysis/classification/tail.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,31 +10,25 @@
 
 namespace swirl::analysis {
 
-/// What an error of ε becomes along the k steps from z: ε max ‖DF_m … DF_j‖ over m, j being the first step after the last
-/// that annihilated every direction (or the first of all). A cycle may return to the bit, as annihilation undoes
-/// whatever was before, and yet lead through chaos in between: from about 1 on where it closes is an accident of
-/// rounding. Infinite if the map ends on the way. Cost: k derivatives.
+/// What an error of ε becomes along the k steps from z: ε/d times the largest distance of a neighbour that begins d away,
+/// and does so again wherever it has come back to within d. A cycle may return to the bit, as landings undo whatever was
+/// before, and yet lead through chaos in between: where it closes is then an accident of rounding. Neighbours and no
+/// derivatives, as beyond a border of the map these say nothing. Infinite if the neighbour's map ends. Cost: 2 k steps.
 template <SectionMap M>
 double rounding_growth(const M& map, Vector<M::dimension> z, std::int64_t k) {
-    constexpr double rank_tolerance = 1e-13;  // as LyapunovOptions
-    Matrix<M::dimension> product = Matrix<M::dimension>::Identity();
-    double grown = 0, largest = 0;  // logarithms
+    constexpr double apart = 1e-14;
+    Vector<M::dimension> neighbour = z;
+    double farthest = 0;
     for (std::int64_t i = 0; i < k; ++i) {
-        const auto step = map.linearise(z);
-        if (!step.alive || !step.derivative.allFinite()) return std::numeric_limits<double>::infinity();
-        const Matrix<M::dimension> next = step.derivative * product;
-        const double size = next.norm();
-        if (size > rank_tolerance * step.derivative.norm()) {
-            grown += std::log(size);
-            product = next / size;
-        } else {
-            grown = 0;
-            product.setIdentity();
-        }
-        largest = std::max(largest, grown);
+        if (distance(map, neighbour, z) < apart)
+            for (int c = 0; c < M::dimension; ++c) neighbour[c] = z[c] + apart * std::cos(1.0 + c);
+        const auto step = map.advance(z), beside = map.advance(neighbour);
+        if (!step.alive || !beside.alive) return std::numeric_limits<double>::infinity();
         z = step.state;
+        neighbour = beside.state;
+        farthest = std::max(farthest, distance(map, neighbour, z));
     }
-    return std::numeric_limits<double>::epsilon() * std::exp(largest);
+    return std::numeric_limits<double>::epsilon() / apart * farthest;
 }
 
 }  // namespace swirl::analysis

@@ -42,7 +42,10 @@ struct Case {
         return !left && truth.mode != Mode::undecided && !agrees(truth);
     }
     /// A cycle has the period that the truth has, a torus none.
-    bool agrees(const Truth& t) const { return t.mode == found.verdict.mode && t.period == found.verdict.period; }
+    bool agrees(const Truth& t) const {
+        const std::int64_t period = found.verdict.period;
+        return t.mode == found.verdict.mode && (period == t.period || period == t.nearly);
+    }
 };
 
 /// An orbit that only loses J spends its time in ever longer contact, which costs up to a hundred flights an impact, and

@@ -11,12 +11,13 @@ namespace swirl::apps {
 
 namespace {
 
-constexpr double closure = 1e-9;
+constexpr double closure = 1e-9, near_closure = 1e-7;
+constexpr double beside = 1e-12;
 constexpr double apart = 1e-8;
 constexpr int blocks = 32;
 
 template <class System>
-std::int64_t period_of(const System& system, const analysis::Tail<System::dimension>& tail) {
+std::int64_t period_of(const System& system, const analysis::Tail<System::dimension>& tail, double closure) {
     const auto n = static_cast<std::int64_t>(tail.states.size());
     for (std::int64_t k = 1; k <= n / 2; ++k)
         if (analysis::classification_detail::return_distance(system, tail, k, std::max(k, n / 4), closure) <= closure)
@@ -24,18 +25,27 @@ std::int64_t period_of(const System& system, const analysis::Tail<System::dimens
     return 0;
 }
 
+/// The period to which an orbit settles that begins beside the tail's end.
+template <class System>
+std::int64_t nearly_from_beside(const System& system, const analysis::Tail<System::dimension>& tail, std::int64_t length) {
+    auto z = tail.states.back();
+    for (int i = 0; i < System::dimension; ++i) z[i] += beside * std::cos(1.0 + i);
+    const auto other = analysis::follow_tail(system, z, length, length);
+    return other.ended ? 0 : period_of(system, other, near_closure);
+}
+
 /// ln of the separation's growth over one impact, and the neighbour drawn back to `apart`.
 template <class System, class State>
 double part(const System& system, State& orbit, State& neighbour, int direction) {
     constexpr double rounding = 1e-15;
     const auto next = system.advance(orbit);
-    const auto beside = system.advance(neighbour);
-    const State gap = beside.alive ? analysis::difference(system, beside.state, next.state) : State::Zero();
+    const auto other = system.advance(neighbour);
+    const State gap = other.alive ? analysis::difference(system, other.state, next.state) : State::Zero();
     const double size = gap.norm();
     orbit = neighbour = next.state;
     if (size > rounding) neighbour += gap * (apart / size);
     else neighbour[direction] += apart;
-    return beside.alive ? std::log(std::max(size, rounding) / apart) : 0;
+    return other.alive ? std::log(std::max(size, rounding) / apart) : 0;
 }
 
 template <class System, class State>
@@ -66,9 +76,11 @@ Truth truth_of(const Scene<double>& scene, const Start<double>& start, const Tru
         const auto tail = analysis::follow_tail(system, system.state_of(first), options.transient, options.tail);
         truth.ended = tail.ended;
         if (truth.ended) return truth;
-        truth.period = period_of(system, tail);
+        truth.period = period_of(system, tail, closure);
         if (truth.period > 0) {
-            truth.mode = truth.period == 1 ? analysis::Mode::steady : analysis::Mode::quasi_steady;
+            truth.nearly = period_of(system, tail, near_closure);
+            if (nearly_from_beside(system, tail, options.tail) == truth.nearly)
+                truth.mode = truth.period == 1 ? analysis::Mode::steady : analysis::Mode::quasi_steady;
             return truth;
         }
         find_exponent(system, tail.states.front(), options.tail, truth);

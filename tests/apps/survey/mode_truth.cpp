@@ -17,10 +17,10 @@ constexpr double apart = 1e-8;
 constexpr int blocks = 32;
 
 template <class System>
-std::int64_t period_of(const System& system, const analysis::Tail<System::dimension>& tail, double closure) {
+std::int64_t period_of(const System& system, const analysis::Tail<System::dimension>& tail, double within) {
     const auto n = static_cast<std::int64_t>(tail.states.size());
     for (std::int64_t k = 1; k <= n / 2; ++k)
-        if (analysis::classification_detail::return_distance(system, tail, k, std::max(k, n / 4), closure) <= closure)
+        if (analysis::classification_detail::return_distance(system, tail, k, std::max(k, n / 4), within) <= within)
             return k;
     return 0;
 }

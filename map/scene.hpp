@@ -86,8 +86,8 @@ inline void require_speed(const T& speed) {
 }  // namespace detail
 
 /// True if every impact takes for ever: with e < 1, without friction, J (ΔJ = −½(1 − e) p u_n); in a container at rest the
-/// energy, which friction takes, too, but a polygon's under Newton's law. Both are bounded from below, so impacts must fade: no cycle
-/// and no attractor has any (design, section 3).
+/// energy, which friction takes, too, but a polygon's under Newton's law. Both are bounded from below, so impacts must
+/// fade: no cycle and no attractor has any (design, section 3).
 template <class T>
 inline bool only_loses(const Scene<T>& scene) {
     if (!(scene.restitution < T(1))) return false;

@@ -55,7 +55,7 @@ void require_observables(const std::vector<std::string>& names, bool disk);
 OrbitColumns follow_orbit(const SceneOptions& scene, const StartOptions& start, const OutputOptions& output,
                           const ImpactRange& range, const std::vector<std::string>& names);
 
-/// The impacts alone: see `set_from_record` for its contacts.
+/// The impacts alone: see `followed_again` for its contacts.
 /// @throws BadInput if the file is no record of an orbit, or has not this many impacts
 OrbitColumns read_orbit(const std::string& record, const ImpactRange& range, const std::vector<std::string>& names);
 

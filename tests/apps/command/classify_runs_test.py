@@ -1,13 +1,11 @@
 """swirl classify --runs and what a verdict says would change it: classify_runs_test.py SWIRL"""
 
-import signal
-import time
 import unittest
 
 import numpy
 import xarray
 
-from driving import InFolder, document, run, start
+from driving import InFolder, document, interrupted, run
 
 COEXISTING = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"  # a fixed point and an 8-cycle
 FAMILY = "--sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1"
@@ -107,20 +105,14 @@ class Runs(InFolder):
 
     def test_interrupted_it_exits_with_130_and_keeps_the_finished_runs(self):
         file = self.folder / "cut.h5"
-        process = start(f"classify {MIXED} --runs 100000 --quiet -o {file}")
-        time.sleep(2)
-        process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(60), 130)
+        self.assertEqual(interrupted(f"classify {MIXED} --runs 100000 --quiet -o {file}", 2), 130)
         with xarray.open_dataset(file, group="runs", engine="h5netcdf") as runs:
             self.assertGreater(runs.sizes["run"], 0)
             self.assertLess(runs.sizes["run"], 100000)
             self.assertEqual(runs.attrs["wanted"], 100000)
 
     def test_one_verdict_is_interrupted_at_once(self):
-        process = start(f"classify {MIXED} --collisions 100000000")
-        time.sleep(1)
-        process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(10), 130)
+        self.assertEqual(interrupted(f"classify {MIXED} --collisions 100000000", 1, 10), 130)
 
 
 class Evidence(unittest.TestCase):

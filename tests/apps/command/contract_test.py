@@ -4,16 +4,14 @@ import json
 import math
 import re
 import shlex
-import signal
 import subprocess
 import sys
-import time
 import unittest
 from pathlib import Path
 
 import xarray
 
-from driving import SWIRL, InFolder, document, run, start
+from driving import SWIRL, InFolder, document, interrupted, run
 
 ROOT, SHARED = (sys.argv.pop(1) for _ in range(2))
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
@@ -171,20 +169,16 @@ class Simulate(InFolder):
 
     def test_sampling_can_be_interrupted(self):
         record = self.folder / "samples.h5"
-        process = start("simulate --sides disk --alpha 0.3 --beta 0.3 --mu 0.4 --restitution 0.5 --collisions 1000 "
-                        f"--sample 1e-6 --quiet -o {record}")
-        time.sleep(1.5)
-        process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(60), 130)
+        command = ("simulate --sides disk --alpha 0.3 --beta 0.3 --mu 0.4 --restitution 0.5 --collisions 1000 "
+                   f"--sample 1e-6 --quiet -o {record}")
+        self.assertEqual(interrupted(command, 1.5), 130)
         with xarray.open_dataset(record, group="samples", engine="h5netcdf") as samples:
             self.assertGreater(samples.sizes["sample"], 0)
 
     def test_an_interrupted_orbit_is_kept(self):
         record = self.folder / "long.h5"
-        process = start(f"simulate {HEXAGON} --collisions 1000000000 --every 1000 --quiet -o {record}")
-        time.sleep(2)
-        process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(60), 130)
+        command = f"simulate {HEXAGON} --collisions 1000000000 --every 1000 --quiet -o {record}"
+        self.assertEqual(interrupted(command, 2), 130)
         with xarray.open_dataset(record, group="result", engine="h5netcdf") as result:
             self.assertEqual(result.attrs["outcome"], "interrupted")
             impacts = int(result.attrs["impacts"])

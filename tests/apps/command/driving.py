@@ -2,9 +2,11 @@
 
 import json
 import shlex
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -23,6 +25,14 @@ def run(arguments, **options):
 def start(arguments, **options):
     """In the background, to be interrupted or killed."""
     return subprocess.Popen([SWIRL, *shlex.split(arguments)], **options)
+
+
+def interrupted(arguments, seconds, wait=60):
+    """The exit code of what gets SIGINT so many seconds after its start."""
+    process = start(arguments)
+    time.sleep(seconds)
+    process.send_signal(signal.SIGINT)
+    return process.wait(wait)
 
 
 def document(arguments, code=0, **options):

@@ -2,15 +2,13 @@
 
 import math
 import random
-import signal
 import sys
-import time
 import unittest
 from pathlib import Path
 
 import xarray
 
-from driving import InFolder, document, run, start
+from driving import InFolder, document, interrupted, run
 
 ORACLE = Path(sys.argv.pop(1)).resolve() / "oracle"
 STEADY = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
@@ -258,10 +256,8 @@ class Input(InFolder):
 
     def test_an_interrupted_orbit_leaves_nothing_half_done(self):
         for command in ("recurrence", "spectrum"):
-            process = start(f"{command} {CHAOTIC} --collisions 100000000 --quiet -o {self.folder}/long.h5")
-            time.sleep(1)
-            process.send_signal(signal.SIGINT)
-            self.assertEqual(process.wait(60), 130)
+            arguments = f"{command} {CHAOTIC} --collisions 100000000 --quiet -o {self.folder}/long.h5"
+            self.assertEqual(interrupted(arguments, 1), 130)
             self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_examples_of_the_help_run(self):

@@ -39,7 +39,8 @@ struct Linearised {
 ///   map.advance(z)         F(z)
 ///   map.linearise(z)       F(z) and DF(z); the same F bit for bit
 ///   map.angle_period(i)    the period of coordinate i if it is an angle (2π), 0 if it is a plain number
-///   M::integrated          if it is there: the coordinate whose integral over a step is `integral`; others, and those of
+///   M::integrated          if it is there: the coordinate whose integral over a step is `integral`; others, and those
+///   of
 ///                          a map without it, are held from step to step
 template <class M>
 concept SectionMap = requires(const M& map, const Vector<M::dimension>& z, int i) {
@@ -52,8 +53,10 @@ concept SectionMap = requires(const M& map, const Vector<M::dimension>& z, int i
 /// The coordinate whose integral a map gives, −1 if none.
 template <SectionMap M>
 constexpr int integrated_coordinate() {
-    if constexpr (requires { M::integrated; }) return M::integrated;
-    else return -1;
+    if constexpr (requires { M::integrated; })
+        return M::integrated;
+    else
+        return -1;
 }
 
 }  // namespace swirl::analysis

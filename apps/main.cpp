@@ -49,12 +49,14 @@ Commands add_commands(CLI::App& app) {
                                        recurrence_text, quantify_recurrence),
         add_command<SpectrumOptions>(app, "spectrum", "the power spectrum of an orbit or a measured series",
                                      spectrum_text, find_spectrum),
-        add_command<LyapunovCommandOptions>(app, "lyapunov", "the whole Lyapunov spectrum of an orbit", lyapunov_details,
-                                            lyapunov),
-        add_command<OrbitsOptions>(app, "orbits", "fixed points and cycles, stable and unstable", orbits_details, orbits),
+        add_command<LyapunovCommandOptions>(app, "lyapunov", "the whole Lyapunov spectrum of an orbit",
+                                            lyapunov_details, lyapunov),
+        add_command<OrbitsOptions>(app, "orbits", "fixed points and cycles, stable and unstable", orbits_details,
+                                   orbits),
         add_command<ContinueOptions>(app, "continue", "branches of a cycle over one parameter", continue_details,
                                      continue_orbit),
-        add_command<BifurcateOptions>(app, "bifurcate", "what orbits settle on over one parameter, and the branches beneath",
+        add_command<BifurcateOptions>(app, "bifurcate",
+                                      "what orbits settle on over one parameter, and the branches beneath",
                                       bifurcate_details, bifurcate),
         add_command<SweepOptions>(app, "sweep", "the modes across parameters", sweep_details, sweep),
         add_command<PlotOptions>(app, "plot", "a figure of a record", plot_details, plot),
@@ -74,8 +76,9 @@ int run_command(const Commands& commands) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app{"Swirl: a rigid polygon or disk in a swirled circular container, followed exactly from one collision "
-                 "to the next, and its mode named."};
+    CLI::App app{
+        "Swirl: a rigid polygon or disk in a swirled circular container, followed exactly from one collision "
+        "to the next, and its mode named."};
     app.set_version_flag("--version", fmt::format("swirl {} ({})", version(), instruction_set()));
     const Commands commands = add_commands(app);
     try {
@@ -107,4 +110,6 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace swirl::apps
 
-int main(int argc, char** argv) { return swirl::apps::run(argc, argv); }
+int main(int argc, char** argv) {
+    return swirl::apps::run(argc, argv);
+}

@@ -19,18 +19,18 @@ template <class T>
 struct Body {
     int sides = disk_sides;
     T alpha{}, beta{};
-    T inertia{};         ///< I = κ α² (m = 1)
-    T per_inertia{};     ///< 1/I: what is divided by at every impact is kept as a reciprocal
-    T per_alpha{};       ///< 1/α
-    T per_inner{};       ///< 1/(1 − α)
-    T disk_grip{};       ///< 1/B₁ of the disk, I/(I + α²)
-    T inner{};           ///< 1 − α: the centre's distance at which the circumscribed circle touches
-    T outer{};           ///< the largest distance the centre can have (next to an edge's middle); inner for the disk
-    T spacing{};         ///< 2π/N, the angle from a vertex to the next
-    T per_spacing{};     ///< N/2π
-    T half_slope{};      ///< tan(π/N)
-    Vec2<T> next_turn;   ///< cis(2π/N) − 1
-    T side{};            ///< the length of a side, 2α sin(π/N)
+    T inertia{};        ///< I = κ α² (m = 1)
+    T per_inertia{};    ///< 1/I: what is divided by at every impact is kept as a reciprocal
+    T per_alpha{};      ///< 1/α
+    T per_inner{};      ///< 1/(1 − α)
+    T disk_grip{};      ///< 1/B₁ of the disk, I/(I + α²)
+    T inner{};          ///< 1 − α: the centre's distance at which the circumscribed circle touches
+    T outer{};          ///< the largest distance the centre can have (next to an edge's middle); inner for the disk
+    T spacing{};        ///< 2π/N, the angle from a vertex to the next
+    T per_spacing{};    ///< N/2π
+    T half_slope{};     ///< tan(π/N)
+    Vec2<T> next_turn;  ///< cis(2π/N) − 1
+    T side{};           ///< the length of a side, 2α sin(π/N)
     std::vector<Vec2<T>> vertices;  ///< cis(2πk/N) for N small enough to be worth a table …
     std::vector<Vec2<T>> rests;     ///< … and what rounding left out of it (double only)
 

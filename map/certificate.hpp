@@ -27,9 +27,12 @@ struct DerivativeBounds {
 
 template <int k, class T>
 constexpr T power(const T& x) {
-    if constexpr (k == 0) return T(1);
-    else if constexpr (k == 1) return x;
-    else return power<k / 2>(T(x * x)) * power<k % 2>(x);
+    if constexpr (k == 0)
+        return T(1);
+    else if constexpr (k == 1)
+        return x;
+    else
+        return power<k / 2>(T(x * x)) * power<k % 2>(x);
 }
 
 template <int k, Shape shape, class T>
@@ -43,8 +46,9 @@ template <int k, Shape shape, class T>
     if constexpr (shape == Shape::polygon) {
         const T s = fabs(flight.spin);
         const T relative = fabs(flight.spin - T(1));
-        bounds.vertex = bounds.centre + T(2) * body.alpha * (power<k - 1>(s) * (s * place + T(k) * speed) +
-                                                             body.beta * power<k>(relative));
+        bounds.vertex =
+            bounds.centre +
+            T(2) * body.alpha * (power<k - 1>(s) * (s * place + T(k) * speed) + body.beta * power<k>(relative));
     }
     return bounds;
 }
@@ -91,7 +95,8 @@ inline T fourth_root_of_epsilon() {
 /// √(g′/g‴), and the next derivative's term, |g⁗| ≤ M. The gap itself must be as small as the correction says: far from
 /// a root the correction can vanish too (½gg″ = g′²).
 template <class T>
-[[gnu::always_inline]] inline bool is_converged(const Gap<T>& gap, const T& correction, const T& time, const T& fourth) {
+[[gnu::always_inline]] inline bool is_converged(const Gap<T>& gap, const T& correction, const T& time,
+                                                const T& fourth) {
     using std::fabs;
     const T small = fourth_root_of_epsilon<T>() / T(4);  // 3·10⁻⁵ in double
     const T size = fabs(correction);
@@ -104,7 +109,8 @@ template <class T>
 /// True if a gap is closed for a time t, by |g‴| ≤ M: up to t it is at most g + g′s + ½b s² with b = (g″ + M t/3)⁺, and
 /// that is convex. Backwards in time g′ changes sign.
 template <class T>
-[[gnu::always_inline]] inline bool stays_closed(const T& value, const T& rate, const T& bend, const T& t, const T& third) {
+[[gnu::always_inline]] inline bool stays_closed(const T& value, const T& rate, const T& bend, const T& t,
+                                                const T& third) {
     const T b = std::max(T(bend + fraction<T>(1, 3) * third * t), T(0));
     return value <= 0 && value + t * (rate + T(0.5) * b * t) <= 0;
 }
@@ -131,7 +137,7 @@ template <class T>
 
 /// A search for a root ahead that has no guarantees (those come from `clear_between` afterwards) gives up beyond these.
 inline constexpr int correction_limit = 8;
-inline constexpr double longest_guess = 16;       // radians of swirl
+inline constexpr double longest_guess = 16;  // radians of swirl
 inline constexpr double longest_correction = 0.5;
 
 }  // namespace swirl::detail

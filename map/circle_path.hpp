@@ -13,9 +13,9 @@ namespace swirl::detail {
 
 template <class T>
 struct CirclePath {
-    T slope;            ///< 2 V·X₀
-    T speed2;           ///< |V|²
-    T a0, a1, b0, b1;   ///< A = a0 + a1 τ, B = b0 + b1 τ
+    T slope;           ///< 2 V·X₀
+    T speed2;          ///< |V|²
+    T a0, a1, b0, b1;  ///< A = a0 + a1 τ, B = b0 + b1 τ
 };
 
 /// The gap and its derivatives up to the fifth.
@@ -28,8 +28,12 @@ template <class T>
 [[gnu::always_inline]] inline CirclePath<T> circle_path(const Flight<T>& flight, const Vec2<T>& swirl) {
     const Vec2<T> place = flight.centre + swirl;
     const Vec2<T> side = quarter_turned(swirl);
-    return {T(2) * dot(flight.velocity, flight.centre), dot(flight.velocity, flight.velocity),
-            dot(place, swirl), dot(flight.velocity, swirl), dot(place, side), dot(flight.velocity, side)};
+    return {T(2) * dot(flight.velocity, flight.centre),
+            dot(flight.velocity, flight.velocity),
+            dot(place, swirl),
+            dot(flight.velocity, swirl),
+            dot(place, side),
+            dot(flight.velocity, side)};
 }
 
 /// At the start, E = 0.
@@ -53,15 +57,14 @@ template <class T>
     const T a = path.a0 + path.a1 * at.time;
     const T b = path.b0 + path.b1 * at.time;
     // The tabled moments are few, and a rounded 1 + c would err the same way whenever one comes up again.
-    const T along = a + (a * c + b * s);              // P·w
-    const T across = b + (b * c - a * s);             // P·(i w)
+    const T along = a + (a * c + b * s);                      // P·w
+    const T across = b + (b * c - a * s);                     // P·(i w)
     const T v_along = path.a1 + (path.a1 * c + path.b1 * s);  // V·w
     const T v_across = path.b1 + (path.b1 * c - path.a1 * s);
     const T twice = path.speed2 * at.time;
     GapSeries<T> g;
     // What the table leaves out is too small for the large terms; it is added to the small difference.
-    g.c[0] = (at.time * (path.slope + twice) - T(2) * (a * c + b * s)) -
-             T(2) * (a * at.rest.x + b * at.rest.y);
+    g.c[0] = (at.time * (path.slope + twice) - T(2) * (a * c + b * s)) - T(2) * (a * at.rest.x + b * at.rest.y);
     g.c[1] = (path.slope + (twice + twice)) - T(2) * ((path.a1 * c + path.b1 * s) + across);
     g.c[2] = path.speed2 + (along - T(2) * v_across);
     g.c[3] = fraction<T>(1, 3) * (across + T(3) * v_along);
@@ -76,8 +79,8 @@ template <class T>
 }
 
 /// Where a gap that is closed and opens at the start closes again: the parabola's root s = n/d, then one Newton step on
-/// the Taylor polynomial of fifth degree (divided by τ, since g = 0 at the start), written as one quotient. Not positive
-/// if the parabola has no root.
+/// the Taylor polynomial of fifth degree (divided by τ, since g = 0 at the start), written as one quotient. Not
+/// positive if the parabola has no root.
 template <class T>
 [[gnu::always_inline]] inline T return_guess(const CircleGap<T>& start) {
     const T n = -start.rate;
@@ -90,7 +93,8 @@ template <class T>
     const T slope = d2 * d2 + n * (T(2) * cubic + (T(3) * quartic + T(4) * quintic));  // of the polynomial, times d³
     const T value = n * (cubic + (quartic + quintic));                                 // its value, times d³/s
     const T left = slope - value;
-    if (!(slope > 0 && left > T(0.25) * slope && left < T(4) * slope)) [[unlikely]] return n / d;
+    if (!(slope > 0 && left > T(0.25) * slope && left < T(4) * slope)) [[unlikely]]
+        return n / d;
     return n * left / (d * slope);
 }
 

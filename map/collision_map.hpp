@@ -11,15 +11,15 @@ namespace swirl {
 template <class T>
 struct Collision {
     ContactOutcome contact = ContactOutcome::no_contact;
-    Launch<T> after;        ///< the state just after the impact
-    T flight_time{};        ///< τ
-    Vec2<T> normal;         ///< the new n in the axes of the start: the wall advance is its direction
-    int vertex_step = 0;    ///< the vertex that struck, counted from the one before
-    Impulse<T> impulse;     ///< p, q and the contact mode
-    T jacobi_restitution{}; ///< −p ū_n
-    T jacobi_friction{};    ///< q (ū_t − 1)
+    Launch<T> after;         ///< the state just after the impact
+    T flight_time{};         ///< τ
+    Vec2<T> normal;          ///< the new n in the axes of the start: the wall advance is its direction
+    int vertex_step = 0;     ///< the vertex that struck, counted from the one before
+    Impulse<T> impulse;      ///< p, q and the contact mode
+    T jacobi_restitution{};  ///< −p ū_n
+    T jacobi_friction{};     ///< q (ū_t − 1)
     bool simultaneous = false;
-    int steps = 0;          ///< moments looked at by the search for the contact
+    int steps = 0;  ///< moments looked at by the search for the contact
 };
 
 /// The map of one scene, specialised once: shape and impact rule are template parameters, so that a disk carries no
@@ -68,8 +68,10 @@ public:
         const Vec2<T> velocity = seen_from(x, flight.velocity);
         Launch<T>& after = collision.after;
         after.psi = renormalised(seen_from(at.phase, x));  // ψ = arg n − arg w
-        if constexpr (shape == Shape::disk) after.chi = {T(1), T(0)};
-        else after.chi = renormalised(body_.per_alpha * seen_from(x, arm));
+        if constexpr (shape == Shape::disk)
+            after.chi = {T(1), T(0)};
+        else
+            after.chi = renormalised(body_.per_alpha * seen_from(x, arm));
         after.vn = velocity.x + longer * velocity.x;
         after.vt = velocity.y + longer * velocity.y;
         after.spin = flight.spin;
@@ -81,8 +83,10 @@ public:
 
     /// The impact itself: `collision.after` holds the state before and then the state after.
     [[gnu::always_inline]] void apply_impact(Collision<T>& collision) const {
-        if constexpr (shape == Shape::disk) apply_to_disk(collision);
-        else apply_to_polygon(collision);
+        if constexpr (shape == Shape::disk)
+            apply_to_disk(collision);
+        else
+            apply_to_polygon(collision);
     }
 
 private:
@@ -137,8 +141,7 @@ private:
             state.vt = state.vt + j.tangential;
             state.spin = state.spin + change;
             collision.jacobi_restitution = -j.normal * (un - half * j.normal);
-            collision.jacobi_friction =
-                j.tangential * ((ut + half * (j.tangential + body_.alpha * change)) - T(1));
+            collision.jacobi_friction = j.tangential * ((ut + half * (j.tangential + body_.alpha * change)) - T(1));
             collision.impulse = j;
         }
     }
@@ -158,9 +161,12 @@ auto with_collision_map(const Scene<T>& scene, Use&& use) {
     }
     if (frictionless) return use(CollisionMap<T, Shape::polygon, ImpactRule::frictionless>(scene));
     switch (scene.law) {
-        case Law::newton: return use(CollisionMap<T, Shape::polygon, ImpactRule::newton>(scene));
-        case Law::stronge: return use(CollisionMap<T, Shape::polygon, ImpactRule::stronge>(scene));
-        case Law::poisson: break;
+        case Law::newton:
+            return use(CollisionMap<T, Shape::polygon, ImpactRule::newton>(scene));
+        case Law::stronge:
+            return use(CollisionMap<T, Shape::polygon, ImpactRule::stronge>(scene));
+        case Law::poisson:
+            break;
     }
     return use(CollisionMap<T, Shape::polygon, ImpactRule::poisson>(scene));
 }

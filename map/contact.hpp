@@ -23,10 +23,10 @@ template <class T>
 struct Contact {
     ContactOutcome outcome = ContactOutcome::no_contact;
     Instant<T> at;
-    Vec2<T> arm;     ///< a of the vertex that touches (disk: along the contact's normal)
-    int vertex = 0;  ///< its number from the reference vertex, 0 … N − 1; the disk has one, 0
+    Vec2<T> arm;                ///< a of the vertex that touches (disk: along the contact's normal)
+    int vertex = 0;             ///< its number from the reference vertex, 0 … N − 1; the disk has one, 0
     bool simultaneous = false;  ///< another vertex touches within rounding of the same time
-    int steps = 0;   ///< moments looked at
+    int steps = 0;              ///< moments looked at
 };
 
 namespace detail {
@@ -55,7 +55,8 @@ inline T centre_third(const Body<T>& body, const T& drift) {
     return T(2) * body.beta * (T(3) * drift + body.outer);
 }
 
-/// Bounds |g‴| of any vertex: (2 X·a)‴ = 2 (X‴·a + 3 X″·a′ + 3 X′·a″ + X·a‴), |X| ≤ outer, |X″| = |X‴| = β, |a⁽ᵏ⁾| = α|S|ᵏ.
+/// Bounds |g‴| of any vertex: (2 X·a)‴ = 2 (X‴·a + 3 X″·a′ + 3 X′·a″ + X·a‴), |X| ≤ outer, |X″| = |X‴| = β, |a⁽ᵏ⁾| =
+/// α|S|ᵏ.
 template <class T>
 inline T vertex_third(const Body<T>& body, const Flight<T>& flight, const T& drift) {
     using std::fabs;
@@ -75,8 +76,8 @@ inline FlightBounds<T> bounds_of(const Body<T>& body, const Flight<T>& flight) {
     return bounds;
 }
 
-/// What it means that there is no finite step: an infinite one proves that nothing ever touches; what is no number proves
-/// nothing.
+/// What it means that there is no finite step: an infinite one proves that nothing ever touches; what is no number
+/// proves nothing.
 template <class T>
 inline ContactOutcome without_step(const T& step) {
     return step > T(0) ? ContactOutcome::no_contact : ContactOutcome::unresolved;
@@ -114,8 +115,8 @@ inline T sheltered_time(const Body<T>& body, const Flight<T>& flight, const Inst
 }
 
 /// A centre at rest meets the same container again after every turn: what did not happen until the body looks the same
-/// to it again never will. A disk always does; a polygon after q turns if q S N is whole (q ≤ 64 are asked for: another S
-/// brings every orientation to every phase in the end), and in a container that rests as well after its own 1/N turn.
+/// to it again never will. A disk always does; a polygon after q turns if q S N is whole (q ≤ 64 are asked for: another
+/// S brings every orientation to every phase in the end), and in a container that rests as well after its own 1/N turn.
 template <Shape shape, class T>
 inline bool has_recurred(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
     using std::fabs;

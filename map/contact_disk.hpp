@@ -19,7 +19,8 @@ template <class T>
 /// The usual flight from wall to wall: the root is sought without care, then proven to be the first. False if either
 /// fails; the advance below then decides.
 template <class T>
-[[gnu::always_inline]] inline bool direct_contact_disk(const Body<T>& body, const Flight<T>& flight, Contact<T>& contact) {
+[[gnu::always_inline]] inline bool direct_contact_disk(const Body<T>& body, const Flight<T>& flight,
+                                                       Contact<T>& contact) {
     using std::fabs;
     const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase));
     const CircleGap<T> start = gap_at_start(path);
@@ -82,8 +83,8 @@ template <class T>
             contact.outcome = ContactOutcome::sustained;
             return contact;
         }
-        const T step = gap.value < 0 ? safe_step(gap, bounds.centre_third)
-                                     : safe_step_off_the_wall(gap, bounds.centre_third);
+        const T step =
+            gap.value < 0 ? safe_step(gap, bounds.centre_third) : safe_step_off_the_wall(gap, bounds.centre_third);
         if (!(step < std::numeric_limits<T>::infinity())) {
             contact.outcome = without_step(step);
             return contact;

@@ -45,7 +45,8 @@ inline void step_back(const Body<T>& body, const Flight<T>& flight, const Neares
 
 /// Advances by safe steps until a vertex touches, from a moment on its way, `contact.at`. Away from the wall the
 /// circumscribed circle decides; in the ring 1 − α ≤ |X| where vertices can touch, the two nearest to the centre's
-/// direction do (and within rounding of the wall, where the circle of a polygon of many sides leaves no room for a step).
+/// direction do (and within rounding of the wall, where the circle of a polygon of many sides leaves no room for a
+/// step).
 template <class T>
 void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
                                 Contact<T>& contact) {
@@ -79,10 +80,11 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
     contact.outcome = ContactOutcome::unresolved;
 }
 
-/// From a start on the wall: true if a vertex stays there or touches at once, which `contact` then tells; else the first
-/// safe step away is taken.
+/// From a start on the wall: true if a vertex stays there or touches at once, which `contact` then tells; else the
+/// first safe step away is taken.
 template <class T>
-bool begins_in_contact(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, Contact<T>& contact) {
+bool begins_in_contact(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
+                       Contact<T>& contact) {
     NearestTwo<T> pair;
     look_around(body, flight, contact.at, pair);
     ++contact.steps;
@@ -97,8 +99,7 @@ bool begins_in_contact(const Body<T>& body, const Flight<T>& flight, const Fligh
         contact.simultaneous = true;
         return true;
     }
-    const T step =
-        step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre)).length;
+    const T step = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre)).length;
     if (!(step < std::numeric_limits<T>::infinity())) {
         contact.outcome = without_step(step);
         return true;

@@ -12,7 +12,8 @@
 
 namespace swirl {
 
-/// The collision with Jets: `flight` carries the derivatives, `time` and `vertex` are the contact found in plain numbers.
+/// The collision with Jets: `flight` carries the derivatives, `time` and `vertex` are the contact found in plain
+/// numbers.
 template <class J, Shape shape, ImpactRule rule>
 Collision<J> strike_along(const CollisionMap<J, shape, rule>& map, const Flight<J>& flight, const Plain<J>& time,
                           int vertex) {
@@ -65,8 +66,7 @@ public:
         std::array<Jet, dimension> seeded;
         for (int i = 0; i < dimension; ++i) seeded[i] = Jet(c[i], i);
         const Flight<Jet> flight = flight_from(jet_map_.body(), launch_from(section_point<shape>(seeded)));
-        const Collision<Jet> collision =
-            strike_along(jet_map_, flight, known.flight_time, known.vertex_step);
+        const Collision<Jet> collision = strike_along(jet_map_, flight, known.flight_time, known.vertex_step);
         const auto next = coordinates<shape>(section_point(collision.after));
         for (int i = 0; i < dimension; ++i) derivative.row(i) = next[i].v.transpose();
         return derivative;

@@ -55,9 +55,9 @@ template <class T>
 /// What bounds the vertices' gaps while nothing is outside.
 template <class T>
 struct VertexBounds {
-    T drift;   ///< |W| ≤ |V| + β
-    T apart;   ///< half of the second derivative of the difference between neighbours' gaps, 2 X·(a₂ − a₁)
-    T third;   ///< |g‴|
+    T drift;  ///< |W| ≤ |V| + β
+    T apart;  ///< half of the second derivative of the difference between neighbours' gaps, 2 X·(a₂ − a₁)
+    T third;  ///< |g‴|
     T centre_sixth;
 };
 
@@ -76,16 +76,17 @@ template <class T>
 /// True if for `t` after a moment (or before it) the two vertices nearest to the centre's direction then stay so: as
 /// `two_are_enough`, with |X| ≥ `distance`.
 template <class T>
-[[gnu::always_inline]] inline bool two_suffice(const Body<T>& body, const Flight<T>& flight, const T& drift,
-                                               const T& t, const T& distance) {
+[[gnu::always_inline]] inline bool two_suffice(const Body<T>& body, const Flight<T>& flight, const T& drift, const T& t,
+                                               const T& distance) {
     using std::fabs;
     return t * (fabs(flight.spin) * distance + T(2) * drift) <= T(0.5) * body.spacing * distance &&
            T(2) * t * drift <= distance;
 }
 
-/// Proof for one end of a flight from one vertex alone: for `t` after a moment when the vertex at `arm` is at the wall it
-/// stays inside (g′ = −`rate`, g″ ≤ `bend`), and the one second nearest to the centre's direction, at an angle of 2π/N to
-/// it, is farther inside. `drift` = W and `spin` = S; both change sign backwards in time, for a vertex that arrives.
+/// Proof for one end of a flight from one vertex alone: for `t` after a moment when the vertex at `arm` is at the wall
+/// it stays inside (g′ = −`rate`, g″ ≤ `bend`), and the one second nearest to the centre's direction, at an angle of
+/// 2π/N to it, is farther inside. `drift` = W and `spin` = S; both change sign backwards in time, for a vertex that
+/// arrives.
 template <class T>
 [[gnu::always_inline]] inline bool only_one_at_wall(const Body<T>& body, const VertexBounds<T>& bounds,
                                                     const Vec2<T>& centre, const Vec2<T>& drift, const T& spin,
@@ -99,23 +100,24 @@ template <class T>
     const T behind = T(2) * dot(centre, side);
     const T slope = T(2) * (dot(drift, side) - spin * cross(centre, side));
     return fabs(across) <= body.half_slope * along && rate > 0 &&
-           t * (bend + fraction<T>(1, 3) * bounds.third * t) <= T(2) * rate &&
-           rate * behind + slack <= 0 && rate * (behind + t * (slope + t * bounds.apart)) + slack <= 0;
+           t * (bend + fraction<T>(1, 3) * bounds.third * t) <= T(2) * rate && rate * behind + slack <= 0 &&
+           rate * (behind + t * (slope + t * bounds.apart)) + slack <= 0;
 }
 
-/// Proves that nothing touched between the start and a contact `correction` after `at`, where `nearest` strikes. Between
-/// the ends the circumscribed circle stays clear of the wall but for two short times, and for these one vertex is alone
-/// at the wall. False says nothing.
+/// Proves that nothing touched between the start and a contact `correction` after `at`, where `nearest` strikes.
+/// Between the ends the circumscribed circle stays clear of the wall but for two short times, and for these one vertex
+/// is alone at the wall. False says nothing.
 template <class T>
-[[gnu::always_inline]] inline bool clear_at_a_glance(const Body<T>& body, const Flight<T>& flight, const Gap<T>& leaving,
-                                                     const Gap<T>& struck, const Instant<T>& at,
+[[gnu::always_inline]] inline bool clear_at_a_glance(const Body<T>& body, const Flight<T>& flight,
+                                                     const Gap<T>& leaving, const Gap<T>& struck, const Instant<T>& at,
                                                      const Candidate<T>& nearest, const T& correction) {
     using std::fabs;
     const VertexBounds<T> bounds = vertex_bounds(body, flight);
     const ClosedBetween<T> ring = closed_between(leaving, centre_gap(body, flight, at), at.time, bounds.centre_sixth);
     const T shift = fabs(correction);
     const T in = ring.in + shift;
-    // At the contact itself. `slack`: what `touch_together` would call the same time, and the way between `at` and there.
+    // At the contact itself. `slack`: what `touch_together` would call the same time, and the way between `at` and
+    // there.
     const T rate = nearest.gap.rate - shift * (fabs(nearest.gap.bend) + bounds.third * shift);
     const T bend = nearest.gap.bend + bounds.third * shift;
     const T fastest = T(2) * (bounds.drift + body.alpha * fabs(flight.spin));  // |g′| of any vertex
@@ -134,8 +136,8 @@ template <class T>
 /// and from `in` before the contact, at which `striking` and `neighbour` hold.
 template <class T>
 inline bool clear_by_pairs(const Body<T>& body, const Flight<T>& flight, const Instant<T>& start, const Gap<T>& leaving,
-                           const Gap<T>& arriving, const Gap<T>& struck, const Gap<T>& striking, const Gap<T>& neighbour,
-                           const T& time, const T& correction) {
+                           const Gap<T>& arriving, const Gap<T>& struck, const Gap<T>& striking,
+                           const Gap<T>& neighbour, const T& time, const T& correction) {
     using std::fabs;
     const VertexBounds<T> bounds = vertex_bounds(body, flight);
     const ClosedBetween<T> ring = closed_between(leaving, arriving, time, bounds.centre_sixth);
@@ -212,8 +214,8 @@ template <class T>
     return true;
 }
 
-/// From there to a moment so close to the contact of the vertex nearest to the wall that `correction`, the way left, needs
-/// no further look. False if there is none.
+/// From there to a moment so close to the contact of the vertex nearest to the wall that `correction`, the way left,
+/// needs no further look. False if there is none.
 template <class T>
 [[gnu::always_inline]] inline bool seek_vertex(const Body<T>& body, const Flight<T>& flight, Instant<T>& at,
                                                Candidate<T>& nearest, T& correction, int& steps) {
@@ -247,7 +249,8 @@ template <class T>
 
     const Gap<T> struck = struck_gap_at_start(flight);
     if (!(struck.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
-    const Gap<T> leaving{dot(flight.centre, flight.centre) - body.inner * body.inner, start.rate, start.bend, start.jerk};
+    const Gap<T> leaving{dot(flight.centre, flight.centre) - body.inner * body.inner, start.rate, start.bend,
+                         start.jerk};
     if (!clear_at_a_glance(body, flight, leaving, struck, at, nearest, correction)) [[unlikely]] {
         const Instant<T> here = at;  // copies, so that the others stay in registers
         const Candidate<T> vertex = nearest;

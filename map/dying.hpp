@@ -14,8 +14,8 @@ bool has_died_away(const Body<T>& body, const Launch<T>& launch) {
     return speed != T(0) && speed < T(detail::smallest_magnitude);
 }
 
-/// True if a body has become so fast, or spins so fast, that its squares will soon not be held (Newton's law with friction
-/// creates energy).
+/// True if a body has become so fast, or spins so fast, that its squares will soon not be held (Newton's law with
+/// friction creates energy).
 template <class T>
 bool has_diverged(const Body<T>& body, const Launch<T>& launch) {
     using std::fabs;

@@ -16,12 +16,12 @@ namespace swirl {
 /// The start of a flight.
 template <class T>
 struct Flight {
-    Vec2<T> centre;    ///< X₀
-    Vec2<T> velocity;  ///< V, in the laboratory
-    Vec2<T> phase;     ///< cis φ₀, the direction of the swirl's arm
-    Vec2<T> arm;       ///< a₀: from the centre to the reference vertex (disk: to the rim's point on the wall)
-    T spin{};          ///< S
-    T beta{};          ///< β, the length of the swirl's arm
+    Vec2<T> centre;       ///< X₀
+    Vec2<T> velocity;     ///< V, in the laboratory
+    Vec2<T> phase;        ///< cis φ₀, the direction of the swirl's arm
+    Vec2<T> arm;          ///< a₀: from the centre to the reference vertex (disk: to the rim's point on the wall)
+    T spin{};             ///< S
+    T beta{};             ///< β, the length of the swirl's arm
     bool struck = false;  ///< the reference vertex has just struck: X₀ + a₀ = (1, 0), its gap is zero by identity
 };
 

@@ -42,7 +42,8 @@ template <class T>
     const T r = c[0] * c[2];
     const T t = c[0] * c[0] * c[3];
     const T third = c[1] * (square - (r + r)) + t;
-    const T fourth = square * (square - c[0] * (T(3) * c[2])) + (r * r + (T(2) * c[1] * t - c[0] * c[0] * (c[0] * c[4])));
+    const T fourth =
+        square * (square - c[0] * (T(3) * c[2])) + (r * r + (T(2) * c[1] * t - c[0] * c[0] * (c[0] * c[4])));
     return -(c[0] * third) / fourth;
 }
 
@@ -95,7 +96,8 @@ template <class T>
     const T d4 = d2 * d2;
     return size <= small && size * fabs(root.half_bend) <= small * root.rate &&
            fabs(root.value) <= T(2) * root.rate * size &&
-           eleventh * (d4 * d4 * (d2 * d)) * fraction<T>(1, 39916800) <= fraction<T>(1, 1024) * epsilon<T>() * root.rate * time;
+           eleventh * (d4 * d4 * (d2 * d)) * fraction<T>(1, 39916800) <=
+               fraction<T>(1, 1024) * epsilon<T>() * root.rate * time;
 }
 
 }  // namespace swirl::detail

@@ -3,7 +3,8 @@
 // Routh's plane impact (design, section 3; Wang & Mason, J. Appl. Mech. 59 (1992) 635; Stronge, Proc. R. Soc. A 431
 // (1990) 169). The impulse on the body is −p n + q t, p ≥ 0 grows from 0, and with C = −u_n
 //     C = C₀ + B₂ p + B₃ q,   u_t = u_t₀ + B₃ p + B₁ q,   dq = −μ sign(u_t) dp while slipping.
-// C(p) is therefore piecewise linear with at most one kink, where slip stops; the five contact modes are where it falls.
+// C(p) is therefore piecewise linear with at most one kink, where slip stops; the five contact modes are where it
+// falls.
 #pragma once
 
 #include "map/real.hpp"
@@ -23,12 +24,18 @@ enum class ContactMode { frictionless, sliding, c_sticking, r_sticking, c_revers
 
 inline std::string_view name_of(ContactMode mode) {
     switch (mode) {
-        case ContactMode::frictionless: return "frictionless";
-        case ContactMode::sliding: return "sliding";
-        case ContactMode::c_sticking: return "c-sticking";
-        case ContactMode::r_sticking: return "r-sticking";
-        case ContactMode::c_reversed: return "c-reversed";
-        case ContactMode::r_reversed: return "r-reversed";
+        case ContactMode::frictionless:
+            return "frictionless";
+        case ContactMode::sliding:
+            return "sliding";
+        case ContactMode::c_sticking:
+            return "c-sticking";
+        case ContactMode::r_sticking:
+            return "r-sticking";
+        case ContactMode::c_reversed:
+            return "c-reversed";
+        case ContactMode::r_reversed:
+            return "r-reversed";
     }
     return "";
 }
@@ -61,10 +68,10 @@ namespace detail {
 /// C(p) as two straight pieces: slope `first` up to `kink`, slope `second` beyond.
 template <class T>
 struct NormalVelocityPath {
-    T start;           ///< C₀ < 0
-    T first;           ///< dC/dp while slipping as at first, B₂ − sμB₃ (may be ≤ 0 if the kink comes before C = 0)
-    T second;          ///< dC/dp after the kink, > 0
-    T kink;            ///< p at which slip stops
+    T start;   ///< C₀ < 0
+    T first;   ///< dC/dp while slipping as at first, B₂ − sμB₃ (may be ≤ 0 if the kink comes before C = 0)
+    T second;  ///< dC/dp after the kink, > 0
+    T kink;    ///< p at which slip stops
     bool has_kink;
 
     T at_kink() const { return start + first * kink; }

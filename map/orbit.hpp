@@ -9,8 +9,8 @@
 
 namespace swirl {
 
-/// Checks that z can be the state just after an impact: finite, leaving the wall (u_n ≤ 0 to rounding: an impact without
-/// restitution leaves 0 but for that), no other vertex outside.
+/// Checks that z can be the state just after an impact: finite, leaving the wall (u_n ≤ 0 to rounding: an impact
+/// without restitution leaves 0 but for that), no other vertex outside.
 /// @throws std::invalid_argument
 template <class T>
 void require_leaving(const Body<T>& body, const SectionPoint<T>& z) {
@@ -41,7 +41,8 @@ public:
     /// @throws std::invalid_argument if the start is not inside the container
     ReducedOrbit(const Map& map, const LabStart<T>& start) : return_(map), flight_(flight_from(map.body(), start)) {}
 
-    /// Vertex 0 has just struck at t = 0. @throws std::invalid_argument if z is not leaving or another vertex is outside
+    /// Vertex 0 has just struck at t = 0. @throws std::invalid_argument if z is not leaving or another vertex is
+    /// outside
     ReducedOrbit(const Map& map, const SectionPoint<T>& z) : return_(map) {
         require_leaving(map.body(), z);
         passage_.collision.after = launch_from(z);
@@ -69,7 +70,8 @@ public:
     const Map& map() const { return return_.map(); }
     const Collision<T>& collision() const { return passage_.collision; }
     const Launch<T>& launch() const { return passage_.collision.after; }
-    /// Sustained contact on the way to the last impact, or after it if there was no other. Times count from the impact before.
+    /// Sustained contact on the way to the last impact, or after it if there was no other. Times count from the impact
+    /// before.
     const std::vector<ContactSegment>& contacts() const { return passage_.contacts; }
     /// The last passage: ∫S dt over it, and what friction in contact added to J.
     const Passage<T>& passage() const { return passage_; }

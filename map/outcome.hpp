@@ -17,12 +17,18 @@ enum class Outcome {
 
 inline std::string_view name_of(Outcome outcome) {
     switch (outcome) {
-        case Outcome::completed: return "completed";
-        case Outcome::no_contact: return "no-contact";
-        case Outcome::in_contact: return "in-contact";
-        case Outcome::resting: return "resting";
-        case Outcome::diverged: return "diverged";
-        case Outcome::unresolved: return "unresolved";
+        case Outcome::completed:
+            return "completed";
+        case Outcome::no_contact:
+            return "no-contact";
+        case Outcome::in_contact:
+            return "in-contact";
+        case Outcome::resting:
+            return "resting";
+        case Outcome::diverged:
+            return "diverged";
+        case Outcome::unresolved:
+            return "unresolved";
     }
     return "";
 }

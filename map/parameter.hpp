@@ -18,11 +18,16 @@ inline constexpr Parameter all_parameters[] = {Parameter::alpha, Parameter::beta
 /// By the name of the command's flag.
 inline std::string_view name_of(Parameter parameter) {
     switch (parameter) {
-        case Parameter::alpha: return "alpha";
-        case Parameter::beta: return "beta";
-        case Parameter::mu: return "mu";
-        case Parameter::restitution: return "restitution";
-        case Parameter::inertia_factor: return "inertia-factor";
+        case Parameter::alpha:
+            return "alpha";
+        case Parameter::beta:
+            return "beta";
+        case Parameter::mu:
+            return "mu";
+        case Parameter::restitution:
+            return "restitution";
+        case Parameter::inertia_factor:
+            return "inertia-factor";
     }
     return "";
 }
@@ -36,11 +41,16 @@ inline std::optional<Parameter> parameter_named(std::string_view name) {
 template <class T>
 inline T& number_of(Scene<T>& scene, Parameter parameter) {
     switch (parameter) {
-        case Parameter::alpha: return scene.alpha;
-        case Parameter::beta: return scene.beta;
-        case Parameter::mu: return scene.mu;
-        case Parameter::restitution: return scene.restitution;
-        case Parameter::inertia_factor: break;
+        case Parameter::alpha:
+            return scene.alpha;
+        case Parameter::beta:
+            return scene.beta;
+        case Parameter::mu:
+            return scene.mu;
+        case Parameter::restitution:
+            return scene.restitution;
+        case Parameter::inertia_factor:
+            break;
     }
     return scene.inertia_factor;
 }

@@ -21,9 +21,9 @@ using Matrix5 = Eigen::Matrix<T, 5, 5>;
 /// The contact in the axes of the start, and by how much it moves.
 template <class T>
 struct ContactChange {
-    Vec2<T> normal;              ///< n, the contact's direction
-    Differential<T> time;        ///< dτ
-    Differential<T> normal_turn; ///< dν, ν = arg n
+    Vec2<T> normal;               ///< n, the contact's direction
+    Differential<T> time;         ///< dτ
+    Differential<T> normal_turn;  ///< dν, ν = arg n
 };
 
 /// From the partial derivatives ∂y (fixed time) of the point y that must reach a circle, and its velocity y′:
@@ -47,9 +47,9 @@ template <class T, Shape shape>
 ContactChange<T> contact_change_of(const Body<T>& body, const SectionPoint<T>& z, const T& time, int vertex) {
     using std::sin;
     const T zero(0);
-    const Vec2<T> swirl = body.beta * cis(T(-z.psi));                                   // w₀
-    const Vec2<T> turn = T(2) * sin(T(time / 2)) * quarter_turned(cis(T(time / 2)));    // E(τ) = cis τ − 1
-    const Vec2<T> swirl_moved = times(swirl, turn);                                     // w − w₀
+    const Vec2<T> swirl = body.beta * cis(T(-z.psi));                                 // w₀
+    const Vec2<T> turn = T(2) * sin(T(time / 2)) * quarter_turned(cis(T(time / 2)));  // E(τ) = cis τ − 1
+    const Vec2<T> swirl_moved = times(swirl, turn);                                   // w − w₀
     const Vec2<T> start_arm = body.alpha * cis(z.chi);
     const Vec2<T> velocity{z.vn, z.vt};
     const Vec2<T> centre = Vec2<T>{T(1), zero} - start_arm + time * velocity - swirl_moved;
@@ -145,7 +145,8 @@ SectionPoint<T> before_impact(const Body<T>& body, const Collision<T>& collision
 ///   map  the collision map
 ///   z    a point of its section (the disk's χ is not read)
 /// `derivative` (4 × 4 for the disk, 5 × 5 for polygons) is meaningless unless a contact was found. Cost: one collision
-/// and two 5 × 5 matrices. Source: map/README.md; for the method P. C. Müller, Chaos, Solitons & Fractals 5 (1995) 1671.
+/// and two 5 × 5 matrices. Source: map/README.md; for the method P. C. Müller, Chaos, Solitons & Fractals 5 (1995)
+/// 1671.
 template <class T, Shape shape, ImpactRule rule>
 LinearisedCollision<T, shape> linearise_by_saltation(const CollisionMap<T, shape, rule>& map,
                                                      const SectionPoint<T>& z) {

@@ -37,8 +37,7 @@ struct ImpulseChange {
 /// c = B₂ + r B₃, the slope dC/dp where dq/dp = r.
 template <class T>
 Varied<T> slope(const VariedApproach<T>& a, const Varied<T>& rate) {
-    return {a.b2.value + rate.value * a.b3.value,
-            a.b2.change + rate.value * a.b3.change + a.b3.value * rate.change};
+    return {a.b2.value + rate.value * a.b3.value, a.b2.change + rate.value * a.b3.change + a.b3.value * rate.change};
 }
 
 /// Without friction and in sliding all laws end at p = (1 + e) u_n/c: dp = ((1 + e) du_n − p dc)/c, dq = r dp.
@@ -69,11 +68,9 @@ VariedKink<T> kink_of(const VariedApproach<T>& a, const T& mu, const T& sign, co
     kink.second = slope(a, rate_after);
     const T slowing = mu * a.b1.value - sign * a.b3.value;
     kink.place.value = sign * a.ut.value / slowing;
-    kink.place.change =
-        (sign * a.ut.change - kink.place.value * (mu * a.b1.change - sign * a.b3.change)) / slowing;
+    kink.place.change = (sign * a.ut.change - kink.place.value * (mu * a.b1.change - sign * a.b3.change)) / slowing;
     kink.level.value = -a.un.value + kink.first.value * kink.place.value;
-    kink.level.change =
-        -a.un.change + kink.place.value * kink.first.change + kink.first.value * kink.place.change;
+    kink.level.change = -a.un.change + kink.place.value * kink.first.change + kink.first.value * kink.place.change;
     return kink;
 }
 
@@ -83,8 +80,7 @@ Varied<T> place_of_level(const VariedKink<T>& kink, const Varied<T>& level) {
     const T beyond = (level.value - kink.level.value) / kink.second.value;
     Varied<T> p;
     p.value = kink.place.value + beyond;
-    p.change = kink.place.change +
-               (level.change - kink.level.change - beyond * kink.second.change) / kink.second.value;
+    p.change = kink.place.change + (level.change - kink.level.change - beyond * kink.second.change) / kink.second.value;
     return p;
 }
 
@@ -115,8 +111,8 @@ Varied<T> level_of_stronge(const VariedApproach<T>& a, const VariedKink<T>& kink
     if (ck < T(0)) {
         const T root = sqrt(f * (un - ck) * pk + ck * ck);
         const Differential<T> square = (un - ck) * pk * kink.second.change +
-                                       f * pk * (a.un.change - kink.level.change) +
-                                       f * (un - ck) * kink.place.change + T(2) * ck * kink.level.change;
+                                       f * pk * (a.un.change - kink.level.change) + f * (un - ck) * kink.place.change +
+                                       T(2) * ck * kink.level.change;
         level.value = restitution * root;
         level.change = (restitution / (T(2) * root)) * square;
     } else {

@@ -21,13 +21,13 @@ inline constexpr int max_sides = 1'000'000;
 /// A scene, in units of R_c, 1/ω_s and m.
 template <class T = double>
 struct Scene {
-    int sides = 6;        ///< N: 3 … 10⁶, or `disk_sides`
-    T alpha{};            ///< α = R_p/R_c, in (0, 1)
-    T beta{};             ///< β = r_s/R_c, ≥ 0
-    T mu{};               ///< friction μ, ≥ 0
-    T restitution{};      ///< e, in [0, 1]
+    int sides = 6;    ///< N: 3 … 10⁶, or `disk_sides`
+    T alpha{};        ///< α = R_p/R_c, in (0, 1)
+    T beta{};         ///< β = r_s/R_c, ≥ 0
+    T mu{};           ///< friction μ, ≥ 0
+    T restitution{};  ///< e, in [0, 1]
     Law law = Law::poisson;
-    T inertia_factor{};   ///< κ: I = κ m R_p², > 0
+    T inertia_factor{};  ///< κ: I = κ m R_p², > 0
 
     bool is_disk() const { return sides == disk_sides; }
 };
@@ -43,9 +43,12 @@ inline T uniform_inertia_factor(int sides) {
 /// "poisson", "newton", "stronge".
 inline std::string_view name_of(Law law) {
     switch (law) {
-        case Law::poisson: return "poisson";
-        case Law::newton: return "newton";
-        case Law::stronge: return "stronge";
+        case Law::poisson:
+            return "poisson";
+        case Law::newton:
+            return "newton";
+        case Law::stronge:
+            return "stronge";
     }
     return "";
 }
@@ -85,9 +88,9 @@ inline void require_speed(const T& speed) {
 
 }  // namespace detail
 
-/// True if every impact takes for ever: with e < 1, without friction, J (ΔJ = −½(1 − e) p u_n); in a container at rest the
-/// energy, which friction takes, too, but a polygon's under Newton's law. Both are bounded from below, so impacts must
-/// fade: no cycle and no attractor has any (design, section 3).
+/// True if every impact takes for ever: with e < 1, without friction, J (ΔJ = −½(1 − e) p u_n); in a container at rest
+/// the energy, which friction takes, too, but a polygon's under Newton's law. Both are bounded from below, so impacts
+/// must fade: no cycle and no attractor has any (design, section 3).
 template <class T>
 inline bool only_loses(const Scene<T>& scene) {
     if (!(scene.restitution < T(1))) return false;

@@ -58,15 +58,19 @@ template <class T>
 [[gnu::always_inline]] inline Approach<T> approach_of(const Body<T>& body, const Launch<T>& launch) {
     const Vec2<T> r = body.alpha * launch.chi;
     return {launch.vn - launch.spin * r.y - body.beta * launch.psi.y,
-            launch.vt + launch.spin * r.x - body.beta * launch.psi.x, r.x, r.y, body.inertia, body.per_inertia};
+            launch.vt + launch.spin * r.x - body.beta * launch.psi.x,
+            r.x,
+            r.y,
+            body.inertia,
+            body.per_inertia};
 }
 
 /// Energy in the swirling frame, J = ½|V − ẑ×X|² − ½|X|² + ½I(S − 1)² − ½I with X from the swirl's centre
 /// (design, section 3). Conserved in flight.
 template <class T>
 inline T jacobi_of(const Body<T>& body, const Launch<T>& launch) {
-    const Vec2<T> place = Vec2<T>{T(1) - body.alpha * launch.chi.x, -(body.alpha * launch.chi.y)} +
-                          body.beta * conjugate(launch.psi);
+    const Vec2<T> place =
+        Vec2<T>{T(1) - body.alpha * launch.chi.x, -(body.alpha * launch.chi.y)} + body.beta * conjugate(launch.psi);
     const Vec2<T> velocity{launch.vn, launch.vt};
     return T(0.5) * dot(velocity, velocity) - cross(place, velocity) +
            body.inertia * launch.spin * (T(0.5) * launch.spin - T(1));

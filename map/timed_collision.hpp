@@ -13,9 +13,9 @@ namespace swirl {
 template <class T, Shape shape>
 struct TimedCollision {
     static constexpr int unknowns = section_dimension<shape> + 1;  ///< z, τ
-    bool possible = false;          ///< the vertex nearest to the wall at τ approaches it, and not by rounding only
-    Collision<T> collision;         ///< its impact, as if it were on the wall
-    T gap{};                        ///< g of that vertex at τ: zero at a contact
+    bool possible = false;   ///< the vertex nearest to the wall at τ approaches it, and not by rounding only
+    Collision<T> collision;  ///< its impact, as if it were on the wall
+    T gap{};                 ///< g of that vertex at τ: zero at a contact
     Eigen::Matrix<T, unknowns, unknowns> derivative;  ///< of (z after the impact, g) by (z, τ)
 };
 
@@ -39,9 +39,9 @@ Candidate<T> nearest_to_wall(const Body<T>& body, const Flight<T>& flight, const
 
 }  // namespace detail
 
-/// The impact at `time` after z, whether or not anything is on the wall then and whatever touched before: a solution with
-/// gap = 0 is one of the map only if the map's own first contact is at that time. z is just after an impact.
-/// Cost: one pass in Jets of dimension + 1, some six collisions.
+/// The impact at `time` after z, whether or not anything is on the wall then and whatever touched before: a solution
+/// with gap = 0 is one of the map only if the map's own first contact is at that time. z is just after an impact. Cost:
+/// one pass in Jets of dimension + 1, some six collisions.
 template <class T, Shape shape, ImpactRule rule>
 TimedCollision<T, shape> collide_at(const Scene<T>& scene, const SectionPoint<T>& z, const T& time) {
     constexpr int dimension = section_dimension<shape>;
@@ -49,8 +49,7 @@ TimedCollision<T, shape> collide_at(const Scene<T>& scene, const SectionPoint<T>
     TimedCollision<T, shape> result;
     const Body<T> body = make_body(scene);
     const Flight<T> plain_flight = flight_from(body, launch_from(z));
-    const auto nearest =
-        detail::nearest_to_wall<shape>(body, plain_flight, instant_at<shape>(plain_flight, time));
+    const auto nearest = detail::nearest_to_wall<shape>(body, plain_flight, instant_at<shape>(plain_flight, time));
     result.possible = nearest.gap.rate > T(2 * detail::least_approach);  // g′ = 2 u_n
     if (!result.possible) return result;
 
@@ -72,9 +71,7 @@ TimedCollision<T, shape> collide_at(const Scene<T>& scene, const SectionPoint<T>
         map.strike(flight, at, arm, collision);
     }
     const auto next = coordinates<shape>(section_point(collision.after));
-    const auto take = [&](int row, const Jet& value) {
-        result.derivative.row(row) = value.v.transpose();
-    };
+    const auto take = [&](int row, const Jet& value) { result.derivative.row(row) = value.v.transpose(); };
     for (int i = 0; i < dimension; ++i) take(i, next[i]);
     take(dimension, gap);
     std::array<T, dimension> after;

@@ -30,7 +30,8 @@ namespace detail {
 [[gnu::always_inline]] constexpr Vec2<double> small_turn_minus_one(double d) {
     const double s = d * d;
     const double s2 = s * s;
-    const double sine = (-1.0 / 6 + s * (1.0 / 120)) + s2 * ((-1.0 / 5040 + s * (1.0 / 362880)) + s2 * (-1.0 / 39916800));
+    const double sine =
+        (-1.0 / 6 + s * (1.0 / 120)) + s2 * ((-1.0 / 5040 + s * (1.0 / 362880)) + s2 * (-1.0 / 39916800));
     const double cosine = (-0.5 + s * (1.0 / 24)) +
                           s2 * ((-1.0 / 720 + s * (1.0 / 40320)) + s2 * (-1.0 / 3628800 + s * (1.0 / 479001600)));
     return {s * cosine, d + d * (s * sine)};
@@ -53,8 +54,9 @@ struct TabledVector {
 
 constexpr TabledVector tabled(const Vec2<long double>& v) {
     const Vec2<double> value{static_cast<double>(v.x), static_cast<double>(v.y)};
-    return {value, {static_cast<double>(v.x - static_cast<long double>(value.x)),
-                    static_cast<double>(v.y - static_cast<long double>(value.y))}};
+    return {value,
+            {static_cast<double>(v.x - static_cast<long double>(value.x)),
+             static_cast<double>(v.y - static_cast<long double>(value.y))}};
 }
 
 /// cis δ − 1 for |δ| ≤ ½ by Taylor's series.

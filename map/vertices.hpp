@@ -10,8 +10,8 @@ namespace detail {
 /// A vertex that may touch next.
 template <class T>
 struct Candidate {
-    int vertex = 0;   ///< number from the reference vertex
-    Vec2<T> arm;      ///< a now
+    int vertex = 0;  ///< number from the reference vertex
+    Vec2<T> arm;     ///< a now
     Gap<T> gap;
 };
 
@@ -27,8 +27,8 @@ inline double rough_angle(double y, double x) {
     const double a = std::fabs(x), b = std::fabs(y);
     const double t = std::min(a, b) / std::max(a, b);
     const double s = t * t, s2 = s * s;
-    double angle = t * ((0.99997726 - 0.33262347 * s) +
-                        s2 * ((0.19354346 - 0.11643287 * s) + s2 * (0.05265332 - 0.01172120 * s)));
+    double angle =
+        t * ((0.99997726 - 0.33262347 * s) + s2 * ((0.19354346 - 0.11643287 * s) + s2 * (0.05265332 - 0.01172120 * s)));
     if (b > a) angle = M_PI / 2 - angle;
     if (x < 0) angle = M_PI - angle;
     return y < 0 ? -angle : angle;
@@ -70,7 +70,8 @@ inline void turn_to_nearest(const Body<T>& body, const Vec2<T>& centre, const Ve
 }
 
 template <class T>
-inline Gap<T> gap_of(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, const Candidate<T>& candidate) {
+inline Gap<T> gap_of(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at,
+                     const Candidate<T>& candidate) {
     if (flight.struck && candidate.vertex == 0) return struck_gap(flight, at);
     Gap<T> gap = vertex_gap(flight, at, candidate.arm);
     gap.value = gap.value + T(2) * dot(at.centre + candidate.arm, body.rest_of_vertex(at.arm, candidate.vertex));
@@ -98,7 +99,8 @@ inline void look_around(const Body<T>& body, const Flight<T>& flight, const Inst
 /// How long the third nearest vertex stays out of it: it is at least 2π/N away from the centre's direction and would
 /// have to come within π/N to be first. The direction turns by less than 2|W|/|X| while |X| halves at most.
 template <class T>
-inline T two_are_enough(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, const T& distance) {
+inline T two_are_enough(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
+                        const T& distance) {
     using std::fabs;
     const T turning = T(0.5) * body.spacing / (fabs(flight.spin) + T(2) * bounds.drift / distance);
     return std::min(turning, T(distance / (T(2) * bounds.drift)));
@@ -116,8 +118,8 @@ inline bool touches(const Candidate<T>& candidate) {
     return candidate.gap.value >= 0 && candidate.gap.rate >= 0;
 }
 
-/// The neighbour that touches where a flight begins on the wall. One that has no normal velocity but for `rounding` only
-/// does if the wall does not fall away from it: two vertices may leave together.
+/// The neighbour that touches where a flight begins on the wall. One that has no normal velocity but for `rounding`
+/// only does if the wall does not fall away from it: two vertices may leave together.
 template <class T>
 inline const Candidate<T>* touching_neighbour(const NearestTwo<T>& pair, const T& rounding) {
     const Candidate<T>& other = pair.second.vertex == 0 ? pair.first : pair.second;

@@ -41,10 +41,10 @@ void describe_cycle(const Findings& findings, const ClassifyOptions& options, Cl
                             (closed && findings.has_multipliers ? ": the orbit's own closure would be the evidence"
                                                                 : std::string(": no cycle, ") + then_others_decide)});
     if (findings.farthest > 0)
-        evidence.push_back({"distance to cycle", findings.distance, findings.farthest,
-                            "from the orbit's last state, against what its return allows",
-                            "above " + in_words(findings.farthest) + ": another cycle than the orbit's, " +
-                                then_others_decide});
+        evidence.push_back(
+            {"distance to cycle", findings.distance, findings.farthest,
+             "from the orbit's last state, against what its return allows",
+             "above " + in_words(findings.farthest) + ": another cycle than the orbit's, " + then_others_decide});
     if (findings.has_multipliers)
         evidence.push_back({"slowest multiplier", findings.slowest_multiplier, 1 - limits.stable,
                             !findings.attracting ? "does not attract, but the orbit has stayed on the cycle"
@@ -55,8 +55,10 @@ void describe_cycle(const Findings& findings, const ClassifyOptions& options, Cl
                                       then_others_decide + ", unless the orbit itself stays on it"
                                 : "nothing: it rests on the orbit's own closure"});
     if (findings.forgets)
-        evidence.push_back({"ranks left", 0, 0, "every direction is annihilated on the way: what comes back once has come "
-                            "back for ever", "1 or more: the orbit itself would have to stay"});
+        evidence.push_back({"ranks left", 0, 0,
+                            "every direction is annihilated on the way: what comes back once has come "
+                            "back for ever",
+                            "1 or more: the orbit itself would have to stay"});
     else if (!findings.attracting)
         evidence.push_back({"closure kept", findings.kept ? 1.0 : 0.0, 1, "along the tail's last quarter",
                             "0: an unstable cycle in passing; " + std::string(then_others_decide)});
@@ -99,25 +101,26 @@ void describe_recurrence(Classification& result) {
 
 void describe_rounding(const Findings& findings, const ClassifyOptions& options, Classification& result) {
     const double limit = options.period.rounding;
-    result.evidence.push_back({"growth of rounding along the period", findings.rounding, limit,
-                               "the orbit returns to itself, but where is an accident of rounding: chaos between landings "
-                               "that forget everything",
-                               "at most " + in_words(limit) + ": that cycle"});
+    result.evidence.push_back(
+        {"growth of rounding along the period", findings.rounding, limit,
+         "the orbit returns to itself, but where is an accident of rounding: chaos between landings "
+         "that forget everything",
+         "at most " + in_words(limit) + ": that cycle"});
 }
 
 void describe_rotation(const Findings& findings, Classification& result) {
     const RotationOptions limits;
     const RotationNumber& rotation = findings.rotation;
     const bool torus = rotation.outcome == RotationOutcome::quasi_periodic;
-    result.evidence.push_back(
-        {"rotation number", rotation.rotation, rotation.half_difference,
-         std::string(name(rotation.outcome)) + " (threshold: difference of its halves)",
-         torus ? "halves that differ by more than " + in_words(std::pow(10, -limits.min_digits)) +
-                     " turns, or a fraction of denominator up to " + std::to_string(limits.max_denominator) +
-                     ": undecided"
-               : "halves that agree to " + in_words(std::pow(10, -limits.min_digits)) +
-                     " turns on no fraction of denominator up to " + std::to_string(limits.max_denominator) +
-                     ": quasi-steady, if the orbit keeps its size"});
+    result.evidence.push_back({"rotation number", rotation.rotation, rotation.half_difference,
+                               std::string(name(rotation.outcome)) + " (threshold: difference of its halves)",
+                               torus ? "halves that differ by more than " + in_words(std::pow(10, -limits.min_digits)) +
+                                           " turns, or a fraction of denominator up to " +
+                                           std::to_string(limits.max_denominator) + ": undecided"
+                                     : "halves that agree to " + in_words(std::pow(10, -limits.min_digits)) +
+                                           " turns on no fraction of denominator up to " +
+                                           std::to_string(limits.max_denominator) +
+                                           ": quasi-steady, if the orbit keeps its size"});
 }
 
 bool describe_size(const Findings& findings, const ClassifyOptions& options, Classification& result) {

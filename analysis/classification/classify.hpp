@@ -18,12 +18,12 @@
 namespace swirl::analysis {
 
 struct ClassifyOptions {
-    std::int64_t transient = 10'000;   ///< steps before the tail
-    std::int64_t collisions = 10'000;  ///< steps of the tail
+    std::int64_t transient = 10'000;     ///< steps before the tail
+    std::int64_t collisions = 10'000;    ///< steps of the tail
     double recurrence_threshold = 1e-6;  ///< δ of RC
-    double settled_spread = 1.1;       ///< a torus' spread changes by less than this factor along the tail
-    double sigmas = 5;                 ///< standard errors from zero that make an exponent positive
-    bool conserves = false;            ///< the map keeps volumes: nothing settles, and so nothing is a transient
+    double settled_spread = 1.1;         ///< a torus' spread changes by less than this factor along the tail
+    double sigmas = 5;                   ///< standard errors from zero that make an exponent positive
+    bool conserves = false;              ///< the map keeps volumes: nothing settles, and so nothing is a transient
     PeriodOptions period;
 };
 
@@ -33,19 +33,19 @@ struct Classification {
 
     Mode mode = Mode::undecided;
     Kind kind = Kind::none;
-    bool ended = false;           ///< the map ended before the tail was whole
-    std::vector<double> end;      ///< if so: the state that has no next one
-    std::int64_t steps = 0;       ///< steps taken, the transient included
-    std::int64_t period = 0;      ///< 0: none
-    std::vector<double> point;    ///< of the cycle
+    bool ended = false;         ///< the map ended before the tail was whole
+    std::vector<double> end;    ///< if so: the state that has no next one
+    std::int64_t steps = 0;     ///< steps taken, the transient included
+    std::int64_t period = 0;    ///< 0: none
+    std::vector<double> point;  ///< of the cycle
     std::vector<std::complex<double>> multipliers;
-    double mean = unknown;        ///< time mean of the observable (over whole periods where there is one)
+    double mean = unknown;  ///< time mean of the observable (over whole periods where there is one)
     double mean_per_step = unknown;
-    double recurrence_rate = unknown;                   ///< RC, the main diagonal counted
+    double recurrence_rate = unknown;  ///< RC, the main diagonal counted
     double recurrence_rate_without_diagonal = unknown;
-    double largest_exponent = unknown;                  ///< per step
+    double largest_exponent = unknown;  ///< per step
     double largest_exponent_error = unknown;
-    double rotation = unknown;    ///< turns per step, of a quasi-periodic orbit
+    double rotation = unknown;  ///< turns per step, of a quasi-periodic orbit
     std::vector<Evidence> evidence;
 };
 
@@ -172,8 +172,8 @@ RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
 
 }  // namespace classification_detail
 
-/// What an orbit's tail tells before any verdict (which stays `undecided`, without evidence): its end if it ended, means
-/// and recurrence rate.
+/// What an orbit's tail tells before any verdict (which stays `undecided`, without evidence): its end if it ended,
+/// means and recurrence rate.
 template <SectionMap M>
 Classification observed(const M&, const Tail<M::dimension>& tail, int observable, double recurrence_threshold) {
     Classification result;
@@ -233,7 +233,8 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
         result.largest_exponent_error = findings.exponent.standard_error;
     }
     const bool forgets = std::isinf(findings.exponent.exponent) && findings.exponent.exponent < 0;
-    if (!findings.has_cycle && findings.rounding == 0 && forgets) take(find_forgetful_period(map, tail, options.period));
+    if (!findings.has_cycle && findings.rounding == 0 && forgets)
+        take(find_forgetful_period(map, tail, options.period));
     findings.spread_change = detail::spread_change(map, tail);
     if (!findings.has_cycle && findings.rounding == 0 && findings.exponent.sign != ExponentSign::positive) {
         findings.rotation = detail::rotation_of(map, tail);

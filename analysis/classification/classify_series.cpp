@@ -16,11 +16,13 @@ namespace {
 
 constexpr std::size_t fewest = 64;
 constexpr double largest_change = 0.5;  // between the halves
-// Of the largest value, some 5000 ε: what rounding leaves of a computed series, and far below a measured signal on a large
-// offset.
+// Of the largest value, some 5000 ε: what rounding leaves of a computed series, and far below a measured signal on a
+// large offset.
 constexpr double rounding = 1e-12;
 
-double deviation_of(std::span<const double> x) { return gsl_stats_sd(x.data(), 1, x.size()); }
+double deviation_of(std::span<const double> x) {
+    return gsl_stats_sd(x.data(), 1, x.size());
+}
 
 /// With the structured period, if multiples of one were looked for.
 std::string words_of(const Repetition& repetition) {
@@ -56,8 +58,9 @@ void describe_repetition(const Repetition& repetition, double limit, std::size_t
 /// Largest shift between the halves: of their means over the standard deviation, of their variances over their sum.
 bool lasts(std::span<const double> x, double deviation, Classification& result) {
     const auto first = x.first(x.size() / 2), second = x.last(x.size() / 2);
-    const double shift = std::abs(gsl_stats_mean(first.data(), 1, first.size()) -
-                                  gsl_stats_mean(second.data(), 1, second.size())) / deviation;
+    const double shift =
+        std::abs(gsl_stats_mean(first.data(), 1, first.size()) - gsl_stats_mean(second.data(), 1, second.size())) /
+        deviation;
     const double a = gsl_stats_variance(first.data(), 1, first.size());
     const double b = gsl_stats_variance(second.data(), 1, second.size());
     const double change = std::abs(a - b) / (a + b);
@@ -79,24 +82,24 @@ LineShare lines_of(std::span<const double> x, Classification& result) {
     const LineShare share = line_share(power_spectrum(x, 1, options));
     const double all = LineOptions{}.all_lines;
     const bool lines = share.verdict == SpectrumVerdict::lines;
-    result.evidence.push_back({"share of the variance in spectral lines", share.line_fraction, all,
-                               std::string(name(share.verdict)) +
-                                   (share.steadiness_tested ? "" : " (too few segments to tell a line from a band)"),
-                               lines ? "below " + in_words(all) + ": not all lines, predictability would decide"
-                                     : "at or above " + in_words(all) +
-                                           ": all lines, quasi-steady if neighbours stay neighbours"});
+    result.evidence.push_back(
+        {"share of the variance in spectral lines", share.line_fraction, all,
+         std::string(name(share.verdict)) +
+             (share.steadiness_tested ? "" : " (too few segments to tell a line from a band)"),
+         lines ? "below " + in_words(all) + ": not all lines, predictability would decide"
+               : "at or above " + in_words(all) + ": all lines, quasi-steady if neighbours stay neighbours"});
     return share;
 }
 
 void name_lines(std::span<const double> x, bool sampled_flow, Classification& result) {
     const double separation = separation_of_neighbours(x);
     const bool kept = separation <= std::log(2);
-    result.evidence.push_back({"logarithmic separation of neighbours", separation, std::log(2),
-                               !kept          ? "neighbours part: chaos on narrow bands, or noise"
-                               : sampled_flow ? "neighbours stay: periodic or quasi-periodic in time"
-                                              : "neighbours stay: a torus",
-                               (kept ? "above " : "at most ") + in_words(std::log(2)) +
-                                   (kept ? ": undecided" : ": quasi-steady")});
+    result.evidence.push_back(
+        {"logarithmic separation of neighbours", separation, std::log(2),
+         !kept          ? "neighbours part: chaos on narrow bands, or noise"
+         : sampled_flow ? "neighbours stay: periodic or quasi-periodic in time"
+                        : "neighbours stay: a torus",
+         (kept ? "above " : "at most ") + in_words(std::log(2)) + (kept ? ": undecided" : ": quasi-steady")});
     if (!kept) return;
     result.mode = Mode::quasi_steady;
     result.kind = sampled_flow ? Kind::none : Kind::quasi_periodic;
@@ -105,14 +108,13 @@ void name_lines(std::span<const double> x, bool sampled_flow, Classification& re
 void name_irregular(std::span<const double> x, Classification& result) {
     const SurrogateTest surrogates = test_surrogates(x);
     const bool deterministic = surrogates.error < surrogates.smallest_of_surrogates;
-    result.evidence.push_back({"prediction error", surrogates.error, surrogates.smallest_of_surrogates,
-                               deterministic
-                                   ? "smaller than that of each of 39 surrogates: deterministic, not linear noise"
-                                   : "not smaller than that of linear noise (the smallest of 39 surrogates)",
-                               deterministic ? "at or above " + in_words(surrogates.smallest_of_surrogates) +
-                                                   ": as linear noise, undecided"
-                                             : "below " + in_words(surrogates.smallest_of_surrogates) +
-                                                   ": deterministic, chaotic if neighbours part at one rate"});
+    result.evidence.push_back(
+        {"prediction error", surrogates.error, surrogates.smallest_of_surrogates,
+         deterministic ? "smaller than that of each of 39 surrogates: deterministic, not linear noise"
+                       : "not smaller than that of linear noise (the smallest of 39 surrogates)",
+         deterministic ? "at or above " + in_words(surrogates.smallest_of_surrogates) + ": as linear noise, undecided"
+                       : "below " + in_words(surrogates.smallest_of_surrogates) +
+                             ": deterministic, chaotic if neighbours part at one rate"});
     const SeriesExponent exponent = exponent_of_series(x);
     result.evidence.push_back(
         {"divergence of neighbours per sample", exponent.exponent, exponent.spread,
@@ -135,8 +137,7 @@ Classification classify_series(std::span<const double> x, const ClassifySeriesOp
     if (x.size() < fewest)
         throw std::invalid_argument("series of " + std::to_string(x.size()) + " samples: must be " +
                                     std::to_string(fewest) + " or more without a gap");
-    if (!(options.noise >= 0 && std::isfinite(options.noise)))
-        refuse("noise", options.noise, ">= 0, finite");
+    if (!(options.noise >= 0 && std::isfinite(options.noise))) refuse("noise", options.noise, ">= 0, finite");
     Classification result;
     result.mode = Mode::undecided;
     result.steps = static_cast<std::int64_t>(x.size());

@@ -30,7 +30,7 @@ struct ClassifySeriesOptions {
     double largest_noise = 0.15;  ///< of an unknown noise, over the series' standard deviation
     int max_period = 256;         ///< also at most as in RepetitionLimits
     double recurrence_threshold = 1e-6;
-    bool sampled_flow = false;    ///< even samples of a signal in time; else one sample a step of a map
+    bool sampled_flow = false;  ///< even samples of a signal in time; else one sample a step of a map
 };
 
 /// The embedding dimensions' rates of divergence may differ by so much of their median.

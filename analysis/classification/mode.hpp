@@ -10,46 +10,63 @@ enum class Mode { steady, quasi_steady, chaotic, undecided };
 
 /// What is known beyond that.
 enum class Kind {
-    none,            ///< nothing to name: the orbit ended, or the evidence is not enough
-    fixed_point,     ///< F(z) = z, isolated
-    family,          ///< F(z) = z, a member of a family: a multiplier is 1
-    cycle,           ///< Fᵏ(z) = z, k > 1
-    quasi_periodic,  ///< a closed curve or torus, with an irrational rotation number
+    none,                 ///< nothing to name: the orbit ended, or the evidence is not enough
+    fixed_point,          ///< F(z) = z, isolated
+    family,               ///< F(z) = z, a member of a family: a multiplier is 1
+    cycle,                ///< Fᵏ(z) = z, k > 1
+    quasi_periodic,       ///< a closed curve or torus, with an irrational rotation number
     landing,              ///< a cycle that comes to stand on the wall and leaves it again
     rolling,              ///< in contact for ever, at rest in the co-rotating frame (also called snaking)
     rolling_librating,    ///< in contact for ever, swinging about a direction of the co-rotating frame
     rolling_circulating,  ///< in contact for ever, turning on and on against the co-rotating frame
     sliding,              ///< in contact for ever and slipping
     two_vertex,           ///< in contact for ever on the two vertices of an edge
-    chaotic,         ///< a positive largest exponent
-    transient        ///< still changing: its size, or what it does
+    chaotic,              ///< a positive largest exponent
+    transient             ///< still changing: its size, or what it does
 };
 
 inline std::string_view name_of(Mode mode) {
     switch (mode) {
-        case Mode::steady: return "steady";
-        case Mode::quasi_steady: return "quasi-steady";
-        case Mode::chaotic: return "chaotic";
-        case Mode::undecided: return "undecided";
+        case Mode::steady:
+            return "steady";
+        case Mode::quasi_steady:
+            return "quasi-steady";
+        case Mode::chaotic:
+            return "chaotic";
+        case Mode::undecided:
+            return "undecided";
     }
     return "";
 }
 
 inline std::string_view name_of(Kind kind) {
     switch (kind) {
-        case Kind::none: return "none";
-        case Kind::fixed_point: return "fixed-point";
-        case Kind::family: return "family";
-        case Kind::cycle: return "cycle";
-        case Kind::quasi_periodic: return "quasi-periodic";
-        case Kind::landing: return "landing";
-        case Kind::rolling: return "rolling";
-        case Kind::rolling_librating: return "rolling-librating";
-        case Kind::rolling_circulating: return "rolling-circulating";
-        case Kind::sliding: return "sliding";
-        case Kind::two_vertex: return "two-vertex";
-        case Kind::chaotic: return "chaotic";
-        case Kind::transient: return "transient";
+        case Kind::none:
+            return "none";
+        case Kind::fixed_point:
+            return "fixed-point";
+        case Kind::family:
+            return "family";
+        case Kind::cycle:
+            return "cycle";
+        case Kind::quasi_periodic:
+            return "quasi-periodic";
+        case Kind::landing:
+            return "landing";
+        case Kind::rolling:
+            return "rolling";
+        case Kind::rolling_librating:
+            return "rolling-librating";
+        case Kind::rolling_circulating:
+            return "rolling-circulating";
+        case Kind::sliding:
+            return "sliding";
+        case Kind::two_vertex:
+            return "two-vertex";
+        case Kind::chaotic:
+            return "chaotic";
+        case Kind::transient:
+            return "transient";
     }
     return "";
 }

@@ -19,26 +19,26 @@
 namespace swirl::analysis {
 
 struct PeriodOptions {
-    std::int64_t max_period = 4096; ///< longest period that is looked for
-    double closure = 1e-9;          ///< |Fᵏ(z) − z| of an orbit that has settled
-    double vicinity = 1e-2;         ///< an orbit this near to itself after k steps is taken for settling on a k-cycle
-    int candidates = 4;             ///< periods tried by Newton's method
-    double residual = 1e-12;        ///< |Fᵏ(z) − z| that Newton's method must reach
-    double neutral = 1e-6;          ///< a multiplier this near to 1 belongs to a family
-    double rounding = 1e-6;         ///< a cycle along which rounding grows to more than this is an accident of it
-    bool exact_multipliers = true;  ///< always in 100 digits; false: only where double's own can't decide
-    double stable = 1e-8;           ///< an attracting cycle's multipliers are below 1 − stable, those near 1 apart
+    std::int64_t max_period = 4096;  ///< longest period that is looked for
+    double closure = 1e-9;           ///< |Fᵏ(z) − z| of an orbit that has settled
+    double vicinity = 1e-2;          ///< an orbit this near to itself after k steps is taken for settling on a k-cycle
+    int candidates = 4;              ///< periods tried by Newton's method
+    double residual = 1e-12;         ///< |Fᵏ(z) − z| that Newton's method must reach
+    double neutral = 1e-6;           ///< a multiplier this near to 1 belongs to a family
+    double rounding = 1e-6;          ///< a cycle along which rounding grows to more than this is an accident of it
+    bool exact_multipliers = true;   ///< always in 100 digits; false: only where double's own can't decide
+    double stable = 1e-8;            ///< an attracting cycle's multipliers are below 1 − stable, those near 1 apart
 };
 
 /// A cycle with what is known of it.
 template <int D>
 struct FoundCycle {
-    std::int64_t period = 0;  ///< 0: none found
+    std::int64_t period = 0;              ///< 0: none found
     Vector<D> point = Vector<D>::Zero();  ///< on the cycle, polished
-    double closure = 0;       ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
-    double residual = 0;      ///< |Fᵏ(z) − z| at the point
-    double distance = 0;      ///< from the orbit's last state to the point
-    double farthest = 0;      ///< how far that may be, by the orbit's own return and the slowest multiplier
+    double closure = 0;                   ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
+    double residual = 0;                  ///< |Fᵏ(z) − z| at the point
+    double distance = 0;                  ///< from the orbit's last state to the point
+    double farthest = 0;                  ///< how far that may be, by the orbit's own return and the slowest multiplier
     std::vector<std::complex<double>> multipliers;
     bool family = false;      ///< a multiplier is 1
     bool attracting = false;  ///< all multipliers inside the unit circle, those of a family apart
@@ -50,10 +50,10 @@ struct FoundCycle {
 
 namespace classification_detail {
 
-/// Does the tail come nearer to the cycle from window to window (four of a sixteenth of the tail, or of a period each if
-/// that is longer; two of the longest periods; no farther back than where it was more than 0.1 away)? An orbit that only
-/// passes by, or circles round it on a torus, does not. Within 10⁻⁶, where rounding through sustained contact may stop
-/// it, it need not.
+/// Does the tail come nearer to the cycle from window to window (four of a sixteenth of the tail, or of a period each
+/// if that is longer; two of the longest periods; no farther back than where it was more than 0.1 away)? An orbit that
+/// only passes by, or circles round it on a torus, does not. Within 10⁻⁶, where rounding through sustained contact may
+/// stop it, it need not.
 template <SectionMap M>
 bool approaches(const M& map, const Tail<M::dimension>& tail, const Vector<M::dimension>& point, std::int64_t k) {
     std::vector<Vector<M::dimension>> cycle{point};
@@ -64,7 +64,8 @@ bool approaches(const M& map, const Tail<M::dimension>& tail, const Vector<M::di
     double nearer = 0;
     for (std::int64_t w = 0; w < windows; ++w) {
         double farthest = 0;
-        for (std::int64_t j = w * length; j < (w + 1) * length; ++j)  // j steps before the last state, which is at `point`
+        for (std::int64_t j = w * length; j < (w + 1) * length;
+             ++j)  // j steps before the last state, which is at `point`
             farthest = std::max(farthest, distance(map, tail.states[static_cast<std::size_t>(n - 1 - j)],
                                                    cycle[static_cast<std::size_t>((k - j % k) % k)]));
         if (w == 0 && farthest <= 1e-6) return true;
@@ -87,9 +88,9 @@ double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_
     return largest;
 }
 
-/// Do the orbit's returns after k steps shrink along the tail, as an approach makes them: by half, or by half of what the
-/// slowest multiplier m of the cycle (of period `period`) predicts, in the logarithm? On a torus near a rational one they
-/// stay as they are, and Newton's method finds a cycle there all the same.
+/// Do the orbit's returns after k steps shrink along the tail, as an approach makes them: by half, or by half of what
+/// the slowest multiplier m of the cycle (of period `period`) predicts, in the logarithm? On a torus near a rational
+/// one they stay as they are, and Newton's method finds a cycle there all the same.
 template <SectionMap M>
 bool returns_shrink(const M& map, const Tail<M::dimension>& tail, std::int64_t k, double slowest, std::int64_t period) {
     const auto n = static_cast<std::int64_t>(tail.states.size());
@@ -162,8 +163,8 @@ std::int64_t minimal_period(const M& map, const Vector<M::dimension>& z, std::in
     return k;
 }
 
-/// Multipliers from double's eigenvalues, for a cycle that attracts clearly: ε‖A‖ may move them by its fifth root at worst
-/// (a defective one of D = 5), 10⁻³, and none is nearer to the unit circle than 10⁻². Empty if that is not so.
+/// Multipliers from double's eigenvalues, for a cycle that attracts clearly: ε‖A‖ may move them by its fifth root at
+/// worst (a defective one of D = 5), 10⁻³, and none is nearer to the unit circle than 10⁻². Empty if that is not so.
 template <SectionMap M>
 std::vector<std::complex<double>> clear_multipliers(const M& map, Vector<M::dimension> z, std::int64_t k) {
     Matrix<M::dimension> derivative;
@@ -194,8 +195,10 @@ FoundCycle<M::dimension> cycle_near(const M& map, const Tail<M::dimension>& tail
     found.closure = closure;
     found.attracting = true;
     for (const auto& multiplier : found.multipliers) {
-        if (std::abs(multiplier - 1.0) <= options.neutral) found.family = true;
-        else if (!(std::abs(multiplier) < 1 - options.stable)) found.attracting = false;
+        if (std::abs(multiplier - 1.0) <= options.neutral)
+            found.family = true;
+        else if (!(std::abs(multiplier) < 1 - options.stable))
+            found.attracting = false;
     }
     // A return of size d after j periods of a cycle with slowest multiplier m means a distance of d/(1 − mʲ).
     double slowest = 0;
@@ -237,8 +240,8 @@ FoundCycle<M::dimension> cycle_of_closed(const M& map, const Tail<M::dimension>&
 template <SectionMap M>
 FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tail, const PeriodOptions& options = {}) {
     namespace detail = classification_detail;
-    const std::int64_t longest = std::min<std::int64_t>(options.max_period,
-                                                        static_cast<std::int64_t>(tail.states.size()) / 2);
+    const std::int64_t longest =
+        std::min<std::int64_t>(options.max_period, static_cast<std::int64_t>(tail.states.size()) / 2);
     std::vector<std::pair<double, std::int64_t>> near;
     for (std::int64_t k = 1; k <= longest; ++k) {
         const double returned = detail::return_distance(map, tail, k, k, options.vicinity);

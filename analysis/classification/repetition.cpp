@@ -68,7 +68,9 @@ double chance_by_phase(const std::vector<double>& rest, std::size_t k, double ro
 
 }  // namespace
 
-double white_autocorrelation(std::size_t n) { return 4 / std::sqrt(static_cast<double>(n)); }
+double white_autocorrelation(std::size_t n) {
+    return 4 / std::sqrt(static_cast<double>(n));
+}
 
 Repetition repetition_of(std::span<const double> x, const RepetitionLimits& limits) {
     const std::size_t n = x.size();

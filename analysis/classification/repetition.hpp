@@ -7,9 +7,9 @@
 namespace swirl::analysis {
 
 struct RepetitionLimits {
-    double residual = 0;  ///< noise: standard deviation about the phase means, at most
-    double exact = 0;     ///< rounding: what repeats within it repeats, whatever its structure
-    int max_period = 256; ///< also at most an eighth of the samples, and a sixteenth unless exact
+    double residual = 0;   ///< noise: standard deviation about the phase means, at most
+    double exact = 0;      ///< rounding: what repeats within it repeats, whatever its structure
+    int max_period = 256;  ///< also at most an eighth of the samples, and a sixteenth unless exact
 };
 
 struct Repetition {

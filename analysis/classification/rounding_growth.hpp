@@ -10,10 +10,11 @@
 
 namespace swirl::analysis {
 
-/// What an error of ε becomes along the k steps from z: ε/d times the largest distance of a neighbour that begins d away,
-/// and does so again wherever it has come back to within d. A cycle may return to the bit, as landings undo whatever was
-/// before, and yet lead through chaos in between: where it closes is then an accident of rounding. Neighbours and no
-/// derivatives, as beyond a border of the map these say nothing. Infinite if the neighbour's map ends. Cost: 2 k steps.
+/// What an error of ε becomes along the k steps from z: ε/d times the largest distance of a neighbour that begins d
+/// away, and does so again wherever it has come back to within d. A cycle may return to the bit, as landings undo
+/// whatever was before, and yet lead through chaos in between: where it closes is then an accident of rounding.
+/// Neighbours and no derivatives, as beyond a border of the map these say nothing. Infinite if the neighbour's map
+/// ends. Cost: 2 k steps.
 template <SectionMap M>
 double rounding_growth(const M& map, Vector<M::dimension> z, std::int64_t k) {
     constexpr double apart = 1e-14;

@@ -80,9 +80,9 @@ double plateau_of(const std::vector<double>& curve) {
 /// Slope of the straight rise between the first sample and 70 % of the way to the plateau; NaN if there is none.
 double rise_of(const std::vector<double>& curve) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    constexpr double least_rise = 1.5;         // a factor 4.5 in distance
+    constexpr double least_rise = 1.5;  // a factor 4.5 in distance
     constexpr std::size_t fewest_points = 4;
-    constexpr double largest_bend = 0.06;      // scatter about the line, over the rise
+    constexpr double largest_bend = 0.06;  // scatter about the line, over the rise
     const double rise = plateau_of(curve) - curve[1];
     if (!(rise >= least_rise)) return none;
     std::size_t end = 1;

@@ -64,8 +64,8 @@ SlowSettling settling_of_periods(const std::vector<Crossing>& crossings, double 
     if (quarter == 0) return {};
     std::array<double, 4> means{};
     for (std::size_t q = 0; q < 4; ++q)
-        means[q] = (crossings[(q + 1) * quarter].time - crossings[q * quarter].time) /
-                   (static_cast<double>(quarter) * period);
+        means[q] =
+            (crossings[(q + 1) * quarter].time - crossings[q * quarter].time) / (static_cast<double>(quarter) * period);
     return settling_of(means);
 }
 

@@ -19,10 +19,10 @@ enum class SwingKind { at_rest, librating, circulating, irregular };
 
 struct Swing {
     SwingKind kind = SwingKind::irregular;
-    double mean = 0;            ///< time mean of S over whole periods (at rest and irregular: over all samples)
-    double range = 0;           ///< largest less smallest S
-    double period = 0;          ///< time from crossing to crossing, 0 if there is none
-    double period_spread = 0;   ///< largest relative difference of the periods
+    double mean = 0;           ///< time mean of S over whole periods (at rest and irregular: over all samples)
+    double range = 0;          ///< largest less smallest S
+    double period = 0;         ///< time from crossing to crossing, 0 if there is none
+    double period_spread = 0;  ///< largest relative difference of the periods
     int periods = 0;
     double settling_exponent = 0;  ///< of the periods' changes where they differ by more than the tolerance
     double still_to_come = 0;      ///< their change to come, relative; infinite if they come to no limit

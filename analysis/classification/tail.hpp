@@ -12,11 +12,11 @@ namespace swirl::analysis {
 
 template <int D>
 struct Tail {
-    std::vector<Vector<D>> states;   ///< n states
-    std::vector<double> durations;   ///< durations[i]: from states[i] to the next
-    std::vector<double> integrals;   ///< Advance::integral on that way
-    std::int64_t steps = 0;          ///< steps taken in all, the transient included
-    bool ended = false;              ///< the map ended before all steps were taken
+    std::vector<Vector<D>> states;      ///< n states
+    std::vector<double> durations;      ///< durations[i]: from states[i] to the next
+    std::vector<double> integrals;      ///< Advance::integral on that way
+    std::int64_t steps = 0;             ///< steps taken in all, the transient included
+    bool ended = false;                 ///< the map ended before all steps were taken
     Vector<D> end = Vector<D>::Zero();  ///< if so: the state that has no next one
 };
 

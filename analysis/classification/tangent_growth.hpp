@@ -17,7 +17,8 @@ struct TangentGrowth {
 
     /// More than 5 standard errors above zero, and more than a neutral vector's growth n^0 … n^1 could feign.
     bool is_positive(std::int64_t steps) const {
-        return whole && mean > 5 * error && mean * static_cast<double>(steps) > 3 * std::log(static_cast<double>(steps));
+        return whole && mean > 5 * error &&
+               mean * static_cast<double>(steps) > 3 * std::log(static_cast<double>(steps));
     }
 };
 

@@ -11,8 +11,8 @@ namespace swirl::analysis {
 
 namespace {
 
-/// F is continuous across a border, and so is the time of each step: where another impact has slipped in or one has been
-/// left out it jumps. Near grazing the time moves by up to 1/margin per length, hence the factor.
+/// F is continuous across a border, and so is the time of each step: where another impact has slipped in or one has
+/// been left out it jumps. Near grazing the time moves by up to 1/margin per length, hence the factor.
 bool is_continuous(const Closing& behind, const Closing& last, double h) {
     const double tolerated = 1e-6 + std::min(1e3 * h, 1e-2);
     for (std::size_t i = 0; i < last.steps.size(); ++i)
@@ -20,8 +20,8 @@ bool is_continuous(const Closing& behind, const Closing& last, double h) {
     return true;
 }
 
-/// Steps from `base` until a cycle with another word than that of `last` is met; F is continuous across, so that it is as
-/// near as the step was long.
+/// Steps from `base` until a cycle with another word than that of `last` is met; F is continuous across, so that it is
+/// as near as the step was long.
 bool step_behind(const ShootingMap& map, const CurvePoint& base, const Closing& last, double sign, CurvePoint& behind) {
     CorrectorOptions any;
     any.keep_word = false;
@@ -37,7 +37,8 @@ bool step_behind(const ShootingMap& map, const CurvePoint& base, const Closing& 
 }
 
 /// The base as the other side sees it: derivative and tangent of a point aside that has another word.
-bool seen_from(const ShootingMap& map, const CurvePoint& last, Eigen::Index coordinate, double shift, CurvePoint& base) {
+bool seen_from(const ShootingMap& map, const CurvePoint& last, Eigen::Index coordinate, double shift,
+               CurvePoint& base) {
     Eigen::VectorXd z = stacked(last.points);
     const bool along_parameter = coordinate == z.size();
     if (!along_parameter) z[coordinate] += shift;
@@ -69,8 +70,8 @@ void extrapolate_to_border(const ShootingMap& map, CurvePoint& last) {
     if (correct(map, last, -back, before) != Correction::converged) return;
     const double slope = (margin_of(before.closing) - margin) / back;
     if (!(slope > 0)) return;
-    // The cubic through four points of the curve, with the margin as its variable, at 0. They lie a hundred times farther
-    // back, at margins of 10⁻⁴: at the last cycle DF is 10⁶, and it is known to 10⁻⁹ only.
+    // The cubic through four points of the curve, with the margin as its variable, at 0. They lie a hundred times
+    // farther back, at margins of 10⁻⁴: at the last cycle DF is 10⁶, and it is known to 10⁻⁹ only.
     const double apart = 100 * margin / slope;
     std::array<CurvePoint, 4> nodes;
     std::array<double, 4> margins{};

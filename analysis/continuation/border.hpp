@@ -13,8 +13,8 @@ namespace swirl::analysis {
 bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std::int64_t>& word_after,
                  CurvePoint& behind);
 
-/// Where the map ends at a least margin (u_n = 10⁻⁶) the border itself, margin 0, lies that much farther on: moves points
-/// and parameter there by the cubic through four cycles of the curve with margins of some 10⁻⁴. The derivatives
+/// Where the map ends at a least margin (u_n = 10⁻⁶) the border itself, margin 0, lies that much farther on: moves
+/// points and parameter there by the cubic through four cycles of the curve with margins of some 10⁻⁴. The derivatives
 /// stay those of the last cycle.
 void extrapolate_to_border(const ShootingMap& map, CurvePoint& last);
 

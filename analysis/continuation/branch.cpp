@@ -9,26 +9,40 @@ namespace swirl::analysis {
 
 std::string_view name(SpecialKind kind) {
     switch (kind) {
-        case SpecialKind::fold: return "fold";
-        case SpecialKind::flip: return "flip";
-        case SpecialKind::neimark_sacker: return "neimark-sacker";
-        case SpecialKind::branch_point: return "branch-point";
-        case SpecialKind::border: return "border";
+        case SpecialKind::fold:
+            return "fold";
+        case SpecialKind::flip:
+            return "flip";
+        case SpecialKind::neimark_sacker:
+            return "neimark-sacker";
+        case SpecialKind::branch_point:
+            return "branch-point";
+        case SpecialKind::border:
+            return "border";
     }
     return "?";
 }
 
 std::string_view name(BranchEnd end) {
     switch (end) {
-        case BranchEnd::range: return "range";
-        case BranchEnd::closed: return "closed";
-        case BranchEnd::border: return "border";
-        case BranchEnd::not_converged: return "not-converged";
-        case BranchEnd::most_points: return "most-points";
-        case BranchEnd::halved: return "halved";
-        case BranchEnd::switched: return "switched";
-        case BranchEnd::family: return "family";
-        case BranchEnd::stopped: return "stopped";
+        case BranchEnd::range:
+            return "range";
+        case BranchEnd::closed:
+            return "closed";
+        case BranchEnd::border:
+            return "border";
+        case BranchEnd::not_converged:
+            return "not-converged";
+        case BranchEnd::most_points:
+            return "most-points";
+        case BranchEnd::halved:
+            return "halved";
+        case BranchEnd::switched:
+            return "switched";
+        case BranchEnd::family:
+            return "family";
+        case BranchEnd::stopped:
+            return "stopped";
     }
     return "?";
 }

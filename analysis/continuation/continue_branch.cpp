@@ -97,7 +97,8 @@ private:
         end(BranchEnd::range);
     }
 
-    /// The map itself ends at the end of the range (e = 1), so that no step leads beyond: the cycle there, if there is one.
+    /// The map itself ends at the end of the range (e = 1), so that no step leads beyond: the cycle there, if there is
+    /// one.
     void finish_at_range() {
         const double p = value(here());
         const double bound = std::abs(p - options_.low) < std::abs(p - options_.high) ? options_.low : options_.high;
@@ -106,14 +107,16 @@ private:
         const double residual = map_.has_parameter && p != bound ? polish_cycle(map_, points, bound) : 1;
         if (residual < CorrectorOptions{}.accept && begin_curve(map_, points, bound, here().tangent, last) &&
             distance_between(map_, points, here().points) < 1e-6) {
-            if (is_smooth_to(last)) accept(last, std::abs(p - bound), 1);
-            else append(branch_point_at(last));
+            if (is_smooth_to(last))
+                accept(last, std::abs(p - bound), 1);
+            else
+                append(branch_point_at(last));
         }
         end(BranchEnd::range);
     }
 
-    /// At the end of a parameter's range the rule itself may change (μ → 0) and cycles become families (β = 0): test functions
-    /// say nothing there.
+    /// At the end of a parameter's range the rule itself may change (μ → 0) and cycles become families (β = 0): test
+    /// functions say nothing there.
     bool is_smooth_to(const CurvePoint& last) const {
         const Eigen::MatrixXd& before = here().closing.by_points;
         return word_of(last.closing) == word_of(here().closing) && is_on_curve(map_, last.closing) &&
@@ -130,8 +133,8 @@ private:
         return product < 0;
     }
 
-    /// Do the solutions from here on fill more than a curve, or a curve at one value of the parameter? Branches cross in a
-    /// point and turn back in one: two successive points tell.
+    /// Do the solutions from here on fill more than a curve, or a curve at one value of the parameter? Branches cross
+    /// in a point and turn back in one: two successive points tell.
     bool joins_family(const CurvePoint& next) {
         if (!map_.has_parameter) return false;
         constexpr double level = 1e-9;
@@ -143,7 +146,8 @@ private:
 
     /// Back where it began, after it had been away.
     bool has_closed() {
-        const double away = std::max(std::abs(here().p - start_.p), distance_between(map_, here().points, start_.points));
+        const double away =
+            std::max(std::abs(here().p - start_.p), distance_between(map_, here().points, start_.points));
         has_left_ = has_left_ || away > 3 * options_.longest_step;
         return has_left_ && away < options_.longest_step && has_start_direction();
     }
@@ -160,8 +164,7 @@ private:
             double away = 0;
             for (std::size_t i = 0; i < k; ++i)
                 away = std::max(away, map_.distance(here().points[(i + shift) % k], start_.points[i]));
-            if (away < options_.longest_step &&
-                curve_product(turned, start_.tangent, turned.size() > size, k) > 0.9)
+            if (away < options_.longest_step && curve_product(turned, start_.tangent, turned.size() > size, k) > 0.9)
                 return true;
         }
         return false;
@@ -189,8 +192,8 @@ private:
         special.after = branch_.points.size() - 1;
         CurvePoint behind;
         special.goes_on = find_behind(map_, here(), special.word_after, behind);
-        special.border = options_.name_border ? options_.name_border(here(), special.word_after, special.goes_on)
-                                              : nameless_border;
+        special.border =
+            options_.name_border ? options_.name_border(here(), special.word_after, special.goes_on) : nameless_border;
         if (failure_ == Correction::failed && special.word_after.empty() && special.border == nameless_border)
             return end(BranchEnd::not_converged);
         if (!special.goes_on) extrapolate_to_border(map_, special.cycle.at);
@@ -209,7 +212,7 @@ private:
     int successes_ = 0;
     Correction failure_ = Correction::converged;  ///< how the last step failed
     bool has_left_ = false;
-    bool on_curve_ = true;    ///< was the last point that was tried on one?
+    bool on_curve_ = true;  ///< was the last point that was tried on one?
     bool ended_ = false;
 };
 

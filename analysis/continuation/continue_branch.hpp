@@ -13,8 +13,8 @@ namespace swirl::analysis {
 inline constexpr double least_cosine = 0.97;
 
 struct ContinuationOptions {
-    double low = 0, high = 1;      ///< the parameter's range
-    double first_step = 1e-3;      ///< in arclength, s² = |δZ|²/k + δp²
+    double low = 0, high = 1;  ///< the parameter's range
+    double first_step = 1e-3;  ///< in arclength, s² = |δZ|²/k + δp²
     double longest_step = 0.02;
     double shortest_step = 1e-12;  ///< a step that fails at this length has met a border
     int most_points = 20'000;      ///< in each direction
@@ -44,6 +44,7 @@ bool continue_branch(const ShootingMap& map, const CyclePoints& cycle, double p,
                      Branch& branch);
 
 /// Follows one way only, from `start` in the direction of its tangent.
-void follow_one_way(const ShootingMap& map, const CurvePoint& start, const ContinuationOptions& options, Branch& branch);
+void follow_one_way(const ShootingMap& map, const CurvePoint& start, const ContinuationOptions& options,
+                    Branch& branch);
 
 }  // namespace swirl::analysis

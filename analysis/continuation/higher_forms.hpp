@@ -20,10 +20,10 @@ struct HigherForms {
 /// over h and l²: with 113 bits and h = 10⁻¹⁰, l = 10⁻⁸ both are below 10⁻¹⁵.
 ///   derivative  A(z; p) in T; false where the map ends
 template <class T>
-HigherForms difference_forms(
-    std::function<bool(const Eigen::Matrix<T, Eigen::Dynamic, 1>&, const T&, Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>&)>
-        derivative,
-    const Eigen::VectorXd& z, double p, double h = 1e-10, double l = 1e-8) {
+HigherForms difference_forms(std::function<bool(const Eigen::Matrix<T, Eigen::Dynamic, 1>&, const T&,
+                                                Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>&)>
+                                 derivative,
+                             const Eigen::VectorXd& z, double p, double h = 1e-10, double l = 1e-8) {
     using State = Eigen::Matrix<T, Eigen::Dynamic, 1>;
     using Square = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
     const State centre = z.template cast<T>();

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <limits>
+#include <tuple>
 
 namespace swirl::analysis {
 
@@ -49,9 +49,8 @@ double off_circle(const BranchPoint& point) {
 /// A zero of the pairs' function is a Neimark–Sacker point only if the pair is complex.
 bool is_what_it_seems(const SpecialPoint& special) {
     if (special.kind != SpecialKind::neimark_sacker) return true;
-    return std::any_of(special.cycle.multipliers.begin(), special.cycle.multipliers.end(), [](const auto& m) {
-        return m.imag() > 1e-6 && std::abs(std::abs(m) - 1) < 1e-6;
-    });
+    return std::any_of(special.cycle.multipliers.begin(), special.cycle.multipliers.end(),
+                       [](const auto& m) { return m.imag() > 1e-6 && std::abs(std::abs(m) - 1) < 1e-6; });
 }
 
 }  // namespace
@@ -72,8 +71,8 @@ bool locate(const ShootingMap& map, const CurvePoint& base, double h, double f0,
         failed = failed || !std::isfinite(f);
         return failed ? 0.0 : f;  // ends the search; told by `failed`
     };
-    std::tie(low, high) = boost::math::tools::toms748_solve(guarded, 0.0, h, f0, f1,
-                                                            boost::math::tools::eps_tolerance<double>(52), most);
+    std::tie(low, high) =
+        boost::math::tools::toms748_solve(guarded, 0.0, h, f0, f1, boost::math::tools::eps_tolerance<double>(52), most);
     return !failed && std::isfinite(at(0.5 * (low + high)));
 }
 

@@ -25,9 +25,7 @@ public:
     }
 
 private:
-    Eigen::MatrixXcd matrix_along(const State& u) {
-        return first(u.real()) + Complex(0, 1) * first(u.imag());
-    }
+    Eigen::MatrixXcd matrix_along(const State& u) { return first(u.real()) + Complex(0, 1) * first(u.imag()); }
     Eigen::MatrixXcd first(const Eigen::VectorXd& u) {
         if (u.isZero(0)) return Eigen::MatrixXcd::Zero(u.size(), u.size());
         const auto value = forms_.first(u, 0);
@@ -51,7 +49,9 @@ std::optional<Complex> multiplier_slope(const CriticalPoint& point, const EigenP
     return pair.left.dot(change->cast<Complex>() * pair.right);  // dot conjugates its first argument
 }
 
-State solved(const Eigen::MatrixXcd& matrix, const State& right) { return matrix.fullPivLu().solve(right); }
+State solved(const Eigen::MatrixXcd& matrix, const State& right) {
+    return matrix.fullPivLu().solve(right);
+}
 
 }  // namespace
 

@@ -13,8 +13,8 @@ namespace swirl::analysis {
 ///   flip            ξ′ = (−1 + a δ) ξ + b ξ³      b = ⅙⟨p, C(q, q, q) + 3 B(q, (I − A)⁻¹ B(q, q))⟩
 ///   Neimark–Sacker  ζ′ = ζ e^{iθ}(1 + a δ + b |ζ|²)
 ///                   b = ½e^{−iθ}⟨p, C(q, q, q̄) + 2 B(q, (I − A)⁻¹B(q, q̄)) + B(q̄, (e^{2iθ} − A)⁻¹B(q, q))⟩
-/// q is the critical eigenvector, |q| = 1 for the real ones and z = z* + Re(2 ζ q), |q|² = ½, for the pair (so that |ζ| is
-/// an amplitude); ⟨p, q⟩ = 1.
+/// q is the critical eigenvector, |q| = 1 for the real ones and z = z* + Re(2 ζ q), |q|² = ½, for the pair (so that |ζ|
+/// is an amplitude); ⟨p, q⟩ = 1.
 struct NormalForm {
     std::complex<double> parameter;  ///< a
     std::complex<double> nonlinear;  ///< b

@@ -67,8 +67,10 @@ bool switch_branch(const ShootingMap& map, const SpecialPoint& special, const Co
             Branch half;
             follow_one_way(map, start, options, half);
             half.begin = BranchEnd::switched;
-            if (!any) branch = std::move(half);
-            else put_before(std::move(half), branch);
+            if (!any)
+                branch = std::move(half);
+            else
+                put_before(std::move(half), branch);
             any = true;
             break;
         }

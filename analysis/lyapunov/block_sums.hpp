@@ -16,8 +16,8 @@ public:
     /// One step; `values` has one number per channel.
     void add(const std::vector<double>& values);
 
-    std::int64_t block_length() const { return block_length_; }           ///< steps
-    std::size_t blocks() const { return sums_.front().size(); }           ///< complete ones
+    std::int64_t block_length() const { return block_length_; }  ///< steps
+    std::size_t blocks() const { return sums_.front().size(); }  ///< complete ones
     const std::vector<double>& sums(std::size_t channel) const { return sums_[channel]; }
 
 private:

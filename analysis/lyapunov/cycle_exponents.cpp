@@ -75,10 +75,14 @@ std::vector<WideMultiplier> wide_multipliers(std::span<const Eigen::MatrixXd> de
 
 std::string_view name(CycleOutcome outcome) {
     switch (outcome) {
-        case CycleOutcome::completed: return "completed";
-        case CycleOutcome::ended_early: return "ended-early";
-        case CycleOutcome::not_finite: return "not-finite";
-        case CycleOutcome::unresolved: return "unresolved";
+        case CycleOutcome::completed:
+            return "completed";
+        case CycleOutcome::ended_early:
+            return "ended-early";
+        case CycleOutcome::not_finite:
+            return "not-finite";
+        case CycleOutcome::unresolved:
+            return "unresolved";
     }
     return "unknown";
 }

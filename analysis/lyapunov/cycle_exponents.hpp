@@ -19,7 +19,7 @@ enum class CycleOutcome {
     completed,
     ended_early,  ///< the map ended within the cycle
     not_finite,
-    unresolved,   ///< multipliers differ by more than 10⁸⁰: the smaller ones are NaN
+    unresolved,  ///< multipliers differ by more than 10⁸⁰: the smaller ones are NaN
 };
 std::string_view name(CycleOutcome outcome);
 
@@ -29,7 +29,7 @@ struct CycleExponents {
     std::vector<std::complex<double>> multipliers;  ///< eigenvalues of DF(z_k) … DF(z_1); 0 where a rank is lost
     std::vector<double> exponents;                  ///< ln|multiplier|/k per step; −∞ for 0
     double time = 0;                                ///< duration of the cycle, if it was followed
-    double closure = 0;                             ///< max-norm of Fᵏ(z) − z, angles modulo their period; if followed
+    double closure = 0;  ///< max-norm of Fᵏ(z) − z, angles modulo their period; if followed
 };
 
 /// Eigenvalues of the product D_k … D_1 of square matrices, formed and solved in 100 decimal digits, so that each is as

@@ -44,10 +44,14 @@ double ratio_error(const std::vector<double>& growth, const std::vector<double>&
 
 std::string_view name(LyapunovOutcome outcome) {
     switch (outcome) {
-        case LyapunovOutcome::completed: return "completed";
-        case LyapunovOutcome::ended_in_transient: return "ended-in-transient";
-        case LyapunovOutcome::ended_early: return "ended-early";
-        case LyapunovOutcome::not_finite: return "not-finite";
+        case LyapunovOutcome::completed:
+            return "completed";
+        case LyapunovOutcome::ended_in_transient:
+            return "ended-in-transient";
+        case LyapunovOutcome::ended_early:
+            return "ended-early";
+        case LyapunovOutcome::not_finite:
+            return "not-finite";
     }
     return "unknown";
 }

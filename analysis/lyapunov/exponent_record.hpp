@@ -23,9 +23,9 @@ std::string_view name(LyapunovOutcome outcome);
 enum class CheckpointSpacing { geometric, even };
 
 struct LyapunovOptions {
-    std::int64_t steps = 100'000;     ///< counted steps, ≥ 1
-    std::int64_t transient = 1'000;   ///< steps before, which settle the orbit and the frame, ≥ 0
-    int checkpoints = 64;             ///< wanted in the record, ≥ 1
+    std::int64_t steps = 100'000;    ///< counted steps, ≥ 1
+    std::int64_t transient = 1'000;  ///< steps before, which settle the orbit and the frame, ≥ 0
+    int checkpoints = 64;            ///< wanted in the record, ≥ 1
     CheckpointSpacing spacing = CheckpointSpacing::geometric;
     /// A step loses a rank when a diagonal element of R is at most this times the Frobenius norm of DF: the rounding of
     /// a D × D derivative, with room for its own condition. In [0, 1).
@@ -41,8 +41,8 @@ struct Checkpoint {
 /// Exponents by falling size; vectors of length D (of length 1 from `largest_exponent`).
 struct LyapunovSpectrum {
     LyapunovOutcome outcome = LyapunovOutcome::completed;
-    std::int64_t steps = 0;  ///< counted
-    double time = 0;         ///< duration of the counted steps
+    std::int64_t steps = 0;                        ///< counted
+    double time = 0;                               ///< duration of the counted steps
     std::vector<double> exponents;                 ///< per step; −∞ where a rank was lost; NaN if steps = 0
     std::vector<double> per_time;                  ///< per unit of time
     std::vector<double> standard_errors;           ///< per step; NaN for −∞ and below 4 blocks
@@ -90,11 +90,11 @@ private:
     std::vector<double> sums_;
     std::vector<double> compensation_;  ///< of the sums' rounding (Neumaier)
     std::vector<std::int64_t> lost_;
-    BlockSums blocks_;                  ///< channels: the exponents, then the duration
+    BlockSums blocks_;  ///< channels: the exponents, then the duration
     std::vector<DyadicSquares> wandering_;
-    std::vector<WeightedSum> weighted_; ///< whole orbit, first half, second half
+    std::vector<WeightedSum> weighted_;  ///< whole orbit, first half, second half
     std::vector<Checkpoint> record_;
-    std::vector<double> channels_;      ///< scratch
+    std::vector<double> channels_;  ///< scratch
 };
 
 }  // namespace swirl::analysis

@@ -33,8 +33,8 @@ void measure_octaves(SignEvidence& evidence, const std::vector<double>& sums) {
     evidence.last_octave = std::accumulate(middle, sums.end(), 0.0);
     evidence.octave_before = std::accumulate(quarter, middle, 0.0);
     const auto last = sums.end() - static_cast<std::ptrdiff_t>(sums.size() / 4);
-    evidence.least_quarter = std::min({evidence.octave_before, std::accumulate(middle, last, 0.0),
-                                       std::accumulate(last, sums.end(), 0.0)});
+    evidence.least_quarter =
+        std::min({evidence.octave_before, std::accumulate(middle, last, 0.0), std::accumulate(last, sums.end(), 0.0)});
 }
 
 /// Σ ln growth goes on and on in one direction.
@@ -55,10 +55,14 @@ double change_over_last_doubling(const LyapunovSpectrum& spectrum, std::size_t i
 
 std::string_view name(ExponentSign sign) {
     switch (sign) {
-        case ExponentSign::positive: return "positive";
-        case ExponentSign::negative: return "negative";
-        case ExponentSign::neutral: return "neutral";
-        case ExponentSign::undecided: return "undecided";
+        case ExponentSign::positive:
+            return "positive";
+        case ExponentSign::negative:
+            return "negative";
+        case ExponentSign::neutral:
+            return "neutral";
+        case ExponentSign::undecided:
+            return "undecided";
     }
     return "unknown";
 }

@@ -34,7 +34,7 @@ struct SignOptions {
 /// The evidence for a sign, in the order in which it decides.
 struct SignEvidence {
     ExponentSign sign = ExponentSign::undecided;
-    double exponent = 0;           ///< per step
+    double exponent = 0;  ///< per step
     double standard_error = 0;
     double growth_order = 0;       ///< LyapunovSpectrum::growth_orders
     double last_octave = 0;        ///< Σ ln growth over the last half of the blocks
@@ -58,10 +58,10 @@ SignEvidence judge_sign(const LyapunovSpectrum& spectrum, std::size_t index, con
 /// Has the running mean settled, or is the orbit still a transient?
 struct Settling {
     bool settled = false;
-    double early = 0;       ///< mean over the first quarter of the blocks, per step
-    double late = 0;        ///< over the last half
-    double error = 0;       ///< standard error of late − early, from the last half's scatter
-    double last_change = 0; ///< |λ(n) − λ(n/2)| from the record
+    double early = 0;        ///< mean over the first quarter of the blocks, per step
+    double late = 0;         ///< over the last half
+    double error = 0;        ///< standard error of late − early, from the last half's scatter
+    double last_change = 0;  ///< |λ(n) − λ(n/2)| from the record
 };
 
 /// Settled if |late − early| ≤ max(sigmas · error, tolerance). A transient has grown or shrunk differently at first.

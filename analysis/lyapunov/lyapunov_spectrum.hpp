@@ -32,7 +32,9 @@ inline double log_growth(double r, double norm, double rank_tolerance) {
 }
 
 /// The last part of the transient is followed with the frame, so that it has turned into the orbit's own directions.
-inline std::int64_t frame_transient(std::int64_t transient) { return transient - transient / 2; }
+inline std::int64_t frame_transient(std::int64_t transient) {
+    return transient - transient / 2;
+}
 
 }  // namespace lyapunov_detail
 

@@ -9,12 +9,13 @@ namespace swirl::analysis {
 
 namespace {
 
-/// What one step's component is known to. Lengths and angles at its end are known to some ε, as if rates at its beginning
-/// were to ε/τ.
+/// What one step's component is known to. Lengths and angles at its end are known to some ε, as if rates at its
+/// beginning were to ε/τ.
 Eigen::VectorXd rounding_of(const ShootingStep& step, const Eigen::VectorXd& z) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon(), most = 1e-9;
     const Eigen::VectorXd size = step.state.cwiseAbs();
-    const Eigen::VectorXd known = 64 * epsilon * (step.by_state.cwiseAbs() * z.cwiseAbs().cwiseMax(std::max(1.0, 1 / step.duration)) + size);
+    const Eigen::VectorXd known =
+        64 * epsilon * (step.by_state.cwiseAbs() * z.cwiseAbs().cwiseMax(std::max(1.0, 1 / step.duration)) + size);
     return known.cwiseMin((most * (1 + size.array())).matrix());
 }
 
@@ -87,8 +88,8 @@ CyclePoints unstacked(const Eigen::VectorXd& z, int dimension) {
 }
 
 double polish_cycle(const ShootingMap& map, CyclePoints& points, double p, double goal) {
-    constexpr int most = 12;       // quadratic: 3 or 4 are usual from where a solver stops
-    constexpr double small = 1e-9; // singular values below that of the largest are a family's
+    constexpr int most = 12;        // quadratic: 3 or 4 are usual from where a solver stops
+    constexpr double small = 1e-9;  // singular values below that of the largest are a family's
     double best = std::numeric_limits<double>::infinity();
     CyclePoints kept = points;
     for (int i = 0; i < most; ++i) {

@@ -24,9 +24,9 @@ struct Closing {
 };
 
 /// True if |G_i| ≤ `accept` in each component, or what rounding leaves there: 64 ε(Σ_j |∂F_i/∂z_j| max(|z_j|, 1, 1/τ) +
-/// |F_i|), since lengths and angles of size 1 make up the map whatever the state is, and an error of ε in them is one of
-/// ε/τ in a rate; at most 10⁻⁹(1 + |F_i|), lest a state that the map throws about (u_n → 0) is said to close. No more can be
-/// asked of a cycle with large multipliers.
+/// |F_i|), since lengths and angles of size 1 make up the map whatever the state is, and an error of ε in them is one
+/// of ε/τ in a rate; at most 10⁻⁹(1 + |F_i|), lest a state that the map throws about (u_n → 0) is said to close. No
+/// more can be asked of a cycle with large multipliers.
 bool closes_to(const Closing& closing, double accept);
 
 /// Cost: k steps of the map and (kD)² numbers.

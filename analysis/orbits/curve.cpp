@@ -12,7 +12,8 @@ namespace swirl::analysis {
 
 namespace {
 
-/// Distances on a curve below which cycles are not told apart: a base may itself be off by the root of rounding (at a fold).
+/// Distances on a curve below which cycles are not told apart: a base may itself be off by the root of rounding (at a
+/// fold).
 constexpr double indistinct = 1e-7;
 
 Eigen::Index unknowns_of(const ShootingMap& map, const Closing& closing) {
@@ -108,7 +109,7 @@ Correction correct(const ShootingMap& map, const CurvePoint& base, double h, Cur
             const double away = std::sqrt(curve_product(aside, aside, map.has_parameter, base.points.size()));
             if (away > options.farthest * std::abs(h) + indistinct) return Correction::failed;
             return find_tangent(map, point.closing, base.tangent, point.tangent) ? Correction::converged
-                                                                               : Correction::failed;
+                                                                                 : Correction::failed;
         }
         if (i > 4 && residual >= last) return Correction::failed;
         last = residual;

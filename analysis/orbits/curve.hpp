@@ -23,11 +23,11 @@ enum class Correction {
 };
 
 struct CorrectorOptions {
-    double accept = 1e-12;      ///< residual that counts as converged
-    double goal = 1e-14;        ///< residual at which the iteration stops
+    double accept = 1e-12;  ///< residual that counts as converged
+    double goal = 1e-14;    ///< residual at which the iteration stops
     int most_iterations = 10;
-    bool keep_word = true;      ///< a changed word is a failure to stay on the curve
-    double farthest = 0.5;      ///< of the cycle from where the tangent led, in units of |h|
+    bool keep_word = true;  ///< a changed word is a failure to stay on the curve
+    double farthest = 0.5;  ///< of the cycle from where the tangent led, in units of |h|
 };
 
 /// Makes a curve point of a cycle: polishes nothing, works out the derivative and the tangent. False if the map ends.

@@ -12,9 +12,12 @@ namespace swirl::analysis {
 
 std::string_view name(Stability stability) {
     switch (stability) {
-        case Stability::stable: return "stable";
-        case Stability::unstable: return "unstable";
-        case Stability::neutral: return "neutral";
+        case Stability::stable:
+            return "stable";
+        case Stability::unstable:
+            return "unstable";
+        case Stability::neutral:
+            return "neutral";
     }
     return "?";
 }
@@ -31,8 +34,10 @@ void judge_stability(Cycle& cycle) {
     bool on = false;
     cycle.index = 0;
     for (const auto& multiplier : cycle.multipliers) {
-        if (std::abs(multiplier) > 1 + neutral_margin) ++cycle.index;
-        else if (std::abs(multiplier) >= 1 - neutral_margin) on = true;
+        if (std::abs(multiplier) > 1 + neutral_margin)
+            ++cycle.index;
+        else if (std::abs(multiplier) >= 1 - neutral_margin)
+            on = true;
     }
     cycle.stability = cycle.index > 0 ? Stability::unstable : on ? Stability::neutral : Stability::stable;
 }

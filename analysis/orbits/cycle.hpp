@@ -16,21 +16,21 @@ enum class Stability {
 };
 std::string_view name(Stability stability);
 
-/// A multiplier's modulus this near to 1 can't be told from it: a double multiplier 1 (e = 1 without friction) splits by
-/// the root of the residual's rounding.
+/// A multiplier's modulus this near to 1 can't be told from it: a double multiplier 1 (e = 1 without friction) splits
+/// by the root of the residual's rounding.
 inline constexpr double neutral_margin = 1e-6;
 
 /// A k-cycle of F: F(z_i) = z_{i+1}.
 struct Cycle {
     CyclePoints points;
-    double residual = 0;                            ///< max-norm of G
+    double residual = 0;  ///< max-norm of G
     double return_time = 0;
-    double mean = 0;                                ///< time mean of the map's observable over the cycle
+    double mean = 0;  ///< time mean of the map's observable over the cycle
     std::vector<std::int64_t> word;
     std::vector<std::complex<double>> multipliers;  ///< of DFᵏ, by falling modulus
     int index = 0;                                  ///< how many lie outside the unit circle
     Stability stability = Stability::stable;
-    Eigen::MatrixXd tangents;                       ///< D × m: directions at z_1 in which the cycle continues as a family
+    Eigen::MatrixXd tangents;  ///< D × m: directions at z_1 in which the cycle continues as a family
 
     std::size_t period() const { return points.size(); }
     bool is_family() const { return tangents.cols() > 0; }
@@ -40,8 +40,8 @@ struct Cycle {
 /// Multipliers are worked out in 100 digits: some 30 ms for D = 5.
 bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle);
 
-/// Directions at z_1, as columns, along which G stays zero: the null space of ∂G/∂Z, its rows and columns scaled, as far
-/// as each null vector has a multiplier 1 (to `neutral_margin`) of its own.
+/// Directions at z_1, as columns, along which G stays zero: the null space of ∂G/∂Z, its rows and columns scaled, as
+/// far as each null vector has a multiplier 1 (to `neutral_margin`) of its own.
 Eigen::MatrixXd family_directions(const Closing& closing, int dimension);
 
 /// The smallest cyclic part that closes to `closure`.

@@ -82,8 +82,9 @@ std::vector<CyclePoints> pinned_members(const ShootingMap& map, const FamilyCurv
         const auto gap = [&](double h) {
             CorrectorOptions corrector;
             corrector.keep_word = false;
-            return correct(map, a, h, member, corrector) == Correction::converged ? value(member) - goal
-                                                                       : std::numeric_limits<double>::quiet_NaN();
+            return correct(map, a, h, member, corrector) == Correction::converged
+                       ? value(member) - goal
+                       : std::numeric_limits<double>::quiet_NaN();
         };
         std::uintmax_t most = 100;
         const auto root = boost::math::tools::toms748_solve(gap, 0.0, length, low, high,
@@ -124,8 +125,7 @@ bool is_reachable(const ShootingMap& map, double p, const CyclePoints& a, const 
     for (int step = 0; step < 200; ++step) {
         Eigen::VectorXd across(static_cast<Eigen::Index>(here.size()) * map.dimension);
         for (std::size_t i = 0; i < here.size(); ++i)
-            across.segment(static_cast<Eigen::Index>(i) * map.dimension, map.dimension) =
-                map.difference(b[i], here[i]);
+            across.segment(static_cast<Eigen::Index>(i) * map.dimension, map.dimension) = map.difference(b[i], here[i]);
         const double distance = across.lpNorm<Eigen::Infinity>();
         if (distance < 1e-6) return true;
         if (!(distance < left - 0.1 * std::min(left, longest))) return false;  // it leads away

@@ -10,16 +10,16 @@
 namespace swirl::analysis {
 
 struct FamilyOptions {
-    double step = 0.01;       ///< longest step along the family
-    double shortest = 1e-6;   ///< the walk ends where it must take shorter ones
-    int most_steps = 3000;    ///< in each direction
+    double step = 0.01;      ///< longest step along the family
+    double shortest = 1e-6;  ///< the walk ends where it must take shorter ones
+    int most_steps = 3000;   ///< in each direction
 };
 
 /// A one-parameter family, from one end to the other through the member it was found by.
 struct FamilyCurve {
     std::vector<CurvePoint> members;
-    std::size_t origin = 0;   ///< the member it was found by
-    bool closed = false;      ///< the walk came back to its beginning
+    std::size_t origin = 0;  ///< the member it was found by
+    bool closed = false;     ///< the walk came back to its beginning
 };
 
 /// Walks along the family through a cycle with one tangent, both ways, until it ends at a border of the map or closes.

@@ -58,9 +58,8 @@ std::vector<Cycle> KnownCycles::completed(int threads) const {
     std::vector<char> done(cycles.size(), 0);
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, cycles.size(), [&](std::size_t i) {
-            done[i] = complete_cycle(map_, p_, cycles[i]) ? 1 : 0;
-        });
+        tbb::parallel_for(std::size_t{0}, cycles.size(),
+                          [&](std::size_t i) { done[i] = complete_cycle(map_, p_, cycles[i]) ? 1 : 0; });
     });
     std::vector<Cycle> result;
     for (std::size_t i = 0; i < cycles.size(); ++i)

@@ -33,7 +33,7 @@ private:
     double p_;
     double same_;
     bool one_per_family_;
-    std::vector<Cycle> cycles_;        ///< points, residual and tangents only
+    std::vector<Cycle> cycles_;                   ///< points, residual and tangents only
     std::multimap<double, std::size_t> by_mean_;  ///< cycles by a mean that no cyclic shift changes
     std::vector<FamilyCurve> curves_;  ///< one a cycle; empty for isolated ones and for families of more parameters
 };

@@ -88,8 +88,10 @@ ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, 
     ceres::Problem problem;
     for (std::size_t i = 0; i < k; ++i) {
         double* here = result.points[i].data();
-        if (k == 1) problem.AddResidualBlock(new StepResidual(map, p, true), nullptr, here);
-        else problem.AddResidualBlock(new StepResidual(map, p, false), nullptr, here, result.points[(i + 1) % k].data());
+        if (k == 1)
+            problem.AddResidualBlock(new StepResidual(map, p, true), nullptr, here);
+        else
+            problem.AddResidualBlock(new StepResidual(map, p, false), nullptr, here, result.points[(i + 1) % k].data());
     }
     auto solver = solver_options(options, k * static_cast<std::size_t>(map.dimension));
     StopWhenNear stop(options.residual);

@@ -15,14 +15,14 @@ struct ShootingOptions {
 
 struct ShootingResult {
     bool converged = false;
-    int iterations = 0;      ///< Ceres' and the polishing's
-    double residual = 0;     ///< max-norm of G reached; +∞ if the map ends at the start
+    int iterations = 0;   ///< Ceres' and the polishing's
+    double residual = 0;  ///< max-norm of G reached; +∞ if the map ends at the start
     CyclePoints points;
 };
 
-/// Solves G(Z; p) = 0 from a guess by Levenberg–Marquardt with the exact Jacobian, then Newton to rounding. Where the map
-/// ends or jumps the step is refused and the trust region shrinks, so that a cycle is found only where all its steps
-/// are those of the map itself.
+/// Solves G(Z; p) = 0 from a guess by Levenberg–Marquardt with the exact Jacobian, then Newton to rounding. Where the
+/// map ends or jumps the step is refused and the trust region shrinks, so that a cycle is found only where all its
+/// steps are those of the map itself.
 ///   accept  residual that counts as converged, after polishing
 /// Cost: some 10 to 40 iterations of k steps and one QR of (k D) unknowns.
 ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, double p, double accept,
@@ -35,9 +35,9 @@ struct TimedMap {
     std::function<double(const Eigen::VectorXd& z, const Eigen::VectorXd& next)> time_between;
 };
 
-/// The same for cycles near grazing, where DF grows without bound and a guess may miss the wall: solved by `timed`, then
-/// closed by the map itself. Converged only if its steps are those of the map, to `accept` or to the rounding of z that
-/// DF leaves in G.
+/// The same for cycles near grazing, where DF grows without bound and a guess may miss the wall: solved by `timed`,
+/// then closed by the map itself. Converged only if its steps are those of the map, to `accept` or to the rounding of z
+/// that DF leaves in G.
 ShootingResult solve_near_grazing(const ShootingMap& map, const TimedMap& timed, const CyclePoints& guess, double p,
                                   double accept, const ShootingOptions& options = {});
 

@@ -10,7 +10,9 @@ namespace swirl::analysis {
 namespace {
 
 /// 1/√ of the largest of each row (column); 1 where all are zero.
-double factor_of(double largest) { return largest > 0 ? 1 / std::sqrt(largest) : 1.0; }
+double factor_of(double largest) {
+    return largest > 0 ? 1 / std::sqrt(largest) : 1.0;
+}
 
 }  // namespace
 
@@ -19,8 +21,7 @@ Eigen::VectorXd equilibrate(Eigen::MatrixXd& matrix) {
     Eigen::VectorXd columns = Eigen::VectorXd::Ones(matrix.cols());
     for (int round = 0; round < rounds; ++round) {
         const Eigen::VectorXd by_row = matrix.cwiseAbs().rowwise().maxCoeff().unaryExpr(&factor_of);
-        const Eigen::VectorXd by_column =
-            matrix.cwiseAbs().colwise().maxCoeff().transpose().unaryExpr(&factor_of);
+        const Eigen::VectorXd by_column = matrix.cwiseAbs().colwise().maxCoeff().transpose().unaryExpr(&factor_of);
         matrix = by_row.asDiagonal() * matrix * by_column.asDiagonal();
         columns = columns.cwiseProduct(by_column);
     }

@@ -16,15 +16,15 @@ namespace swirl::analysis {
 
 /// F(z; p) with its derivatives.
 struct ShootingStep {
-    bool alive = false;             ///< false: the map ends here; nothing else is meaningful then
-    Eigen::VectorXd state;          ///< F(z; p)
-    Eigen::MatrixXd by_state;       ///< ∂F/∂z
-    Eigen::VectorXd by_parameter;   ///< ∂F/∂p; empty for a map without a parameter
-    double duration = 1;            ///< time that the step took
-    std::int64_t letter = 0;        ///< which smooth branch of the map was taken
-    double integral = 0;            ///< of an observable over the step's duration, for maps that have one
-    /// A smooth quantity that falls to zero where the step ceases to exist (an impact's normal velocity). The map may end
-    /// a little before, at its `least_margin`.
+    bool alive = false;            ///< false: the map ends here; nothing else is meaningful then
+    Eigen::VectorXd state;         ///< F(z; p)
+    Eigen::MatrixXd by_state;      ///< ∂F/∂z
+    Eigen::VectorXd by_parameter;  ///< ∂F/∂p; empty for a map without a parameter
+    double duration = 1;           ///< time that the step took
+    std::int64_t letter = 0;       ///< which smooth branch of the map was taken
+    double integral = 0;           ///< of an observable over the step's duration, for maps that have one
+    /// A smooth quantity that falls to zero where the step ceases to exist (an impact's normal velocity). The map may
+    /// end a little before, at its `least_margin`.
     double margin = std::numeric_limits<double>::infinity();
 };
 
@@ -61,7 +61,9 @@ struct ShootingMap {
     }
 
     /// z with its angles in (−P/2, P/2].
-    Eigen::VectorXd normalised(const Eigen::VectorXd& z) const { return difference(z, Eigen::VectorXd::Zero(z.size())); }
+    Eigen::VectorXd normalised(const Eigen::VectorXd& z) const {
+        return difference(z, Eigen::VectorXd::Zero(z.size()));
+    }
 };
 
 /// Any SectionMap as a ShootingMap without a parameter. The map must outlive it.

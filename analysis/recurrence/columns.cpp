@@ -3,11 +3,11 @@
 #include "analysis/recurrence/distance_kernels.hpp"
 #include "analysis/recurrence/line_kernels.hpp"
 
+#include <tbb/parallel_sort.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numeric>
-#include <tbb/parallel_sort.h>
 
 namespace swirl::analysis::recurrence::detail {
 namespace {
@@ -19,7 +19,9 @@ constexpr std::size_t dense_share_vector = 2;  // 1 in 2
 // Slabs: enough that a threshold spans several, few enough that looking into each of them costs little.
 constexpr std::size_t points_per_slab = 256, most_slabs = 32;
 
-bool is_squared(const SortedRows& rows) { return rows.norm == Norm::euclidean && rows.rows->dimension > 1; }
+bool is_squared(const SortedRows& rows) {
+    return rows.norm == Norm::euclidean && rows.rows->dimension > 1;
+}
 
 double coordinate_key(double d, double period, bool squared) {
     if (period > 0) d = std::min(d, period - d);
@@ -109,9 +111,8 @@ SortedRows sort_rows(const Points& rows, Norm norm) {
     const auto sort_by = [&](int m, std::size_t begin, std::size_t end) {
         const double* x = rows.coordinate(m);
         const auto at = [&](std::size_t k) { return sorted.order.begin() + static_cast<std::ptrdiff_t>(k); };
-        tbb::parallel_sort(at(begin), at(end), [x](std::uint32_t a, std::uint32_t b) {
-            return x[a] < x[b] || (x[a] == x[b] && a < b);
-        });
+        tbb::parallel_sort(at(begin), at(end),
+                           [x](std::uint32_t a, std::uint32_t b) { return x[a] < x[b] || (x[a] == x[b] && a < b); });
     };
     sort_by(0, 0, n);
     const std::size_t slabs = rows.dimension == 1 ? 1 : std::clamp<std::size_t>(n / points_per_slab, 1, most_slabs);

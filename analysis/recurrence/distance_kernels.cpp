@@ -110,7 +110,9 @@ std::uint64_t word_of_keys(const double* keys, double bound) {
     return word;
 }
 
-std::uint64_t first_bits(std::size_t count) { return ~std::uint64_t{0} >> (64 - count); }  // 1 <= count <= 64
+std::uint64_t first_bits(std::size_t count) {
+    return ~std::uint64_t{0} >> (64 - count);
+}  // 1 <= count <= 64
 
 void mask_keys(const double* keys, std::size_t count, double bound, std::uint64_t* words) {
     std::size_t i = 0;

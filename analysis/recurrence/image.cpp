@@ -2,11 +2,11 @@
 
 #include "analysis/recurrence/columns.hpp"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <bit>
 #include <stdexcept>
 #include <string>
-#include <tbb/parallel_for.h>
 
 namespace swirl::analysis::recurrence {
 namespace {

@@ -3,11 +3,11 @@
 #include "analysis/recurrence/block_join.hpp"
 #include "analysis/recurrence/line_kernels.hpp"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <utility>
 
 namespace swirl::analysis::recurrence::detail {
@@ -19,8 +19,11 @@ struct Frame {
     std::size_t lines_begin;  // first bit whose diagonal is followed, a multiple of 64
 
     explicit Frame(const Shape& shape)
-        : rows(shape.rows), columns(shape.columns), origin((shape.columns - 1) | 63),
-          words((origin + rows) / 64 + 2), lines_begin(shape.symmetric ? origin + 1 : 0) {}
+        : rows(shape.rows),
+          columns(shape.columns),
+          origin((shape.columns - 1) | 63),
+          words((origin + rows) / 64 + 2),
+          lines_begin(shape.symmetric ? origin + 1 : 0) {}
     std::size_t offset(std::size_t c) const { return origin - c; }
     std::size_t first_word(std::size_t c) const { return offset(c) >> 6; }
     std::size_t last_word(std::size_t c) const { return (offset(c) + rows - 1) >> 6; }
@@ -35,7 +38,8 @@ struct Totals {
 
     explicit Totals(const Shape& shape)
         : diagonal(std::max(Tally::small, std::max(shape.rows, shape.columns) + 1)),
-          vertical(shape.vertical ? diagonal.size() : 0), time(vertical.size()),
+          vertical(shape.vertical ? diagonal.size() : 0),
+          time(vertical.size()),
           diagonal_points(std::min(shape.rows, shape.columns)) {}
 };
 
@@ -56,7 +60,7 @@ struct Context {
 // One threshold of one block.
 struct BlockCounter {
     std::array<std::vector<std::uint64_t>, 4> ring;  // frames of four consecutive columns
-    std::vector<std::uint64_t> open, planes;  // planes: of the words from lines_begin on
+    std::vector<std::uint64_t> open, planes;         // planes: of the words from lines_begin on
     std::vector<std::uint32_t> begun, changes;
     Tally diagonal, vertical, time;
     ShortLines shorts;
@@ -64,7 +68,9 @@ struct BlockCounter {
     std::uint64_t points = 0, points_outside = 0;
 
     BlockCounter(const Frame& frame, Totals& totals)
-        : open(frame.words, 0), planes(plane_count * frame.line_words(), 0), begun(frame.line_words() * 64),
+        : open(frame.words, 0),
+          planes(plane_count * frame.line_words(), 0),
+          begun(frame.line_words() * 64),
           changes(totals.vertical.empty() ? 0 : frame.rows + 72) {
         for (auto& f : ring) f.assign(frame.words, 0);
         diagonal.shared = totals.diagonal;
@@ -154,10 +160,12 @@ void take_back_border_lines(const Context& context, const DiagonalStep& step, Sh
 void follow_diagonals(const Context& context, std::size_t begin, std::size_t end, std::size_t c, BlockCounter& counter,
                       BlockBorder& border) {
     const Frame& frame = context.frame;
-    DiagonalStep step{counter.column(c + 3), counter.column(c), counter.column(c + 1), counter.column(c + 2),
-                      counter.open.data(), counter.begun.data(), frame.lines_begin,
-                      std::max(frame.first_word(c), frame.lines_begin >> 6), frame.last_word(c),
-                      static_cast<std::uint32_t>(c), c == begin || c + 2 >= end, c + 1 == end};
+    DiagonalStep step{counter.column(c + 3),      counter.column(c),
+                      counter.column(c + 1),      counter.column(c + 2),
+                      counter.open.data(),        counter.begun.data(),
+                      frame.lines_begin,          std::max(frame.first_word(c), frame.lines_begin >> 6),
+                      frame.last_word(c),         static_cast<std::uint32_t>(c),
+                      c == begin || c + 2 >= end, c + 1 == end};
     if (step.last_word < step.first_word) return;
     counter.ended.clear();
     diagonal_step(step, counter.shorts, counter.ended);
@@ -247,8 +255,15 @@ LineHistograms finish(const Context& context, Totals& totals) {
     trim_zeros(totals.diagonal);
     trim_zeros(totals.vertical);
     trim_zeros(totals.time);
-    return {shape.rows, shape.columns, shape.theiler, shape.symmetric, totals.points, totals.points_outside,
-            std::move(totals.diagonal), std::move(totals.vertical), std::move(totals.time),
+    return {shape.rows,
+            shape.columns,
+            shape.theiler,
+            shape.symmetric,
+            totals.points,
+            totals.points_outside,
+            std::move(totals.diagonal),
+            std::move(totals.vertical),
+            std::move(totals.time),
             std::move(totals.diagonal_points)};
 }
 
@@ -269,9 +284,12 @@ std::vector<LineHistograms> count_all_lines(const Shape& shape, std::size_t thre
     const std::size_t size = std::clamp(shape.columns / (4 * threads) + 1, least, most);
     const std::size_t blocks = (shape.columns + size - 1) / size;
     std::vector<std::vector<BlockBorder>> borders(blocks, std::vector<BlockBorder>(thresholds));
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
-        count_block(context, b * size, std::min((b + 1) * size, shape.columns), make_source(), borders[b]);
-    }, tbb::simple_partitioner());
+    tbb::parallel_for(
+        std::size_t{0}, blocks,
+        [&](std::size_t b) {
+            count_block(context, b * size, std::min((b + 1) * size, shape.columns), make_source(), borders[b]);
+        },
+        tbb::simple_partitioner());
     std::vector<LineHistograms> result;
     for (std::size_t k = 0; k < thresholds; ++k) {
         std::vector<const BlockBorder*> of_threshold;

@@ -90,8 +90,8 @@ void tally_lengths(const std::uint32_t* changes, std::size_t count, Tally& lines
 }
 
 template <RecurrenceTime kind>
-std::size_t scan_column(const std::uint64_t* words, std::size_t first, std::size_t last,
-                        const VerticalOptions& options, Tally& lines, Tally& times) {
+std::size_t scan_column(const std::uint64_t* words, std::size_t first, std::size_t last, const VerticalOptions& options,
+                        Tally& lines, Tally& times) {
     std::size_t points = 0;
     const std::size_t count = list_changes(words, first >> 6, (last - 1) >> 6, options.changes, points);
     const std::uint32_t* changes = options.changes;

@@ -67,13 +67,13 @@ struct DiagonalStep {
     const std::uint64_t* current;
     const std::uint64_t* next;
     const std::uint64_t* after_next;
-    std::uint64_t* open;     ///< bits of the lines entered and not yet ended
-    std::uint32_t* begun;    ///< begun[q - frame_begin]: the column where the open line began
-    std::size_t frame_begin; ///< first bit of the frame that can hold a line (a multiple of 64)
+    std::uint64_t* open;                ///< bits of the lines entered and not yet ended
+    std::uint32_t* begun;               ///< begun[q - frame_begin]: the column where the open line began
+    std::size_t frame_begin;            ///< first bit of the frame that can hold a line (a multiple of 64)
     std::size_t first_word, last_word;  ///< words to look at, both included
     std::uint32_t column;
-    bool enter_all;          ///< enter every line that begins here, however short (next to the block's border)
-    bool last_column;        ///< the block's last column: lines stay open
+    bool enter_all;    ///< enter every line that begins here, however short (next to the block's border)
+    bool last_column;  ///< the block's last column: lines stay open
 };
 struct ShortLines {
     std::uint64_t singles = 0, doubles = 0;

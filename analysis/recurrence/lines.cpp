@@ -4,11 +4,11 @@
 #include "analysis/recurrence/line_counter.hpp"
 #include "analysis/recurrence/sliding_lines.hpp"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <utility>
 
 namespace swirl::analysis::recurrence {
@@ -50,16 +50,15 @@ std::vector<LineHistograms> count(const Points& rows, const Points& columns, boo
     std::vector<detail::VerticalCounts> vertical(bounds.size());
     const auto slide = [&] {
         if (!sliding) return;
-        const std::vector<std::uint32_t> other = symmetric ? std::vector<std::uint32_t>{}
-                                                           : detail::sort_rows(columns, settings.norm).order;
+        const std::vector<std::uint32_t> other =
+            symmetric ? std::vector<std::uint32_t>{} : detail::sort_rows(columns, settings.norm).order;
         tbb::parallel_for(std::size_t{0}, bounds.size(), [&](std::size_t k) {
             vertical[k] = detail::count_vertical_sliding(sorted, columns, symmetric ? sorted.order : other, bounds[k],
                                                          theiler, settings);
         });
     };
-    tbb::parallel_invoke(slide, [&] {
-        histograms = detail::count_all_lines(shape, bounds.size(), settings, make_source);
-    });
+    tbb::parallel_invoke(slide,
+                         [&] { histograms = detail::count_all_lines(shape, bounds.size(), settings, make_source); });
     if (sliding)
         for (std::size_t k = 0; k < bounds.size(); ++k) take_vertical(std::move(vertical[k]), histograms[k]);
     return histograms;

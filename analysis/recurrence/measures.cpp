@@ -20,9 +20,12 @@ struct Summary {
 
 double log_base(Logarithm logarithm) {
     switch (logarithm) {
-        case Logarithm::natural: return 1;
-        case Logarithm::binary: return std::log(2.0);
-        case Logarithm::decimal: return std::log(10.0);
+        case Logarithm::natural:
+            return 1;
+        case Logarithm::binary:
+            return std::log(2.0);
+        case Logarithm::decimal:
+            return std::log(10.0);
     }
     return 1;
 }

@@ -13,8 +13,7 @@ namespace {
 
 void require_finite(std::span<const double> values) {
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (!std::isfinite(values[i]))
-            refuse("series value " + std::to_string(i), values[i], "finite");
+        if (!std::isfinite(values[i])) refuse("series value " + std::to_string(i), values[i], "finite");
 }
 
 void require_period(double period) {
@@ -39,8 +38,12 @@ Points embed_series(std::span<const double> series, int dimension, int delay, do
     if (series.size() <= span)
         throw std::invalid_argument("series length = " + std::to_string(series.size()) + ": must be > " +
                                     std::to_string(span) + " = (dimension - 1) * delay");
-    Points points{{series.begin(), series.end()}, series.size() - span, dimension, static_cast<std::size_t>(delay),
-                  std::vector<double>(static_cast<std::size_t>(dimension), period), true};
+    Points points{{series.begin(), series.end()},
+                  series.size() - span,
+                  dimension,
+                  static_cast<std::size_t>(delay),
+                  std::vector<double>(static_cast<std::size_t>(dimension), period),
+                  true};
     if (period > 0)
         for (double& v : points.values) v = std::remainder(v, period);
     return points;

@@ -20,8 +20,8 @@ namespace swirl::analysis::recurrence {
 /// n points of `dimension` coordinates. Coordinate m of point i is values[i + m * stride]: a delay embedding shares
 /// one copy of its series (stride = delay), plain points lie coordinate after coordinate (stride = n).
 struct Points {
-    std::vector<double> values;   ///< angles reduced to [-P/2, P/2]
-    std::size_t count = 0;        ///< n
+    std::vector<double> values;  ///< angles reduced to [-P/2, P/2]
+    std::size_t count = 0;       ///< n
     int dimension = 0;
     std::size_t stride = 0;
     std::vector<double> periods;  ///< of each coordinate; 0: not an angle

@@ -2,14 +2,14 @@
 
 #include "analysis/recurrence/distance_kernels.hpp"
 
-#include <algorithm>
-#include <bit>
-#include <functional>
-#include <limits>
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <limits>
 
 namespace swirl::analysis::recurrence::detail {
 namespace {
@@ -33,8 +33,12 @@ void visit_pairs(const Points& points, Norm norm, std::size_t gap, std::size_t c
 }
 
 // Non-negative doubles are ordered as their bits are.
-std::uint64_t bits_of(double key) { return std::bit_cast<std::uint64_t>(key); }
-double key_of(std::uint64_t bits) { return std::bit_cast<double>(bits); }
+std::uint64_t bits_of(double key) {
+    return std::bit_cast<std::uint64_t>(key);
+}
+double key_of(std::uint64_t bits) {
+    return std::bit_cast<double>(bits);
+}
 
 struct Interval {
     std::uint64_t low, high;  // bits of keys, both included

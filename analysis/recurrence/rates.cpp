@@ -3,14 +3,14 @@
 #include "analysis/recurrence/pair_census.hpp"
 #include "analysis/refusal.hpp"
 
+#include <gsl/gsl_statistics_double.h>
+#include <tbb/parallel_sort.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <gsl/gsl_statistics_double.h>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <tbb/parallel_sort.h>
 
 namespace swirl::analysis::recurrence {
 namespace {
@@ -114,8 +114,8 @@ double threshold_of_deviation(const Points& points, double factor, Deviation dev
     if (points.embedded) return factor * deviation_of(points.values, points.periods[0], deviation);
     double squares = 0;
     for (int m = 0; m < points.dimension; ++m) {
-        const double one = deviation_of({points.coordinate(m), points.count},
-                                        points.periods[static_cast<std::size_t>(m)], deviation);
+        const double one =
+            deviation_of({points.coordinate(m), points.count}, points.periods[static_cast<std::size_t>(m)], deviation);
         squares += one * one;
     }
     return factor * std::sqrt(squares / points.dimension);

@@ -8,7 +8,9 @@
 namespace swirl::analysis::recurrence {
 namespace {
 
-Settings recurrence_analysis_jl() { return {}; }
+Settings recurrence_analysis_jl() {
+    return {};
+}
 
 // White lines are taken from the whole matrix, border included; the main diagonal is left out of diagonal lines only.
 Settings pyunicorn() {
@@ -52,15 +54,14 @@ constexpr std::array<Preset, 4> presets{{{"RecurrenceAnalysis.jl", recurrence_an
                                          {"CRP Toolbox", crp_toolbox}}};
 
 bool same_letters(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-        return std::tolower(x) == std::tolower(y);
-    });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 void require_at_least(const char* name, int value, int least) {
     if (value < least)
-        throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must be >= " +
-                                    std::to_string(least));
+        throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) +
+                                    ": must be >= " + std::to_string(least));
 }
 
 }  // namespace
@@ -79,7 +80,9 @@ std::vector<std::string> preset_names() {
     return names;
 }
 
-int theiler_window(const Settings& settings, bool cross) { return settings.theiler.value_or(cross ? 0 : 1); }
+int theiler_window(const Settings& settings, bool cross) {
+    return settings.theiler.value_or(cross ? 0 : 1);
+}
 
 void validate(const Settings& settings) {
     require_at_least("theiler", settings.theiler.value_or(0), 0);

@@ -33,24 +33,24 @@ enum class TimeEntropyScale { none, log_longest };
 
 struct Settings {
     Norm norm = Norm::euclidean;
-    bool strict = false;                ///< recurrent when distance < threshold, instead of <=
-    std::optional<int> theiler;         ///< W >= 0: pairs with |i - j| < W are left out; empty: 1, or 0 if cross
-    int min_diagonal = 2;               ///< shortest diagonal line in DET, L, ENTR; >= 1
-    int min_vertical = 2;               ///< shortest vertical line in LAM, TT, VENTR; >= 1
-    int min_recurrence_time = 1;        ///< shortest recurrence time in MRT, RTE; >= 1
+    bool strict = false;          ///< recurrent when distance < threshold, instead of <=
+    std::optional<int> theiler;   ///< W >= 0: pairs with |i - j| < W are left out; empty: 1, or 0 if cross
+    int min_diagonal = 2;         ///< shortest diagonal line in DET, L, ENTR; >= 1
+    int min_vertical = 2;         ///< shortest vertical line in LAM, TT, VENTR; >= 1
+    int min_recurrence_time = 1;  ///< shortest recurrence time in MRT, RTE; >= 1
     RatePairs rate_pairs = RatePairs::outside_window;
-    bool window_on_rate = true;         ///< RR counts only the points outside the window
-    bool window_on_vertical = true;     ///< vertical lines and recurrence times are taken after the window is applied
+    bool window_on_rate = true;      ///< RR counts only the points outside the window
+    bool window_on_vertical = true;  ///< vertical lines and recurrence times are taken after the window is applied
     bool determinism_of_all_points = false;  ///< DET is divided by all recurrence points, those in the window too
-    bool longest_of_all_lines = false;  ///< Lmax and Vmax also look at lines shorter than the minimum
+    bool longest_of_all_lines = false;       ///< Lmax and Vmax also look at lines shorter than the minimum
     Triangles triangles = Triangles::both;
     BorderLines border_lines = BorderLines::counted;
-    bool border_white_lines = false;    ///< white lines that touch the border count (white_lines only)
+    bool border_white_lines = false;  ///< white lines that touch the border count (white_lines only)
     RecurrenceTime recurrence_time = RecurrenceTime::midpoints;
     Logarithm logarithm = Logarithm::natural;
     TimeEntropyScale time_entropy_scale = TimeEntropyScale::none;
-    bool empty_is_zero = false;         ///< entropies and DIV without lines are 0 instead of NaN
-    int trend_border = 10;              ///< TREND leaves out this many outermost diagonals; >= 0
+    bool empty_is_zero = false;  ///< entropies and DIV without lines are 0 instead of NaN
+    int trend_border = 10;       ///< TREND leaves out this many outermost diagonals; >= 0
 };
 
 /// Settings that reproduce a published package: "RecurrenceAnalysis.jl", "pyunicorn", "PyRQA", "CRP Toolbox"

@@ -102,9 +102,12 @@ private:
 
     std::size_t time_between(const Line& a, const Line& b) const {
         switch (settings_.recurrence_time) {
-            case RecurrenceTime::line_starts: return b.begin - a.begin;
-            case RecurrenceTime::white_lines: return b.begin - a.end;
-            case RecurrenceTime::midpoints: break;
+            case RecurrenceTime::line_starts:
+                return b.begin - a.begin;
+            case RecurrenceTime::white_lines:
+                return b.begin - a.end;
+            case RecurrenceTime::midpoints:
+                break;
         }
         return b.begin - a.end + (a.end - a.begin) / 2 + (b.end - b.begin) / 2;
     }

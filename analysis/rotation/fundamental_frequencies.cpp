@@ -64,8 +64,9 @@ double refine(std::span<const double> weighted, double guess, double reach) {
     constexpr double margin = 1e-4;
     std::uintmax_t iterations = 100;
     const auto at = [&](double u) { return fourier_sum(weighted, guess + u * reach); };
-    const double coarse = boost::math::tools::brent_find_minima(
-        [&](double u) { return -std::abs(at(u).value); }, -1.0, 1.0, half_precision, iterations).first;
+    const double coarse = boost::math::tools::brent_find_minima([&](double u) { return -std::abs(at(u).value); }, -1.0,
+                                                                1.0, half_precision, iterations)
+                              .first;
     const auto slope = [&](double u) {
         const FourierSum sum = at(u);
         return (std::conj(sum.value) * sum.slope).imag();

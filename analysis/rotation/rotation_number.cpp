@@ -28,7 +28,9 @@ double fraction_of_turn(double turns) {
     return part < 1 ? part : 0;
 }
 
-double to_digits(double difference) { return std::clamp(-std::log10(difference), 0.0, 16.0); }
+double to_digits(double difference) {
+    return std::clamp(-std::log10(difference), 0.0, 16.0);
+}
 
 struct Branch {
     double cut = 0;  ///< turns: advances are taken in [cut, cut + 1)
@@ -95,12 +97,18 @@ bool is_constant(std::span<const double> samples) {
 
 std::string_view name(RotationOutcome outcome) {
     switch (outcome) {
-        case RotationOutcome::quasi_periodic: return "quasi-periodic";
-        case RotationOutcome::periodic: return "periodic";
-        case RotationOutcome::not_converged: return "not-converged";
-        case RotationOutcome::not_a_rotation: return "not-a-rotation";
-        case RotationOutcome::constant: return "constant";
-        case RotationOutcome::too_short: return "too-short";
+        case RotationOutcome::quasi_periodic:
+            return "quasi-periodic";
+        case RotationOutcome::periodic:
+            return "periodic";
+        case RotationOutcome::not_converged:
+            return "not-converged";
+        case RotationOutcome::not_a_rotation:
+            return "not-a-rotation";
+        case RotationOutcome::constant:
+            return "constant";
+        case RotationOutcome::too_short:
+            return "too-short";
     }
     return "unknown";
 }
@@ -126,8 +134,7 @@ Fraction simplest_fraction(double x, double tolerance, std::int64_t max_denomina
     return {0, 0};
 }
 
-RotationNumber rotation_number_of_angle(std::span<const double> angles, double period,
-                                        const RotationOptions& options) {
+RotationNumber rotation_number_of_angle(std::span<const double> angles, double period, const RotationOptions& options) {
     if (!(period > 0) || !std::isfinite(period)) refuse("period", period, "positive and finite");
     require_finite(angles, "angles");
     std::vector<double> turns(angles.size());

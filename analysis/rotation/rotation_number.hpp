@@ -21,15 +21,15 @@ std::string_view name(RotationOutcome outcome);
 
 struct RotationOptions {
     std::size_t min_samples = 256;
-    double min_digits = 6;              ///< agreement of the two halves that counts as converged (chaos shows 1 to 3)
-    std::int64_t max_denominator = 256; ///< longest period that counts as locked
-    double rational_tolerance = 1e-9;   ///< turns; a fraction within max(this, 10 half differences) is locking
-    int max_lines = 6;                  ///< lines examined in `rotation_of_observable`
-    double min_line_share = 1e-6;       ///< lines that carry a smaller share of the variance are left alone
-    double max_line_error = 1e-3;       ///< of a line, half_difference · n: chaos shows 0.1 to 1
-    double max_residual = 0.5;          ///< share of the variance that the lines of a torus may leave unexplained
-    double min_angular_gap = 0.05;      ///< turns; part of the circle that the advances must leave free
-    double min_radius = 0.02;           ///< smallest over mean radius of a delay curve that winds round its centre
+    double min_digits = 6;               ///< agreement of the two halves that counts as converged (chaos shows 1 to 3)
+    std::int64_t max_denominator = 256;  ///< longest period that counts as locked
+    double rational_tolerance = 1e-9;    ///< turns; a fraction within max(this, 10 half differences) is locking
+    int max_lines = 6;                   ///< lines examined in `rotation_of_observable`
+    double min_line_share = 1e-6;        ///< lines that carry a smaller share of the variance are left alone
+    double max_line_error = 1e-3;        ///< of a line, half_difference · n: chaos shows 0.1 to 1
+    double max_residual = 0.5;           ///< share of the variance that the lines of a torus may leave unexplained
+    double min_angular_gap = 0.05;       ///< turns; part of the circle that the advances must leave free
+    double min_radius = 0.02;            ///< smallest over mean radius of a delay curve that winds round its centre
 };
 
 /// p/q in lowest terms.
@@ -47,11 +47,11 @@ struct RotationNumber {
     double rotation = 0;         ///< turns per sample, in [0, 1); of an observable in [0, ½] (its sign is not defined)
     double half_difference = 0;  ///< |first half − second half|, turns per sample
     double digits = 0;           ///< −log₁₀ half_difference, at most 16
-    double order = 0;            ///< p of half_difference ∝ n^(−p), from n/4 to n: ≈ ½ chaotic; > 2 quasi-periodic
-                                 ///< until rounding is reached; NaN by "frequency"
-    std::int64_t denominator = 0;   ///< period in samples if `periodic`, else 0
-    double residual = 0;            ///< share of the variance outside the lines examined (`rotation_of_observable`)
-    std::string_view method = "";   ///< "angle", "delay angle" or "frequency"
+    double order = 0;  ///< p of half_difference ∝ n^(−p), from n/4 to n: ≈ ½ chaotic; > 2 quasi-periodic
+                       ///< until rounding is reached; NaN by "frequency"
+    std::int64_t denominator = 0;  ///< period in samples if `periodic`, else 0
+    double residual = 0;           ///< share of the variance outside the lines examined (`rotation_of_observable`)
+    std::string_view method = "";  ///< "angle", "delay angle" or "frequency"
 };
 
 /// Mean advance of an angle-like series per sample, by the weighted Birkhoff average.

@@ -23,7 +23,9 @@ double plain_weighted_mean(std::span<const double> samples) {
 
 }  // namespace
 
-double birkhoff_weight(double t) { return t > 0 && t < 1 ? std::exp(-1 / (t * (1 - t))) : 0; }
+double birkhoff_weight(double t) {
+    return t > 0 && t < 1 ? std::exp(-1 / (t * (1 - t))) : 0;
+}
 
 WeightedAverage weighted_birkhoff_average(std::span<const double> samples) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();

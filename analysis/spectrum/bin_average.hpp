@@ -46,10 +46,10 @@ public:
 
     std::vector<Value> averages() const { return averages_; }
     double start() const { return start_; }
-    double width() const { return width_; }      ///< the present Δ
-    double end() const { return end_; }          ///< how far the signal is known
-    Value mean() const;                          ///< time mean over all pieces, the incomplete bin included
-    double mean_square() const;                  ///< time mean of |x|² over all pieces (constant pieces)
+    double width() const { return width_; }  ///< the present Δ
+    double end() const { return end_; }      ///< how far the signal is known
+    Value mean() const;                      ///< time mean over all pieces, the incomplete bin included
+    double mean_square() const;              ///< time mean of |x|² over all pieces (constant pieces)
 
 private:
     void require_piece(double until) const;
@@ -75,8 +75,8 @@ extern template class BinAverager<std::complex<double>>;
 
 /// Equally spaced samples; NaN marks a sample that is missing.
 struct EvenSeries {
-    double start = 0;              ///< time of the first sample (of a bin: its centre)
-    double spacing = 1;            ///< > 0
+    double start = 0;    ///< time of the first sample (of a bin: its centre)
+    double spacing = 1;  ///< > 0
     std::vector<double> values;
 };
 

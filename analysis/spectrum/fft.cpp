@@ -45,7 +45,9 @@ std::size_t checked_length(std::size_t length) {
 }
 
 // std::complex<double> has the layout of fftw_complex (FFTW manual, "Complex numbers").
-fftw_complex* raw(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
+fftw_complex* raw(Complex* values) {
+    return reinterpret_cast<fftw_complex*>(values);
+}
 
 constexpr unsigned plan_flags = FFTW_ESTIMATE | FFTW_PRESERVE_INPUT;
 
@@ -56,8 +58,12 @@ fftw_plan make_plan(std::size_t n, Complex* in, Complex* out) {
     return fftw_plan_dft_1d(static_cast<int>(n), raw(in), raw(out), FFTW_FORWARD, plan_flags);
 }
 
-std::size_t output_length(std::size_t n, double) { return n / 2 + 1; }
-std::size_t output_length(std::size_t n, Complex) { return n; }
+std::size_t output_length(std::size_t n, double) {
+    return n / 2 + 1;
+}
+std::size_t output_length(std::size_t n, Complex) {
+    return n;
+}
 
 }  // namespace
 

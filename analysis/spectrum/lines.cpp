@@ -1,8 +1,8 @@
 #include "analysis/spectrum/lines.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_movstat.h>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -85,15 +85,15 @@ SpectralPeak refine(const PowerSpectrum& spectrum, std::size_t k, double window_
     const std::size_t n = spectrum.segment_length;
     const double centre = modulus(spectrum, k, window_power);
     const bool nyquist = is_nyquist(spectrum, k);
-    const double x = nyquist ? 0 : place_between(window, n, modulus(spectrum, k - 1, window_power), centre,
-                                                 modulus(spectrum, k + 1, window_power));
+    const double x = nyquist ? 0
+                             : place_between(window, n, modulus(spectrum, k - 1, window_power), centre,
+                                             modulus(spectrum, k + 1, window_power));
     SpectralPeak peak;
     peak.bin = k;
     peak.frequency = spectrum.frequency[k] + x * spectrum.frequency_step;
     peak.amplitude = (spectrum.two_sided || nyquist ? 1 : 2) * centre / window_transform(window, n, x);
     if (spectrum.settings.compensate_bin_average) {
-        peak.amplitude /=
-            std::sqrt(bin_average_gain(peak.frequency * spectrum.spacing / spectrum.settings.cycle_time));
+        peak.amplitude /= std::sqrt(bin_average_gain(peak.frequency * spectrum.spacing / spectrum.settings.cycle_time));
     }
     peak.power = peak.amplitude * peak.amplitude / (spectrum.two_sided || nyquist ? 1 : 2);
     peak.spread = spectrum.spread.empty() ? std::numeric_limits<double>::quiet_NaN() : spectrum.spread[k];
@@ -145,12 +145,18 @@ std::vector<SpectralPeak> find_peaks(const PowerSpectrum& spectrum, const LineOp
 
 std::string_view name(SpectrumVerdict verdict) {
     switch (verdict) {
-        case SpectrumVerdict::constant: return "constant";
-        case SpectrumVerdict::lines: return "lines";
-        case SpectrumVerdict::continuum: return "continuum";
-        case SpectrumVerdict::mixed: return "mixed";
-        case SpectrumVerdict::nonstationary: return "nonstationary";
-        case SpectrumVerdict::undecided: return "undecided";
+        case SpectrumVerdict::constant:
+            return "constant";
+        case SpectrumVerdict::lines:
+            return "lines";
+        case SpectrumVerdict::continuum:
+            return "continuum";
+        case SpectrumVerdict::mixed:
+            return "mixed";
+        case SpectrumVerdict::nonstationary:
+            return "nonstationary";
+        case SpectrumVerdict::undecided:
+            return "undecided";
     }
     return "unknown";
 }
@@ -178,10 +184,14 @@ LineShare line_share(const PowerSpectrum& spectrum, const LineOptions& options) 
     result.line_fraction = above / total;
     result.nonstationarity = spectrum.nonstationarity;
     result.steadiness_tested = !spectrum.spread.empty();
-    if (result.nonstationarity > options.nonstationary) result.verdict = SpectrumVerdict::nonstationary;
-    else if (result.line_fraction >= options.all_lines) result.verdict = SpectrumVerdict::lines;
-    else if (result.line_fraction <= options.all_continuum) result.verdict = SpectrumVerdict::continuum;
-    else result.verdict = SpectrumVerdict::mixed;
+    if (result.nonstationarity > options.nonstationary)
+        result.verdict = SpectrumVerdict::nonstationary;
+    else if (result.line_fraction >= options.all_lines)
+        result.verdict = SpectrumVerdict::lines;
+    else if (result.line_fraction <= options.all_continuum)
+        result.verdict = SpectrumVerdict::continuum;
+    else
+        result.verdict = SpectrumVerdict::mixed;
     return result;
 }
 

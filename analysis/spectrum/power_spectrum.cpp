@@ -21,8 +21,12 @@ using Complex = std::complex<double>;
 constexpr std::size_t least_samples = 8;
 constexpr std::size_t least_segments_for_spread = 4;
 
-bool missing(double x) { return std::isnan(x); }
-bool missing(const Complex& x) { return std::isnan(x.real()) || std::isnan(x.imag()); }
+bool missing(double x) {
+    return std::isnan(x);
+}
+bool missing(const Complex& x) {
+    return std::isnan(x.real()) || std::isnan(x.imag());
+}
 
 template <class Sample>
 void require_valid(std::span<const Sample> series, double spacing, const SpectrumOptions& options) {
@@ -99,8 +103,8 @@ double independent_segments(const std::vector<double>& window, std::size_t hop, 
 }
 
 struct Periodograms {
-    std::vector<double> mean;      ///< ⟨|X_k|²⟩
-    std::vector<double> spread;    ///< standard deviation over mean
+    std::vector<double> mean;    ///< ⟨|X_k|²⟩
+    std::vector<double> spread;  ///< standard deviation over mean
     std::size_t used = 0;
     std::size_t skipped = 0;
 };
@@ -228,9 +232,12 @@ bool only_small_factors(std::size_t n) {
 
 std::string_view name(Detrend detrend) {
     switch (detrend) {
-        case Detrend::none: return "none";
-        case Detrend::mean: return "mean";
-        case Detrend::linear: return "linear";
+        case Detrend::none:
+            return "none";
+        case Detrend::mean:
+            return "mean";
+        case Detrend::linear:
+            return "linear";
     }
     return "unknown";
 }
@@ -244,10 +251,14 @@ Detrend detrend_from_name(std::string_view word) {
 
 std::string_view name(SpectrumOutcome outcome) {
     switch (outcome) {
-        case SpectrumOutcome::completed: return "completed";
-        case SpectrumOutcome::constant: return "constant";
-        case SpectrumOutcome::too_short: return "too-short";
-        case SpectrumOutcome::no_complete_segment: return "no-complete-segment";
+        case SpectrumOutcome::completed:
+            return "completed";
+        case SpectrumOutcome::constant:
+            return "constant";
+        case SpectrumOutcome::too_short:
+            return "too-short";
+        case SpectrumOutcome::no_complete_segment:
+            return "no-complete-segment";
     }
     return "unknown";
 }

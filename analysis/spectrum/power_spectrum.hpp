@@ -46,9 +46,9 @@ struct PowerSpectrum {
     std::vector<double> spread;     ///< standard deviation between segments over their mean, per frequency; empty below
                                     ///< 4 segments. About 1 for a continuum, near 0 for a steady line
     double frequency_step = 0;
-    double variance = 0;        ///< mean |x|² of the detrended series, gaps left out
-    double variance_scale = 1;  ///< what power was multiplied by to make its integral the variance; 1 ± a few percent
-    double nonstationarity = 0; ///< |v₁ − v₂|/(v₁ + v₂), v the variances of the halves: 0 steady, 1 decayed
+    double variance = 0;         ///< mean |x|² of the detrended series, gaps left out
+    double variance_scale = 1;   ///< what power was multiplied by to make its integral the variance; 1 ± a few percent
+    double nonstationarity = 0;  ///< |v₁ − v₂|/(v₁ + v₂), v the variances of the halves: 0 steady, 1 decayed
     std::size_t samples = 0;
     std::size_t segment_length = 0;
     std::size_t segments = 0;          ///< used

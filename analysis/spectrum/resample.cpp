@@ -53,8 +53,7 @@ double median_distance(const std::vector<double>& times) {
 }
 
 /// The value at t, which lies between samples i and i + 1.
-double value_at(const Samples& in, std::size_t i, double t, Interpolation interpolation, double longest,
-                double slack) {
+double value_at(const Samples& in, std::size_t i, double t, Interpolation interpolation, double longest, double slack) {
     const double from = in.times[i];
     const double to = in.times[i + 1];
     if (std::abs(t - from) <= slack) return in.values[i];
@@ -84,8 +83,9 @@ Resampled resample(std::span<const double> times, std::span<const double> values
     const double span = in.times.back() - in.times.front();
     if (!(spacing > 0)) refuse("spacing", spacing, "positive");
     if (span / spacing > static_cast<double>(most_samples)) {
-        refuse("spacing", spacing, "at least " + digits_of(span / static_cast<double>(most_samples)) +
-                                       ", the length of the series over 2^28");
+        refuse(
+            "spacing", spacing,
+            "at least " + digits_of(span / static_cast<double>(most_samples)) + ", the length of the series over 2^28");
     }
     Resampled result;
     result.series.start = in.times.front();

@@ -11,7 +11,9 @@ namespace {
 using Complex = std::complex<double>;
 
 /// sin(x)/x.
-double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
+double sinc(double x) {
+    return x == 0 ? 1 : std::sin(x) / x;
+}
 
 /// (sin x − x cos x)/x², by its series where the difference cancels.
 double spherical_bessel_1(double x) {
@@ -24,9 +26,12 @@ double spherical_bessel_1(double x) {
 
 std::string_view name(Frame frame) {
     switch (frame) {
-        case Frame::laboratory: return "laboratory";
-        case Frame::container: return "container";
-        case Frame::corotating: return "corotating";
+        case Frame::laboratory:
+            return "laboratory";
+        case Frame::container:
+            return "container";
+        case Frame::corotating:
+            return "corotating";
     }
     return "unknown";
 }

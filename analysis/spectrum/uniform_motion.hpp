@@ -9,12 +9,13 @@ namespace swirl::analysis {
 
 /// Positions are x + iy; the swirl is β e^{it} (rate 1).
 enum class Frame {
-    laboratory,   ///< z
-    container,    ///< z − β e^{it}: axes parallel to the laboratory's, origin on the swirl
+    laboratory,  ///< z
+    container,   ///< z − β e^{it}: axes parallel to the laboratory's, origin on the swirl
     corotating,  ///< z e^{−it}: origin at the swirl's centre, the swirl at rest at β
 };
 std::string_view name(Frame frame);
-Frame frame_from_name(std::string_view word);  ///< "laboratory", "container", "corotating"; throws std::invalid_argument
+Frame frame_from_name(
+    std::string_view word);  ///< "laboratory", "container", "corotating"; throws std::invalid_argument
 
 /// z + v (t − t₀) for all t.
 struct UniformMotion {

@@ -23,11 +23,16 @@ constexpr std::array<double, 5> flat_top_terms = {0.21557895, 0.41663158, 0.2772
 
 std::span<const double> terms(Window window) {
     switch (window) {
-        case Window::rectangular: return rectangular_terms;
-        case Window::hann: return hann_terms;
-        case Window::hamming: return hamming_terms;
-        case Window::blackman_harris: return blackman_harris_terms;
-        case Window::flat_top: return flat_top_terms;
+        case Window::rectangular:
+            return rectangular_terms;
+        case Window::hann:
+            return hann_terms;
+        case Window::hamming:
+            return hamming_terms;
+        case Window::blackman_harris:
+            return blackman_harris_terms;
+        case Window::flat_top:
+            return flat_top_terms;
     }
     return rectangular_terms;
 }
@@ -44,11 +49,16 @@ std::complex<double> dirichlet(std::size_t n, double x) {
 
 std::string_view name(Window window) {
     switch (window) {
-        case Window::rectangular: return "rectangular";
-        case Window::hann: return "hann";
-        case Window::hamming: return "hamming";
-        case Window::blackman_harris: return "blackman-harris";
-        case Window::flat_top: return "flat-top";
+        case Window::rectangular:
+            return "rectangular";
+        case Window::hann:
+            return "hann";
+        case Window::hamming:
+            return "hamming";
+        case Window::blackman_harris:
+            return "blackman-harris";
+        case Window::flat_top:
+            return "flat-top";
     }
     return "unknown";
 }
@@ -74,7 +84,9 @@ std::vector<double> window_values(Window window, std::size_t n) {
     return values;
 }
 
-int main_lobe_half_width(Window window) { return static_cast<int>(terms(window).size()); }
+int main_lobe_half_width(Window window) {
+    return static_cast<int>(terms(window).size());
+}
 
 double window_transform(Window window, std::size_t n, double x) {
     // A cosine term is two lines of half its size, m bins to either side.

@@ -89,9 +89,11 @@ void take_cycle(const System& system, const analysis::FoundCycle<System::dimensi
     attractor.period = cycle.period;
     attractor.mode = cycle.period == 1 ? analysis::Mode::steady : analysis::Mode::quasi_steady;
     attractor.kind = cycle.period > 1 ? analysis::Kind::cycle
-                                      : cycle.family ? analysis::Kind::family : analysis::Kind::fixed_point;
+                     : cycle.family   ? analysis::Kind::family
+                                      : analysis::Kind::fixed_point;
     std::vector<typename System::State> points{cycle.point};
-    while (static_cast<std::int64_t>(points.size()) < cycle.period) points.push_back(system.advance(points.back()).state);
+    while (static_cast<std::int64_t>(points.size()) < cycle.period)
+        points.push_back(system.advance(points.back()).state);
     auto z = kept.last;
     attractor.distance = settle_on(system, points, z);
     double turned = 0, time = 0;
@@ -120,7 +122,8 @@ void name(const System& system, const Kept<System>& kept, const SampleSettings& 
     attractor.mean_spin = kept.turned / kept.time;
     attractor.kind = analysis::Kind::transient;
     for (const std::int64_t steps : growth_steps) {
-        if (!analysis::tangent_growth(system, kept.tail.states.front(), growth_align, steps).is_positive(steps)) continue;
+        if (!analysis::tangent_growth(system, kept.tail.states.front(), growth_align, steps).is_positive(steps))
+            continue;
         attractor.mode = analysis::Mode::chaotic;
         attractor.kind = analysis::Kind::chaotic;
         break;

@@ -27,17 +27,22 @@ void BifurcateOptions::add_to(CLI::App& command) {
     start.add_to(command);
     output.add_to(command);
     command.add_option("--along", along, "NAME=A:B:COUNT: alpha, beta, mu, restitution, inertia-factor")->type_name("");
-    command.add_option("--observable", observable, "S (default), psi, chi, vn or vt: values are listed beside S")->type_name("");
+    command.add_option("--observable", observable, "S (default), psi, chi, vn or vt: values are listed beside S")
+        ->type_name("");
     command.add_option("--starts", starts, "random starts per column (default 4)")
-        ->type_name("R")->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000}));
+        ->type_name("R")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000}));
     command.add_option("--transient", settings.transient, "impacts before those that are kept (default 2500)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{0}, most));
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{0}, most));
     command.add_option("--collisions", settings.collisions, "impacts that are kept, 64 or more (default 500)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{64}, most));
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{64}, most));
     command.add_flag("--follow", follow, "follow the attractor upwards and downwards too");
     command.add_flag("--branches", branches, "continue every cycle that was found");
     command.add_option("--longest-branch", longest_branch, "longest period that --branches continues (default 12)")
-        ->type_name("K")->check(CLI::Range(1, 128));
+        ->type_name("K")
+        ->check(CLI::Range(1, 128));
 }
 
 Scene<double> column_scene(const BifurcateOptions& options, const Along& along, double value) {
@@ -100,10 +105,13 @@ int bifurcate(BifurcateOptions& options) {
     if (options.branches && !is_interrupted()) continue_attractors(options, diagram);
     diagram.interrupted = is_interrupted();
     if (record) write_diagram_record(*record, options, diagram);
-    if (options.output.json) write_diagram_document(options, diagram);
-    else if (!options.output.quiet) print_diagram(options, diagram);
+    if (options.output.json)
+        write_diagram_document(options, diagram);
+    else if (!options.output.quiet)
+        print_diagram(options, diagram);
     if (!options.output.quiet && !options.output.json)
-        fmt::print(stderr, "swirl: {:.2f} s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        fmt::print(stderr, "swirl: {:.2f} s\n",
+                   std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     return diagram.interrupted ? exit_interrupted : exit_done;
 }
 

@@ -35,11 +35,11 @@ struct DiagramColumn {
 
 /// How well samples and branches agree.
 struct Agreement {
-    std::int64_t compared = 0;   ///< periodic attractors whose cycle a stable branch with |multiplier| < 0.99 gives too
-    std::int64_t without = 0;    ///< periodic attractors (period ≤ longest_branch, attracting) that lie on no branch
+    std::int64_t compared = 0;  ///< periodic attractors whose cycle a stable branch with |multiplier| < 0.99 gives too
+    std::int64_t without = 0;   ///< periodic attractors (period ≤ longest_branch, attracting) that lie on no branch
     std::int64_t in_families = 0;  ///< members of families, which no branch over the parameter goes through
-    double largest = 0;          ///< the largest difference of S between the two
-    double distance = 0;         ///< the largest distance of such an orbit's samples from its cycle
+    double largest = 0;            ///< the largest difference of S between the two
+    double distance = 0;           ///< the largest distance of such an orbit's samples from its cycle
 };
 
 struct Diagram {

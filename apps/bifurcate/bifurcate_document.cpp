@@ -54,17 +54,24 @@ void write_column(JsonWriter& json, const BifurcateOptions& options, const Diagr
 }  // namespace
 
 Settings diagram_settings(const BifurcateOptions& options, const Diagram& diagram) {
-    return {{"along", diagram.along.name}, {"range", options.along}, {"observable", options.observable},
-            {"starts", options.starts}, {"speed", options.start.speed()},
-            {"seed", options.start.seed()}, {"transient", options.settings.transient},
-            {"collisions", options.settings.collisions}, {"follow", std::int64_t{options.follow}},
-            {"branches", std::int64_t{options.branches}}, {"longest_branch", std::int64_t{options.longest_branch}}};
+    return {{"along", diagram.along.name},
+            {"range", options.along},
+            {"observable", options.observable},
+            {"starts", options.starts},
+            {"speed", options.start.speed()},
+            {"seed", options.start.seed()},
+            {"transient", options.settings.transient},
+            {"collisions", options.settings.collisions},
+            {"follow", std::int64_t{options.follow}},
+            {"branches", std::int64_t{options.branches}},
+            {"longest_branch", std::int64_t{options.longest_branch}}};
 }
 
 Settings diagram_scene(const BifurcateOptions& options, const Diagram& diagram) {
     Settings settings;
     for (const auto& item : scene_settings(column_scene(options, diagram.along, diagram.along.low)))
-        if (item.first != diagram.along.name && !(item.first == "inertia_factor" && diagram.along.name == "inertia-factor"))
+        if (item.first != diagram.along.name &&
+            !(item.first == "inertia_factor" && diagram.along.name == "inertia-factor"))
             settings.push_back(item);
     return settings;
 }
@@ -77,8 +84,7 @@ void write_diagram_document(const BifurcateOptions& options, const Diagram& diag
     json.member("along", diagram.along.name);
     json.key("columns");
     json.begin_array(JsonLayout::rows);
-    for (const auto& column : diagram.columns)
-        write_column(json, options, column);
+    for (const auto& column : diagram.columns) write_column(json, options, column);
     json.end_array();
     if (options.branches) {
         const auto scene = scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along);
@@ -120,12 +126,13 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
                               100.0 * static_cast<double>(count) / static_cast<double>(all));
     fmt::print("{} columns, {} orbits: {}\n", diagram.columns.size(), all, shares);
     if (!options.branches) return;
-    print_branches(scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along), diagram.along,
-                   diagram.branches);
-    fmt::print("{} cycles on stable branches (|multiplier| < 0.99): S differs by {:.1e} at most, the orbits' own last "
-               "states by {:.1e}; {} on no branch, {} members of families\n",
-               diagram.agreement.compared, diagram.agreement.largest, diagram.agreement.distance,
-               diagram.agreement.without, diagram.agreement.in_families);
+    print_branches(scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along),
+                   diagram.along, diagram.branches);
+    fmt::print(
+        "{} cycles on stable branches (|multiplier| < 0.99): S differs by {:.1e} at most, the orbits' own last "
+        "states by {:.1e}; {} on no branch, {} members of families\n",
+        diagram.agreement.compared, diagram.agreement.largest, diagram.agreement.distance, diagram.agreement.without,
+        diagram.agreement.in_families);
 }
 
 }  // namespace swirl::apps

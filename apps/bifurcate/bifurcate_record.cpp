@@ -46,9 +46,11 @@ void write_attractors(const RecordGroup& root, const Diagram& diagram) {
     group.write<double>("mean_S", {"attractor"}, mean, {"omega_s", "time mean of S", {}});
     group.write<std::int64_t>("column", {"attractor"}, number, {"1", "column", {}});
     group.write<std::int64_t>("start", {"attractor"}, start, {"1", "number of the random start", {}});
-    group.write<std::int64_t>("origin", {"attractor"}, origin, {"1", "0 random start, 1 followed up, 2 followed down", {}});
+    group.write<std::int64_t>("origin", {"attractor"}, origin,
+                              {"1", "0 random start, 1 followed up, 2 followed down", {}});
     group.write<std::int64_t>("period", {"attractor"}, period, {"1", "0: none", {}});
-    group.write<std::int64_t>("samples", {"attractor"}, samples, {"1", "how many follow in the group samples, in this order", {}});
+    group.write<std::int64_t>("samples", {"attractor"}, samples,
+                              {"1", "how many follow in the group samples, in this order", {}});
     group.write_strings("mode", {"attractor"}, mode);
     group.write_strings("kind", {"attractor"}, kind);
     group.write_strings("outcome", {"attractor"}, outcome);
@@ -76,7 +78,8 @@ void write_samples(const RecordGroup& root, const BifurcateOptions& options, con
         group.write<double>("value", {"sample"}, value, {"1", "observable " + options.observable, {}});
     group.write<std::int64_t>("column", {"sample"}, number, {"1", "column", {}});
     group.write<std::int64_t>("start", {"sample"}, start, {"1", "number of the random start", {}});
-    group.write<std::int64_t>("origin", {"sample"}, origin, {"1", "0 random start, 1 followed up, 2 followed down", {}});
+    group.write<std::int64_t>("origin", {"sample"}, origin,
+                              {"1", "0 random start, 1 followed up, 2 followed down", {}});
 }
 
 }  // namespace

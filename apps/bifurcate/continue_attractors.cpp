@@ -29,7 +29,8 @@ double spin_difference(const analysis::CyclePoints& a, const analysis::CyclePoin
 class Search {
 public:
     Search(const BifurcateOptions& options, Diagram& diagram)
-        : options_(options), diagram_(diagram),
+        : options_(options),
+          diagram_(diagram),
           scene_(scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along)) {}
 
     void look_at(double p, const Attractor& attractor) {
@@ -42,8 +43,8 @@ public:
             ++diagram_.agreement.in_families;
             return;
         }
-        const bool found = shot.converged &&
-                           analysis::distance_between(scene_.map, shot.points, attractor.states) < same_cycle;
+        const bool found =
+            shot.converged && analysis::distance_between(scene_.map, shot.points, attractor.states) < same_cycle;
         analysis::Branch branch;
         if (found && analysis::continue_branch(scene_.map, shot.points, p, scene_.options, branch)) {
             if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, attractor.states))

@@ -8,8 +8,8 @@
 
 namespace swirl::apps {
 
-/// Looks for an exact return of a deterministic map's state (R. P. Brent, BIT 20 (1980) 176). The state is that which the
-/// map sees, so that equal bits now mean equal bits for ever. Cost: one comparison a step.
+/// Looks for an exact return of a deterministic map's state (R. P. Brent, BIT 20 (1980) 176). The state is that which
+/// the map sees, so that equal bits now mean equal bits for ever. Cost: one comparison a step.
 class ExactReturn {
 public:
     /// After each step; the number of steps after which the state has come again, 0 if it has not.
@@ -25,7 +25,8 @@ public:
     }
 
 private:
-    static_assert(sizeof(Launch<double>) == 7 * sizeof(double), "no padding, so that bytes are all there is to compare");
+    static_assert(sizeof(Launch<double>) == 7 * sizeof(double),
+                  "no padding, so that bytes are all there is to compare");
     Launch<double> marked_{};
     std::int64_t steps_ = 0;
     std::int64_t next_ = 64;

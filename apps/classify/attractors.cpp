@@ -20,14 +20,16 @@ bool has_own_mean(analysis::Kind kind) {
         case Kind::landing:
         case Kind::rolling:
         case Kind::sliding:
-        case Kind::two_vertex: return true;
+        case Kind::two_vertex:
+            return true;
         case Kind::none:
         case Kind::family:
         case Kind::quasi_periodic:
         case Kind::rolling_librating:
         case Kind::rolling_circulating:
         case Kind::chaotic:
-        case Kind::transient: return false;
+        case Kind::transient:
+            return false;
     }
     return false;
 }
@@ -55,8 +57,9 @@ void summarise(std::span<const RunVerdict> runs, Attractor& attractor) {
     };
     const auto spins = measured(&RunVerdict::mean_spin);
     attractor.mean_spin = mean(spins);
-    attractor.mean_spin_error = spins.size() < 2 ? unknown
-        : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
+    attractor.mean_spin_error =
+        spins.size() < 2 ? unknown
+                         : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
     attractor.recurrence_rate = mean(measured(&RunVerdict::recurrence_rate));
     attractor.largest_exponent = mean(measured(&RunVerdict::largest_exponent));
 }
@@ -69,8 +72,10 @@ std::vector<Attractor> attractors_of(std::span<const RunVerdict> runs) {
         const auto same = std::find_if(found.begin(), found.end(), [&](const Attractor& attractor) {
             return same_attractor(runs[attractor.runs.front()], runs[r]);
         });
-        if (same != found.end()) same->runs.push_back(r);
-        else found.push_back({{r}, 0, 0, 0, 0});
+        if (same != found.end())
+            same->runs.push_back(r);
+        else
+            found.push_back({{r}, 0, 0, 0, 0});
     }
     for (auto& attractor : found) summarise(runs, attractor);
     std::stable_sort(found.begin(), found.end(),

@@ -26,9 +26,9 @@ struct RunVerdict {
 
 /// A set of runs with one verdict, and what they have in common.
 struct Attractor {
-    std::vector<std::size_t> runs;      ///< their places, in order; the first is the representative
-    double mean_spin = 0;               ///< mean over the runs that measured it; so are the next two
-    double mean_spin_error = 0;         ///< its standard error over the runs, NaN for fewer than two
+    std::vector<std::size_t> runs;  ///< their places, in order; the first is the representative
+    double mean_spin = 0;           ///< mean over the runs that measured it; so are the next two
+    double mean_spin_error = 0;     ///< its standard error over the runs, NaN for fewer than two
     double recurrence_rate = 0;
     double largest_exponent = 0;
 };

@@ -32,18 +32,22 @@ void ClassifyCommandOptions::add_to(CLI::App& command) {
     output.add_to(command);
     const auto counts = CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000});
     command.add_option("--transient", settings.transient, "impacts before the tail (default 10000)")
-        ->type_name("K")->check(counts);
+        ->type_name("K")
+        ->check(counts);
     command.add_option("--collisions", settings.collisions, "impacts of the tail, 64 or more (default 10000)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{64}, std::int64_t{100'000'000}));
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{64}, std::int64_t{100'000'000}));
     command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
-        ->type_name("D")->check(CLI::NonNegativeNumber);
+        ->type_name("D")
+        ->check(CLI::NonNegativeNumber);
     command
         .add_option("--max-period", settings.period.max_period,
                     "longest period looked for (default 4096, of a series 256)")
         ->type_name("K")
         ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
     command.add_option("--runs", runs, "random starts, from --seed on: the shares of coexisting modes")
-        ->type_name("R")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
+        ->type_name("R")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
     input.add_to(command);
 }
 
@@ -53,8 +57,7 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene) {
     const auto units = options.scene.units();
     const Start<double> start = options.start.start<double>(scene);
     std::optional<RecordWriter> record;
-    if (!options.output.record.empty())
-        record.emplace(open_record(options.output.record, "Mode of a swirled polygon"));
+    if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Mode of a swirled polygon"));
     exit_when_interrupted();
     const NamedMode named = name_mode(scene, start, options.settings);
     if (record) {

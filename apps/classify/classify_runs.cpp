@@ -42,8 +42,10 @@ std::vector<RunVerdict> follow_all(const ClassifyCommandOptions& options, const 
 
 void check(const ClassifyCommandOptions& options) {
     if (!options.start.is_random())
-        throw BadInput(fmt::format("runs = {}: several runs have random starts: give --speed and --seed, not --x … "
-                                   "or --point", options.runs));
+        throw BadInput(
+            fmt::format("runs = {}: several runs have random starts: give --speed and --seed, not --x … "
+                        "or --point",
+                        options.runs));
     options.start.require_one_way();
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
 }
@@ -54,8 +56,17 @@ RunVerdict classify_run(const Scene<double>& scene, double speed, std::uint64_t 
                         const analysis::ClassifyOptions& settings) {
     const NamedMode named = name_mode(scene, random_start(scene.beta, speed, seed, 0), settings);
     const auto& v = named.verdict;
-    return {seed, v.mode, v.kind, named.outcome, std::int64_t{named.impacts}, v.period, v.mean, v.mean_per_step,
-            v.recurrence_rate, v.largest_exponent, v.largest_exponent_error};
+    return {seed,
+            v.mode,
+            v.kind,
+            named.outcome,
+            std::int64_t{named.impacts},
+            v.period,
+            v.mean,
+            v.mean_per_step,
+            v.recurrence_rate,
+            v.largest_exponent,
+            v.largest_exponent_error};
 }
 
 int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene) {
@@ -82,8 +93,10 @@ int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
             fmt::print(stderr, "swirl: interrupted; {} of {} runs were finished\n", found.runs.size(), options.runs);
         return exit_interrupted;
     }
-    if (options.output.json) write_runs_document(options, scene, found);
-    else if (!options.output.quiet) print_runs(scene, found);
+    if (options.output.json)
+        write_runs_document(options, scene, found);
+    else if (!options.output.quiet)
+        print_runs(scene, found);
     return exit_done;
 }
 

@@ -50,7 +50,9 @@ std::vector<std::pair<const char*, double>> numbers_of(const SeriesVerdict& v) {
     const double none = analysis::Classification::unknown;
     const bool flow = v.options.sampled_flow;
     const double exponent = v.verdict.largest_exponent, error = v.verdict.largest_exponent_error;
-    return {{"mean_S", flow ? v.verdict.mean : v.used.time.empty() ? none : time_mean(v.used)},
+    return {{"mean_S", flow                  ? v.verdict.mean
+                       : v.used.time.empty() ? none
+                                             : time_mean(v.used)},
             {"mean_S_per_impact", flow ? none : v.verdict.mean_per_step},
             {"recurrence_rate", v.verdict.recurrence_rate},
             {"recurrence_rate_without_diagonal", v.verdict.recurrence_rate_without_diagonal},
@@ -116,17 +118,23 @@ bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {
 
 void ClassifyInput::add_to(CLI::App& command) {
     command.add_option("RECORD,--record", record, "a record of swirl simulate, followed on from its scene and start")
-        ->type_name("FILE.h5")->group("Input");
+        ->type_name("FILE.h5")
+        ->group("Input");
     command.add_option("--series", series.file, "a measured series, text; - reads standard input")
-        ->type_name("FILE.csv")->group("Input");
+        ->type_name("FILE.csv")
+        ->group("Input");
     command.add_option("--column", series.column, "the series' values: name or number of the column")
-        ->type_name("NAME")->group("Input");
+        ->type_name("NAME")
+        ->group("Input");
     command.add_option("--time", series.time, "the series' times: name or number of the column, or none")
-        ->type_name("NAME")->group("Input");
+        ->type_name("NAME")
+        ->group("Input");
     command.add_option("--rows", rows, "of a series: impacts, or samples in time (default: samples if times are even)")
-        ->type_name("NAME")->group("Input");
+        ->type_name("NAME")
+        ->group("Input");
     command.add_option("--noise", noise, "standard deviation of a series' noise, if known")
-        ->type_name("SIGMA")->group("Input");
+        ->type_name("SIGMA")
+        ->group("Input");
     transient_ = command.get_option("--transient");
     collisions_ = command.get_option("--collisions");
     threshold_ = command.get_option("--threshold");
@@ -175,8 +183,10 @@ int classify_measured(const ClassifyInput& input, const OutputOptions& output) {
         write_to_record(record->root(), v);
         record->finish();
     }
-    if (output.json) write_document(v);
-    else if (!output.quiet) print_table(v);
+    if (output.json)
+        write_document(v);
+    else if (!output.quiet)
+        print_table(v);
     return exit_done;
 }
 

@@ -15,7 +15,7 @@ namespace swirl::apps {
 struct ClassifyInput {
     std::string record;
     SeriesChoice series;
-    std::string rows;      ///< impacts or samples; empty: samples if there are times and they are even
+    std::string rows;  ///< impacts or samples; empty: samples if there are times and they are even
     double noise = 0;
 
     /// After the command's own --transient, --collisions, --threshold and --max-period.

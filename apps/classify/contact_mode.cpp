@@ -9,10 +9,10 @@ namespace {
 
 using analysis::in_words;
 
-constexpr double rest = 1e-7;          // an angle and S that stay within this are at rest
-constexpr double regular = 1e-5;       // periods that agree to this make a motion periodic
-constexpr double nearly = 1e-2;        // so near must the limit of periods that still change be, relative
-constexpr double dying = 0.9;          // slip dies out if what it loses falls by this from first to last quarter
+constexpr double rest = 1e-7;     // an angle and S that stay within this are at rest
+constexpr double regular = 1e-5;  // periods that agree to this make a motion periodic
+constexpr double nearly = 1e-2;   // so near must the limit of periods that still change be, relative
+constexpr double dying = 0.9;     // slip dies out if what it loses falls by this from first to last quarter
 constexpr int fewest_periods = 3;
 
 analysis::Kind kind_of(analysis::SwingKind swing, bool slides, bool on_edge) {
@@ -38,12 +38,12 @@ void describe_periods(const analysis::Swing& swing, bool limit_known, analysis::
                                          : "at most " + in_words(regular) + ": periodic already"});
     if (periodic || limit_known) return;
     const bool settles = swing.still_to_come <= nearly;
-    verdict.evidence.push_back({"change of the period still to come", swing.still_to_come, nearly,
-                                settles ? "the periods' changes fall like n^-" + in_words(swing.settling_exponent) +
-                                              ": they come to a limit"
-                                        : "the periods come to no limit that can be told yet",
-                                settles ? "above " + in_words(nearly) + ": undecided, still settling"
-                                        : "at most " + in_words(nearly) + ": named by the motion that it settles on"});
+    verdict.evidence.push_back(
+        {"change of the period still to come", swing.still_to_come, nearly,
+         settles ? "the periods' changes fall like n^-" + in_words(swing.settling_exponent) + ": they come to a limit"
+                 : "the periods come to no limit that can be told yet",
+         settles ? "above " + in_words(nearly) + ": undecided, still settling"
+                 : "at most " + in_words(nearly) + ": named by the motion that it settles on"});
 }
 
 }  // namespace
@@ -76,12 +76,15 @@ void ContactTail::note_rolling(double share, const ContactState& state) {
 }
 
 /// Without friction slip loses nothing and lasts.
-bool ContactTail::slip_dies() const { return scene_.mu > 0 && slip_late_ <= dying * slip_early_; }
+bool ContactTail::slip_dies() const {
+    return scene_.mu > 0 && slip_late_ <= dying * slip_early_;
+}
 
 /// The pendulum that a disk settles on which still slips now and then: it loses energy and the pendulum is near. (The
 /// work of slips that are few and small is no measure: a quarter may hold one more of them than another.)
 std::optional<RimPendulum> ContactTail::settles_on(const analysis::Swing& swing) const {
-    if (!slides_ || !rolling_ || height_late_ > height_early_ * (1 + 1e-12) || swing.periods < fewest_periods) return {};
+    if (!slides_ || !rolling_ || height_late_ > height_early_ * (1 + 1e-12) || swing.periods < fewest_periods)
+        return {};
     const auto settled = settled_pendulum(scene_, rim_pendulum(scene_, *rolling_));
     if (!settled) return {};
     const double mean = mean_rolling_spin(scene_, *settled);

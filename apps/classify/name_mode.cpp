@@ -15,7 +15,8 @@ void judge_contact(const ReturnMap<Map>& map, const Launch<double>& last, analys
     // Friction may take longer than that to bring slip to an end: a tail that still changes is followed ten times on.
     for (const double time : {contact_horizon, 10 * contact_horizon}) {
         double reached = time;
-        for (bool cut = true; cut;) {  // a body that swings very fast (most_contact_steps): once more, to where that was
+        for (bool cut = true;
+             cut;) {  // a body that swings very fast (most_contact_steps): once more, to where that was
             const double followed = reached;
             ContactTail tail(map.contact(), followed);
             const auto passage = map.advance(last, followed, [&](const auto&... seen) { tail.add(seen...); });
@@ -59,10 +60,11 @@ void look_for_landings(const System& system, analysis::Classification& verdict) 
 void name_what_fades(analysis::Classification& verdict) {
     verdict.mode = analysis::Mode::undecided;
     verdict.kind = analysis::Kind::transient;
-    verdict.evidence = {{"loss by every impact", 1, 1,
-                         "with e < 1 every impact lowers J (without friction) or the energy (without swirl), so that no "
-                         "attractor has impacts: the orbit is on its way to contact",
-                         "0 (e = 1, or friction and swirl): period, exponent and rotation number would decide"}};
+    verdict.evidence = {
+        {"loss by every impact", 1, 1,
+         "with e < 1 every impact lowers J (without friction) or the energy (without swirl), so that no "
+         "attractor has impacts: the orbit is on its way to contact",
+         "0 (e = 1, or friction and swirl): period, exponent and rotation number would decide"}};
 }
 
 /// An orbit that ended with neither impacts nor contact to go on with.
@@ -92,8 +94,9 @@ NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, cons
         }
         if (std::holds_alternative<SectionPoint<double>>(start)) named.impacts = 0;  // followed again from the point
         // Where the verdict is known beforehand, derivatives and periods would cost much and tell nothing.
-        named.verdict = only_loses(scene) ? analysis::observe(system, system.state_of(first), system.integrated, settings)
-                                          : analysis::classify(system, system.state_of(first), system.integrated, settings);
+        named.verdict = only_loses(scene)
+                            ? analysis::observe(system, system.state_of(first), system.integrated, settings)
+                            : analysis::classify(system, system.state_of(first), system.integrated, settings);
         named.impacts += named.verdict.steps;
         if (named.verdict.ended) {
             const auto last = state_of<decltype(system)>(named.verdict.end);

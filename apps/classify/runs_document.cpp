@@ -120,8 +120,10 @@ void write_runs_group(const RecordGroup& group, const RunsFound& found) {
     words("mode", [](const RunVerdict& run) { return std::string(name_of(run.mode)); });
     words("kind", [](const RunVerdict& run) { return std::string(name_of(run.kind)); });
     words("outcome", [](const RunVerdict& run) { return std::string(name_of(run.outcome)); });
-    integers("period", [](const RunVerdict& run) { return run.period; }, "period, 0: none");
-    integers("impacts", [](const RunVerdict& run) { return run.impacts; }, "impacts followed");
+    integers(
+        "period", [](const RunVerdict& run) { return run.period; }, "period, 0: none");
+    integers(
+        "impacts", [](const RunVerdict& run) { return run.impacts; }, "impacts followed");
     const NumberColumn numbers[] = {
         {"mean_S", &RunVerdict::mean_spin, {"omega_s", "time mean of S", {}}},
         {"mean_S_per_impact", &RunVerdict::mean_spin_per_impact, {"omega_s", "mean of S over impacts", {}}},
@@ -129,9 +131,9 @@ void write_runs_group(const RecordGroup& group, const RunsFound& found) {
         {"largest_exponent", &RunVerdict::largest_exponent, {"1", "largest Lyapunov exponent per impact", {}}},
         {"largest_exponent_error", &RunVerdict::largest_exponent_error, {"1", "its standard error", {}}}};
     for (const auto& n : numbers)
-        group.write<double>(n.name, along, column<double, RunVerdict>(found.runs, [&](const RunVerdict& run) {
-            return run.*n.member;
-        }), n.description);
+        group.write<double>(
+            n.name, along, column<double, RunVerdict>(found.runs, [&](const RunVerdict& run) { return run.*n.member; }),
+            n.description);
 }
 
 void write_attractors_group(const RecordGroup& group, const RunsFound& found) {

@@ -19,8 +19,10 @@ constexpr long most_columns = 1'000'000;
 std::vector<std::string> split(const std::string& text, char separator) {
     std::vector<std::string> parts{""};
     for (const char c : text) {
-        if (c == separator) parts.emplace_back();
-        else parts.back() += c;
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
     }
     return parts;
 }
@@ -56,7 +58,8 @@ Along along_from(const std::string& text, bool counted, bool families) {
     along.falling = a > b;
     const long count = counted ? count_from(text, parts[2]) : 0;
     for (long i = 0; i < count; ++i)
-        along.columns.push_back(i == count - 1 ? b : a + (b - a) * static_cast<double>(i) / static_cast<double>(count - 1));
+        along.columns.push_back(i == count - 1 ? b
+                                               : a + (b - a) * static_cast<double>(i) / static_cast<double>(count - 1));
     return along;
 }
 

@@ -13,8 +13,8 @@ struct Along {
     std::string name;                    ///< as given
     std::optional<Parameter> parameter;  ///< empty: S or tau, the members of a family
     double low = 0, high = 0;
-    std::vector<double> columns;         ///< of a diagram; empty without COUNT
-    bool falling = false;                ///< A > B
+    std::vector<double> columns;  ///< of a diagram; empty without COUNT
+    bool falling = false;         ///< A > B
 };
 
 /// @throws BadInput naming the value and what is allowed

@@ -6,7 +6,9 @@
 
 namespace swirl::apps {
 
-std::string version() { return SWIRL_VERSION; }
+std::string version() {
+    return SWIRL_VERSION;
+}
 
 std::string instruction_set() {
     // What the compiler was allowed to use, not what this machine has: that is what fixes the bits.
@@ -39,12 +41,11 @@ Settings scene_settings(const Scene<double>& scene) {
 }
 
 Settings start_settings(const StartOptions& options, const Scene<double>& scene) {
-    if (options.is_random())
-        return {{"speed", options.speed()}, {"seed", options.seed()}};
+    if (options.is_random()) return {{"speed", options.speed()}, {"seed", options.seed()}};
     const auto start = options.start<double>(scene);
     if (const auto* lab = std::get_if<LabStart<double>>(&start))
-        return {{"x", lab->x}, {"y", lab->y}, {"vx", lab->vx}, {"vy", lab->vy}, {"angle", lab->angle},
-                {"spin", lab->spin}};
+        return {{"x", lab->x},   {"y", lab->y},         {"vx", lab->vx},
+                {"vy", lab->vy}, {"angle", lab->angle}, {"spin", lab->spin}};
     const auto& z = std::get<SectionPoint<double>>(start);
     Settings settings = {{"psi", z.psi}, {"chi", z.chi}, {"vn", z.vn}, {"vt", z.vt}, {"S", z.spin}};
     if (scene.is_disk()) settings.erase(settings.begin() + 1);

@@ -18,7 +18,9 @@ void note_interruptions() {
     std::signal(SIGTERM, note);
 }
 
-bool is_interrupted() { return interrupted != 0; }
+bool is_interrupted() {
+    return interrupted != 0;
+}
 
 void exit_when_interrupted() {
     const auto leave = [](int) { _exit(exit_interrupted); };

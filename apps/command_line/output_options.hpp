@@ -3,8 +3,8 @@
 
 #include "apps/command_line/errors.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <string>
 
@@ -14,8 +14,8 @@ enum class Accuracy { double_precision, extended, quad };
 
 /// Refuses an empty name, which CLI11 takes for a flag that was not given.
 inline CLI::Validator named_file() {
-    return CLI::Validator([](const std::string& name) { return std::string(name.empty() ? "a file's name is wanted" : ""); },
-                          "");
+    return CLI::Validator(
+        [](const std::string& name) { return std::string(name.empty() ? "a file's name is wanted" : ""); }, "");
 }
 
 struct OutputOptions {
@@ -29,12 +29,17 @@ struct OutputOptions {
         command.add_flag("--json", json, "one JSON document on standard output, and nothing else")->group("Output");
         if (with_record)
             command.add_option("-o,--output", record, "write a record (HDF5)")
-                ->type_name("FILE.h5")->group("Output")->check(named_file());
+                ->type_name("FILE.h5")
+                ->group("Output")
+                ->check(named_file());
         command.add_flag("--quiet", quiet, "no progress and no messages")->group("Output");
         command.add_option("--threads", threads, "threads (default all); results do not depend on it")
-            ->type_name("T")->check(CLI::Range(0, 4096))->group("Output");
+            ->type_name("T")
+            ->check(CLI::Range(0, 4096))
+            ->group("Output");
         command.add_option("--accuracy", accuracy_name, "double (default), extended (80-bit) or quad (113-bit)")
-            ->type_name("NAME")->group("Output");
+            ->type_name("NAME")
+            ->group("Output");
     }
 
     Accuracy accuracy() const {

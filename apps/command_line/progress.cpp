@@ -24,8 +24,8 @@ void Progress::at(double done) {
     const double spent = duration<double>(now - begin_).count();
     const int width = 30;
     const int filled = static_cast<int>(share * width);
-    std::string line = fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {:3.0f} %", task_, "", filled, "", width - filled,
-                                   100 * share);
+    std::string line =
+        fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {:3.0f} %", task_, "", filled, "", width - filled, 100 * share);
     if (share > 0.01) line += fmt::format(", {:.0f} s left", spent / share - spent);
     std::fputs(line.c_str(), stderr);
     drawn_ = true;

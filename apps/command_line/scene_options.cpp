@@ -55,8 +55,8 @@ toml::table parsed(const std::string& file) {
     try {
         return toml::parse(content.str());
     } catch (const toml::parse_error& error) {
-        throw BadInput(fmt::format("scene file '{}', line {}: {}", file, error.source().begin.line,
-                                   error.description()));
+        throw BadInput(
+            fmt::format("scene file '{}', line {}: {}", file, error.source().begin.line, error.description()));
     }
 }
 
@@ -79,13 +79,16 @@ Law law_from(const std::string& text) {
 
 void SceneOptions::add_to(CLI::App& command) {
     for (const auto& known : scene_names) {
-        command.add_option_function<std::string>(
-            std::string("--") + known.name,
-            [this, name = std::string(known.name)](const std::string& text) { flags_[name] = text; }, known.help)
-            ->type_name("")->group("Scene");
+        command
+            .add_option_function<std::string>(
+                std::string("--") + known.name,
+                [this, name = std::string(known.name)](const std::string& text) { flags_[name] = text; }, known.help)
+            ->type_name("")
+            ->group("Scene");
     }
     command.add_option("--scene", file_, "TOML file with the same names as keys under [scene]; flags win")
-        ->type_name("FILE")->group("Scene");
+        ->type_name("FILE")
+        ->group("Scene");
 }
 
 void SceneOptions::read_file() {
@@ -93,7 +96,8 @@ void SceneOptions::read_file() {
         const toml::table document = parsed(file_);
         for (const auto& [key, node] : document)
             if (key.str() != "scene")
-                throw BadInput(fmt::format("scene file '{}': unknown key '{}'; only [scene] is known", file_, key.str()));
+                throw BadInput(
+                    fmt::format("scene file '{}': unknown key '{}'; only [scene] is known", file_, key.str()));
         const toml::table* scene = document["scene"].as_table();
         if (scene == nullptr) throw BadInput(fmt::format("scene file '{}' has no table [scene]", file_));
         for (const auto& [key, node] : *scene) {
@@ -121,8 +125,10 @@ const std::string& SceneOptions::required(const std::string& name, const std::st
     const auto found = values_.find(name);
     if (found != values_.end()) return found->second;
     if (instead.empty() || name == "container-radius")
-        throw BadInput(fmt::format("--{} is missing (a scene needs --sides, --alpha, --beta, --mu, --restitution, or "
-                                   "--scene FILE)", name));
+        throw BadInput(
+            fmt::format("--{} is missing (a scene needs --sides, --alpha, --beta, --mu, --restitution, or "
+                        "--scene FILE)",
+                        name));
     throw BadInput(fmt::format("--{} is missing (or --{} with --container-radius)", instead, name));
 }
 

@@ -45,17 +45,25 @@ CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const std::string&
 
 void StartOptions::add_to(CLI::App& command) {
     constexpr std::pair<const char*, const char*> lab_names[] = {
-        {"x", "centre, from the swirl's centre (default beta)"}, {"y", "centre"},
-        {"vx", "velocity"}, {"vy", "velocity"},
-        {"angle", "vertex 0's direction, radians"}, {"spin", "S"}};
+        {"x", "centre, from the swirl's centre (default beta)"},
+        {"y", "centre"},
+        {"vx", "velocity"},
+        {"vy", "velocity"},
+        {"angle", "vertex 0's direction, radians"},
+        {"spin", "S"}};
     for (const auto& [name, help] : lab_names)
-        command.add_option_function<std::string>(
-            std::string("--") + name, [this, key = std::string(name)](const std::string& text) { lab_[key] = text; },
-            help)->type_name("")->group("Start");
+        command
+            .add_option_function<std::string>(
+                std::string("--") + name,
+                [this, key = std::string(name)](const std::string& text) { lab_[key] = text; }, help)
+            ->type_name("")
+            ->group("Start");
     command.add_option("--point", point_, "psi,chi,vn,vt,S just after an impact (a disk drops chi)")
-        ->type_name("")->group("Start");
+        ->type_name("")
+        ->group("Start");
     command.add_option("--speed", speed_, "random start at the container's centre with this speed (default 1/7)")
-        ->type_name("")->group("Start");
+        ->type_name("")
+        ->group("Start");
     add_seed(command, seed_, "of the random start (default 1)", &seed_given_)->group("Start");
 }
 

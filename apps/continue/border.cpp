@@ -53,9 +53,8 @@ bool grazes(const Body<double>& body, const Flight<double>& flight, double durat
     for (int i = 1; i < samples; ++i) {
         const auto j = static_cast<std::size_t>(i);
         if (seen[j] < seen[j - 1] || seen[j] < seen[j + 1] || seen[j] < -1e-3) continue;
-        const auto top = boost::math::tools::brent_find_minima([&](double t) { return -gap(t); },
-                                                               duration * (i - 1) / samples,
-                                                               duration * (i + 1) / samples, 40);
+        const auto top = boost::math::tools::brent_find_minima(
+            [&](double t) { return -gap(t); }, duration * (i - 1) / samples, duration * (i + 1) / samples, 40);
         if (-top.second > -touching_of(body)) return true;
     }
     return false;
@@ -86,7 +85,8 @@ std::string name_without_cycle(const Map& map, const analysis::CurvePoint& last)
 std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
                         const std::vector<std::int64_t>& word_after, bool goes_on) {
     if (!goes_on) {
-        const std::string name = with_collision_map(scene, [&](const auto& map) { return name_without_cycle(map, last); });
+        const std::string name =
+            with_collision_map(scene, [&](const auto& map) { return name_without_cycle(map, last); });
         if (name != analysis::nameless_border) return name;
     }
     const auto before = analysis::word_of(last.closing);

@@ -133,8 +133,8 @@ void print_branches(const SceneBranches& scene, const Along& along, const std::v
         fmt::print("\n");
         for (const auto& special : branch.special) {
             const auto& c = special.cycle;
-            fmt::print("  {:<15} {} = {:.12f}  S {:>15.12f}  |multiplier| {:.9f}", kind_of(special), along.name, value(c),
-                       c.at.points.front().tail(1)[0], std::abs(c.multipliers.front()));
+            fmt::print("  {:<15} {} = {:.12f}  S {:>15.12f}  |multiplier| {:.9f}", kind_of(special), along.name,
+                       value(c), c.at.points.front().tail(1)[0], std::abs(c.multipliers.front()));
             if (!special.located) fmt::print("  not located: between two points of the branch");
             if (special.normal_form && special.kind != analysis::SpecialKind::fold)
                 fmt::print("  {}", special.normal_form->supercritical ? "supercritical" : "subcritical");

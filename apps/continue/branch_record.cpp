@@ -54,7 +54,8 @@ struct Columns {
         group.write<std::int64_t>("period", by_row, period, {"1", "k", {}});
         group.write<std::int64_t>("stable", by_row, stable, {"1", "1: no multiplier outside the unit circle", {}});
         group.write<std::int64_t>("index", by_row, index, {"1", "multipliers outside the unit circle", {}});
-        group.write<double>("parameter", by_row, parameter, {"1", "value of the parameter named by settings: along", {}});
+        group.write<double>("parameter", by_row, parameter,
+                            {"1", "value of the parameter named by settings: along", {}});
         group.write<double>("mean_S", by_row, mean, {"omega_s", "time mean of S", {}});
         group.write<double>("return_time", by_row, time, {"1/omega_s", "sum of the flights", {}});
         group.write<double>("largest_multiplier", by_row, largest, {"1", "modulus", {}});
@@ -77,7 +78,8 @@ struct SpecialColumns {
         word_after.push_back(border ? text_of(s.word_after) : "");
         located.push_back(s.located ? 1 : 0);
         goes_on.push_back(s.goes_on ? 1 : 0);
-        const auto form = s.normal_form.value_or(analysis::NormalForm{{nothing, nothing}, {nothing, nothing}, nothing, false});
+        const auto form =
+            s.normal_form.value_or(analysis::NormalForm{{nothing, nothing}, {nothing, nothing}, nothing, false});
         const bool tells = s.normal_form && s.kind != analysis::SpecialKind::fold;
         supercritical.push_back(tells ? (form.supercritical ? 1 : 0) : -1);
         parameter_re.push_back(form.parameter.real());
@@ -121,7 +123,8 @@ void write_ends(const RecordGroup& root, const std::vector<analysis::Branch>& br
     group.write_strings("ends", {"branch"}, ends);
     group.write_strings("word", {"branch"}, word);
     group.write<std::int64_t>("switched_from", {"branch"}, parent, {"1", "a branch; -1: none", {}});
-    group.write<std::int64_t>("switched_at", {"branch"}, parent_special, {"1", "that branch's special point; -1: none", {}});
+    group.write<std::int64_t>("switched_at", {"branch"}, parent_special,
+                              {"1", "that branch's special point; -1: none", {}});
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& 
         for (std::size_t b = begin; b < end; ++b) {
             for (std::size_t s = 0; s < branches[b].special.size() && !is_interrupted(); ++s) {
                 const auto special = branches[b].special[s];
-                if (special.kind != analysis::SpecialKind::flip && special.kind != analysis::SpecialKind::branch_point) continue;
+                if (special.kind != analysis::SpecialKind::flip && special.kind != analysis::SpecialKind::branch_point)
+                    continue;
                 if (special.kind == analysis::SpecialKind::flip && branches[b].parent >= 0 &&
                     branches[static_cast<std::size_t>(branches[b].parent)].period() == 2 * branches[b].period())
                     continue;

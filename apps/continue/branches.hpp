@@ -20,14 +20,14 @@ SceneBranches scene_branches(const Scene<double>& scene, const Along& along);
 /// The scene's value of the parameter; a family's is not needed.
 double value_of(const Scene<double>& scene, const Along& along);
 
-/// The name of a border from the last cycle before it and the word behind it: "stick-slip", "two-vertices", "grazing", "landing" (contact that
-/// lasts begins or ends), or "border" where none of these is seen there.
+/// The name of a border from the last cycle before it and the word behind it: "stick-slip", "two-vertices", "grazing",
+/// "landing" (contact that lasts begins or ends), or "border" where none of these is seen there.
 std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
                         const std::vector<std::int64_t>& word_after, bool goes_on);
 
 /// Second and third derivatives of Fᵏ by differences of DF in 113 bits.
-analysis::HigherForms scene_forms(const Scene<double>& scene, Parameter parameter,
-                                  const analysis::CyclePoints& points, double p);
+analysis::HigherForms scene_forms(const Scene<double>& scene, Parameter parameter, const analysis::CyclePoints& points,
+                                  double p);
 
 /// What a special point is called: its kind, or the border's name.
 std::string kind_of(const analysis::SpecialPoint& special);

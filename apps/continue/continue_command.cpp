@@ -32,13 +32,15 @@ void ContinueOptions::add_to(CLI::App& command) {
     scene.add_to(command);
     output.add_to(command);
     command.add_option("--from", from, "psi,chi,vn,vt,S near a point of the cycle (a disk drops chi)")->type_name("");
-    command.add_option("--along", along, "NAME=A:B: alpha, beta, mu, restitution, inertia-factor; S or tau for a family")
+    command
+        .add_option("--along", along, "NAME=A:B: alpha, beta, mu, restitution, inertia-factor; S or tau for a family")
         ->type_name("");
     command.add_option("--period", period, "of the cycle (default 1)")->type_name("K")->check(CLI::Range(1, 256));
-    command.add_option("--switch", switches, "how many flips and branch points to switch at one after another (default 1)")
-        ->type_name("DEPTH")->check(CLI::Range(0, 16));
-    command.add_option("--longest-step", longest_step, "along the branch, 1e-6 to 1 (default 0.02)")
-        ->type_name("H");
+    command
+        .add_option("--switch", switches, "how many flips and branch points to switch at one after another (default 1)")
+        ->type_name("DEPTH")
+        ->check(CLI::Range(0, 16));
+    command.add_option("--longest-step", longest_step, "along the branch, 1e-6 to 1 (default 0.02)")->type_name("H");
 }
 
 namespace {
@@ -67,8 +69,11 @@ bool lies_on_curve(const Scene<double>& scene, const Along& along, const analysi
 }
 
 Settings settings_of(const ContinueOptions& options) {
-    return {{"from", options.from}, {"along", along_from(options.along, false, true).name}, {"range", options.along},
-            {"period", std::int64_t{options.period}}, {"switch", std::int64_t{options.switches}},
+    return {{"from", options.from},
+            {"along", along_from(options.along, false, true).name},
+            {"range", options.along},
+            {"period", std::int64_t{options.period}},
+            {"switch", std::int64_t{options.switches}},
             {"longest_step", options.longest_step}};
 }
 
@@ -100,19 +105,20 @@ int continue_orbit(ContinueOptions& options) {
     SceneBranches system = scene_branches(scene, along);
     const double p = value_of(scene, along);
     if (along.parameter && (p < along.low || p > along.high))
-        throw BadInput(fmt::format("{} = {:g} of the scene is outside the range of --along: {:g} to {:g}", along.name, p,
-                                   along.low, along.high));
+        throw BadInput(fmt::format("{} = {:g} of the scene is outside the range of --along: {:g} to {:g}", along.name,
+                                   p, along.low, along.high));
     system.options.longest_step = options.longest_step;
     system.options.first_step = std::min(1e-3, options.longest_step);
     auto cycle = cycle_from(options, scene, system.map, p);
     if (!cycle.empty() && !lies_on_curve(scene, along, cycle)) {
-        fmt::print(stderr, "swirl: the cycle is {}\n", along.parameter
-                   ? "a member of a family: follow it by --along S=A:B or tau=A:B"
-                   : "not a member of a family of one parameter: --along a parameter of the scene");
+        fmt::print(stderr, "swirl: the cycle is {}\n",
+                   along.parameter ? "a member of a family: follow it by --along S=A:B or tau=A:B"
+                                   : "not a member of a family of one parameter: --along a parameter of the scene");
         cycle.clear();
     }
     std::optional<RecordWriter> record;
-    if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Branches of cycles of a swirled polygon"));
+    if (!options.output.record.empty())
+        record.emplace(open_record(options.output.record, "Branches of cycles of a swirled polygon"));
     note_interruptions();
     std::vector<analysis::Branch> branches(1);
     Progress progress("continue", along.high - along.low, options.output.quiet);
@@ -126,9 +132,12 @@ int continue_orbit(ContinueOptions& options) {
         write_branches(record->root(), system, branches);
         record->finish();
     }
-    if (options.output.json) write_document(options, scene, system, branches);
-    else if (!options.output.quiet && branches.empty()) fmt::print("no cycle of period {} was found from --from\n", options.period);
-    else if (!options.output.quiet) print_branches(system, along, branches);
+    if (options.output.json)
+        write_document(options, scene, system, branches);
+    else if (!options.output.quiet && branches.empty())
+        fmt::print("no cycle of period {} was found from --from\n", options.period);
+    else if (!options.output.quiet)
+        print_branches(system, along, branches);
     if (is_interrupted()) return exit_interrupted;
     return branches.empty() ? exit_numerical_ending : exit_done;
 }

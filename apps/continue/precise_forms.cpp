@@ -29,8 +29,8 @@ bool derivative_of(const CollisionMap<Quad, shape, rule>& map, State z, std::siz
 
 }  // namespace
 
-analysis::HigherForms scene_forms(const Scene<double>& scene, Parameter parameter,
-                                  const analysis::CyclePoints& points, double p) {
+analysis::HigherForms scene_forms(const Scene<double>& scene, Parameter parameter, const analysis::CyclePoints& points,
+                                  double p) {
     const std::size_t k = points.size();
     return analysis::difference_forms<Quad>(
         [scene, parameter, k](const State& z, const Quad& value, Square& product) {

@@ -20,7 +20,9 @@ namespace swirl::apps {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -34,8 +36,9 @@ std::string content_of(const std::string& name) {
         throw BadInput(fmt::format("series '{}' is a directory; a text file is needed", name));
     using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
     const bool standard_input = name == "-";
-    const File file(standard_input ? stdin : std::fopen(name.c_str(), "rb"),
-                    standard_input ? [](std::FILE*) { return 0; } : [](std::FILE* f) { return std::fclose(f); });
+    const File file(
+        standard_input ? stdin : std::fopen(name.c_str(), "rb"),
+        standard_input ? [](std::FILE*) { return 0; } : [](std::FILE* f) { return std::fclose(f); });
     if (!file) throw BadInput(fmt::format("series '{}' cannot be opened: {}", name, std::strerror(errno)));
     std::string content;
     char buffer[65536];
@@ -44,8 +47,10 @@ std::string content_of(const std::string& name) {
     if (std::ferror(file.get()) != 0)
         throw BadInput(fmt::format("series '{}' cannot be read: {}", name, std::strerror(errno)));
     if (content.find('\0') != std::string::npos)
-        throw BadInput(fmt::format("series '{}' is not a text file: it holds a zero byte (a record of swirl is given "
-                                   "without --series)", name));
+        throw BadInput(
+            fmt::format("series '{}' is not a text file: it holds a zero byte (a record of swirl is given "
+                        "without --series)",
+                        name));
     return content;
 }
 
@@ -123,15 +128,20 @@ std::vector<std::string> cells_of(const std::string& line, char separator) {
             if (trimmed(std::string_view(cell).substr(kept)).empty()) cell.resize(kept);
             quoted = true;
             for (++i; i < text.size(); ++i) {
-                if (text[i] == '"' && i + 1 < text.size() && text[i + 1] == '"') cell += text[++i];
-                else if (text[i] == '"') break;
-                else cell += text[i];
+                if (text[i] == '"' && i + 1 < text.size() && text[i + 1] == '"')
+                    cell += text[++i];
+                else if (text[i] == '"')
+                    break;
+                else
+                    cell += text[i];
             }
             if (i < text.size()) ++i;
             kept = cell.size();
         }
-        if (!quoted) cell = std::string(trimmed(cell));
-        else if (trimmed(std::string_view(cell).substr(kept)).empty()) cell.resize(kept);
+        if (!quoted)
+            cell = std::string(trimmed(cell));
+        else if (trimmed(std::string_view(cell).substr(kept)).empty())
+            cell.resize(kept);
         cells.push_back(std::move(cell));
         if (i >= text.size()) return cells;
         ++i;
@@ -207,7 +217,8 @@ std::vector<std::vector<double>> numbers_of(const DelimitedFile& file, const std
             const std::string& cell = cells[wanted[k]];
             const auto number = number_in(cell);
             if (!number && !(gaps[k] && is_missing(cell)))
-                throw BadInput(at_line(file, row,
+                throw BadInput(at_line(
+                    file, row,
                     fmt::format("'{}' in column {} is not a number; a finite decimal number is needed{}", shown(cell),
                                 column_name(file, wanted[k]), gaps[k] ? ", or nothing, nan or NA for a gap" : "")));
             columns[k].push_back(number.value_or(std::nan("")));

@@ -16,14 +16,14 @@ namespace swirl::apps {
 /// The rows of a file as text, and where each came from.
 struct DelimitedFile {
     struct Row {
-        std::size_t line;               ///< number in the file, from 1
-        std::string text;               ///< the whole line
+        std::size_t line;  ///< number in the file, from 1
+        std::string text;  ///< the whole line
     };
-    std::string name;                   ///< as the user gave it; "-" is standard input
-    char separator = ' ';               ///< '\t', ';', ',' or ' ' (any number of blanks)
-    std::vector<std::string> header;    ///< empty: none
+    std::string name;                 ///< as the user gave it; "-" is standard input
+    char separator = ' ';             ///< '\t', ';', ',' or ' ' (any number of blanks)
+    std::vector<std::string> header;  ///< empty: none
     std::size_t columns = 0;
-    std::vector<Row> rows;              ///< without the header
+    std::vector<Row> rows;  ///< without the header
 };
 
 /// Reads a file; "-" reads standard input.

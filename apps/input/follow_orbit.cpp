@@ -38,7 +38,7 @@ void follow(Orbit<Map>& orbit, const ImpactRange& range, bool quiet, StretchCutt
     columns.impacts = orbit.impacts();
     // The last impact that was asked for may be the one that ends the orbit: nothing is missing then.
     columns.outcome = columns.impacts == limit ? "completed"
-                    : is_interrupted()         ? "interrupted"
+                      : is_interrupted()       ? "interrupted"
                                                : std::string(name_of(orbit.outcome()));
 }
 
@@ -62,7 +62,9 @@ void follow_in(const SceneOptions& scene_options, const StartOptions& start_opti
 
 }  // namespace
 
-std::string column_of_observable(const std::string& observable) { return observable == "S" ? "spin" : observable; }
+std::string column_of_observable(const std::string& observable) {
+    return observable == "S" ? "spin" : observable;
+}
 
 double period_of(const std::string& column) {
     return column == "psi" || column == "chi" || column == "angle" ? 2 * pi<double>() : 0;
@@ -100,7 +102,9 @@ OrbitColumns follow_orbit(const SceneOptions& scene_options, const StartOptions&
         case Accuracy::extended:
             follow_in<long double>(scene_options, start_options, range, output.quiet, columns);
             break;
-        case Accuracy::quad: follow_in<Quad>(scene_options, start_options, range, output.quiet, columns); break;
+        case Accuracy::quad:
+            follow_in<Quad>(scene_options, start_options, range, output.quiet, columns);
+            break;
     }
     return columns;
 }

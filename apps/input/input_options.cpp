@@ -20,21 +20,29 @@ void InputOptions::add_to(CLI::App& command) {
     start.add_to(command);
     const auto counts = CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000});
     command.add_option("RECORD,--record", record, "a record that swirl simulate -o wrote")
-        ->type_name("FILE.h5")->group("Input");
+        ->type_name("FILE.h5")
+        ->group("Input");
     command.add_option("--series", series.file, "a measured series, text; - reads standard input")
-        ->type_name("FILE.csv")->group("Input");
+        ->type_name("FILE.csv")
+        ->group("Input");
     command.add_option("--column", series.column, "the series' values: name or number of the column")
-        ->type_name("NAME")->group("Input");
+        ->type_name("NAME")
+        ->group("Input");
     command.add_option("--time", series.time, "the series' times: name or number of the column, or none")
-        ->type_name("NAME")->group("Input");
+        ->type_name("NAME")
+        ->group("Input");
     command
         .add_option("--spacing", series.spacing, "time between samples where there is no column of times (default 1)")
         ->type_name("DT")
         ->group("Input");
     command.add_option("--transient", transient, "impacts (samples) left out first (scene: 10000, else 0)")
-        ->type_name("K")->check(counts)->group("Input");
+        ->type_name("K")
+        ->check(counts)
+        ->group("Input");
     command.add_option("--collisions", collisions, "impacts (samples) taken then (scene: 10000, else all)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}))->group("Input");
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}))
+        ->group("Input");
 }
 
 InputKind InputOptions::kind() const {
@@ -90,9 +98,14 @@ void write_orbit(const RecordGroup& root, const OrbitColumns& orbit) {
 }
 
 Settings series_settings(const MeasuredSeries& s) {
-    return {{"column", s.column}, {"time", s.time}, {"samples", static_cast<std::int64_t>(s.values.size())},
-            {"missing", static_cast<std::int64_t>(s.missing)}, {"even", s.even}, {"spacing", s.spacing},
-            {"largest_step", s.largest_step}, {"largest_deviation", s.largest_deviation}};
+    return {{"column", s.column},
+            {"time", s.time},
+            {"samples", static_cast<std::int64_t>(s.values.size())},
+            {"missing", static_cast<std::int64_t>(s.missing)},
+            {"even", s.even},
+            {"spacing", s.spacing},
+            {"largest_step", s.largest_step},
+            {"largest_deviation", s.largest_deviation}};
 }
 
 bool is_series_record(const std::string& file) {

@@ -26,7 +26,9 @@ bool names_time(const std::string& name) {
     return false;
 }
 
-bool names_spin(const std::string& name) { return name == "S" || name == "spin"; }
+bool names_spin(const std::string& name) {
+    return name == "S" || name == "spin";
+}
 
 std::optional<std::size_t> time_column(const DelimitedFile& file, const std::string& wanted) {
     if (wanted == "none" && std::find(file.header.begin(), file.header.end(), wanted) == file.header.end())
@@ -49,18 +51,20 @@ std::size_t value_column(const DelimitedFile& file, const std::string& wanted, s
 void require_rising(const DelimitedFile& file, const std::vector<double>& times, const std::string& column) {
     for (std::size_t i = 1; i < times.size(); ++i)
         if (!(times[i] > times[i - 1]))
-            throw BadInput(at_line(file, i, fmt::format(
-                "time {:.17g} {} {:.17g} of line {}; times must rise (--time NAME says which column they are, now {}; "
-                "--time none: no column)", times[i], times[i] == times[i - 1] ? "repeats" : "falls behind",
-                times[i - 1], file.rows[i - 1].line, column)));
+            throw BadInput(at_line(file, i,
+                                   fmt::format("time {:.17g} {} {:.17g} of line {}; times must rise (--time NAME says "
+                                               "which column they are, now {}; "
+                                               "--time none: no column)",
+                                               times[i], times[i] == times[i - 1] ? "repeats" : "falls behind",
+                                               times[i - 1], file.rows[i - 1].line, column)));
 }
 
 void require_not_too_large(const DelimitedFile& file, const std::vector<double>& column, const std::string& name) {
     for (std::size_t i = 0; i < column.size(); ++i)
         if (std::abs(column[i]) > detail::largest_magnitude)
-            throw BadInput(at_line(file, i, fmt::format("{:g} in column {} is outside its range: -{:g} to {:g}",
-                                                        column[i], name, detail::largest_magnitude,
-                                                        detail::largest_magnitude)));
+            throw BadInput(at_line(file, i,
+                                   fmt::format("{:g} in column {} is outside its range: -{:g} to {:g}", column[i], name,
+                                               detail::largest_magnitude, detail::largest_magnitude)));
 }
 
 /// Counts what is missing and looks at the times. @throws BadInput with fewer than two values, or none whose square can
@@ -73,9 +77,10 @@ void describe(MeasuredSeries& series) {
         largest = std::max(largest, std::isnan(v) ? 0 : std::abs(v));
     }
     if (!detail::is_holdable(largest))
-        throw BadInput(fmt::format("series: the largest value of column {}, {:g}, is outside its range: 0, or {:g} to "
-                                   "{:g}", series.column, largest, detail::smallest_magnitude,
-                                   detail::largest_magnitude));
+        throw BadInput(
+            fmt::format("series: the largest value of column {}, {:g}, is outside its range: 0, or {:g} to "
+                        "{:g}",
+                        series.column, largest, detail::smallest_magnitude, detail::largest_magnitude));
     if (series.values.size() - series.missing < 2)
         throw BadInput(fmt::format("series: column {} has {} values; at least 2 are needed", series.column,
                                    series.values.size() - series.missing));

@@ -16,14 +16,14 @@ struct SeriesChoice {
 };
 
 struct MeasuredSeries {
-    std::string column;          ///< its name, or its number from 1 on
-    std::string time;            ///< of the column of times; empty: none
-    std::vector<double> values;  ///< NaN: missing
-    std::vector<double> times;   ///< rising
-    std::size_t missing = 0;     ///< samples that are NaN
-    bool even = true;            ///< times lie on an even grid, see `largest_deviation`
-    double spacing = 1;          ///< mean distance of the times
-    double largest_step = 1;     ///< between neighbouring rows
+    std::string column;            ///< its name, or its number from 1 on
+    std::string time;              ///< of the column of times; empty: none
+    std::vector<double> values;    ///< NaN: missing
+    std::vector<double> times;     ///< rising
+    std::size_t missing = 0;       ///< samples that are NaN
+    bool even = true;              ///< times lie on an even grid, see `largest_deviation`
+    double spacing = 1;            ///< mean distance of the times
+    double largest_step = 1;       ///< between neighbouring rows
     double largest_deviation = 0;  ///< of a time from the even grid, in spacings; up to even_within counts as even
 };
 

@@ -48,8 +48,8 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
     OrbitColumns columns;
     columns.scene = in_order(attributes_of(record, "/scene"),
                              {"sides", "alpha", "beta", "mu", "restitution", "law", "inertia_factor"});
-    columns.start = in_order(attributes_of(record, "/start"), {"speed", "seed", "x", "y", "vx", "vy", "angle", "spin",
-                                                               "psi", "chi", "vn", "vt", "S"});
+    columns.start = in_order(attributes_of(record, "/start"),
+                             {"speed", "seed", "x", "y", "vx", "vy", "angle", "spin", "psi", "chi", "vn", "vt", "S"});
     columns.units = in_order(attributes_of(record, "/units"), {"length", "time", "mass"});
     columns.beta = setting<double>(columns.scene, "beta", 0);
     columns.disk = setting<std::string>(columns.scene, "sides", "") == "disk";
@@ -76,8 +76,8 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
                                        range.transient + std::max<std::int64_t>(range.collisions, 1)));
         const std::int64_t count = range.collisions < 0 ? left : range.collisions;
         columns.range.collisions = count;
-        columns.values.push_back(record.read<double>(path, {{static_cast<std::uint64_t>(range.transient)},
-                                                            {static_cast<std::uint64_t>(count)}}));
+        columns.values.push_back(record.read<double>(
+            path, {{static_cast<std::uint64_t>(range.transient)}, {static_cast<std::uint64_t>(count)}}));
     }
     return columns;
 }
@@ -96,11 +96,13 @@ void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptio
     for (const auto& [name, value] : record.scene)
         scene.set(name == "inertia_factor" ? "inertia-factor" : name, text_of(value));
     std::string point;
-    const bool on_section = std::any_of(record.start.begin(), record.start.end(),
-                                        [](const auto& entry) { return entry.first == "psi"; });
+    const bool on_section =
+        std::any_of(record.start.begin(), record.start.end(), [](const auto& entry) { return entry.first == "psi"; });
     for (const auto& [name, value] : record.start) {
-        if (on_section) point += (point.empty() ? "" : ",") + text_of(value);
-        else start.set(name, text_of(value));
+        if (on_section)
+            point += (point.empty() ? "" : ",") + text_of(value);
+        else
+            start.set(name, text_of(value));
     }
     if (on_section) start.set("point", point);
 }

@@ -25,17 +25,23 @@ void LyapunovCommandOptions::add_to(CLI::App& command) {
     start.add_to(command);
     output.add_to(command);
     command.add_option("--transient", transient, "impacts before those that count (default 10000)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
     command.add_option("--collisions", collisions, "impacts that count (default 100000)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
 }
 
 namespace {
 
 Settings result_of(const OrbitSpectrum& s) {
-    return {{"outcome", std::string(name_of(s.outcome))}, {"impacts", std::int64_t{s.impacts}},
-            {"steps", s.spectrum.steps}, {"time", s.spectrum.time}, {"sum", s.sum},
-            {"block_length", s.spectrum.block_length}, {"jacobi_residual", s.jacobi_residual}};
+    return {{"outcome", std::string(name_of(s.outcome))},
+            {"impacts", std::int64_t{s.impacts}},
+            {"steps", s.spectrum.steps},
+            {"time", s.spectrum.time},
+            {"sum", s.sum},
+            {"block_length", s.spectrum.block_length},
+            {"jacobi_residual", s.jacobi_residual}};
 }
 
 void write_list(JsonWriter& json, std::string_view key, const std::vector<double>& values) {
@@ -111,9 +117,8 @@ void print_table(const Scene<double>& scene, const OrbitSpectrum& s) {
     if (s.signs.empty()) return;
     fmt::print("  {:>16} {:>12} {:>16} {:>16}\n", "per collision", "std. error", "per time", "plain mean");
     for (std::size_t i = 0; i < s.signs.size(); ++i)
-        fmt::print("  {:>16.9g} {:>12.2g} {:>16.9g} {:>16.9g}  {}\n", s.exponents[i],
-                   s.spectrum.standard_errors[i], s.per_time[i], s.spectrum.exponents[i],
-                   analysis::name(s.signs[i].sign));
+        fmt::print("  {:>16.9g} {:>12.2g} {:>16.9g} {:>16.9g}  {}\n", s.exponents[i], s.spectrum.standard_errors[i],
+                   s.per_time[i], s.spectrum.exponents[i], analysis::name(s.signs[i].sign));
     fmt::print("  sum {:.9g}\n", s.sum);
     if (std::isfinite(s.jacobi_residual))
         fmt::print("  J is conserved: its gradient is carried along to {:.1e}\n", s.jacobi_residual);
@@ -159,11 +164,14 @@ int lyapunov(LyapunovCommandOptions& options) {
         record.emplace(open_record(options.output.record, "Lyapunov spectrum of a swirled polygon"));
     exit_when_interrupted();
     const OrbitSpectrum s = spectrum_of(scene, start, options.transient, options.collisions);
-    const Settings settings = {{"transient", options.transient}, {"collisions", options.collisions},
+    const Settings settings = {{"transient", options.transient},
+                               {"collisions", options.collisions},
                                {"accuracy", options.output.accuracy_name}};
     if (record) write_record(*record, options, scene, settings, s);
-    if (options.output.json) write_document(options, scene, settings, s);
-    else if (!options.output.quiet) print_table(scene, s);
+    if (options.output.json)
+        write_document(options, scene, settings, s);
+    else if (!options.output.quiet)
+        print_table(scene, s);
     return s.outcome == Outcome::completed ? exit_done : exit_numerical_ending;
 }
 

@@ -32,10 +32,10 @@ struct OrbitSpectrum {
     /// Per step: the weighted mean where both halves of the orbit agree on it to `regular_agreement` (fixed, periodic
     /// and quasi-periodic orbits, on which it converges faster than any power), the plain mean elsewhere.
     std::vector<double> exponents;
-    std::vector<double> per_time;               ///< the same per unit of time
-    double sum = std::nan("");                  ///< −∞ where a rank is lost; NaN without exponents
-    double jacobi_residual = 0;                 ///< ‖∇J(F(z)) DF − ∇J(z)‖ relative, NaN where J is not conserved
-    Outcome outcome = Outcome::completed;       ///< how following the orbit ended
+    std::vector<double> per_time;          ///< the same per unit of time
+    double sum = std::nan("");             ///< −∞ where a rank is lost; NaN without exponents
+    double jacobi_residual = 0;            ///< ‖∇J(F(z)) DF − ∇J(z)‖ relative, NaN where J is not conserved
+    Outcome outcome = Outcome::completed;  ///< how following the orbit ended
     long long impacts = 0;
 };
 

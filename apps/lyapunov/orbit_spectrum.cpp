@@ -22,8 +22,9 @@ typename System::State jacobi_gradient(const System& system, const typename Syst
         up[i] += h;
         down[i] -= h;
         const auto& body = system.map().body();
-        gradient[i] = (jacobi_of(body, launch_from(system.point_of(up))) -
-                       jacobi_of(body, launch_from(system.point_of(down)))) / (2 * h);
+        gradient[i] =
+            (jacobi_of(body, launch_from(system.point_of(up))) - jacobi_of(body, launch_from(system.point_of(down)))) /
+            (2 * h);
     }
     return gradient;
 }
@@ -72,8 +73,10 @@ OrbitSpectrum spectrum_of(const Scene<double>& scene, const Start<double>& start
             result.sum = std::accumulate(result.exponents.begin(), result.exponents.end(), 0.0);
         }
         if (scene.mu == 0 && scene.restitution == 1)
-            result.jacobi_residual = analysis::gradient_invariance(
-                system, z, [&](const auto& state) { return jacobi_gradient(system, state); }, 100).largest_residual;
+            result.jacobi_residual =
+                analysis::gradient_invariance(
+                    system, z, [&](const auto& state) { return jacobi_gradient(system, state); }, 100)
+                    .largest_residual;
         return result;
     });
 }

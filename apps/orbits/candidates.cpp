@@ -5,9 +5,9 @@
 #include "map/orbit.hpp"
 
 #include <Random123/philox.h>
+#include <fmt/format.h>
 #include <Random123/uniform.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,13 +46,15 @@ double longest_flight(const Scene<double>& scene) {
 
 constexpr double longest_tau = 200;
 
-double last_tau(const Scene<double>& scene) { return std::min(longest_flight(scene), longest_tau); }
+double last_tau(const Scene<double>& scene) {
+    return std::min(longest_flight(scene), longest_tau);
+}
 
 constexpr double tau_step = 0.05;
 constexpr double fastest_spin = 5;  // without friction S is free: that of what a user may see
 constexpr int least_j = -4, most_j = 8;
 constexpr std::size_t most_guesses = 1'000'000;
-constexpr std::size_t plenty = 300;     // of guesses: from then on only those that clear the wall are tried
+constexpr std::size_t plenty = 300;       // of guesses: from then on only those that clear the wall are tried
 constexpr std::size_t most_tried = 3000;  // of those that are guesses only, e < 1
 
 std::vector<SteadyGuess> guesses_on_grid(const Scene<double>& scene, bool no_slip) {
@@ -90,8 +92,8 @@ std::vector<SteadyGuess> guesses_of_polygon(const Scene<double>& scene) {
             std::uintmax_t most = 100;
             const auto gap = [&](double t) { return vertices_on(t) - j; };
             if (gap(begin) * gap(tau) > 0) continue;
-            const auto root = boost::math::tools::toms748_solve(
-                gap, begin, tau, boost::math::tools::eps_tolerance<double>(50), most);
+            const auto root =
+                boost::math::tools::toms748_solve(gap, begin, tau, boost::math::tools::eps_tolerance<double>(50), most);
             guesses.push_back({root.first, steady_point(scene, root.first, 1 - j / (turns * root.first))});
         }
         last = next;
@@ -131,7 +133,9 @@ Eigen::VectorXd random_section_point(const Scene<double>& scene, const Draws& dr
     return state_of(z, scene.is_disk());
 }
 
-bool stopped(const CandidateOptions& options) { return options.stop && options.stop(); }
+bool stopped(const CandidateOptions& options) {
+    return options.stop && options.stop();
+}
 
 /// k states after `skip` impacts from z; empty if the map ends.
 CyclePoints states_from(const analysis::ShootingMap& map, const Eigen::VectorXd& z, int skip, int k) {
@@ -139,7 +143,8 @@ CyclePoints states_from(const analysis::ShootingMap& map, const Eigen::VectorXd&
     return orbit.empty() ? orbit : CyclePoints(orbit.begin() + skip, orbit.end());
 }
 
-/// Guesses whose flight is that of the map: no other vertex in between, whatever e and the impact are. A microsecond each.
+/// Guesses whose flight is that of the map: no other vertex in between, whatever e and the impact are. A microsecond
+/// each.
 std::vector<CyclePoints> clearing(const Scene<double>& scene, const std::vector<SteadyGuess>& guesses) {
     constexpr double same_time = 1e-6;
     return with_collision_map(scene, [&](const auto& map) {
@@ -166,19 +171,23 @@ SteadyGuesses steady_guesses(const Scene<double>& scene) {
     SteadyGuesses guesses;
     const bool on_grid = scene.mu == 0 || scene.is_disk();
     const auto all = on_grid ? guesses_on_grid(scene, scene.mu > 0) : guesses_of_polygon(scene);
-    if (all.size() > plenty) guesses.points = clearing(scene, all);
-    else for (const auto& guess : all) guesses.points.push_back({guess.point});
+    if (all.size() > plenty)
+        guesses.points = clearing(scene, all);
+    else
+        for (const auto& guess : all) guesses.points.push_back({guess.point});
     if (scene.restitution < 1 && guesses.points.size() > most_tried) {
         guesses.limits.push_back(fmt::format("of {} steady modes of the elastic scene {} are tried as guesses",
                                              guesses.points.size(), most_tried));
         guesses.points = thinned(guesses.points, most_tried);
     }
     if (longest_flight(scene) > longest_tau)
-        guesses.limits.push_back(fmt::format("steady modes are sought up to tau = {:g}; there may be longer ones, up to {:g}",
-                                             longest_tau, longest_flight(scene)));
+        guesses.limits.push_back(
+            fmt::format("steady modes are sought up to tau = {:g}; there may be longer ones, up to {:g}", longest_tau,
+                        longest_flight(scene)));
     if (scene.mu == 0 && !scene.is_disk())
-        guesses.limits.push_back(fmt::format("without friction S is free: steady modes are sought for |S| <= {:g}, j = {} to {}",
-                                             fastest_spin, least_j, most_j));
+        guesses.limits.push_back(
+            fmt::format("without friction S is free: steady modes are sought for |S| <= {:g}, j = {} to {}",
+                        fastest_spin, least_j, most_j));
     if (all.size() >= most_guesses)
         guesses.limits.push_back(fmt::format("only the first {} steady modes are tried", most_guesses));
     return guesses;

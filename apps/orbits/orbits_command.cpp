@@ -31,17 +31,24 @@ void OrbitsOptions::add_to(CLI::App& command) {
     constexpr std::int64_t most = 100'000'000;
     scene.add_to(command);
     output.add_to(command);
-    command.add_option("--period", period, "cycles of this period (default 1)")->type_name("K")->check(CLI::Range(1, 256));
+    command.add_option("--period", period, "cycles of this period (default 1)")
+        ->type_name("K")
+        ->check(CLI::Range(1, 256));
     command.add_option("--max-period", max_period, "cycles of all periods up to this")
-        ->type_name("K")->check(CLI::Range(1, 256));
+        ->type_name("K")
+        ->check(CLI::Range(1, 256));
     command.add_option("--near", near, "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)")->type_name("");
-    command.add_option("--pin", pin, "S=VALUE or tau=VALUE: members of families with this S or return time")->type_name("");
+    command.add_option("--pin", pin, "S=VALUE or tau=VALUE: members of families with this S or return time")
+        ->type_name("");
     command.add_option("--starts", candidates.starts, "random section points per period (default 1500)")
-        ->type_name("R")->check(CLI::Range(std::int64_t{0}, most));
+        ->type_name("R")
+        ->check(CLI::Range(std::int64_t{0}, most));
     command.add_option("--trajectories", candidates.trajectories, "orbits searched for close returns (default 16)")
-        ->type_name("R")->check(CLI::Range(std::int64_t{0}, most));
+        ->type_name("R")
+        ->check(CLI::Range(std::int64_t{0}, most));
     command.add_option("--collisions", candidates.collisions, "impacts of each of them (default 2000)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{1}, most));
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{1}, most));
     add_seed(command, candidates.seed, "of the random starts (default 1)");
 }
 
@@ -53,8 +60,8 @@ std::pair<int, int> OrbitsOptions::periods() const {
 
 namespace {
 
-constexpr double accepted = 1e-11;    // residual of a cycle; those found end near 10⁻¹⁵
-constexpr double same_cycle = 1e-6;   // nearer ones are one
+constexpr double accepted = 1e-11;   // residual of a cycle; those found end near 10⁻¹⁵
+constexpr double same_cycle = 1e-6;  // nearer ones are one
 
 struct Pin {
     bool by_time = false;
@@ -81,7 +88,9 @@ double pinned_value(const analysis::CurvePoint& point, bool by_time) {
 void pin_families(const analysis::ShootingMap& map, const Pin& pin, FoundOrbits& found) {
     analysis::KnownCycles members(map, 0, 1e-7, false);
     for (const auto& cycle : found.cycles) {
-        if (cycle.tangents.cols() > 1) found.limits.push_back("a family of more than one parameter has no single member with that value: left out");
+        if (cycle.tangents.cols() > 1)
+            found.limits.push_back(
+                "a family of more than one parameter has no single member with that value: left out");
         if (cycle.tangents.cols() != 1) continue;
         const auto family = analysis::walk_family(map, 0, cycle);
         const auto value = [&](const analysis::CurvePoint& point) { return pinned_value(point, pin.by_time); };
@@ -100,14 +109,16 @@ std::string ends_early(const analysis::ShootingMap& map, const Eigen::VectorXd& 
 }
 
 /// How far a solution's cycle comes from a point; +∞ if none was found.
-double distance_of(const analysis::ShootingMap& map, const analysis::ShootingResult& shot, const Eigen::VectorXd& near) {
+double distance_of(const analysis::ShootingMap& map, const analysis::ShootingResult& shot,
+                   const Eigen::VectorXd& near) {
     double nearest = std::numeric_limits<double>::infinity();
     if (shot.converged)
         for (const auto& point : shot.points) nearest = std::min(nearest, map.distance(point, near));
     return nearest;
 }
 
-/// The nearer of the cycles that the map and the impacts' times lead to: near grazing the map's steps may lead far away.
+/// The nearer of the cycles that the map and the impacts' times lead to: near grazing the map's steps may lead far
+/// away.
 analysis::ShootingResult solve_near(const analysis::ShootingMap& map, const analysis::TimedMap& timed,
                                     const analysis::CyclePoints& guess) {
     const auto plain = analysis::solve_shooting(map, guess, 0, accepted);
@@ -157,7 +168,8 @@ FoundOrbits find_all(const OrbitsOptions& options, const Scene<double>& scene, c
     for (int k = first; k <= last && !found.interrupted; ++k) {
         const auto candidates = candidates_for(scene, map, k, trajectories, options.candidates);
         if (k == 1) found.limits = steady_guesses(scene).limits;
-        Progress progress(fmt::format("orbits of period {}", k), static_cast<double>(candidates.size()), options.output.quiet);
+        Progress progress(fmt::format("orbits of period {}", k), static_cast<double>(candidates.size()),
+                          options.output.quiet);
         analysis::SearchOptions search;
         search.period = k;
         search.accept = accepted;
@@ -206,15 +218,18 @@ int orbits(OrbitsOptions& options) {
     if (pin && !options.near.empty()) throw BadInput("--pin and --near are both given; give one");
     const auto map = scene_map(scene);
     std::optional<RecordWriter> record;
-    if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Cycles of a swirled polygon"));
+    if (!options.output.record.empty())
+        record.emplace(open_record(options.output.record, "Cycles of a swirled polygon"));
     note_interruptions();
     options.candidates.stop = is_interrupted;
     FoundOrbits found = options.near.empty() ? find_all(options, scene, map) : find_near(options, scene, map);
     if (pin) pin_families(map, *pin, found);
     found.interrupted = is_interrupted();
     if (record) write_orbits_record(*record, options, scene, found);
-    if (options.output.json) write_orbits_document(options, scene, found);
-    else if (!options.output.quiet) print_orbits(scene, found);
+    if (options.output.json)
+        write_orbits_document(options, scene, found);
+    else if (!options.output.quiet)
+        print_orbits(scene, found);
     if (found.interrupted) return exit_interrupted;
     return !options.near.empty() && found.cycles.empty() ? exit_numerical_ending : exit_done;
 }

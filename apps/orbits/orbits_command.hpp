@@ -34,12 +34,12 @@ struct FoundOrbits {
     std::vector<analysis::Cycle> cycles;
     std::int64_t tried = 0;
     std::int64_t converged = 0;
-    int iterations = 0;        ///< of the solution from --near
+    int iterations = 0;                                         ///< of the solution from --near
     double reached = std::numeric_limits<double>::quiet_NaN();  ///< residual that it reached; NaN: nothing to solve
     double distance = std::numeric_limits<double>::infinity();  ///< of the nearest point of a cycle from --near
-    std::vector<std::string> limits;  ///< what the search left out
+    std::vector<std::string> limits;                            ///< what the search left out
     bool interrupted = false;
-    bool none_exist = false;   ///< proven: every impact takes (map/scene.hpp, `only_loses`)
+    bool none_exist = false;  ///< proven: every impact takes (map/scene.hpp, `only_loses`)
 };
 
 /// A family's range over its members, worked out for families of one parameter.

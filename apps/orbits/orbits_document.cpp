@@ -54,15 +54,20 @@ void write_cycle(JsonWriter& json, const analysis::ShootingMap& map, const analy
     json.end_object();
 }
 
-constexpr const char* none_reason = "no cycle exists: with e < 1 every impact lowers J (without friction) or the energy (without swirl)";
+constexpr const char* none_reason =
+    "no cycle exists: with e < 1 every impact lowers J (without friction) or the energy (without swirl)";
 
 }  // namespace
 
 Settings orbits_settings(const OrbitsOptions& options) {
     const auto [first, last] = options.periods();
-    return {{"first_period", std::int64_t{first}}, {"last_period", std::int64_t{last}}, {"near", options.near},
-            {"pin", options.pin}, {"starts", options.candidates.starts},
-            {"trajectories", options.candidates.trajectories}, {"collisions", options.candidates.collisions},
+    return {{"first_period", std::int64_t{first}},
+            {"last_period", std::int64_t{last}},
+            {"near", options.near},
+            {"pin", options.pin},
+            {"starts", options.candidates.starts},
+            {"trajectories", options.candidates.trajectories},
+            {"collisions", options.candidates.collisions},
             {"seed", options.candidates.seed}};
 }
 
@@ -83,8 +88,10 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
         json.member("iterations", std::int64_t{found.iterations});
         json.member("residual", found.reached);
         json.key("distance");
-        if (found.cycles.empty()) json.null();
-        else json.value(found.distance);
+        if (found.cycles.empty())
+            json.null();
+        else
+            json.value(found.distance);
     }
     if (!found.limits.empty()) {
         json.key("limits");
@@ -108,12 +115,13 @@ void print_orbits(const Scene<double>& scene, const FoundOrbits& found) {
         fmt::print("  {}\n", found.none_exist ? none_reason : "no cycle found");
         return;
     }
-    fmt::print("  {:>6} {:>16} {:>16} {:>14} {:>9} {:>14}  stability\n", "period", "S", "mean S", "return time", "residual",
-               "|multiplier|");
+    fmt::print("  {:>6} {:>16} {:>16} {:>14} {:>9} {:>14}  stability\n", "period", "S", "mean S", "return time",
+               "residual", "|multiplier|");
     for (const auto& c : found.cycles)
         fmt::print("  {:>6} {:>16.12f} {:>16.12f} {:>14.10f} {:>9.1e} {:>14.10f}  {}{}\n", c.period(),
                    c.points.front().tail(1)[0], c.mean, c.return_time, c.residual, std::abs(c.multipliers.front()),
-                   analysis::name(c.stability), c.is_family() ? fmt::format(", a family of {}", c.tangents.cols()) : "");
+                   analysis::name(c.stability),
+                   c.is_family() ? fmt::format(", a family of {}", c.tangents.cols()) : "");
 }
 
 void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, const Scene<double>& scene,

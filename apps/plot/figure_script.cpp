@@ -51,8 +51,8 @@ std::filesystem::path figure_script() {
     if (is_file(installed)) return installed.lexically_normal();
     const auto source = std::filesystem::path(SWIRL_FIGURES_SOURCE) / script_name;
     if (is_file(source)) return source;
-    throw BadInput(fmt::format("{} is not where swirl was installed; set SWIRL_FIGURES to the folder that holds it",
-                               script_name));
+    throw BadInput(
+        fmt::format("{} is not where swirl was installed; set SWIRL_FIGURES to the folder that holds it", script_name));
 }
 
 void become_python(const std::filesystem::path& script, const std::vector<std::string>& arguments) {

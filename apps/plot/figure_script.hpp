@@ -11,7 +11,8 @@ namespace swirl::apps {
 /// this program; else in the source tree that the program was built from. @throws BadInput naming what to do
 std::filesystem::path figure_script();
 
-/// This process becomes Python running `script`, so exit codes and signals are the script's own. @throws BadInput if there is no such Python
+/// This process becomes Python running `script`, so exit codes and signals are the script's own. @throws BadInput if
+/// there is no such Python
 [[noreturn]] void become_python(const std::filesystem::path& script, const std::vector<std::string>& arguments);
 
 }  // namespace swirl::apps

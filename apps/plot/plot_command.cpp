@@ -32,7 +32,8 @@ Example:
 void PlotOptions::add_to(CLI::App& command) {
     command.add_option("record", record, "a record of another command")->type_name("RECORD.h5")->required();
     command.add_option("-o,--output", figure, "the figure to write: .png, .svg or .pdf")
-        ->type_name("FIGURE")->required();
+        ->type_name("FIGURE")
+        ->required();
     command.add_option("--kind", kind, "which figure, where there are several")->type_name("NAME");
     command.add_flag("--json", json, "one JSON document on standard output: figure, kind, record");
     command.add_flag("--quiet", quiet, "no messages");

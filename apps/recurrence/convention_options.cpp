@@ -12,11 +12,13 @@ void ConventionOptions::add_to(CLI::App& command) {
         command.add_option(flag, target, help)->type_name("NAME")->group("Conventions");
     };
     const auto number = [&](const char* flag, std::optional<int>& target, int least, const char* help) {
-        command.add_option(flag, target, help)->type_name("K")->check(CLI::Range(least, 1'000'000'000))
+        command.add_option(flag, target, help)
+            ->type_name("K")
+            ->check(CLI::Range(least, 1'000'000'000))
             ->group("Conventions");
     };
-    text("--convention", convention, fmt::format("as a package does: {}",
-                                                 fmt::join(analysis::recurrence::preset_names(), ", ")));
+    text("--convention", convention,
+         fmt::format("as a package does: {}", fmt::join(analysis::recurrence::preset_names(), ", ")));
     text("--norm", norm, "euclidean (default), maximum or manhattan");
     number("--theiler", theiler, 0, "leave out pairs less than W apart (default 1: the main diagonal; cross: 0)");
     number("--min-diagonal", min_diagonal, 1, "shortest diagonal line (default 2)");
@@ -52,8 +54,7 @@ analysis::recurrence::Settings ConventionOptions::settings() const {
 analysis::recurrence::Deviation ConventionOptions::deviation() const {
     std::string lower = convention;
     std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-    return lower == "pyunicorn" ? analysis::recurrence::Deviation::population
-                                : analysis::recurrence::Deviation::sample;
+    return lower == "pyunicorn" ? analysis::recurrence::Deviation::population : analysis::recurrence::Deviation::sample;
 }
 
 }  // namespace swirl::apps

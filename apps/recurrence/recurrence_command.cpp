@@ -28,11 +28,11 @@ namespace {
 void check_sizes(const RecurrenceOptions& options, int window, std::size_t rows, std::size_t columns) {
     const std::size_t longest = std::max(rows, columns), shortest = std::min(rows, columns);
     if (window > 0 && static_cast<std::size_t>(window) >= longest)
-        throw BadInput(fmt::format("theiler = {} leaves no pair of {} points; allowed: 0 to {}", window, longest,
-                                   longest - 1));
+        throw BadInput(
+            fmt::format("theiler = {} leaves no pair of {} points; allowed: 0 to {}", window, longest, longest - 1));
     if (options.image > shortest)
-        throw BadInput(fmt::format("--image = {} is outside its range: 1 to {}, the number of points", options.image,
-                                   shortest));
+        throw BadInput(
+            fmt::format("--image = {} is outside its range: 1 to {}, the number of points", options.image, shortest));
 }
 
 Quantification quantify(const RecurrenceOptions& options, const RecurrencePoints& points,
@@ -51,16 +51,18 @@ Quantification quantify(const RecurrenceOptions& options, const RecurrencePoints
     for (std::size_t k = 0; k < deltas.size(); ++k) {
         result.measures.push_back(recurrence::measures(result.lines[k], result.conventions));
         recurrence::RecurrenceRate rate;
-        if (!cross && result.conventions.strict) rate = recurrence::recurrence_rate(points.points, deltas[k], paper);
-        else if (!cross) rate = {result.lines[k].points, points.points.count, points.points.count};
+        if (!cross && result.conventions.strict)
+            rate = recurrence::recurrence_rate(points.points, deltas[k], paper);
+        else if (!cross)
+            rate = {result.lines[k].points, points.points.count, points.points.count};
         result.rc.push_back(cross ? std::nan("") : rate.with_diagonal());
         result.rc_without_diagonal.push_back(cross ? std::nan("") : rate.without_diagonal());
     }
     if (options.image > 0)
-        result.image = cross ? recurrence::cross_recurrence_image(points.points, cross->points, deltas.front(),
-                                                                  options.image, result.conventions)
-                             : recurrence::recurrence_image(points.points, deltas.front(), options.image,
-                                                            result.conventions);
+        result.image =
+            cross ? recurrence::cross_recurrence_image(points.points, cross->points, deltas.front(), options.image,
+                                                       result.conventions)
+                  : recurrence::recurrence_image(points.points, deltas.front(), options.image, result.conventions);
     return result;
 }
 
@@ -89,31 +91,42 @@ void RecurrenceOptions::add_to(CLI::App& command) {
     list("--threshold", thresholds, "D", "delta; several, separated by commas: one pass");
     list("--threshold-std", thresholds_std, "F", "delta in standard deviations of the observable (default 0.1)");
     list("--recurrence-rate", rates, "R", "the smallest delta that gives this recurrence rate");
-    command.add_option("--observable", observables,
-                       "of an orbit: S (default), psi, chi, vn, vt, x, y, ..., or a comma list of coordinates")
-        ->type_name("NAME")->group("Recurrence");
+    command
+        .add_option("--observable", observables,
+                    "of an orbit: S (default), psi, chi, vn, vt, x, y, ..., or a comma list of coordinates")
+        ->type_name("NAME")
+        ->group("Recurrence");
     const auto whole = CLI::Range(1, 1'000'000);
     command.add_option("--dimension", dimension, "of the delay embedding (default 1)")
-        ->type_name("M")->check(whole)->group("Recurrence");
+        ->type_name("M")
+        ->check(whole)
+        ->group("Recurrence");
     command.add_option("--delay", delay, "of the embedding, in points (default 1)")
-        ->type_name("L")->check(CLI::Range(1, 1'000'000'000))->group("Recurrence");
+        ->type_name("L")
+        ->check(CLI::Range(1, 1'000'000'000))
+        ->group("Recurrence");
     command.add_option("--period", period, "the measured series is an angle of this period (360, say)")
-        ->type_name("P")->group("Recurrence");
+        ->type_name("P")
+        ->group("Recurrence");
     command.add_option("--resample", resample, "make a measured series even: linear, this spacing; gaps stay")
-        ->type_name("DT")->group("Recurrence");
+        ->type_name("DT")
+        ->group("Recurrence");
     command.add_option("--cross", cross, "cross recurrence with another series, or another record")
-        ->type_name("FILE")->group("Recurrence");
+        ->type_name("FILE")
+        ->group("Recurrence");
     command.add_option("--cross-column", cross_column, "the second series' column (of --cross, or of --series)")
-        ->type_name("NAME")->group("Recurrence");
+        ->type_name("NAME")
+        ->group("Recurrence");
     command.add_option("--image", image, "the recurrence plot, down-sampled, into the record or the document")
-        ->type_name("PIXELS")->check(CLI::Range(1, 20'000))->group("Recurrence");
+        ->type_name("PIXELS")
+        ->check(CLI::Range(1, 20'000))
+        ->group("Recurrence");
 }
 
 int quantify_recurrence(RecurrenceOptions& options) {
     check_flags(options);
     std::optional<RecordWriter> record;
-    if (!options.output.record.empty())
-        record.emplace(open_record(options.output.record, "Recurrence quantification"));
+    if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Recurrence quantification"));
     const RecurrencePoints points = main_points(options);
     if (points.orbit && points.orbit->outcome == "interrupted" && is_interrupted()) return exit_interrupted;
     const std::optional<RecurrencePoints> cross = cross_points(options);
@@ -128,8 +141,10 @@ int quantify_recurrence(RecurrenceOptions& options) {
         write_record(record->root(), report);
         record->finish();
     }
-    if (options.output.json) write_json(report);
-    else if (!options.output.quiet) print_table(report);
+    if (options.output.json)
+        write_json(report);
+    else if (!options.output.quiet)
+        print_table(report);
     const bool cut = options.input.kind() == InputKind::scene && points.orbit->outcome != "completed";
     return cut ? exit_numerical_ending : exit_done;
 }

@@ -33,11 +33,11 @@ struct RecurrenceOptions {
     std::vector<std::string> thresholds, thresholds_std, rates;  ///< texts, each a number or a comma-separated list
     int dimension = 1;
     int delay = 1;
-    std::string period;        ///< of a measured angle
-    std::string resample;      ///< spacing; empty: as measured
-    std::string cross;         ///< file of the second series
+    std::string period;    ///< of a measured angle
+    std::string resample;  ///< spacing; empty: as measured
+    std::string cross;     ///< file of the second series
     std::string cross_column;
-    std::size_t image = 0;     ///< pixels; 0: none
+    std::size_t image = 0;  ///< pixels; 0: none
 
     void add_to(CLI::App& command);
 };

@@ -59,29 +59,37 @@ Settings settings_of(const RecurrenceReport& report) {
     const ImpactRange range = options.input.range();
     Settings settings;
     if (report.points.orbit) {
-        settings = {{"observable", options.observables}, {"every", report.points.orbit->every},
+        settings = {{"observable", options.observables},
+                    {"every", report.points.orbit->every},
                     {"accuracy", options.output.accuracy_name}};
     }
     settings.emplace_back("transient", range.transient);
     if (range.collisions >= 0) settings.emplace_back("collisions", range.collisions);
     const auto one_or_all = [&](const std::string& name, const std::vector<double>& values) {
-        if (values.size() == 1) settings.emplace_back(name, values.front());
-        else if (!values.empty()) settings.emplace_back(name, values);
+        if (values.size() == 1)
+            settings.emplace_back(name, values.front());
+        else if (!values.empty())
+            settings.emplace_back(name, values);
     };
     one_or_all("threshold", thresholds.delta);
     if (thresholds.kind != "threshold") one_or_all(thresholds.kind, thresholds.given);
     if (thresholds.floored) settings.emplace_back("threshold_is_rounding_floor", true);
     const bool cross = report.cross.has_value();
     const Settings rest = {
-        {"dimension", std::int64_t{options.dimension}}, {"delay", std::int64_t{options.delay}},
+        {"dimension", std::int64_t{options.dimension}},
+        {"delay", std::int64_t{options.delay}},
         {"norm", word_of(s.norm, norms)},
         {"theiler", std::int64_t{analysis::recurrence::theiler_window(s, cross)}},
-        {"min_diagonal", std::int64_t{s.min_diagonal}}, {"min_vertical", std::int64_t{s.min_vertical}},
-        {"strict", s.strict}, {"convention", options.conventions.convention.empty() ? "swirl"
-                                                                                   : options.conventions.convention},
-        {"rate_pairs", word_of(s.rate_pairs, pairs)}, {"recurrence_time", word_of(s.recurrence_time, times)},
-        {"triangles", word_of(s.triangles, triangle_choices)}, {"border_lines", word_of(s.border_lines, borders)},
-        {"logarithm", word_of(s.logarithm, logarithms)}, {"cross", cross},
+        {"min_diagonal", std::int64_t{s.min_diagonal}},
+        {"min_vertical", std::int64_t{s.min_vertical}},
+        {"strict", s.strict},
+        {"convention", options.conventions.convention.empty() ? "swirl" : options.conventions.convention},
+        {"rate_pairs", word_of(s.rate_pairs, pairs)},
+        {"recurrence_time", word_of(s.recurrence_time, times)},
+        {"triangles", word_of(s.triangles, triangle_choices)},
+        {"border_lines", word_of(s.border_lines, borders)},
+        {"logarithm", word_of(s.logarithm, logarithms)},
+        {"cross", cross},
         {"points", static_cast<std::int64_t>(report.points.points.count)},
         {"points_left_out", static_cast<std::int64_t>(report.points.left_out)}};
     settings.insert(settings.end(), rest.begin(), rest.end());

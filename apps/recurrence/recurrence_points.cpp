@@ -21,8 +21,8 @@ double positive(const char* option, const std::string& text) {
 }
 
 /// Delay vectors of a series with gaps: those that touch one are left out.
-recurrence::Points embed_around_gaps(const std::vector<double>& values, const RecurrenceOptions& options,
-                                     double period, std::size_t& left_out) {
+recurrence::Points embed_around_gaps(const std::vector<double>& values, const RecurrenceOptions& options, double period,
+                                     std::size_t& left_out) {
     const auto dimension = static_cast<std::size_t>(options.dimension);
     const std::size_t reach = (dimension - 1) * static_cast<std::size_t>(options.delay);
     std::vector<double> rows, row(dimension);
@@ -32,8 +32,10 @@ recurrence::Points embed_around_gaps(const std::vector<double>& values, const Re
             row[m] = values[i + m * static_cast<std::size_t>(options.delay)];
             whole = whole && !std::isnan(row[m]);
         }
-        if (whole) rows.insert(rows.end(), row.begin(), row.end());
-        else ++left_out;
+        if (whole)
+            rows.insert(rows.end(), row.begin(), row.end());
+        else
+            ++left_out;
     }
     if (rows.empty())
         throw BadInput(fmt::format("series: no {} samples at delay {} lie free of gaps", dimension, options.delay));
@@ -52,8 +54,10 @@ RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& optio
         how.spacing = positive("resample", options.resample);
         const auto even = analysis::resample(series.times, values, how);
         values = even.series.values;
-        result.resampled = {{"spacing", how.spacing}, {"interpolation", std::string(name(how.interpolation))},
-                            {"gap_factor", how.gap_factor}, {"gaps", static_cast<std::int64_t>(even.gaps)},
+        result.resampled = {{"spacing", how.spacing},
+                            {"interpolation", std::string(name(how.interpolation))},
+                            {"gap_factor", how.gap_factor},
+                            {"gaps", static_cast<std::int64_t>(even.gaps)},
                             {"missing_fraction", even.missing_fraction},
                             {"samples", static_cast<std::int64_t>(values.size())}};
     } else if (!series.even) {
@@ -78,8 +82,8 @@ RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& optio
 }
 
 RecurrencePoints points_of(OrbitColumns orbit, const RecurrenceOptions& options) {
-    for (const auto& [given, flag] : {std::pair(!options.resample.empty(), "resample"),
-                                      std::pair(!options.period.empty(), "period")})
+    for (const auto& [given, flag] :
+         {std::pair(!options.resample.empty(), "resample"), std::pair(!options.period.empty(), "period")})
         if (given) throw BadInput(fmt::format("--{} is a measured series'; an orbit's points are its impacts", flag));
     const std::size_t names = orbit.names.size();
     if (names > 1 && options.dimension > 1)
@@ -96,8 +100,8 @@ RecurrencePoints points_of(OrbitColumns orbit, const RecurrenceOptions& options)
         throw BadInput(fmt::format("orbit of {} impacts: dimension {} and delay {} need {} or more", count,
                                    options.dimension, options.delay, reach + 2));
     if (result.enough && names == 1) {
-        result.points = recurrence::embed_series(orbit.values[0], options.dimension, options.delay,
-                                                 period_of(orbit.names[0]));
+        result.points =
+            recurrence::embed_series(orbit.values[0], options.dimension, options.delay, period_of(orbit.names[0]));
     } else if (result.enough) {
         std::vector<double> rows(count * names), periods(names);
         for (std::size_t m = 0; m < names; ++m) {
@@ -159,8 +163,9 @@ std::optional<RecurrencePoints> cross_points(const RecurrenceOptions& options) {
     if (options.cross.empty() && options.cross_column.empty()) return std::nullopt;
     if (!options.cross.empty() && is_hdf5(options.cross)) {
         if (!options.cross_column.empty()) throw BadInput("--cross-column is a series'; --cross names a record");
-        return points_of(read_orbit(options.cross, {options.input.transient.value_or(0), -1},
-                                    observables_of(options.observables)), options);
+        return points_of(
+            read_orbit(options.cross, {options.input.transient.value_or(0), -1}, observables_of(options.observables)),
+            options);
     }
     InputOptions second = options.input;
     if (!options.cross.empty()) second.series.file = options.cross;
@@ -180,8 +185,7 @@ Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoint
     int kinds = 0;
     const auto take = [&](const char* option, const char* kind, const std::vector<std::string>& texts) {
         if (texts.empty()) return;
-        if (++kinds > 1)
-            throw BadInput("of --threshold, --threshold-std and --recurrence-rate only one can be given");
+        if (++kinds > 1) throw BadInput("of --threshold, --threshold-std and --recurrence-rate only one can be given");
         thresholds.kind = kind;
         thresholds.given = numbers_in(option, texts);
         const bool rate = thresholds.kind == "recurrence_rate";
@@ -203,8 +207,10 @@ Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoint
         const double deviation = recurrence::threshold_of_deviation(points.points, 1, options.conventions.deviation());
         thresholds.floored = deviation <= floor;
         if (thresholds.floored && points.measured)
-            throw BadInput(fmt::format("threshold-std: the series is constant (its standard deviation is {:g}); give "
-                                       "--threshold D", deviation));
+            throw BadInput(
+                fmt::format("threshold-std: the series is constant (its standard deviation is {:g}); give "
+                            "--threshold D",
+                            deviation));
         for (const double factor : thresholds.given)
             thresholds.delta.push_back(
                 thresholds.floored
@@ -215,9 +221,8 @@ Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoint
     if (thresholds.kind == "recurrence_rate" && cross)
         throw BadInput("recurrence-rate sets the threshold of one trajectory; a cross recurrence takes --threshold");
     for (const double value : thresholds.given)
-        thresholds.delta.push_back(thresholds.kind == "threshold"
-                                       ? value
-                                       : recurrence::threshold_of_rate(points.points, value, settings));
+        thresholds.delta.push_back(
+            thresholds.kind == "threshold" ? value : recurrence::threshold_of_rate(points.points, value, settings));
     return thresholds;
 }
 

@@ -13,13 +13,13 @@ namespace swirl::apps {
 /// Points with where they come from.
 struct RecurrencePoints {
     analysis::recurrence::Points points;
-    bool enough = true;          ///< false: the orbit ended too early for a pair of points
-    bool measured = false;       ///< a series: nothing is known of its rounding
-    std::size_t left_out = 0;    ///< points that embed across a gap
+    bool enough = true;        ///< false: the orbit ended too early for a pair of points
+    bool measured = false;     ///< a series: nothing is known of its rounding
+    std::size_t left_out = 0;  ///< points that embed across a gap
     std::vector<std::string> notes;
     std::optional<OrbitColumns> orbit;
     std::optional<MeasuredSeries> series;
-    Settings resampled;          ///< what --resample did; empty: nothing
+    Settings resampled;  ///< what --resample did; empty: nothing
 };
 
 /// "psi,chi" -> psi, chi. @throws BadInput for an empty name
@@ -35,7 +35,7 @@ std::optional<RecurrencePoints> cross_points(const RecurrenceOptions& options);
 
 /// The thresholds that the flags ask for. @throws BadInput for two kinds, a value out of range, a constant series
 struct Thresholds {
-    std::string kind;           ///< threshold, threshold_std or recurrence_rate
+    std::string kind;  ///< threshold, threshold_std or recurrence_rate
     std::vector<double> given;
     std::vector<double> delta;  ///< the distances they stand for
     bool floored = false;       ///< the observable is constant to rounding: the floor stands for --threshold-std

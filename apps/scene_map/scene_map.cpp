@@ -20,8 +20,7 @@ constexpr double solver_horizon = 50;
 /// A map and its system, which refers to it.
 template <Shape shape, ImpactRule rule>
 struct OwnedSystem {
-    explicit OwnedSystem(const CollisionMap<double, shape, rule>& m)
-        : map(m), system(map, solver_horizon) {}
+    explicit OwnedSystem(const CollisionMap<double, shape, rule>& m) : map(m), system(map, solver_horizon) {}
     CollisionMap<double, shape, rule> map;
     SectionSystem<shape, rule> system;
 };
@@ -60,11 +59,15 @@ analysis::ShootingStep step_of(const OwnedSystem<shape, rule>& owned, const Eige
 /// True if the parameter is within its range there.
 bool is_allowed(Parameter parameter, double value) {
     switch (parameter) {
-        case Parameter::alpha: return value > 0 && value < 1;
-        case Parameter::restitution: return value >= 0 && value <= 1;
-        case Parameter::inertia_factor: return value > 0 && detail::is_holdable(value);
+        case Parameter::alpha:
+            return value > 0 && value < 1;
+        case Parameter::restitution:
+            return value >= 0 && value <= 1;
+        case Parameter::inertia_factor:
+            return value > 0 && detail::is_holdable(value);
         case Parameter::beta:
-        case Parameter::mu: break;
+        case Parameter::mu:
+            break;
     }
     return value >= 0 && detail::is_holdable(value);
 }
@@ -126,7 +129,8 @@ AlongParameter<shape, rule> along_parameter(const CollisionMap<double, shape, ru
 
 analysis::ShootingMap scene_map(const Scene<double>& scene) {
     return with_collision_map(scene, [](const auto& map) {
-        auto owned = std::make_shared<OwnedSystem<std::decay_t<decltype(map)>::shape, std::decay_t<decltype(map)>::rule>>(map);
+        auto owned =
+            std::make_shared<OwnedSystem<std::decay_t<decltype(map)>::shape, std::decay_t<decltype(map)>::rule>>(map);
         analysis::ShootingMap result = analysis::shooting_map(owned->system);
         result.least_margin = least_approach;
         // The system must live as long as the step that refers to it.

@@ -9,7 +9,8 @@ namespace swirl::apps {
 
 /// The return map of one scene, coordinates (ψ, χ, v_n, v_t, S) or the disk's four; the observable is S, its integral
 /// ∫S dt. Through sustained contact of up to 50 time units as SectionSystem. It also ends at an impact with
-/// u_n < 10⁻⁶, its `least_margin`: rest on the wall is no cycle of impacts. @throws std::invalid_argument for a scene out of range
+/// u_n < 10⁻⁶, its `least_margin`: rest on the wall is no cycle of impacts. @throws std::invalid_argument for a scene
+/// out of range
 analysis::ShootingMap scene_map(const Scene<double>& scene);
 
 /// The same with a parameter, whose value in `scene` is not used. The map ends where the parameter leaves its range.

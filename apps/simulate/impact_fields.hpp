@@ -35,6 +35,8 @@ inline constexpr std::array<ImpactField, 17> impact_fields = {{
 }};
 
 /// A disk has no chi.
-inline bool belongs(const ImpactField& field, bool disk) { return !(disk && field.member == &ImpactRow::chi); }
+inline bool belongs(const ImpactField& field, bool disk) {
+    return !(disk && field.member == &ImpactRow::chi);
+}
 
 }  // namespace swirl::apps

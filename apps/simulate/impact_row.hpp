@@ -56,8 +56,8 @@ struct ContactRow {
     std::vector<int> vertices;  ///< one, or the two of an edge (clockwise first); a disk has 0
     std::string_view begin, end, motion;
     double mean_spin = 0, jacobi_friction = 0;
-    double landing_jacobi = 0; ///< what summing up chatter before it added to J
-    double landing_error = 0;  ///< what summing up chatter did to place and velocities before it (an estimate)
+    double landing_jacobi = 0;  ///< what summing up chatter before it added to J
+    double landing_error = 0;   ///< what summing up chatter did to place and velocities before it (an estimate)
 
     double turned() const { return mean_spin * (t_end - t_start); }
 };
@@ -69,10 +69,16 @@ std::vector<ContactRow> contact_rows(const Orbit<Map>& orbit, double t, int vert
     std::vector<ContactRow> rows;
     const auto& body = orbit.map().body();
     for (const ContactSegment& piece : orbit.contacts()) {
-        ContactRow row{t + piece.start, t + piece.end, {0}, name_of(piece.begin), name_of(piece.finish),
+        ContactRow row{t + piece.start,
+                       t + piece.end,
+                       {0},
+                       name_of(piece.begin),
+                       name_of(piece.finish),
                        name_of(piece.support, piece.motion),
-                       piece.end > piece.start ? piece.turned / (piece.end - piece.start) : piece.from.spin, piece.work,
-                       piece.landing_jacobi, piece.error};
+                       piece.end > piece.start ? piece.turned / (piece.end - piece.start) : piece.from.spin,
+                       piece.work,
+                       piece.landing_jacobi,
+                       piece.error};
         if (piece.support != Support::rim) row.vertices[0] = body.vertex_number(vertex + piece.vertex_step);
         if (piece.support == Support::edge) row.vertices.push_back(body.vertex_number(row.vertices[0] + 1));
         rows.push_back(row);

@@ -63,8 +63,8 @@ void JsonImpacts::finish() {
 }
 
 TableImpacts::TableImpacts(bool disk) : disk_(disk) {
-    fmt::print("{:>9} {:>14} {:>7} {:>10}{} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10} {:<12}\n", "impact", "t", "vertex",
-               "psi", disk ? "" : fmt::format(" {:>10}", "chi"), "vn", "vt", "S", "p", "q", "J", "mode");
+    fmt::print("{:>9} {:>14} {:>7} {:>10}{} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10} {:<12}\n", "impact", "t",
+               "vertex", "psi", disk ? "" : fmt::format(" {:>10}", "chi"), "vn", "vt", "S", "p", "q", "J", "mode");
 }
 
 void TableImpacts::add(const ImpactRow& row) {
@@ -106,12 +106,13 @@ RecordContacts::RecordContacts(RecordGroup group) {
     numbers_.push_back(group.column<double>("mean_S", along, {"omega_s", "time mean of S", {}}));
     numbers_.push_back(group.column<double>("jacobi_friction", along,
                                             {"m R_c^2 omega_s^2", "change of J by friction, int f (u_t - 1) dt", {}}));
-    numbers_.push_back(group.column<double>("landing_jacobi", along,
-                                            {"m R_c^2 omega_s^2", "change of J by the chatter summed up before it", {}}));
+    numbers_.push_back(group.column<double>(
+        "landing_jacobi", along, {"m R_c^2 omega_s^2", "change of J by the chatter summed up before it", {}}));
     numbers_.push_back(group.column<double>(
         "landing_error", along, {"1", "what summing up chatter did to place and velocities (an estimate)", {}}));
     vertices_.push_back(group.column<std::int32_t>("vertex", along, {"1", "vertex on the wall", {}}));
-    vertices_.push_back(group.column<std::int32_t>("second_vertex", along, {"1", "an edge's other vertex; -1: none", {}}));
+    vertices_.push_back(
+        group.column<std::int32_t>("second_vertex", along, {"1", "an edge's other vertex; -1: none", {}}));
     names_.push_back(group.column<std::uint8_t>("begin", along, {"1", "what began it", event_names()}));
     names_.push_back(group.column<std::uint8_t>("end", along, {"1", "what ended it", event_names()}));
     names_.push_back(group.column<std::uint8_t>("motion", along, {"1", "how the body moved", motion_names}));
@@ -119,8 +120,8 @@ RecordContacts::RecordContacts(RecordGroup group) {
 
 void RecordContacts::add(const ContactRow& row) {
     index_[0].append(++count_);
-    const double values[] = {row.t_start, row.t_end, row.mean_spin, row.jacobi_friction,
-                             row.landing_jacobi, row.landing_error};
+    const double values[] = {row.t_start,         row.t_end,          row.mean_spin,
+                             row.jacobi_friction, row.landing_jacobi, row.landing_error};
     for (std::size_t i = 0; i < numbers_.size(); ++i) numbers_[i].append(values[i]);
     vertices_[0].append(std::int32_t{row.vertices[0]});
     vertices_[1].append(std::int32_t{row.vertices.size() > 1 ? row.vertices[1] : -1});
@@ -135,8 +136,8 @@ RecordImpacts::RecordImpacts(RecordGroup group, bool disk) {
     index_.push_back(group.column<std::int64_t>("collision", {"collision"}, {"1", "number of the impact, from 1", {}}));
     for (const auto& field : impact_fields)
         if (belongs(field, disk))
-            numbers_.push_back({field.member, group.column<double>(field.name, {"collision"},
-                                                                   {field.units, field.long_name, {}})});
+            numbers_.push_back(
+                {field.member, group.column<double>(field.name, {"collision"}, {field.units, field.long_name, {}})});
     vertex_.push_back(group.column<std::int32_t>("vertex", {"collision"}, {"1", "vertex that struck", {}}));
     std::vector<std::string> modes;
     for (int mode = 0; mode <= static_cast<int>(ContactMode::r_reversed); ++mode)

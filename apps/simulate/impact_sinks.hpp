@@ -42,9 +42,9 @@ public:
     void add(const ContactRow& row);
 
 private:
-    std::vector<Column<double>> numbers_;        // t_start, t_end, mean_S, jacobi_friction, landing_jacobi, landing_error
+    std::vector<Column<double>> numbers_;  // t_start, t_end, mean_S, jacobi_friction, landing_jacobi, landing_error
     std::vector<Column<std::int32_t>> vertices_;  // first, second (−1: none)
-    std::vector<Column<std::uint8_t>> names_;    // begin, end, motion
+    std::vector<Column<std::uint8_t>> names_;     // begin, end, motion
     std::vector<Column<std::int64_t>> index_;
     std::int64_t count_ = 0;
 };

@@ -25,7 +25,8 @@ class Sampler {
 public:
     explicit Sampler(double step) : step_(step) {}
 
-    /// Hands on the samples of these stretches (the first ones, or those that follow the last ones taken) up to `until`.
+    /// Hands on the samples of these stretches (the first ones, or those that follow the last ones taken) up to
+    /// `until`.
     template <class Use>
     void take(const ContactScene& scene, std::span<const Stretch> stretches, double until, const Use& use) {
         for (const Stretch& stretch : stretches)

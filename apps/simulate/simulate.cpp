@@ -40,8 +40,7 @@ public:
             json_.emplace(*json, scene.is_disk());
             if (options.sample) json_samples_.emplace(*json);
         }
-        if (json == nullptr && record == nullptr && !options.output.quiet)
-            table_.emplace(scene.is_disk());
+        if (json == nullptr && record == nullptr && !options.output.quiet) table_.emplace(scene.is_disk());
     }
 
     void add(const ImpactRow& row) {
@@ -168,7 +167,7 @@ Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, double spin, Sa
         if (!struck || beyond) {
             count.stand(contacts);
             const bool stood = orbit.outcome() == Outcome::in_contact && count.time() >= until * (1 - 1e-12);
-            return count.end(is_interrupted() ? "interrupted"
+            return count.end(is_interrupted()  ? "interrupted"
                              : beyond || stood ? "completed"
                                                : name_of(orbit.outcome()));
         }
@@ -212,12 +211,13 @@ void check_limits(const SimulateOptions& options) {
     if (options.time && !(*options.time > 0 && std::isfinite(*options.time)))
         throw BadInput(fmt::format("time = {} is outside its range: time > 0, finite", *options.time));
     if (options.sample && !(*options.sample >= least_sample_step && std::isfinite(*options.sample)))
-        throw BadInput(fmt::format("sample = {} is outside its range: {:g} or more, finite", *options.sample,
-                                   least_sample_step));
+        throw BadInput(
+            fmt::format("sample = {} is outside its range: {:g} or more, finite", *options.sample, least_sample_step));
     if (options.sample && !options.output.json && options.output.record.empty())
         throw BadInput("--sample goes into a document or a record: give --json or -o FILE.h5");
     if (!options.time && options.skip >= options.limit())
-        throw BadInput(fmt::format("skip = {} leaves nothing of {} collisions: give less", options.skip, options.limit()));
+        throw BadInput(
+            fmt::format("skip = {} leaves nothing of {} collisions: give less", options.skip, options.limit()));
 }
 
 }  // namespace
@@ -227,14 +227,18 @@ void SimulateOptions::add_to(CLI::App& command) {
     start.add_to(command);
     output.add_to(command);
     command.add_option("--collisions", collisions, "follow K impacts (default 100)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
     command.add_option("--time", time, "follow until time T, in 1/omega_s")->type_name("T");
     command.add_option("--skip", skip, "leave out the first K impacts")
-        ->type_name("K")->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}));
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}));
     command.add_option("--every", every, "list every K-th impact (default 1)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
-    command.add_option("--sample", sample,
-                       "also x, y, angle and S at the multiples of DT, in flight and in contact: `samples`")
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
+    command
+        .add_option("--sample", sample,
+                    "also x, y, angle and S at the multiples of DT, in flight and in contact: `samples`")
         ->type_name("DT");
 }
 
@@ -248,7 +252,8 @@ int simulate(SimulateOptions& options) {
     note_interruptions();
 
     std::optional<RecordWriter> record;
-    if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Orbit of a swirled polygon"));
+    if (!options.output.record.empty())
+        record.emplace(open_record(options.output.record, "Orbit of a swirled polygon"));
     std::optional<JsonWriter> json;
     if (options.output.json) {
         json.emplace(stdout);
@@ -259,11 +264,11 @@ int simulate(SimulateOptions& options) {
     }
     Sinks sinks(options, scene, record ? &*record : nullptr, json ? &*json : nullptr);
     const Ending ending = accuracy == Accuracy::double_precision ? run_in<double>(options, sinks)
-                        : accuracy == Accuracy::extended         ? run_in<long double>(options, sinks)
+                          : accuracy == Accuracy::extended       ? run_in<long double>(options, sinks)
                                                                  : run_in<Quad>(options, sinks);
     sinks.finish();
-    const Settings result = {{"outcome", ending.outcome}, {"impacts", ending.impacts}, {"time", ending.time},
-                             {"mean_S", ending.mean_spin}};
+    const Settings result = {
+        {"outcome", ending.outcome}, {"impacts", ending.impacts}, {"time", ending.time}, {"mean_S", ending.mean_spin}};
     const Settings settings = {options.time ? Settings::value_type{"time", *options.time}
                                             : Settings::value_type{"collisions", options.limit()},
                                {"skip", options.skip},

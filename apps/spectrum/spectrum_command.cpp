@@ -20,14 +20,14 @@ Examples:
 
 namespace {
 
-constexpr std::size_t fewest_samples = 8;  // as analysis::power_spectrum
+constexpr std::size_t fewest_samples = 8;                  // as analysis::power_spectrum
 constexpr std::int64_t most_bins = std::int64_t{1} << 24;  // some seconds and 1 GB, also of few impacts
 
 /// As many samples as make `segments` overlapping segments of n.
 std::size_t segment_length(std::size_t n, std::int64_t segments, double overlap) {
     if (segments == 0) return 0;
-    const auto length = static_cast<std::size_t>(static_cast<double>(n) /
-                                                 (1 + static_cast<double>(segments - 1) * (1 - overlap)));
+    const auto length =
+        static_cast<std::size_t>(static_cast<double>(n) / (1 + static_cast<double>(segments - 1) * (1 - overlap)));
     if (length < fewest_samples)
         throw BadInput(fmt::format("segments = {} leaves {} of {} samples for each; {} or more are needed", segments,
                                    length, n, fewest_samples));
@@ -83,13 +83,18 @@ void SpectrumOptions::add_to(CLI::App& command) {
     text("--observable", observable, "NAME", "of an orbit: S (default), x, y, or position (x + iy, two-sided)");
     text("--frame", frame, "NAME", "of positions: laboratory (default), container or corotating");
     command.add_option("--bins", bins, "equal time bins of an orbit (default 4 or more an impact, a power of 2)")
-        ->type_name("B")->check(CLI::Range(std::int64_t{fewest_samples}, most_bins))->group("Spectrum");
+        ->type_name("B")
+        ->check(CLI::Range(std::int64_t{fewest_samples}, most_bins))
+        ->group("Spectrum");
     text("--window", window, "NAME", "rectangular, hann (default), hamming, blackman-harris or flat-top");
     text("--detrend", detrend, "NAME", "what is subtracted: none, mean (default) or linear");
     command.add_option("--segments", segments, "of Welch's method (default about 16; 1: the finest resolution)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))->group("Spectrum");
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))
+        ->group("Spectrum");
     command.add_option("--overlap", overlap, "of neighbouring segments, 0 <= overlap < 1 (default 0.5)")
-        ->type_name("F")->group("Spectrum");
+        ->type_name("F")
+        ->group("Spectrum");
     command.add_flag("--compensate", compensate, "undo what averaging over bins takes from the power")
         ->group("Spectrum");
     text("--resample", resample, "DT",
@@ -109,8 +114,10 @@ int find_spectrum(SpectrumOptions& options) {
         write_record(record->root(), report);
         record->finish();
     }
-    if (options.output.json) write_json(report);
-    else if (!options.output.quiet) print_table(report);
+    if (options.output.json)
+        write_json(report);
+    else if (!options.output.quiet)
+        print_table(report);
     const bool cut = options.input.kind() == InputKind::scene && signal.orbit->outcome != "completed";
     const bool none = report.spectrum.outcome == analysis::SpectrumOutcome::no_complete_segment;
     return cut || none ? exit_numerical_ending : exit_done;

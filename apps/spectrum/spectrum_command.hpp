@@ -15,11 +15,11 @@ struct SpectrumOptions {
     std::string frame = "laboratory";  ///< of positions
     std::string window = "hann";
     std::string detrend = "mean";
-    std::int64_t bins = 0;             ///< of an orbit; 0: automatic
-    std::int64_t segments = 0;         ///< of Welch's method; 0: automatic, about 16
+    std::int64_t bins = 0;      ///< of an orbit; 0: automatic
+    std::int64_t segments = 0;  ///< of Welch's method; 0: automatic, about 16
     double overlap = 0.5;
     bool compensate = false;
-    std::string resample;              ///< spacing of a measured series; empty: only when its times are uneven
+    std::string resample;  ///< spacing of a measured series; empty: only when its times are uneven
 
     void add_to(CLI::App& command);
 };

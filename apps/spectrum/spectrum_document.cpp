@@ -1,7 +1,7 @@
 #include "apps/spectrum/spectrum_document.hpp"
 
-#include <array>
 #include <algorithm>
+#include <array>
 
 namespace swirl::apps {
 
@@ -36,9 +36,10 @@ Settings settings_of(const SpectrumReport& report) {
         settings.emplace_back("compensate", options.compensate);
         settings.emplace_back("accuracy", options.output.accuracy_name);
     }
-    const Settings rest = {{"window", options.window}, {"detrend", options.detrend}, {"overlap", options.overlap},
-                           {"segment_length", static_cast<std::int64_t>(s.segment_length)},
-                           {"spacing", report.signal.spacing}, {"cycle_time", report.signal.cycle_time}};
+    const Settings rest = {
+        {"window", options.window},         {"detrend", options.detrend},
+        {"overlap", options.overlap},       {"segment_length", static_cast<std::int64_t>(s.segment_length)},
+        {"spacing", report.signal.spacing}, {"cycle_time", report.signal.cycle_time}};
     settings.insert(settings.end(), rest.begin(), rest.end());
     return settings;
 }
@@ -66,7 +67,9 @@ void write_numbers(JsonWriter& json, const char* key, const std::vector<double>&
     json.end_array();
 }
 
-const char* frequency_unit(const SpectrumReport& report) { return report.signal.orbit ? "omega_s" : ""; }
+const char* frequency_unit(const SpectrumReport& report) {
+    return report.signal.orbit ? "omega_s" : "";
+}
 
 }  // namespace
 
@@ -87,11 +90,15 @@ void write_json(const SpectrumReport& report) {
     }
     json.end_array();
     for (const auto& [key, content] : result_of(report))
-        std::visit([&json, &name = key](const auto& value) {
-            using Value = std::decay_t<decltype(value)>;
-            if constexpr (std::is_arithmetic_v<Value>) json.member(name, value);
-            else if constexpr (std::is_same_v<Value, std::string>) json.member(name, std::string_view(value));
-        }, content);
+        std::visit(
+            [&json, &name = key](const auto& value) {
+                using Value = std::decay_t<decltype(value)>;
+                if constexpr (std::is_arithmetic_v<Value>)
+                    json.member(name, value);
+                else if constexpr (std::is_same_v<Value, std::string>)
+                    json.member(name, std::string_view(value));
+            },
+            content);
     json.key("notes");
     json.begin_array(JsonLayout::rows);
     for (const auto& note : report.signal.notes) json.value(std::string_view(note));

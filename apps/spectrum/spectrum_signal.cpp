@@ -24,7 +24,9 @@ std::size_t automatic_bins(std::size_t flights) {
     return bins;
 }
 
-bool is_spin(const SpectrumOptions& options) { return options.observable == "S" || options.observable == "spin"; }
+bool is_spin(const SpectrumOptions& options) {
+    return options.observable == "S" || options.observable == "spin";
+}
 
 std::vector<std::string> columns_for(const SpectrumOptions& options) {
     if (is_spin(options)) return {"t", "S"};
@@ -50,7 +52,8 @@ std::vector<Value> averages(const OrbitColumns& orbit, std::size_t bins, const F
             continue;
         }
         for (const Stretch& stretch : passage->stretches)
-            contact(stretch, &stretch == &passage->stretches.back() ? until : std::clamp(stretch.end, averager.end(), until),
+            contact(stretch,
+                    &stretch == &passage->stretches.back() ? until : std::clamp(stretch.end, averager.end(), until),
                     averager);
         ++passage;
     }
@@ -63,7 +66,8 @@ std::vector<double> spin_averages(const OrbitColumns& orbit, std::size_t bins) {
     };
     const auto contact = [&](const Stretch& stretch, double until, analysis::BinAverager<double>& averager) {
         averager.add(until, [&](double a, double b) {
-            return moment_at(*orbit.contact_scene, stretch, b).turned - moment_at(*orbit.contact_scene, stretch, a).turned;
+            return moment_at(*orbit.contact_scene, stretch, b).turned -
+                   moment_at(*orbit.contact_scene, stretch, a).turned;
         });
     };
     return averages<double>(orbit, bins, flight, contact);
@@ -85,9 +89,8 @@ std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bi
     using analysis::UniformMotion;
     const auto point = [](const Vec2<double>& v) { return Complex(v.x, v.y); };
     const auto fly = [&](const UniformMotion& motion, double until, analysis::BinAverager<Complex>& averager) {
-        averager.add(until, [&](double a, double b) {
-            return analysis::position_integral(motion, a, b, frame, orbit.beta);
-        });
+        averager.add(until,
+                     [&](double a, double b) { return analysis::position_integral(motion, a, b, frame, orbit.beta); });
     };
     const auto flight = [&](std::size_t i, double until, analysis::BinAverager<Complex>& averager) {
         const auto& v = orbit.values;
@@ -116,8 +119,10 @@ OrbitColumns orbit_of(SpectrumOptions& options, const std::vector<std::string>& 
                                    orbit.every));
     if (orbit.contacts_listed == 0) return orbit;
     if (orbit.accuracy != "double")
-        throw BadInput(fmt::format("the record's orbit leads through contact in {} accuracy, and its scene is kept in "
-                                   "double: give the scene and --accuracy instead of the record", orbit.accuracy));
+        throw BadInput(
+            fmt::format("the record's orbit leads through contact in {} accuracy, and its scene is kept in "
+                        "double: give the scene and --accuracy instead of the record",
+                        orbit.accuracy));
     signal.notes.push_back("the orbit leads through contact: it is followed again from the record's scene and start");
     return followed_again(orbit, options.output, names);
 }
@@ -171,8 +176,10 @@ SpectrumSignal signal_of_series(const SpectrumOptions& options) {
     const auto even = analysis::resample(series.times, series.values, how);
     signal.spacing = even.series.spacing;
     signal.values = even.series.values;
-    signal.resampled = {{"spacing", signal.spacing}, {"interpolation", std::string(name(how.interpolation))},
-                        {"gap_factor", how.gap_factor}, {"gaps", static_cast<std::int64_t>(even.gaps)},
+    signal.resampled = {{"spacing", signal.spacing},
+                        {"interpolation", std::string(name(how.interpolation))},
+                        {"gap_factor", how.gap_factor},
+                        {"gaps", static_cast<std::int64_t>(even.gaps)},
                         {"missing_fraction", even.missing_fraction},
                         {"samples", static_cast<std::int64_t>(signal.values.size())}};
     signal.notes.push_back(fmt::format("resampled by straight lines to a spacing of {:g}{}; {} gaps are left open",

@@ -11,21 +11,21 @@
 namespace swirl::apps {
 
 struct SpectrumSignal {
-    bool enough = true;   ///< false: the orbit ended before there was a flight to average
+    bool enough = true;  ///< false: the orbit ended before there was a flight to average
     double spacing = 1;
-    double duration = 0;  ///< that the signal covers
-    std::vector<double> values;                  ///< NaN where missing
-    std::vector<std::complex<double>> positions; ///< instead of values, if the observable is position
-    double cycle_time = 1;                       ///< time of frequency 1
+    double duration = 0;                          ///< that the signal covers
+    std::vector<double> values;                   ///< NaN where missing
+    std::vector<std::complex<double>> positions;  ///< instead of values, if the observable is position
+    double cycle_time = 1;                        ///< time of frequency 1
     std::vector<std::string> notes;
     std::optional<OrbitColumns> orbit;
     std::optional<MeasuredSeries> series;
-    Settings resampled;                          ///< empty: the samples are as measured
+    Settings resampled;  ///< empty: the samples are as measured
 };
 
-/// An orbit: S(t), constant in flight and smooth in contact, or the body's places, averaged exactly over equal bins, from
-/// the first impact kept to the last.
-/// A series: its samples, resampled where their times are uneven. @throws BadInput
+/// An orbit: S(t), constant in flight and smooth in contact, or the body's places, averaged exactly over equal bins,
+/// from the first impact kept to the last. A series: its samples, resampled where their times are uneven. @throws
+/// BadInput
 SpectrumSignal signal_of(SpectrumOptions& options);
 
 }  // namespace swirl::apps

@@ -32,13 +32,17 @@ void SweepOptions::add_to(CLI::App& command) {
     output.add_to(command);
     command.add_option("--grid", grid, "NAME=A:B:COUNT, once to three times")->type_name("")->allow_extra_args(false);
     command.add_option("--runs", runs, "random starts in each cell (default 1)")
-        ->type_name("R")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
+        ->type_name("R")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
     command.add_option("--transient", settings.transient, "impacts before the tail (default 10000)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
     command.add_option("--collisions", settings.collisions, "impacts of the tail, 64 or more (default 10000)")
-        ->type_name("K")->check(CLI::Range(std::int64_t{64}, std::int64_t{100'000'000}));
+        ->type_name("K")
+        ->check(CLI::Range(std::int64_t{64}, std::int64_t{100'000'000}));
     command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
-        ->type_name("D")->check(CLI::NonNegativeNumber);
+        ->type_name("D")
+        ->check(CLI::NonNegativeNumber);
 }
 
 namespace {
@@ -73,13 +77,19 @@ std::string header_of(const Settings& settings) {
     std::string text;
     for (const auto& [name, value] : settings) {
         text += name + " =";
-        std::visit([&](const auto& v) {
-            using Value = std::decay_t<decltype(v)>;
-            if constexpr (std::is_same_v<Value, double>) text += fmt::format(" {:.17g}", v);
-            else if constexpr (std::is_arithmetic_v<Value>) text += fmt::format(" {}", v);
-            else if constexpr (std::is_same_v<Value, std::string>) text += " " + v;
-            else for (const auto& item : v) text += fmt::format(" {}", item);
-        }, value);
+        std::visit(
+            [&](const auto& v) {
+                using Value = std::decay_t<decltype(v)>;
+                if constexpr (std::is_same_v<Value, double>)
+                    text += fmt::format(" {:.17g}", v);
+                else if constexpr (std::is_arithmetic_v<Value>)
+                    text += fmt::format(" {}", v);
+                else if constexpr (std::is_same_v<Value, std::string>)
+                    text += " " + v;
+                else
+                    for (const auto& item : v) text += fmt::format(" {}", item);
+            },
+            value);
         text += "\n";
     }
     return text;
@@ -200,8 +210,10 @@ int sweep(SweepOptions& options) {
             journal->remove();
         }
     }
-    if (options.output.json) write_sweep_document(options, sweep);
-    else if (!options.output.quiet) print_sweep(sweep);
+    if (options.output.json)
+        write_sweep_document(options, sweep);
+    else if (!options.output.quiet)
+        print_sweep(sweep);
     if (!options.output.quiet && !options.output.json)
         fmt::print(stderr, "swirl: {:.1f} s\n",
                    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());

@@ -28,7 +28,7 @@ extern const char* const sweep_details;
 struct Sweep {
     std::vector<GridAxis> grid;
     std::int64_t runs = 1;
-    Settings settings;              ///< everything that the results depend on, in the order in which it is compared
+    Settings settings;  ///< everything that the results depend on, in the order in which it is compared
     std::vector<RunResult> results;
 
     std::span<const RunResult> cell(std::size_t index) const {
@@ -42,7 +42,7 @@ void write_sweep(const std::string& path, const Sweep& sweep);
 /// Reads the results of a record that was made with the same settings. @throws BadInput naming the first that differs
 void read_sweep(const std::string& path, Sweep& sweep);
 
-void print_sweep(const Sweep& sweep);                     ///< a map in characters (1 or 2 axes) and the shares
+void print_sweep(const Sweep& sweep);  ///< a map in characters (1 or 2 axes) and the shares
 void write_sweep_document(const SweepOptions& options, const Sweep& sweep);  ///< JSON
 
 int sweep(SweepOptions& options);

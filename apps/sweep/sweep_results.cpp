@@ -29,8 +29,13 @@ RunResult sweep_run(const Scene<double>& scene, double speed, std::uint64_t seed
                     const analysis::ClassifyOptions& settings) {
     const NamedMode named = name_mode(scene, random_start(scene.beta, speed, seed + run, 0), settings);
     const auto& v = named.verdict;
-    return {static_cast<double>(v.mode), static_cast<double>(v.kind), static_cast<double>(named.outcome),
-            static_cast<double>(v.period), v.mean, v.recurrence_rate, v.largest_exponent,
+    return {static_cast<double>(v.mode),
+            static_cast<double>(v.kind),
+            static_cast<double>(named.outcome),
+            static_cast<double>(v.period),
+            v.mean,
+            v.recurrence_rate,
+            v.largest_exponent,
             static_cast<double>(named.impacts)};
 }
 
@@ -43,8 +48,9 @@ CellSummary summary_of(std::span<const RunResult> runs) {
     }
     const auto spins = measured(runs, &RunResult::mean_spin);
     cell.mean_spin = mean_of(spins);
-    cell.mean_spin_error = spins.size() < 2 ? unknown
-        : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
+    cell.mean_spin_error =
+        spins.size() < 2 ? unknown
+                         : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
     cell.recurrence_rate = mean_of(measured(runs, &RunResult::recurrence_rate));
     cell.largest_exponent = mean_of(measured(runs, &RunResult::largest_exponent));
     return cell;

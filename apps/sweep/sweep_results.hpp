@@ -11,8 +11,8 @@ namespace swirl::apps {
 
 /// One start of one cell. All numbers, so that it is its own entry of the journal.
 struct RunResult {
-    double mode = 0, kind = 0, outcome = 0;  ///< the enumerators' numbers
-    double period = 0;                       ///< 0: none
+    double mode = 0, kind = 0, outcome = 0;                           ///< the enumerators' numbers
+    double period = 0;                                                ///< 0: none
     double mean_spin = 0, recurrence_rate = 0, largest_exponent = 0;  ///< NaN where not measured
     double impacts = 0;
 };
@@ -28,10 +28,10 @@ inline constexpr std::array<analysis::Mode, mode_count> all_modes = {
 /// What the runs of a cell have in common.
 struct CellSummary {
     std::array<double, mode_count> shares{};  ///< by all_modes
-    double mean_spin = 0;        ///< mean of the runs' mean_S
-    double mean_spin_error = 0;  ///< its standard error over the runs; NaN for fewer than two
-    double recurrence_rate = 0;  ///< mean over the runs
-    double largest_exponent = 0; ///< mean over the runs
+    double mean_spin = 0;                     ///< mean of the runs' mean_S
+    double mean_spin_error = 0;               ///< its standard error over the runs; NaN for fewer than two
+    double recurrence_rate = 0;               ///< mean over the runs
+    double largest_exponent = 0;              ///< mean over the runs
 };
 
 CellSummary summary_of(std::span<const RunResult> runs);

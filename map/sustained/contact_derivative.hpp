@@ -4,9 +4,9 @@
 // that would compare with flights. So DF = B A is taken apart at the landing. A is the derivative of the state in
 // contact, in which the removal of u_n, with its friction, is smooth whatever the sign of u_n (`landed_like`); B that
 // of the way from there to the next impact. Both are central differences of order h². Where neighbours on one side only
-// go the way of the orbit itself (`same_way`) theirs stands, one-sided, of the same order; where none does the column is
-// zero. A singular value of B that is no more than rounding belongs to a direction that contact has lost: it is zero,
-// too.
+// go the way of the orbit itself (`same_way`) theirs stands, one-sided, of the same order; where none does the column
+// is zero. A singular value of B that is no more than rounding belongs to a direction that contact has lost: it is
+// zero, too.
 #pragma once
 
 #include "map/linearised_collision.hpp"
@@ -49,7 +49,9 @@ inline ContactState moved_by(const Standing& standing, int coordinate, double h)
     return s;
 }
 
-inline double wrapped(double angle) { return std::remainder(angle, 2 * pi<double>()); }
+inline double wrapped(double angle) {
+    return std::remainder(angle, 2 * pi<double>());
+}
 
 /// A vertex whose neighbour comes to rest at once stands on their edge: the rocking between is over within rounding.
 inline Standing lasting_standing(Standing standing, const std::vector<ContactSegment>& contacts) {
@@ -71,8 +73,7 @@ inline bool same_way(const Passage<double>& a, const Passage<double>& b) {
                 list.push_back(segment.support);
         return list;
     };
-    return a.collision.vertex_step == b.collision.vertex_step &&
-           a.collision.impulse.mode == b.collision.impulse.mode &&
+    return a.collision.vertex_step == b.collision.vertex_step && a.collision.impulse.mode == b.collision.impulse.mode &&
            a.contacts.back().finish == b.contacts.back().finish && supports(a) == supports(b);
 }
 
@@ -100,8 +101,8 @@ auto landing_derivative(const ContactScene& scene, const SectionPoint<double>& z
         const auto at = [&](double step) {
             auto near = c;
             near[static_cast<std::size_t>(j)] += step;
-            return contact_vector(standing, landed_like(scene, base, standing,
-                                                        launch_from(section_point<shape>(near))));
+            return contact_vector(standing,
+                                  landed_like(scene, base, standing, launch_from(section_point<shape>(near))));
         };
         a.col(j) = at(h) - at(-h);
         a(0, j) = wrapped(a(0, j));

@@ -15,8 +15,8 @@ constexpr int most_idle_pieces = 50;
 /// Contact is given up, as at its horizon, after so many pieces.
 constexpr std::size_t most_pieces = 100'000;
 
-/// The neighbour's chatter on a standing vertex has come to its end: its next rebound would lift it by less than rounding
-/// before it came back (standing.hpp), with L|χ″| its acceleration towards the wall.
+/// The neighbour's chatter on a standing vertex has come to its end: its next rebound would lift it by less than
+/// rounding before it came back (standing.hpp), with L|χ″| its acceleration towards the wall.
 bool ends_second_chatter(const ContactScene& scene, ContactMotion motion, const ContactState& z) {
     const Reaction r = reaction_of(scene, Support::vertex, motion, z);
     const double side = z.chi > 0 ? -1 : 1;
@@ -71,10 +71,11 @@ struct Follower {
 
     /// One piece; returns the next state to choose a motion at, or nothing if the phase is over.
     std::optional<MotionChoice> piece(const MotionChoice& choice, ContactEvent begin, double left) {
-        const ContactSink shifted = !sink ? ContactSink{} : [&](const ContactSums& sums, Support s, ContactMotion m,
-                                                                     const ContactState& z) {
-            sink({phase.sums.time + sums.time, phase.sums.turned + sums.turned, phase.sums.work + sums.work}, s, m, z);
-        };
+        const ContactSink shifted =
+            !sink ? ContactSink{} : [&](const ContactSums& sums, Support s, ContactMotion m, const ContactState& z) {
+                sink({phase.sums.time + sums.time, phase.sums.turned + sums.turned, phase.sums.work + sums.work}, s, m,
+                     z);
+            };
         const ContactEnd end = run_contact(scene, choice.support, choice.motion, choice.state, left, shifted);
         const double start = phase.sums.time;
         phase.sums.time += end.sums.time;
@@ -91,12 +92,16 @@ struct Follower {
                 if (const auto settled = settled_neighbour(segment)) return settled;
                 strike(segment, ends_second_chatter(scene, segment.motion, segment.to));
                 return {};
-            case ContactEvent::jam: jam(next); return {};
+            case ContactEvent::jam:
+                jam(next);
+                return {};
             case ContactEvent::horizon:
             case ContactEvent::release:
                 finish(end.event, launch_from(scene, end.state), choice.vertex_step);
                 return {};
-            case ContactEvent::stick: next.state.ut = 0; return next;
+            case ContactEvent::stick:
+                next.state.ut = 0;
+                return next;
             case ContactEvent::lift:
                 next.support = Support::vertex;
                 if (end.first_lifts) {
@@ -104,7 +109,8 @@ struct Follower {
                     ++next.vertex_step;
                 }
                 return next;
-            default: return next;
+            default:
+                return next;
         }
     }
 
@@ -134,10 +140,12 @@ struct Follower {
 
 }  // namespace
 
-ContactPhase follow_contact(const ContactScene& scene, const Standing& standing, double horizon, const ContactSink& sink) {
+ContactPhase follow_contact(const ContactScene& scene, const Standing& standing, double horizon,
+                            const ContactSink& sink) {
     Follower follower{scene, sink, {}};
-    follower.follow({true, standing.support, ContactMotion::sticking, standing.state, standing.vertex_step,
-                     ContactEvent::release}, ContactEvent::landing, horizon);
+    follower.follow(
+        {true, standing.support, ContactMotion::sticking, standing.state, standing.vertex_step, ContactEvent::release},
+        ContactEvent::landing, horizon);
     if (!follower.phase.segments.empty()) {
         follower.phase.segments.front().landing_jacobi += standing.jacobi;
         follower.phase.segments.front().error = standing.error;

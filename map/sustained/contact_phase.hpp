@@ -18,18 +18,18 @@ struct ContactSegment {
     ContactEvent begin = ContactEvent::landing;
     ContactEvent finish = ContactEvent::horizon;
     ContactState from, to;
-    double turned = 0;    ///< ∫ S dt
-    double work = 0;      ///< ∫ f (u_t − 1) dt: what friction added to J
+    double turned = 0;          ///< ∫ S dt
+    double work = 0;            ///< ∫ f (u_t − 1) dt: what friction added to J
     double landing_jacobi = 0;  ///< what the end of chatter before it (a landing's, a neighbour's) added to J
-    double error = 0;     ///< of a landing: what ending chatter there does to place and velocities (an estimate)
-    long steps = 0;       ///< power series that it took
+    double error = 0;           ///< of a landing: what ending chatter there does to place and velocities (an estimate)
+    long steps = 0;             ///< power series that it took
 };
 
 struct ContactPhase {
     ContactEvent finish = ContactEvent::horizon;  ///< horizon, release, strike or jam
-    bool resolved = true;          ///< false: no motion is consistent with the wall and friction
-    Strike strike;                 ///< `after` is the launch at the end: leaving, or just after the impact (strike, jam)
-    int vertex_step = 0;           ///< the vertex of that launch, from the one that had struck
+    bool resolved = true;                         ///< false: no motion is consistent with the wall and friction
+    Strike strike;        ///< `after` is the launch at the end: leaving, or just after the impact (strike, jam)
+    int vertex_step = 0;  ///< the vertex of that launch, from the one that had struck
     ContactSums sums;
     std::vector<ContactSegment> segments;
 };

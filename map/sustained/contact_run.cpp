@@ -9,7 +9,8 @@ namespace swirl {
 
 namespace {
 
-using contact_detail::Condition, contact_detail::Failure, contact_detail::Problem, contact_detail::State, contact_detail::Step;
+using contact_detail::Condition, contact_detail::Failure, contact_detail::Problem, contact_detail::State,
+    contact_detail::Step;
 
 /// A step whose looks are short against the swirl and the body's own motion (a disk's spin moves nothing).
 double longest_step(const ContactScene& scene, Support support, const ContactState& z) {
@@ -74,8 +75,8 @@ ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion
     // Ends at: an event, the duration, or the step limit.
     while (time < duration && ++end.steps <= most_contact_steps) {
         const Step step(problem, y);
-        const double h = std::min({step_of(step.series(), local_error), longest_step(scene, support, y.contact()),
-                                   duration - time});
+        const double h =
+            std::min({step_of(step.series(), local_error), longest_step(scene, support, y.contact()), duration - time});
         const Failure failure = first_failure(problem, step, h);
         if (failure.found) {
             const Condition condition = conditions_of(problem, y)[failure.which];

@@ -22,14 +22,22 @@ enum class ContactEvent {
 
 inline std::string_view name_of(ContactEvent event) {
     switch (event) {
-        case ContactEvent::horizon: return "horizon";
-        case ContactEvent::release: return "release";
-        case ContactEvent::slip: return "slip";
-        case ContactEvent::stick: return "stick";
-        case ContactEvent::strike: return "strike";
-        case ContactEvent::lift: return "lift";
-        case ContactEvent::jam: return "jam";
-        case ContactEvent::landing: return "landing";
+        case ContactEvent::horizon:
+            return "horizon";
+        case ContactEvent::release:
+            return "release";
+        case ContactEvent::slip:
+            return "slip";
+        case ContactEvent::stick:
+            return "stick";
+        case ContactEvent::strike:
+            return "strike";
+        case ContactEvent::lift:
+            return "lift";
+        case ContactEvent::jam:
+            return "jam";
+        case ContactEvent::landing:
+            return "landing";
     }
     return "";
 }
@@ -38,7 +46,7 @@ inline std::string_view name_of(ContactEvent event) {
 struct ContactSums {
     double time = 0;
     double turned = 0;  ///< ∫ S dt
-    double work = 0;    ///< ∫ f (u_t − 1) dt: what friction adds to J (in contact the wall's normal force adds nothing)
+    double work = 0;  ///< ∫ f (u_t − 1) dt: what friction adds to J (in contact the wall's normal force adds nothing)
 };
 
 /// Where a contact motion stands at its end.

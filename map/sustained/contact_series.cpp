@@ -10,7 +10,9 @@ namespace {
 
 constexpr int order = series_order;
 
-double sign_of(ContactMotion motion) { return motion == ContactMotion::sliding_backward ? -1 : 1; }
+double sign_of(ContactMotion motion) {
+    return motion == ContactMotion::sliding_backward ? -1 : 1;
+}
 
 constexpr Series inverses() {
     Series table{};
@@ -120,8 +122,7 @@ struct Builder {
         const double inward = alpha * product(spin2, chi.cosine, k), along = alpha * product(spin2, chi.sine, k);
         if (sticks) {
             // Its own turn alone: r_t w_n − r_n w_t, both of them products of series.
-            const double torque =
-                alpha * beta * (product(chi.sine, psi.cosine, k) + product(chi.cosine, psi.sine, k));
+            const double torque = alpha * beta * (product(chi.sine, psi.cosine, k) + product(chi.cosine, psi.sine, k));
             spin_rate[k] = torque / (body.inertia + alpha * alpha);
             z.normal[k] = wn - alpha * product(spin_rate, chi.sine, k) - inward;
             z.friction[k] = -wt - alpha * product(spin_rate, chi.cosine, k) + along;
@@ -173,9 +174,12 @@ ContactSeries contact_series(const ContactScene& scene, Support support, Contact
     builder.psi.begin(support == Support::edge ? start.psi + scene.half_chord : start.psi, psi_rest);
     builder.chi.begin(start.chi);
     for (int k = 0; k < order; ++k) {
-        if (support == Support::rim) builder.rim(k);
-        else if (support == Support::vertex) builder.vertex(k);
-        else builder.edge(k);
+        if (support == Support::rim)
+            builder.rim(k);
+        else if (support == Support::vertex)
+            builder.vertex(k);
+        else
+            builder.edge(k);
     }
     return series;
 }
@@ -186,7 +190,9 @@ double change_at(const Series& series, double t) {
     return sum;
 }
 
-double value_at(const Series& series, double t) { return series[0] + change_at(series, t); }
+double value_at(const Series& series, double t) {
+    return series[0] + change_at(series, t);
+}
 
 double derivative_at(const Series& series, double t) {
     double sum = 0;

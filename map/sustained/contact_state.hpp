@@ -1,8 +1,9 @@
-// Sustained contact: the body on the wall, on a vertex, on the two of an edge, or (a disk) on its rim. Design, section 5.
+// Sustained contact: the body on the wall, on a vertex, on the two of an edge, or (a disk) on its rim. Design,
+// section 5.
 //
-// The section's coordinates serve here too, with u_n = 0: ψ = arg n − t, χ = arg r − arg n (a vertex), the slip velocity
-// u_t and S. The container does not rotate, so a vertex that touches moves along the wall at u_t = dν/dt, ν = arg n. An
-// edge stands on its clockwise vertex, χ = −χ_m; a disk has χ = 0.
+// The section's coordinates serve here too, with u_n = 0: ψ = arg n − t, χ = arg r − arg n (a vertex), the slip
+// velocity u_t and S. The container does not rotate, so a vertex that touches moves along the wall at u_t = dν/dt, ν =
+// arg n. An edge stands on its clockwise vertex, χ = −χ_m; a disk has χ = 0.
 #pragma once
 
 #include "map/section.hpp"
@@ -34,9 +35,9 @@ struct ContactScene {
     double mu = 0;
     double restitution = 0;
     ImpactRule rule = ImpactRule::frictionless;
-    double widest_chi = 0;  ///< χ_m = π/N − asin(α sin(π/N)): at |χ| = χ_m the neighbour touches too
-    double widest_sine = 0; ///< sin χ_m
-    double half_chord = 0;  ///< asin(α sin(π/N)): half the angle between the two contacts of an edge
+    double widest_chi = 0;   ///< χ_m = π/N − asin(α sin(π/N)): at |χ| = χ_m the neighbour touches too
+    double widest_sine = 0;  ///< sin χ_m
+    double half_chord = 0;   ///< asin(α sin(π/N)): half the angle between the two contacts of an edge
 
     bool is_disk() const { return body.sides == disk_sides; }
     double inertia_factor() const { return body.inertia / (body.alpha * body.alpha); }

@@ -20,9 +20,7 @@ struct State {
 
     ContactState contact() const { return {value[0], value[1], value[2], value[3]}; }
     /// |χ| below `widest`: a neighbour's small rebounds, of height below the rounding of χ, begin exactly there.
-    double room(double widest) const {
-        return (widest - std::abs(value[1])) - (value[1] < 0 ? -rest[1] : rest[1]);
-    }
+    double room(double widest) const { return (widest - std::abs(value[1])) - (value[1] < 0 ? -rest[1] : rest[1]); }
 };
 
 struct Problem {

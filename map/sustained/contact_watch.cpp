@@ -34,7 +34,8 @@ double locate(const Problem& problem, const Step& step, double from, double to, 
     if (after == 0) return to;
     std::uintmax_t iterations = 80;
     return boost::math::tools::toms748_solve(value, from, to, before, after,
-                                             boost::math::tools::eps_tolerance<double>(51), iterations).second;
+                                             boost::math::tools::eps_tolerance<double>(51), iterations)
+        .second;
 }
 
 /// How often a step is looked at where its series does not prove that nothing ends the motion.
@@ -42,11 +43,11 @@ constexpr int looks_per_step = 16;
 
 /// A condition's series a − |b|, as far as bounds do not prove that it holds all along a step.
 struct Doubt {
-    const Series* falls = nullptr;   ///< a
-    const Series* against = nullptr; ///< b, nothing if there is none
-    double factor = 1, border = 0;   ///< factor a − |b| − border > 0 while the condition holds
-    double doubtful = 0;             ///< below this rounding decides
-    double bend = 0;                 ///< bounds its second derivative from above, on the step
+    const Series* falls = nullptr;    ///< a
+    const Series* against = nullptr;  ///< b, nothing if there is none
+    double factor = 1, border = 0;    ///< factor a − |b| − border > 0 while the condition holds
+    double doubtful = 0;              ///< below this rounding decides
+    double bend = 0;                  ///< bounds its second derivative from above, on the step
 
     double at(double t) const {
         return factor * value_at(*falls, t) - (against ? std::abs(value_at(*against, t)) : 0) - border;
@@ -56,8 +57,8 @@ struct Doubt {
         return against ? rate - std::copysign(1.0, value_at(*against, t)) * derivative_at(*against, t) : rate;
     }
 
-    /// The moment between two looks at which the condition is lowest, if it fails there beyond rounding (some 10⁻¹³ of its
-    /// terms) though it holds at both.
+    /// The moment between two looks at which the condition is lowest, if it fails there beyond rounding (some 10⁻¹³ of
+    /// its terms) though it holds at both.
     ///   before, after  the values at the two
     std::optional<double> dip(double from, double to, double before, double after) const {
         Lowest lowest{-1e-4 * doubtful, 0, false};
@@ -75,8 +76,8 @@ private:
         }
     };
 
-    /// The second derivative bounds how far the condition falls between two moments, and tells where it only rises or only
-    /// falls; what is left is halved.
+    /// The second derivative bounds how far the condition falls between two moments, and tells where it only rises or
+    /// only falls; what is left is halved.
     void seek(double from, double to, double before, double after, int halvings, Lowest& lowest) const {
         const double width = to - from;
         if (std::min(before, after) - 0.125 * bend * width * width > lowest.value) return;
@@ -96,7 +97,8 @@ private:
     double lowest_between(double from, double to) const {
         std::uintmax_t iterations = 60;
         return boost::math::tools::toms748_solve([this](double t) { return rate_at(t); }, from, to,
-                                                 boost::math::tools::eps_tolerance<double>(30), iterations).first;
+                                                 boost::math::tools::eps_tolerance<double>(30), iterations)
+            .first;
     }
 };
 
@@ -108,11 +110,12 @@ struct Doubts {
     /// Keeps the condition unless no series reaches from its first term to where it would fail within h.
     void unless_proven(Doubt doubt, double h) {
         const double held = doubt.factor * (*doubt.falls)[0] - (doubt.against ? std::abs((*doubt.against)[0]) : 0);
-        const double reach = std::abs(doubt.factor) * reach_of(*doubt.falls, h) +
-                             (doubt.against ? reach_of(*doubt.against, h) : 0);
+        const double reach =
+            std::abs(doubt.factor) * reach_of(*doubt.falls, h) + (doubt.against ? reach_of(*doubt.against, h) : 0);
         if (held - doubt.border > reach) return;
         doubt.doubtful = 1e-9 * (std::abs(held) + reach);
-        doubt.bend = std::abs(doubt.factor) * bend_of(*doubt.falls, h) + (doubt.against ? bend_of(*doubt.against, h) : 0);
+        doubt.bend =
+            std::abs(doubt.factor) * bend_of(*doubt.falls, h) + (doubt.against ? bend_of(*doubt.against, h) : 0);
         list[count++] = doubt;
     }
 

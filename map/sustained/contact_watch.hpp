@@ -27,9 +27,9 @@ struct Failure {
 };
 
 /// Looks at a step's parts in turn, where it is not proven that nothing ends the motion: at the series, also where a
-/// condition is lowest between two looks, and at the forces themselves where it is close. A condition that begins at its
-/// border (λ = 0 after a release that did not happen, |χ| = χ_m after a strike) and moves inwards holds: only a negative
-/// value fails.
+/// condition is lowest between two looks, and at the forces themselves where it is close. A condition that begins at
+/// its border (λ = 0 after a release that did not happen, |χ| = χ_m after a strike) and moves inwards holds: only a
+/// negative value fails.
 Failure first_failure(const Problem& problem, const Step& step, double h);
 
 }  // namespace swirl::contact_detail

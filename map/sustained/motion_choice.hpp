@@ -13,12 +13,12 @@ struct MotionChoice {
     Support support = Support::vertex;
     ContactMotion motion = ContactMotion::sticking;
     ContactState state;
-    int vertex_step = 0;                          ///< an edge may lift: −1, 0 or 1
-    ContactEvent ends = ContactEvent::release;    ///< if it does not stay: release or jam
+    int vertex_step = 0;                        ///< an edge may lift: −1, 0 or 1
+    ContactEvent ends = ContactEvent::release;  ///< if it does not stay: release or jam
 };
 
-/// Sliding where u_t ≠ 0; from rest sticking where friction can hold it, else the slip that its own forces drive. An edge
-/// that can do none of it stands up on one of its vertices.
+/// Sliding where u_t ≠ 0; from rest sticking where friction can hold it, else the slip that its own forces drive. An
+/// edge that can do none of it stands up on one of its vertices.
 ///   broken  friction has just stopped holding: not sticking
 MotionChoice choose_motion(const ContactScene& scene, Support support, const ContactState& state, int vertex_step,
                            bool broken = false);

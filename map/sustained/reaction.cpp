@@ -7,7 +7,9 @@ namespace swirl {
 
 namespace {
 
-double sign_of(ContactMotion motion) { return motion == ContactMotion::sliding_backward ? -1 : 1; }
+double sign_of(ContactMotion motion) {
+    return motion == ContactMotion::sliding_backward ? -1 : 1;
+}
 
 Reaction on_rim(const ContactScene& scene, ContactMotion motion, const ContactState& z) {
     const Body<double>& body = scene.body;
@@ -55,13 +57,16 @@ double edge_reserve(const ContactScene& scene, double sum_friction, double diffe
     const double c = std::cos(scene.half_chord), s = std::sin(scene.half_chord);
     // f₁ − f₂ = (Λ c − w)/s; the four sides of |f₁| ≤ μλ₁, |f₂| ≤ μλ₂ as a + bΛ ≥ 0.
     double least = 0, most = std::numeric_limits<double>::infinity();
-    for (const double first : {1.0, -1.0})      // which contact: λ = (Λ ± D)/2
+    for (const double first : {1.0, -1.0})       // which contact: λ = (Λ ± D)/2
         for (const double sign : {1.0, -1.0}) {  // which side of the cone
             const double a = scene.mu * first * difference - sign * (sum_friction - first * wn / s);
             const double b = scene.mu - sign * first * c / s;
-            if (b > 0) least = std::max(least, -a / b);
-            else if (b < 0) most = std::min(most, -a / b);
-            else if (a < 0) return a;
+            if (b > 0)
+                least = std::max(least, -a / b);
+            else if (b < 0)
+                most = std::min(most, -a / b);
+            else if (a < 0)
+                return a;
         }
     return std::min(most, 1e300) - least;
 }
@@ -99,9 +104,12 @@ Reaction on_edge(const ContactScene& scene, ContactMotion motion, const ContactS
 
 Reaction reaction_of(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& state) {
     switch (support) {
-        case Support::rim: return on_rim(scene, motion, state);
-        case Support::vertex: return on_vertex(scene, motion, state);
-        case Support::edge: return on_edge(scene, motion, state);
+        case Support::rim:
+            return on_rim(scene, motion, state);
+        case Support::vertex:
+            return on_vertex(scene, motion, state);
+        case Support::edge:
+            return on_edge(scene, motion, state);
     }
     return {};
 }

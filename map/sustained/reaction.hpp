@@ -1,6 +1,7 @@
 // The wall's force on a body in contact, and the accelerations it leaves.
 //
-// With w the swirl's arm (w_n = β cos ψ, w_t = −β sin ψ), r the lever arm and the force −λ n + f t, in the container's frame
+// With w the swirl's arm (w_n = β cos ψ, w_t = −β sin ψ), r the lever arm and the force −λ n + f t, in the container's
+// frame
 //     vertex:  λ = w_n + u_t² − S′ r_t − S² r_n,  u_t′ = w_t + f + S′ r_n − S² r_t,  I S′ = r_n f + r_t λ
 //     rim:     λ = w_n + ρν′²,  ρν″ = w_t + f,  I S′ = α f   (ρ = 1 − α, ρν′ = u_t − αS)
 //     edge:    both vertices run along the wall, S = ν′: (I + d²) S′ = Σf − dβ sin ψ_c with d the centre's distance and
@@ -20,7 +21,8 @@ struct Reaction {
     double ut_rate = 0;    ///< du_t/dt
     double spin_rate = 0;  ///< S′
     double reserve = 0;    ///< sticking: μλ − |f|, negative if friction can't hold it (edge: see `edge_reserve`)
-    double stiffness = 1;  ///< sliding on a vertex: B₂ − sμB₃; at 0 and below λ is not unique or does not exist (Painlevé)
+    double stiffness =
+        1;  ///< sliding on a vertex: B₂ − sμB₃; at 0 and below λ is not unique or does not exist (Painlevé)
 };
 
 Reaction reaction_of(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& state);

@@ -11,9 +11,9 @@ namespace swirl {
 
 namespace detail {
 
-/// How long a gap that is (all but) closed and at rest certainly stays inside: with g = g′ = 0 and g″ < 0 by the advance
-/// off the wall; with g″ ≤ 0 and g‴ < 0 for τ₀ = 2|g‴|/M, |g⁗| ≤ M, where g ≤ τ³(g‴ + Mτ/4)/6 < 0. The longer of the two:
-/// a g″ that is rounding, magnified by large friction, would not take it far. 0 if neither.
+/// How long a gap that is (all but) closed and at rest certainly stays inside: with g = g′ = 0 and g″ < 0 by the
+/// advance off the wall; with g″ ≤ 0 and g‴ < 0 for τ₀ = 2|g‴|/M, |g⁗| ≤ M, where g ≤ τ³(g‴ + Mτ/4)/6 < 0. The longer
+/// of the two: a g″ that is rounding, magnified by large friction, would not take it far. 0 if neither.
 template <class T>
 inline T leaving_time(const Gap<T>& gap, const T& third, const T& fourth, const T& rounding) {
     T time(0);
@@ -42,8 +42,9 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
             const Gap<T>& gap = candidate->gap;
             const bool closed = gap.value > T(-1e-12) && fabs(gap.rate) <= T(1e-12) * (T(1) + bounds.drift);
             time = std::min(time, closed ? leaving_time(gap, bounds.vertex_third, fourth, rounding)
-                                         // Half of it: the whole may lead to the wall itself.
-                                         : gap.value < T(0) ? T(T(0.5) * safe_step(gap, bounds.vertex_third)) : T(0));
+                                  // Half of it: the whole may lead to the wall itself.
+                                  : gap.value < T(0) ? T(T(0.5) * safe_step(gap, bounds.vertex_third))
+                                                     : T(0));
         }
         if (time > T(0)) advance<shape>(flight, at, time);
         look_around(body, flight, at, pair);
@@ -65,8 +66,10 @@ std::optional<Contact<T>> contact_after_release(const Body<T>& body, const Fligh
     contact.at = instant_at_start(flight);
     const auto bounds = detail::bounds_of<shape>(body, flight);
     if (!detail::leave_wall<shape>(body, flight, bounds, contact.at)) return {};
-    if constexpr (shape == Shape::disk) detail::advance_to_contact_disk(body, flight, bounds, contact);
-    else detail::advance_to_contact_polygon(body, flight, bounds, contact);
+    if constexpr (shape == Shape::disk)
+        detail::advance_to_contact_disk(body, flight, bounds, contact);
+    else
+        detail::advance_to_contact_polygon(body, flight, bounds, contact);
     return contact;
 }
 

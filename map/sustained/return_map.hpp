@@ -14,9 +14,9 @@ namespace swirl {
 template <class T>
 struct Passage {
     Outcome outcome = Outcome::completed;  ///< completed: `collision` is the next impact
-    Collision<T> collision;  ///< its flight_time, normal and vertex_step are those of the whole passage
-    T turned{};              ///< ∫ S dt on the way
-    T contact_work{};        ///< ∫ f (u_t − 1) dt: what friction in contact and the end of chatter added to J
+    Collision<T> collision;                ///< its flight_time, normal and vertex_step are those of the whole passage
+    T turned{};                            ///< ∫ S dt on the way
+    T contact_work{};  ///< ∫ f (u_t − 1) dt: what friction in contact and the end of chatter added to J
     std::vector<ContactSegment> contacts;
 };
 
@@ -26,8 +26,8 @@ inline constexpr double contact_horizon = 1000;
 
 /// F with sustained contact. For e = 1 it is the collision map itself, but for one thing: where friction holds a
 /// polygon's vertex its normal velocity may fall with every impact (Poisson, Stronge: B₃ couples it to friction), and
-/// from the impact at which it is lost in rounding the orbit goes on in contact. A disk and a frictionless body at e = 1
-/// keep |u_n|, and need none of it. Contact is integrated in double, whatever T is.
+/// from the impact at which it is lost in rounding the orbit goes on in contact. A disk and a frictionless body at e =
+/// 1 keep |u_n|, and need none of it. Contact is integrated in double, whatever T is.
 template <class Map>
 class ReturnMap {
 public:
@@ -39,8 +39,12 @@ public:
         const auto& s = map.scene();
         sums_chatter_ = s.restitution < T(1);
         if (!sums_chatter_ && (shape == Shape::disk || Map::rule == ImpactRule::frictionless)) return;
-        Scene<double> scene{s.sides, static_cast<double>(s.alpha), static_cast<double>(s.beta),
-                            static_cast<double>(s.mu), static_cast<double>(s.restitution), s.law,
+        Scene<double> scene{s.sides,
+                            static_cast<double>(s.alpha),
+                            static_cast<double>(s.beta),
+                            static_cast<double>(s.mu),
+                            static_cast<double>(s.restitution),
+                            s.law,
                             static_cast<double>(s.inertia_factor)};
         contact_ = contact_scene(make_body(scene), scene.mu, scene.restitution, Map::rule);
     }
@@ -140,10 +144,14 @@ private:
     }
     Outcome outcome_of(ContactOutcome contact) const {
         switch (contact) {
-            case ContactOutcome::contact: return Outcome::completed;
-            case ContactOutcome::no_contact: return Outcome::no_contact;
-            case ContactOutcome::sustained: return contact_ ? Outcome::unresolved : Outcome::resting;
-            case ContactOutcome::unresolved: return Outcome::unresolved;
+            case ContactOutcome::contact:
+                return Outcome::completed;
+            case ContactOutcome::no_contact:
+                return Outcome::no_contact;
+            case ContactOutcome::sustained:
+                return contact_ ? Outcome::unresolved : Outcome::resting;
+            case ContactOutcome::unresolved:
+                return Outcome::unresolved;
         }
         return Outcome::unresolved;
     }

@@ -18,10 +18,10 @@
 namespace swirl {
 
 struct RimPendulum {
-    bool rolls = true;      ///< false: slides without friction, S is any constant
-    double strength = 0;    ///< k, in ω_s²
-    double height = 0;      ///< h, in ω_s²: the energy above rest
-    double direction = 1;   ///< the sign of ψ′ at the state that it was made from
+    bool rolls = true;     ///< false: slides without friction, S is any constant
+    double strength = 0;   ///< k, in ω_s²
+    double height = 0;     ///< h, in ω_s²: the energy above rest
+    double direction = 1;  ///< the sign of ψ′ at the state that it was made from
 
     bool turns() const { return height > 2 * strength; }
 };

@@ -22,8 +22,8 @@ double free_acceleration(const ContactScene& scene, const Launch<double>& launch
 }
 
 struct Touch {
-    bool rests;   ///< no normal velocity but rounding and the end of chatter
-    bool pressed; ///< free flight would take it into the wall
+    bool rests;    ///< no normal velocity but rounding and the end of chatter
+    bool pressed;  ///< free flight would take it into the wall
     double error;
 };
 
@@ -88,13 +88,14 @@ double slide_of(const ContactScene& scene, const ContactState& landed) {
     const auto motion = landed.ut > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
     const Reaction slips = reaction_of(scene, Support::edge, motion, z);
     const bool pushes = slips.stiffness > 0 && slips.normal >= 0 && slips.second >= 0;
-    const double slowing = pushes ? (landed.ut > 0 ? -slips.ut_rate : slips.ut_rate)
-                                  : scene.mu * (held.normal + held.second);
+    const double slowing =
+        pushes ? (landed.ut > 0 ? -slips.ut_rate : slips.ut_rate) : scene.mu * (held.normal + held.second);
     return slowing > 0 ? landed.ut * landed.ut / (2 * slowing) : std::numeric_limits<double>::infinity();
 }
 
-/// Puts χ at ±χ_m if it is that close: the neighbour touches, too. An ulp inside it would fall by an ulp, which gives it
-/// a velocity of 10⁻⁸ that it did not have: where the two vertices strike in turn it would be taken and given for ever.
+/// Puts χ at ±χ_m if it is that close: the neighbour touches, too. An ulp inside it would fall by an ulp, which gives
+/// it a velocity of 10⁻⁸ that it did not have: where the two vertices strike in turn it would be taken and given for
+/// ever.
 void keep_neighbour_at_wall(const ContactScene& scene, double tolerance, ContactState& state) {
     if (scene.is_disk() || std::abs(std::abs(state.chi) - scene.widest_chi) > tolerance) return;
     state.chi = std::copysign(scene.widest_chi, state.chi);
@@ -113,8 +114,7 @@ ChatterError chatter_error(const ContactScene& scene, const Launch<double>& laun
     const double passes = lasts * (1 + turning);
     double unused;
     const ContactState taken = without_normal_velocity(scene, launch, slip_of(scene, launch), unused);
-    const double removed =
-        v + std::abs(taken.ut - u.ut) + scene.body.alpha * std::abs(taken.spin - launch.spin);
+    const double removed = v + std::abs(taken.ut - u.ut) + scene.body.alpha * std::abs(taken.spin - launch.spin);
     return {v * lasts, 4 * removed * std::min(1.0, passes * passes)};
 }
 
@@ -156,8 +156,12 @@ Standing standing_of(const ContactScene& scene, const Launch<double>& launch) {
     const int step = launch.chi.y > 0 ? -1 : 1;
     if (here.rests && there_rests) {
         const bool clockwise = launch.chi.y < 0;
-        standing = {true, Support::edge, contact_state(scene, clockwise ? launch : neighbour), clockwise ? 0 : step,
-                    std::max(here.error, there.error), 0};
+        standing = {true,
+                    Support::edge,
+                    contact_state(scene, clockwise ? launch : neighbour),
+                    clockwise ? 0 : step,
+                    std::max(here.error, there.error),
+                    0};
         standing.state.chi = -scene.widest_chi;
         // The slip of one vertex is also what is left of rocking on the other.
         const bool still = scene.mu > 0 && (std::abs(standing.state.ut) <= velocity_rounding(scene, launch) ||

@@ -4,10 +4,10 @@
 // remaining flights last 2v/a, 2ve/a, 2ve²/a …: they end after T = 2v/(a(1 − e)). To first order in T their impulses
 // add up to what contact would have given in the same time, less v: the rest of the sequence equals the removal of v,
 // with friction, at its beginning, followed by contact (complete chatter: Nordmark & Piiroinen, Nonlinear Dyn. 58
-// (2009) 85). On the way the body is elsewhere by at most vT: contact begins once that is below 16 ε of R_c. There is no
-// speed threshold. In the end less is left, as what the impulses move along the wall goes with what they move across it,
-// and that is nothing: of the velocities Δu taken out, some (rT)², with r = 1 + the rates at which the body turns (in
-// the tests never more than 3 Δu (rT)²).
+// (2009) 85). On the way the body is elsewhere by at most vT: contact begins once that is below 16 ε of R_c. There is
+// no speed threshold. In the end less is left, as what the impulses move along the wall goes with what they move across
+// it, and that is nothing: of the velocities Δu taken out, some (rT)², with r = 1 + the rates at which the body turns
+// (in the tests never more than 3 Δu (rT)²).
 #pragma once
 
 #include "map/sustained/contact_state.hpp"
@@ -24,7 +24,8 @@ struct Standing {
     int vertex_step = 0;  ///< from the vertex that struck to the one that the state belongs to: −1, 0 or 1
     double error = 0;     ///< of ending chatter here (ChatterError::estimate)
     double jacobi = 0;    ///< what taking u_n out (the rest of chatter) adds to J, −p ū_n + q (ū_t − 1)
-    bool struck = false;  ///< not in contact: it is about to leave, but its neighbour is at the wall, too, and approaches
+    bool struck =
+        false;  ///< not in contact: it is about to leave, but its neighbour is at the wall, too, and approaches
 };
 
 /// Chatter has come to its end once what is left moves the body by less than this, in R_c.
@@ -39,8 +40,8 @@ inline double velocity_rounding(const ContactScene& scene, const Launch<double>&
            (std::abs(launch.vn) + std::abs(launch.vt) + scene.body.beta + scene.body.alpha * std::abs(launch.spin));
 }
 
-/// False for a body that plainly leaves, as after nearly every impact; `standing_of` then says so too. It leaves if vT is
-/// above its bound with a ≤ β + (u_t − αS)²/ρ (a disk) or β + u_t² (a vertex), by a factor 2 for rounding, and the
+/// False for a body that plainly leaves, as after nearly every impact; `standing_of` then says so too. It leaves if vT
+/// is above its bound with a ≤ β + (u_t − αS)²/ρ (a disk) or β + u_t² (a vertex), by a factor 2 for rounding, and the
 /// neighbour is away from the wall. Cost: some ten products.
 [[gnu::always_inline]] inline bool may_stand(const ContactScene& scene, const Launch<double>& launch) {
     const Approach<double> u = approach_of(scene.body, launch);

@@ -1,7 +1,7 @@
 // An orbit in continuous time: where the body is and how it turns at any moment, in flight and in contact.
 //
-// Between two impacts an orbit is a row of stretches: flights, on which the centre moves uniformly and S is constant, and
-// pieces of contact so short that one power series (contact_series.hpp) gives the motion to rounding.
+// Between two impacts an orbit is a row of stretches: flights, on which the centre moves uniformly and S is constant,
+// and pieces of contact so short that one power series (contact_series.hpp) gives the motion to rounding.
 #pragma once
 
 #include "map/orbit.hpp"
@@ -14,12 +14,12 @@ namespace swirl {
 struct Stretch {
     double start = 0, end = 0;
     bool in_contact = false;
-    double angle = 0;          ///< vertex 0's direction at the start, unwound
-    double spin = 0;           ///< in flight: S
-    Vec2<double> from, to;     ///< in flight: the centre at both ends
+    double angle = 0;                   ///< vertex 0's direction at the start, unwound
+    double spin = 0;                    ///< in flight: S
+    Vec2<double> from, to;              ///< in flight: the centre at both ends
     Support support = Support::vertex;  ///< in contact, and so are the next two
     ContactMotion motion = ContactMotion::sticking;
-    ContactState state;        ///< at the start
+    ContactState state;  ///< at the start
 };
 
 /// What can be seen of the body at a time.
@@ -81,11 +81,13 @@ private:
 
     explicit StretchCutter(const Scene<double>& scene);
     template <class T>
-    static double number(const T& value) { return static_cast<double>(value); }
+    static double number(const T& value) {
+        return static_cast<double>(value);
+    }
     template <class T>
     static Scene<double> in_double(const Scene<T>& s) {
-        return {s.sides, number(s.alpha), number(s.beta), number(s.mu), number(s.restitution), s.law,
-                number(s.inertia_factor)};
+        return {s.sides, number(s.alpha),         number(s.beta), number(s.mu), number(s.restitution),
+                s.law,   number(s.inertia_factor)};
     }
     Vec2<double> centre_in_contact(const ContactState& state, double t) const;
     void add_contacts(const std::vector<ContactSegment>& segments);
@@ -94,7 +96,7 @@ private:
     ContactScene scene_;
     std::vector<Look> looks_;
     std::vector<Stretch> stretches_;
-    double time_ = 0;     ///< where the next stretch begins: t, centre, angle, S
+    double time_ = 0;  ///< where the next stretch begins: t, centre, angle, S
     Vec2<double> place_{};
     double angle_ = 0, spin_ = 0;
 };

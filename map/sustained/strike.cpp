@@ -13,10 +13,14 @@ constexpr int most_impulses = 100'000;
 
 Impulse<double> impulse_by(const ContactScene& scene, const Approach<double>& approach, double restitution) {
     switch (scene.rule) {
-        case ImpactRule::frictionless: return impulse<ImpactRule::frictionless>(approach, scene.mu, restitution);
-        case ImpactRule::poisson: return impulse<ImpactRule::poisson>(approach, scene.mu, restitution);
-        case ImpactRule::newton: return impulse<ImpactRule::newton>(approach, scene.mu, restitution);
-        case ImpactRule::stronge: return impulse<ImpactRule::stronge>(approach, scene.mu, restitution);
+        case ImpactRule::frictionless:
+            return impulse<ImpactRule::frictionless>(approach, scene.mu, restitution);
+        case ImpactRule::poisson:
+            return impulse<ImpactRule::poisson>(approach, scene.mu, restitution);
+        case ImpactRule::newton:
+            return impulse<ImpactRule::newton>(approach, scene.mu, restitution);
+        case ImpactRule::stronge:
+            return impulse<ImpactRule::stronge>(approach, scene.mu, restitution);
     }
     return {};
 }

@@ -24,8 +24,8 @@ Impulse<double> strike_once(const ContactScene& scene, Launch<double>& launch, d
 Impulse<double> jam_once(const ContactScene& scene, Launch<double>& launch, Strike& strike);
 
 /// The neighbour of a vertex that stands (u_n = 0, |χ| = χ_m) strikes. Impulses alternate between the two, each by the
-/// scene's law, as long as one approaches. None creates energy under Poisson's and Stronge's law, so the whole does not.
-/// With e < 1 an endless alternation shrinks geometrically; it is ended where both are at rest to rounding.
+/// scene's law, as long as one approaches. None creates energy under Poisson's and Stronge's law, so the whole does
+/// not. With e < 1 an endless alternation shrinks geometrically; it is ended where both are at rest to rounding.
 ///   plastic  the striking vertex' own chatter has come to its end: e = 0
 Strike strike_while_standing(const ContactScene& scene, const Launch<double>& standing, bool plastic);
 

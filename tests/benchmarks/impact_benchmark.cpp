@@ -32,8 +32,8 @@ double sincos_seconds() {
 
 /// One impact per iteration along one orbit; counter `sincos` is the time per impact in units of a sincos.
 void impact(benchmark::State& state, int sides, double alpha, double beta, double mu, double restitution) {
-    const swirl::Scene<double> scene{sides, alpha, beta, mu, restitution, swirl::Law::poisson,
-                                     swirl::uniform_inertia_factor<double>(sides)};
+    const swirl::Scene<double> scene{
+        sides, alpha, beta, mu, restitution, swirl::Law::poisson, swirl::uniform_inertia_factor<double>(sides)};
     const double unit = sincos_seconds();
     swirl::with_collision_map(scene, [&](const auto& map) {
         const auto start = swirl::flight_from(map.body(), swirl::LabStart<double>{beta, 0, 0.1, 0.2, 0.3, 0.1});

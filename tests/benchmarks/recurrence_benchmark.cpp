@@ -34,9 +34,15 @@ void counted_delete(void* memory) noexcept {
 
 }  // namespace
 
-void* operator new(std::size_t size) { return counted_new(size); }
-void operator delete(void* memory) noexcept { counted_delete(memory); }
-void operator delete(void* memory, std::size_t) noexcept { counted_delete(memory); }
+void* operator new(std::size_t size) {
+    return counted_new(size);
+}
+void operator delete(void* memory) noexcept {
+    counted_delete(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    counted_delete(memory);
+}
 
 namespace {
 

@@ -31,7 +31,9 @@ Accumulation impact_by_impact(const Scene<double>& s, const SectionPoint<double>
         for (int i = 0; i < 1000; ++i) {
             if (-approach_of(map.body(), launch).un < Quad(1e-20)) {
                 const SectionPoint<Quad> end = section_point(launch);
-                return Accumulation{true, static_cast<double>(time), static_cast<double>(end.psi),
+                return Accumulation{true,
+                                    static_cast<double>(time),
+                                    static_cast<double>(end.psi),
                                     static_cast<double>(end.chi),
                                     static_cast<double>(approach_of(map.body(), launch).ut),
                                     static_cast<double>(launch.spin)};
@@ -56,8 +58,8 @@ double difference_from(const ContactScene& scene, const Launch<double>& launch, 
     const ContactEnd contact = run_contact(scene, support, choice.motion, landed, end.time);
     if (contact.event != ContactEvent::horizon) return -1;
     const Vec2<double> n = cis(contact.state.psi), exact = cis(end.psi);
-    const double velocity = std::max(std::abs(contact.state.ut - end.ut),
-                                     scene.body.alpha * std::abs(contact.state.spin - end.spin));
+    const double velocity =
+        std::max(std::abs(contact.state.ut - end.ut), scene.body.alpha * std::abs(contact.state.spin - end.spin));
     if (scene.is_disk()) return std::max(velocity, scene.body.inner * detail::magnitude(n - exact));
     const Vec2<double> arm = cis(contact.state.psi + contact.state.chi) - cis(end.psi + end.chi);
     return std::max(velocity, detail::magnitude(n - exact - scene.body.alpha * arm));
@@ -90,7 +92,8 @@ TEST(ChatterEnd, IsReportedWithTheLanding) {
     const Scene<double> s = tests::uniform_scene(disk_sides, 0.4, 0.23, 0.4, 0.5);
     const CollisionMap<double, Shape::disk, ImpactRule::poisson> map(s);
     Orbit orbit(map, LabStart<double>{s.beta, 0, 0.1, 0.05, 0, 0});
-    while (orbit.advance()) {}
+    while (orbit.advance()) {
+    }
     ASSERT_EQ(orbit.outcome(), Outcome::in_contact);
     ASSERT_FALSE(orbit.contacts().empty());
     const ContactSegment& landing = orbit.contacts().front();

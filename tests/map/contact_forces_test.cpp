@@ -33,8 +33,8 @@ Place place_of(const ContactScene& scene, Support support, const ContactState& z
     place.n = cis(nu);
     place.n2 = cis(nu + 2 * scene.half_chord);
     const double arm = nu + z.chi;
-    place.centre = scene.body.beta * cis(t) + (support == Support::rim ? scene.body.inner * cis(nu)
-                                                                       : cis(nu) - scene.body.alpha * cis(arm));
+    place.centre = scene.body.beta * cis(t) +
+                   (support == Support::rim ? scene.body.inner * cis(nu) : cis(nu) - scene.body.alpha * cis(arm));
     place.angle = arm;
     return place;
 }
@@ -66,8 +66,10 @@ TEST(Reaction, IsWhatTheGeometryNeeds) {
                             p2 = place_of(scene, support, later.state, 2 * h);
                 const Vec2<double> acceleration = (1 / (h * h)) * (p0.centre - p1.centre + (p2.centre - p1.centre));
                 // A disk's orientation is what its spin has turned.
-                const double turning = support == Support::rim ? (later.sums.turned - 2 * now.sums.turned) / (h * h) :
-                    (wrapped_angle(p2.angle - p1.angle) - wrapped_angle(p1.angle - p0.angle)) / (h * h);
+                const double turning =
+                    support == Support::rim
+                        ? (later.sums.turned - 2 * now.sums.turned) / (h * h)
+                        : (wrapped_angle(p2.angle - p1.angle) - wrapped_angle(p1.angle - p0.angle)) / (h * h);
                 Vec2<double> force = r.friction * quarter_turned(p1.n) - r.normal * p1.n;
                 if (support == Support::edge) {
                     const double smu = motion == ContactMotion::sticking          ? 0
@@ -121,8 +123,8 @@ TEST(Strike, CreatesNoEnergyAndLeavesNothingApproaching) {
 
 TEST(Jam, WhereTheNormalForceIsNotUniqueStopsTheSlip) {
     // Slides to the point where the numerator and the denominator of the normal force vanish together.
-    const auto scene = contact_of(scene_of(3, 0.048062199662670724, 0.81137724721839988, 1.3105431873092972,
-                                           0.12970732048356093, Law::newton));
+    const auto scene = contact_of(
+        scene_of(3, 0.048062199662670724, 0.81137724721839988, 1.3105431873092972, 0.12970732048356093, Law::newton));
     const Standing standing{true, Support::vertex, {-1.792332, 0.874762935, 0.5870, -0.00356}, 0, 0, 0};
     const ContactPhase phase = follow_contact(scene, standing, 10);
     ASSERT_EQ(phase.finish, ContactEvent::jam) << name_of(phase.finish);

@@ -6,15 +6,15 @@
 
 namespace swirl::tests {
 
-inline Scene<double> uniform_scene(int sides, double alpha, double beta, double mu, double e,
-                                   Law law = Law::poisson) {
+inline Scene<double> uniform_scene(int sides, double alpha, double beta, double mu, double e, Law law = Law::poisson) {
     return {sides, alpha, beta, mu, e, law, uniform_inertia_factor<double>(sides)};
 }
 
 inline ContactScene contact_of(const Scene<double>& s) {
-    const ImpactRule rule = s.mu == 0 ? ImpactRule::frictionless
-                          : s.law == Law::newton ? ImpactRule::newton
-                          : s.law == Law::stronge ? ImpactRule::stronge : ImpactRule::poisson;
+    const ImpactRule rule = s.mu == 0               ? ImpactRule::frictionless
+                            : s.law == Law::newton  ? ImpactRule::newton
+                            : s.law == Law::stronge ? ImpactRule::stronge
+                                                    : ImpactRule::poisson;
     return contact_scene(make_body(s), s.mu, s.restitution, rule);
 }
 

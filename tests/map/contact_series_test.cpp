@@ -28,7 +28,9 @@ Case random_case(tests::Random& random, Support support, ContactMotion motion) {
     const int sides = support == Support::rim ? disk_sides : random.one_of({3, 4, 5, 12});
     const double mu = motion != sliding_forward || random.chance(0.7) ? random.between(0.1, 0.6) : 0;
     Case c{tests::contact_of(tests::uniform_scene(sides, random.between(0.1, 0.9), random.between(0.05, 1), mu, 0.5)),
-           support, motion, {}};
+           support,
+           motion,
+           {}};
     c.start.psi = random.angle();
     c.start.spin = random.between(-2, 2);
     if (support == Support::vertex) c.start.chi = 0.9 * c.scene.widest_chi * random.between(-1, 1);
@@ -77,11 +79,11 @@ TEST(ContactSeries, IsWhatRungeKuttaFindsByTheForces) {
                 const ContactSeries series = contact_series(c.scene, support, motion, c.start);
                 const double h = std::min(step_of(series, 1e-16), 0.5);
                 const auto y = by_runge_kutta(c, h);
-                const Series* parts[] = {&series.psi, &series.chi, &series.ut, &series.spin, &series.turned,
-                                         &series.work};
+                const Series* parts[] = {&series.psi,  &series.chi,    &series.ut,
+                                         &series.spin, &series.turned, &series.work};
                 for (std::size_t k = 0; k < 6; ++k)
-                    worst = std::max(worst, std::abs((*parts[k])[0] + change_at(*parts[k], h) - y[k]) /
-                                                (1 + std::abs(y[k])));
+                    worst = std::max(worst,
+                                     std::abs((*parts[k])[0] + change_at(*parts[k], h) - y[k]) / (1 + std::abs(y[k])));
                 ++checked;
             }
     std::printf("%ld motions: largest difference after a step %.1e\n", checked, worst);
@@ -103,9 +105,9 @@ TEST(ContactSeries, HasTheForcesOfEveryMomentOfAStep) {
                 const auto at = [&](const Series& series) { return series[0] + change_at(series, t); };
                 const Reaction r = reaction_of(c.scene, support, motion, {at(s.psi), at(s.chi), at(s.ut), at(s.spin)});
                 const double size = 1 + std::abs(r.normal) + std::abs(r.second) + std::abs(r.friction);
-                worst = std::max({worst, std::abs(at(s.normal) - r.normal) / size,
-                                  std::abs(at(s.second) - r.second) / size,
-                                  std::abs(at(s.friction) - r.friction) / size});
+                worst =
+                    std::max({worst, std::abs(at(s.normal) - r.normal) / size, std::abs(at(s.second) - r.second) / size,
+                              std::abs(at(s.friction) - r.friction) / size});
                 if (support == Support::vertex && motion != sticking)
                     worst = std::max(worst, std::abs(at(s.stiffness) - r.stiffness));
                 EXPECT_LE(std::abs(at(s.normal) - s.normal[0]), reach_of(s.normal, t) * (1 + 1e-12) + 1e-300);

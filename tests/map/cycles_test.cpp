@@ -3,8 +3,8 @@
 #include "map/saltation.hpp"
 #include "tests/map/oracle.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <complex>
@@ -80,8 +80,12 @@ void check_all(const char* file, int wanted) {
     EXPECT_EQ(count, wanted);
 }
 
-TEST(Cycles, OracleCyclesCloseWithTheirMultipliers) { check_all("cycles.json", 20); }
-TEST(Cycles, OracleSteadyModesCloseWithTheirMultipliers) { check_all("steady_e1.json", 10); }
+TEST(Cycles, OracleCyclesCloseWithTheirMultipliers) {
+    check_all("cycles.json", 20);
+}
+TEST(Cycles, OracleSteadyModesCloseWithTheirMultipliers) {
+    check_all("steady_e1.json", 10);
+}
 
 }  // namespace
 }  // namespace swirl

@@ -4,8 +4,8 @@
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,9 @@ namespace {
 using tests::Random;
 using tests::sample_count;
 
-double slip_normal(const Body<double>& body, const Launch<double>& launch) { return approach_of(body, launch).un; }
+double slip_normal(const Body<double>& body, const Launch<double>& launch) {
+    return approach_of(body, launch).un;
+}
 
 /// Largest relative difference of the two forms over random states, one count per contact mode.
 struct Comparison {
@@ -81,7 +83,9 @@ const std::vector<ContactMode> all_five = {ContactMode::sliding, ContactMode::c_
 TEST(Derivative, JetsAgreeWithSaltationInEveryModePoisson) {
     compare_on("poisson", Law::poisson, false, true, all_five);
 }
-TEST(Derivative, JetsAgreeWithSaltationInEveryModeNewton) { compare_on("newton", Law::newton, false, true, all_five); }
+TEST(Derivative, JetsAgreeWithSaltationInEveryModeNewton) {
+    compare_on("newton", Law::newton, false, true, all_five);
+}
 TEST(Derivative, JetsAgreeWithSaltationInEveryModeStronge) {
     compare_on("stronge", Law::stronge, false, true, all_five);
 }

@@ -16,8 +16,8 @@ namespace swirl {
 namespace {
 
 constexpr std::size_t kinds = 6;
-constexpr std::array<const char*, kinds> names{"mean S", "rms of vn", "mean flight time", "mean of |chi|",
-                                                "RC(1e-2)", "RC(1e-6)"};
+constexpr std::array<const char*, kinds> names{"mean S",        "rms of vn", "mean flight time",
+                                               "mean of |chi|", "RC(1e-2)",  "RC(1e-6)"};
 using Means = std::array<double, kinds>;
 
 struct Statistics {
@@ -49,8 +49,8 @@ Means statistics_of(const Scene<double>& scene, tests::Random& random, long impa
         // Of S just after impacts, the paper's threshold and a wide one. Its diagonal, 1/n, says nothing of the orbit.
         const auto rates =
             analysis::recurrence::recurrence_rates(analysis::recurrence::embed_series(spins), std::array{1e-2, 1e-6});
-        return Means{turned / time, std::sqrt(square / n), time / n, chi / n, rates[0].without_diagonal(),
-                     rates[1].without_diagonal()};
+        return Means{turned / time, std::sqrt(square / n),       time / n,
+                     chi / n,       rates[0].without_diagonal(), rates[1].without_diagonal()};
     });
 }
 
@@ -66,8 +66,7 @@ Statistics statistics_at(double e, int orbits, long impacts) {
             squares[k] += m[k] * m[k] / orbits;
         }
     }
-    for (std::size_t k = 0; k < kinds; ++k)
-        s.error[k] = std::sqrt((squares[k] - s.mean[k] * s.mean[k]) / (orbits - 1));
+    for (std::size_t k = 0; k < kinds; ++k) s.error[k] = std::sqrt((squares[k] - s.mean[k] * s.mean[k]) / (orbits - 1));
     return s;
 }
 
@@ -88,8 +87,7 @@ TEST(ElasticLimit, IsJoinedContinuouslyByTheStatistics) {
             // Four standard errors, and what is linear in 1 - e.
             const double slope = std::abs(far.mean[k] - elastic.mean[k]) / widest;
             const double allowed = 4 * std::hypot(s.error[k], elastic.error[k]) + slope * loss;
-            EXPECT_LE(std::abs(s.mean[k] - elastic.mean[k]), allowed)
-                << names[k] << " at 1 - e = " << loss;
+            EXPECT_LE(std::abs(s.mean[k] - elastic.mean[k]), allowed) << names[k] << " at 1 - e = " << loss;
         }
         std::printf("\n");
     }

@@ -1,4 +1,5 @@
-// Without loss (e = 1) there is no sustained contact, and the return map is the collision map: the same bits, at its cost.
+// Without loss (e = 1) there is no sustained contact, and the return map is the collision map: the same bits, at its
+// cost.
 #include "map/orbit.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/sample_count.hpp"
@@ -53,8 +54,8 @@ TEST(ElasticReturn, IsTheCollisionMapBitForBitAndAtItsCost) {
                                  a.vertex_step != b.vertex_step || !passage.contacts.empty();
                 }
                 EXPECT_EQ(differing, 0) << sides << " sides, mu = " << mu;
-                std::printf("%d sides, mu %g: %.0f ns an impact, by the return map %.0f\n", sides, mu, 1e9 * plain / impacts,
-                            1e9 * returning / impacts);
+                std::printf("%d sides, mu %g: %.0f ns an impact, by the return map %.0f\n", sides, mu,
+                            1e9 * plain / impacts, 1e9 * returning / impacts);
 #ifndef SWIRL_SANITIZED
                 // Of seven loops the fastest. Half for what else the machine does; measured: 2 to 9 % (a larger struct
                 // is returned).

@@ -103,8 +103,8 @@ std::optional<Case> aimed_case(Random& random, Kind kind) {
     const double turn = psi + back;
     const double co = std::cos(turn), si = std::sin(turn);
     c.start = {co * x - si * y, si * x + co * y, co * vn - si * vt, si * vn + co * vt, chi - spin * back + turn, spin};
-    c.flight = {c.scene.sides, alpha,        beta,         Real(c.start.x) - Real(beta), c.start.y, c.start.vx,
-                c.start.vy,    0,            c.start.angle, spin,                        false};
+    c.flight = {c.scene.sides, alpha, beta, Real(c.start.x) - Real(beta), c.start.y, c.start.vx, c.start.vy, 0,
+                c.start.angle, spin,  false};
     if (c.flight.gap(0) > -1e-10L) return std::nullopt;
     return c;
 }
@@ -128,8 +128,7 @@ void check(const Case& c, Kind kind, bool scanning, Tally& tally) {
         const bool found = contact.outcome == ContactOutcome::contact;
         const double time = found ? contact.at.time : 30;
         // What a gap may be by rounding of the positions, 10⁻¹² and 8 ε of the ways gone; a gap is twice a depth.
-        const Real allowed =
-            2 * (1e-12L + 8 * eps * (1 + c.flight.speed() * time + std::fabs(c.flight.spin) * time));
+        const Real allowed = 2 * (1e-12L + 8 * eps * (1 + c.flight.speed() * time + std::fabs(c.flight.spin) * time));
         if (contact.outcome == ContactOutcome::sustained || contact.outcome == ContactOutcome::unresolved) {
             ++tally.unresolved;
             ADD_FAILURE() << "outcome " << static_cast<int>(contact.outcome) << " after " << contact.steps << " steps";
@@ -180,8 +179,12 @@ void check_flights(std::uint64_t seed, long count, long scan_every) {
     EXPECT_EQ(tally.contacts + tally.none, count);
 }
 
-TEST(FirstContact, NoneIsMissedOnAMillionFlights) { check_flights(1, tests::sample_count(1'000'000), 10); }
-TEST(FirstContactNightly, NoneIsMissedOnAMillionScannedFlights) { check_flights(2, tests::sample_count(1'000'000), 1); }
+TEST(FirstContact, NoneIsMissedOnAMillionFlights) {
+    check_flights(1, tests::sample_count(1'000'000), 10);
+}
+TEST(FirstContactNightly, NoneIsMissedOnAMillionScannedFlights) {
+    check_flights(2, tests::sample_count(1'000'000), 1);
+}
 
 /// The scan itself must be able to fail: a wall passed for an instant is seen.
 TEST(ContainerScan, SeesAShortExcursion) {

@@ -7,8 +7,7 @@
 
 namespace swirl::tests {
 
-Tally follow(const Scene<double>& scene, const LabStart<double>& start, double until, long most,
-             bool looks) {
+Tally follow(const Scene<double>& scene, const LabStart<double>& start, double until, long most, bool looks) {
     return with_collision_map(scene, [&](const auto& map) {
         Tally tally;
         const ContactScene contact = contact_of(scene);
@@ -20,7 +19,8 @@ Tally follow(const Scene<double>& scene, const LabStart<double>& start, double u
         Orbit orbit(map, start);
         double jacobi = 0;
         bool known = false;
-        const ContactSink sink = looks && body.sides != disk_sides ? look : ContactSink{};  // a disk has no vertex to look at
+        const ContactSink sink =
+            looks && body.sides != disk_sides ? look : ContactSink{};  // a disk has no vertex to look at
         while (tally.time < until && orbit.impacts() < most) {
             const bool went_on = orbit.advance(until - tally.time, sink);
             tally.pieces += static_cast<long>(orbit.contacts().size());

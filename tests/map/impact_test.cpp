@@ -50,8 +50,8 @@ ContactMode mode_of(const IntegratedImpulse& r, double ut) {
 struct Tally {
     std::array<long, mode_count> count{};
     std::array<double, mode_count> worst{};
-    long negative_slope = 0;     ///< B₂ − sμB₃ < 0
-    double largest_gain = -1;    ///< of energy, relative to that of the approach
+    long negative_slope = 0;   ///< B₂ − sμB₃ < 0
+    double largest_gain = -1;  ///< of energy, relative to that of the approach
 };
 
 /// The kinetic energy of the contact, ½ u·B⁻¹u with u = (C, u_t) and B = (B₂ B₃; B₃ B₁): the scale for gains.
@@ -68,9 +68,9 @@ void compare(const Sample& s, Law law, long wanted, Tally& tally) {
     const auto mode = static_cast<std::size_t>(closed.mode);
     if (tally.count[mode] >= wanted) return;
     const IntegratedImpulse reference = tests::integrate_impulse(a, s.mu, s.restitution, law);
-    const auto expected = a.ut == 0 && reference.kinks == 0 && std::fabs(a.b3()) > s.mu * a.b1()
-                              ? ContactMode::sliding
-                              : a.ut == 0 ? ContactMode::c_sticking : mode_of(reference, a.ut);
+    const auto expected = a.ut == 0 && reference.kinks == 0 && std::fabs(a.b3()) > s.mu * a.b1() ? ContactMode::sliding
+                          : a.ut == 0 ? ContactMode::c_sticking
+                                      : mode_of(reference, a.ut);
     const double scale = static_cast<double>(std::hypot(reference.p, reference.q));
     const double error =
         static_cast<double>(std::hypot(closed.normal - reference.p, closed.tangential - reference.q)) / scale;
@@ -85,8 +85,8 @@ void compare(const Sample& s, Law law, long wanted, Tally& tally) {
     const double border = 64 * 0x1p-52 * condition * std::max(1.0, size / std::fabs(slope));
     EXPECT_LE(error, border) << name_of(closed.mode) << " mu " << s.mu << " e " << s.restitution << " un " << a.un
                              << " ut " << a.ut << " rn " << a.rn << " rt " << a.rt << " I " << a.inertia;
-    EXPECT_EQ(name_of(closed.mode), name_of(expected)) << " mu " << s.mu << " e " << s.restitution << " un " << a.un
-                                                       << " ut " << a.ut;
+    EXPECT_EQ(name_of(closed.mode), name_of(expected))
+        << " mu " << s.mu << " e " << s.restitution << " un " << a.un << " ut " << a.ut;
     ++tally.count[mode];
     tally.worst[mode] = std::max(tally.worst[mode], error);
 

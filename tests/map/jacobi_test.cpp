@@ -74,14 +74,30 @@ void check_drift(int sides, double alpha, double beta) {
     EXPECT_LE(std::fabs(drift.end), walk + static_cast<double>(impacts) * 0x1p-52 / 40 * scale);
 }
 
-TEST(Jacobi, IsConservedByTheFrictionlessElasticTriangle) { check_drift(3, 0.4, 0.5); }
-TEST(Jacobi, IsConservedByTheFrictionlessElasticHexagon) { check_drift(6, 0.4, 1); }
-TEST(Jacobi, IsConservedByTheFrictionlessElasticThousandGon) { check_drift(1000, 0.4, 0.5); }
-TEST(Jacobi, IsConservedByTheFrictionlessElasticDisk) { check_drift(disk_sides, 0.4, 1); }
-TEST(Jacobi, IsConservedByTheFrictionlessElasticTriangleOnAWideSwirl) { check_drift(3, 0.4, 5); }
-TEST(Jacobi, IsConservedByTheFrictionlessElasticHexagonOnAWideSwirl) { check_drift(6, 0.4, 2); }
-TEST(Jacobi, IsConservedByTheFrictionlessElasticThousandGonOnAWideSwirl) { check_drift(1000, 0.4, 5); }
-TEST(Jacobi, IsConservedByTheFrictionlessElasticDiskOnAWideSwirl) { check_drift(disk_sides, 0.4, 5); }
+TEST(Jacobi, IsConservedByTheFrictionlessElasticTriangle) {
+    check_drift(3, 0.4, 0.5);
+}
+TEST(Jacobi, IsConservedByTheFrictionlessElasticHexagon) {
+    check_drift(6, 0.4, 1);
+}
+TEST(Jacobi, IsConservedByTheFrictionlessElasticThousandGon) {
+    check_drift(1000, 0.4, 0.5);
+}
+TEST(Jacobi, IsConservedByTheFrictionlessElasticDisk) {
+    check_drift(disk_sides, 0.4, 1);
+}
+TEST(Jacobi, IsConservedByTheFrictionlessElasticTriangleOnAWideSwirl) {
+    check_drift(3, 0.4, 5);
+}
+TEST(Jacobi, IsConservedByTheFrictionlessElasticHexagonOnAWideSwirl) {
+    check_drift(6, 0.4, 2);
+}
+TEST(Jacobi, IsConservedByTheFrictionlessElasticThousandGonOnAWideSwirl) {
+    check_drift(1000, 0.4, 5);
+}
+TEST(Jacobi, IsConservedByTheFrictionlessElasticDiskOnAWideSwirl) {
+    check_drift(disk_sides, 0.4, 5);
+}
 
 /// J just before an impact.
 double jacobi_before(const Body<double>& body, const Collision<double>& c) {
@@ -148,10 +164,18 @@ void check_balance_under(Law law, double mu_low, double mu_high) {
     EXPECT_GE(balance.impacts, 10 * orbits);
 }
 
-TEST(Jacobi, ChangesByItsTwoPartsUnderPoisson) { check_balance_under(Law::poisson, 0.01, 5); }
-TEST(Jacobi, ChangesByItsTwoPartsUnderNewton) { check_balance_under(Law::newton, 0.01, 5); }
-TEST(Jacobi, ChangesByItsTwoPartsUnderStronge) { check_balance_under(Law::stronge, 0.01, 5); }
-TEST(Jacobi, OnlyFallsWithoutFriction) { check_balance_under(Law::poisson, 0, 0); }
+TEST(Jacobi, ChangesByItsTwoPartsUnderPoisson) {
+    check_balance_under(Law::poisson, 0.01, 5);
+}
+TEST(Jacobi, ChangesByItsTwoPartsUnderNewton) {
+    check_balance_under(Law::newton, 0.01, 5);
+}
+TEST(Jacobi, ChangesByItsTwoPartsUnderStronge) {
+    check_balance_under(Law::stronge, 0.01, 5);
+}
+TEST(Jacobi, OnlyFallsWithoutFriction) {
+    check_balance_under(Law::poisson, 0, 0);
+}
 
 }  // namespace
 }  // namespace swirl

@@ -16,8 +16,9 @@ struct Mean {
     double value = 0, standard_error = 0, per_impact = 0;
 };
 
-/// Time mean of S, ∫S dt / T over all blocks, and its standard error from the blocks (a ratio's), which are long against the
-/// memory of the orbit. (The mean of the blocks' own means would favour fast spins: their blocks are the shortest.)
+/// Time mean of S, ∫S dt / T over all blocks, and its standard error from the blocks (a ratio's), which are long
+/// against the memory of the orbit. (The mean of the blocks' own means would favour fast spins: their blocks are the
+/// shortest.)
 template <class Map>
 Mean mean_spin(const Map& map, Launch<double> launch, int blocks, long impacts) {
     std::vector<double> times, integrals;
@@ -62,9 +63,15 @@ void check_mean(int sides, double alpha, double beta, const SectionPoint<double>
     EXPECT_LE(mean.standard_error, 0.05 * std::sqrt(static_cast<double>(full) / static_cast<double>(impacts)));
 }
 
-TEST(MeanSpin, OfAFrictionlessChaoticTriangleIsTheSwirls) { check_mean(3, 0.5, 0.5, {0.3, 0.1, -0.9, 0.4, 0.2}); }
-TEST(MeanSpin, OfAFrictionlessChaoticSquareIsTheSwirls) { check_mean(4, 0.6, 0.8, {0.3, 0.1, -1.2, 0.4, -0.5}); }
-TEST(MeanSpin, OfAFrictionlessChaoticHexagonIsTheSwirls) { check_mean(6, 0.5, 0.5, {0.3, 0.05, -1.1, 0.4, 0.2}); }
+TEST(MeanSpin, OfAFrictionlessChaoticTriangleIsTheSwirls) {
+    check_mean(3, 0.5, 0.5, {0.3, 0.1, -0.9, 0.4, 0.2});
+}
+TEST(MeanSpin, OfAFrictionlessChaoticSquareIsTheSwirls) {
+    check_mean(4, 0.6, 0.8, {0.3, 0.1, -1.2, 0.4, -0.5});
+}
+TEST(MeanSpin, OfAFrictionlessChaoticHexagonIsTheSwirls) {
+    check_mean(6, 0.5, 0.5, {0.3, 0.05, -1.1, 0.4, 0.2});
+}
 
 }  // namespace
 }  // namespace swirl

@@ -37,8 +37,8 @@ struct RandomScene {
     bool stalled() const { return tally.outcome == Outcome::completed && tally.time < until; }
 };
 
-/// `with_thousand`: one scene in 40 has N = 1000, which rolls on its vertices with 10⁴ impacts per unit of time, elastic
-/// ones with 10⁵.
+/// `with_thousand`: one scene in 40 has N = 1000, which rolls on its vertices with 10⁴ impacts per unit of time,
+/// elastic ones with 10⁵.
 std::vector<RandomScene> draw(int count, bool with_thousand) {
     constexpr int sides[] = {disk_sides, 3, 4, 5, 6, 8, 12, 20, 50};
     std::mt19937_64 random(2026);
@@ -50,7 +50,8 @@ std::vector<RandomScene> draw(int count, bool with_thousand) {
         const double beta = 2 * unit(random) * unit(random);
         const double mu = i % 7 == 0 ? 0 : 2 * unit(random);
         const double e = i % 11 == 0 ? 0 : i % 11 == 1 ? 1 : unit(random);
-        c.scene = tests::uniform_scene(with_thousand && i % 40 == 39 ? 1000 : sides[i % 9], alpha, beta, mu, e, static_cast<Law>(i % 3));
+        c.scene = tests::uniform_scene(with_thousand && i % 40 == 39 ? 1000 : sides[i % 9], alpha, beta, mu, e,
+                                       static_cast<Law>(i % 3));
         const double direction = 2 * pi<double>() * unit(random);
         c.start = {beta, 0, std::cos(direction) / 7, std::sin(direction) / 7, 6 * unit(random), 0};
     }
@@ -60,10 +61,10 @@ std::vector<RandomScene> draw(int count, bool with_thousand) {
 /// A bound on events per unit time. Contact begins by a landing, or by a strike of the next vertex of a polygon that
 /// turns along the wall (N Ω/2π of them, Ω = |S| + |u_t|), and by slips and releases, some per turn of ψ. Each may be
 /// followed by one chatter: rebounds that shrink by e until they are below rounding, ln(v/√(8ε a(1 − e)))/ln(1/e) of
-/// them, some 20/ln(1/e). A polygon that rocks on an edge keeps the share r = (κ + cos 2π/N)/(κ + 1) of its turn at each
-/// strike even if e = 0 (its angular momentum about the striking vertex stays: Housner, Bull. Seismol. Soc. Am. 53 (1963)
-/// 403), r + e(1 − r) between that and e = 1. An impact and up to three pieces of contact (slip, stick, lift) make four
-/// events. Without loss (e = 1) nothing bounds them but how flat the orbit runs along the wall.
+/// them, some 20/ln(1/e). A polygon that rocks on an edge keeps the share r = (κ + cos 2π/N)/(κ + 1) of its turn at
+/// each strike even if e = 0 (its angular momentum about the striking vertex stays: Housner, Bull. Seismol. Soc. Am. 53
+/// (1963) 403), r + e(1 − r) between that and e = 1. An impact and up to three pieces of contact (slip, stick, lift)
+/// make four events. Without loss (e = 1) nothing bounds them but how flat the orbit runs along the wall.
 double most_events(const Scene<double>& scene, const Tally& tally) {
     const double kappa = scene.inertia_factor;
     const double rocking =
@@ -101,8 +102,9 @@ double median(std::vector<double> values) {
 
 std::string in_words(const RandomScene& c) {
     char text[300];
-    std::snprintf(text, sizeof text, "N = %d alpha %.17g beta %.17g mu %.17g e %.17g law %s vx %.17g vy %.17g angle %.17g",
-                  c.scene.sides, c.scene.alpha, c.scene.beta, c.scene.mu, c.scene.restitution,
+    std::snprintf(text, sizeof text,
+                  "N = %d alpha %.17g beta %.17g mu %.17g e %.17g law %s vx %.17g vy %.17g angle %.17g", c.scene.sides,
+                  c.scene.alpha, c.scene.beta, c.scene.mu, c.scene.restitution,
                   std::string(name_of(c.scene.law)).c_str(), c.start.vx, c.start.vy, c.start.angle);
     return text;
 }
@@ -114,9 +116,13 @@ std::vector<double> costs_of(const std::vector<RandomScene>& cases, const Cost& 
     return costs;
 }
 
-double seconds_of(const RandomScene& c) { return c.seconds; }
+double seconds_of(const RandomScene& c) {
+    return c.seconds;
+}
 /// Looks of the searches for contact, and series of motions in contact.
-double work_of(const RandomScene& c) { return static_cast<double>(c.tally.moments + c.tally.steps); }
+double work_of(const RandomScene& c) {
+    return static_cast<double>(c.tally.moments + c.tally.steps);
+}
 
 /// What seems dear is timed twice more, one after the other: the machine has other things to do.
 void time_again(std::vector<RandomScene>& cases) {
@@ -130,8 +136,8 @@ void check_costs(const char* name, const std::vector<RandomScene>& cases, const 
     const std::vector<double> costs = costs_of(cases, cost);
     const auto worst = static_cast<std::size_t>(std::max_element(costs.begin(), costs.end()) - costs.begin());
     const double typical = median(costs), largest = costs[worst];
-    std::printf("%s per event (and unit of time): median %.2g, largest %.2g (%.1f medians: %s)\n", name, typical, largest,
-                largest / typical, in_words(cases[worst]).c_str());
+    std::printf("%s per event (and unit of time): median %.2g, largest %.2g (%.1f medians: %s)\n", name, typical,
+                largest, largest / typical, in_words(cases[worst]).c_str());
     EXPECT_LE(largest, 20 * typical) << name << ": " << in_words(cases[worst]);
 }
 
@@ -180,8 +186,12 @@ void check_random_scenes(int count, bool with_thousand) {
     check_costs("looks and series", cases, work_of);
 }
 
-TEST(RandomScenes, EveryOneEndsWithAName) { check_random_scenes(static_cast<int>(tests::sample_count(200)), false); }
-TEST(RandomScenesNightly, EveryOneOfTwentyThousandEndsWithAName) { check_random_scenes(20'000, true); }
+TEST(RandomScenes, EveryOneEndsWithAName) {
+    check_random_scenes(static_cast<int>(tests::sample_count(200)), false);
+}
+TEST(RandomScenesNightly, EveryOneOfTwentyThousandEndsWithAName) {
+    check_random_scenes(20'000, true);
+}
 
 }  // namespace
 }  // namespace swirl

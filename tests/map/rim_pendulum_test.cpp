@@ -1,14 +1,14 @@
 // A disk on the wall is a pendulum: the integrated contact and the closed forms against Jacobi's functions.
-#include "map/sustained/contact_phase.hpp"
 #include "map/sustained/rim_pendulum.hpp"
+#include "map/sustained/contact_phase.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
 
+#include <gtest/gtest.h>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <boost/math/tools/roots.hpp>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
@@ -42,8 +42,10 @@ TEST(DiskInContact, IsAPendulumForAHundredPeriods) {
             // Going round with ψ′ > 0 the wall presses all the time.
             ContactState z{0, 0, 0, mu > 0 ? 0 : 0.7};
             const double rate = 2 * omega * k;
-            if (mu > 0) z.spin = -rho * (1 + rate) / 0.4;
-            else z.ut = rho * (1 + rate) + 0.4 * z.spin;
+            if (mu > 0)
+                z.spin = -rho * (1 + rate) / 0.4;
+            else
+                z.ut = rho * (1 + rate) + 0.4 * z.spin;
             const auto motion = mu > 0 ? ContactMotion::sticking : ContactMotion::sliding_forward;
             const double period = 4 * boost::math::ellint_1(k < 1 ? k : 1 / k) / (omega * std::max(1.0, k));
             double largest = 0;
@@ -59,7 +61,8 @@ TEST(DiskInContact, IsAPendulumForAHundredPeriods) {
             if (mu > 0)
                 EXPECT_NEAR(end.state.spin, -rho * (1 + (normal_rate(scene, Support::rim, end.state) - 1)) / 0.4,
                             1e-12);
-            else EXPECT_EQ(end.state.spin, 0.7);
+            else
+                EXPECT_EQ(end.state.spin, 0.7);
         }
 }
 
@@ -67,9 +70,8 @@ TEST(DiskInContact, LibratesWithTheExactMeanSpin) {
     const auto scene = contact_of(scene_of(disk_sides, 0.4, 0.3, 5, 0.5));
     const double omega = std::sqrt(0.3 / 0.9), k = 0.6;
     const double period = 4 * boost::math::ellint_1(k) / omega;
-    const auto end =
-        run_contact(scene, Support::rim, ContactMotion::sticking, {0, 0, 0, -1.5 * (1 + 2 * omega * k)}, 50 * period,
-                    [](const auto&...) {});
+    const auto end = run_contact(scene, Support::rim, ContactMotion::sticking, {0, 0, 0, -1.5 * (1 + 2 * omega * k)},
+                                 50 * period, [](const auto&...) {});
     EXPECT_NEAR(end.sums.turned / end.sums.time, -1.5, 1e-12);
 }
 
@@ -133,10 +135,10 @@ TEST(RimPendulum, InClosedFormIsWhatIntegrationFinds) {
         // An error of ψ grows along the orbit with dψ/dh t: by the swings seen, and more near the separatrix.
         const double near = std::abs(pendulum.height / (2 * pendulum.strength) - 1);
         const double scale = (1 + std::sqrt(pendulum.height) * time) / std::min(1.0, near);
-        const double difference =
-            std::max({std::abs(seen.state.psi - told.state.psi), std::abs(seen.state.ut - told.state.ut),
-                      std::abs(seen.state.spin - told.state.spin) * alpha,
-                      std::abs(seen.sums.turned - told.sums.turned) * alpha, std::abs(seen.sums.work - told.sums.work)});
+        const double difference = std::max(
+            {std::abs(seen.state.psi - told.state.psi), std::abs(seen.state.ut - told.state.ut),
+             std::abs(seen.state.spin - told.state.spin) * alpha, std::abs(seen.sums.turned - told.sums.turned) * alpha,
+             std::abs(seen.sums.work - told.sums.work)});
         worst = std::max(worst, difference / scale);
         ++lasting;
         turning += pendulum.turns();
@@ -156,8 +158,8 @@ TEST(RimPendulum, HasTheMeanSpinThatIntegrationFinds) {
             const ContactState z = state_on_rim(scene, 0, rate, 0);
             const RimPendulum pendulum = rim_pendulum(scene, z);
             const double period = period_of(pendulum);
-            const auto end = run_contact(scene, Support::rim, ContactMotion::sticking, z, 10 * period,
-                                         [](const auto&...) {});
+            const auto end =
+                run_contact(scene, Support::rim, ContactMotion::sticking, z, 10 * period, [](const auto&...) {});
             ASSERT_EQ(end.event, ContactEvent::horizon);
             const double mean = mean_rolling_spin(scene, pendulum);
             worst = std::max(worst, std::abs(end.sums.turned / end.sums.time - mean) / (1 + std::abs(mean)));

@@ -13,7 +13,9 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Scene<double> good_scene() { return {6, 0.4, 0.5, 0.5, 0.9, Law::poisson, uniform_inertia_factor<double>(6)}; }
+Scene<double> good_scene() {
+    return {6, 0.4, 0.5, 0.5, 0.9, Law::poisson, uniform_inertia_factor<double>(6)};
+}
 
 template <class Call>
 std::string refusal(Call&& call) {

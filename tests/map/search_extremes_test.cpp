@@ -21,7 +21,8 @@ template <class T, class From>
 Outcome outcome_after(const Scene<T>& scene, const From& start, long long impacts, long long& made) {
     return with_collision_map(scene, [&](const auto& map) {
         ReducedOrbit orbit(map, start);
-        while (orbit.impacts() < impacts && orbit.advance()) {}
+        while (orbit.impacts() < impacts && orbit.advance()) {
+        }
         made = orbit.impacts();
         return orbit.outcome();
     });
@@ -42,8 +43,7 @@ TEST(SearchAtExtremes, NoProofFromNumbersThatOverflow) {
     long direct = 0, later = 0;
     for (const int power : {0, 60, 185, 195, 240})
         for (int i = 0; i < 20'000; ++i) {
-            const Scene<double> scene =
-                scene_of(random.one_of({3, 4, 5, 6, 7, 8}), random.between(0.3, 0.95), 0, 0);
+            const Scene<double> scene = scene_of(random.one_of({3, 4, 5, 6, 7, 8}), random.between(0.3, 0.95), 0, 0);
             const SectionPoint<double> z = tests::random_point(random, scene, random.log_between(0.01, 1), 1, 8);
             with_collision_map(scene, [&](const auto& map) {
                 constexpr Shape shape = std::decay_t<decltype(map)>::shape;
@@ -54,8 +54,9 @@ TEST(SearchAtExtremes, NoProofFromNumbersThatOverflow) {
                 ++direct;
                 if (certain.outcome == ContactOutcome::contact && found.at.time <= certain.at.time * (1 + 1e-9)) return;
                 ++later;
-                std::printf("2^%d, %d sides, alpha %.17g, point %.17g,%.17g,%.17g,%.17g,%.17g: %.17g after %.17g\n", power,
-                            scene.sides, scene.alpha, z.psi, z.chi, z.vn, z.vt, z.spin, found.at.time, certain.at.time);
+                std::printf("2^%d, %d sides, alpha %.17g, point %.17g,%.17g,%.17g,%.17g,%.17g: %.17g after %.17g\n",
+                            power, scene.sides, scene.alpha, z.psi, z.chi, z.vn, z.vt, z.spin, found.at.time,
+                            certain.at.time);
             });
         }
     std::printf("%ld flights found directly, %ld of them later than by safe steps\n", direct, later);
@@ -96,8 +97,8 @@ T worst_gap(int sides) {
     int found = 0;
     for (int i = 0; i < 300; ++i) {
         const Scene<double> plain = tests::random_scene(random, sides, 0.5, 1, Law::poisson);
-        const Scene<T> scene{sides,           T(plain.alpha), T(plain.beta), T(0.5),
-                             T(1),            Law::poisson,   uniform_inertia_factor<T>(sides)};
+        const Scene<T> scene{
+            sides, T(plain.alpha), T(plain.beta), T(0.5), T(1), Law::poisson, uniform_inertia_factor<T>(sides)};
         const SectionPoint<double> z = tests::random_point(random, plain, random.log_between(0.01, 1));
         const SectionPoint<T> start{T(z.psi), T(z.chi), T(z.vn), T(z.vt), T(z.spin)};
         with_collision_map(scene, [&](const auto& map) {
@@ -125,8 +126,8 @@ TEST(SearchAtExtremes, ContactsAreExactInEveryNumberType) {
         const double in_double = worst_gap<double>(sides);
         const double in_extended = static_cast<double>(worst_gap<long double>(sides));
         const double in_quad = static_cast<double>(worst_gap<Quad>(sides));
-        std::printf("%d sides (0: disk): gap at the contact at most %.2f, %.2f, %.2f epsilon a way gone\n", sides, in_double,
-                    in_extended, in_quad);
+        std::printf("%d sides (0: disk): gap at the contact at most %.2f, %.2f, %.2f epsilon a way gone\n", sides,
+                    in_double, in_extended, in_quad);
         EXPECT_LE(in_double, 8);
         EXPECT_LE(in_extended, 8);
         EXPECT_LE(in_quad, 8);
@@ -152,13 +153,22 @@ TEST(SearchAtExtremes, AnElasticPolygonThatFrictionHoldsGoesOnInContact) {
 TEST(SearchAtExtremes, WiderTypesGoOnAfterARelease) {
     const SectionPoint<double> start{-0.7660487341864468, 0, -2.828050828744203, -1.0937463400211522,
                                      2.3751268390572786};
-    const Scene<double> scene{disk_sides,         3.859921592962973e-05, 4.079155844212444,
-                              5.286795197606876,  0.6383614267269445,    Law::poisson,
+    const Scene<double> scene{disk_sides,
+                              3.859921592962973e-05,
+                              4.079155844212444,
+                              5.286795197606876,
+                              0.6383614267269445,
+                              Law::poisson,
                               uniform_inertia_factor<double>(disk_sides)};
     long long in_double = 0, in_extended = 0;
     EXPECT_EQ(outcome_after(scene, start, 6, in_double), Outcome::completed);
-    const Scene<long double> wide{disk_sides,        scene.alpha,       scene.beta, scene.mu, scene.restitution,
-                                  Law::poisson,      uniform_inertia_factor<long double>(disk_sides)};
+    const Scene<long double> wide{disk_sides,
+                                  scene.alpha,
+                                  scene.beta,
+                                  scene.mu,
+                                  scene.restitution,
+                                  Law::poisson,
+                                  uniform_inertia_factor<long double>(disk_sides)};
     const SectionPoint<long double> same{start.psi, 0, start.vn, start.vt, start.spin};
     EXPECT_EQ(outcome_after(wide, same, 6, in_extended), Outcome::completed);
     EXPECT_EQ(in_extended, in_double);

@@ -79,8 +79,9 @@ LabStart<double> half_way(const LabState<double>& s, const LabFrame<double>& fra
     const double turn = -(frame.time.phase + half);
     const double co = std::cos(turn), si = std::sin(turn);
     const double x = s.x + s.vx * half, y = s.y + s.vy * half;
-    return {co * x - si * y, si * x + co * y, co * s.vx - si * s.vy, si * s.vx + co * s.vy,
-            s.angle + s.spin * half + turn, s.spin};
+    return {
+        co * x - si * y, si * x + co * y, co * s.vx - si * s.vy, si * s.vx + co * s.vy, s.angle + s.spin * half + turn,
+        s.spin};
 }
 
 /// Along orbits: the laboratory's state, taken half a flight on and started afresh there, leads to the same impact as
@@ -116,7 +117,8 @@ void check_orbit(const Map& map, const SectionPoint<double>& z, long& impacts) {
             const double direction = after.angle + map.body().spacing * frame.vertex;
             const double cx = map.body().beta * std::cos(after.t), cy = map.body().beta * std::sin(after.t);
             EXPECT_NEAR(std::hypot(after.x + map.body().alpha * std::cos(direction) - cx,
-                                   after.y + map.body().alpha * std::sin(direction) - cy), 1, allowed);
+                                   after.y + map.body().alpha * std::sin(direction) - cy),
+                        1, allowed);
         }
         ++impacts;
     }
@@ -128,8 +130,8 @@ TEST(LabFrame, FollowsTheSectionThroughTheLaboratory) {
     const long orbits = tests::sample_count(5000);
     for (long i = 0; i < orbits; ++i) {
         const int sides = random.one_of({disk_sides, 3, 4, 5, 6, 12, 100});
-        const Scene<double> scene = tests::random_scene(random, sides, random.chance(0.5) ? 0 : 0.4,
-                                                        random.between(0.6, 1), Law::stronge);
+        const Scene<double> scene =
+            tests::random_scene(random, sides, random.chance(0.5) ? 0 : 0.4, random.between(0.6, 1), Law::stronge);
         const auto z = tests::random_point(random, scene, random.between(0.2, 2));
         with_collision_map(scene, [&](const auto& map) { check_orbit(map, z, impacts); });
     }

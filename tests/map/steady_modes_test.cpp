@@ -2,8 +2,8 @@
 // with friction S = (β − v_t)/α, R = β + 1 − α.
 #include "map/derivative.hpp"
 
-#include <boost/math/tools/roots.hpp>
 #include <gtest/gtest.h>
+#include <boost/math/tools/roots.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -119,8 +119,7 @@ TEST(SteadyModes, PolygonsHaveThemWhereTheNextVertexArrives) {
                 for (int j = -2 * sides; j <= 2 * sides; ++j) {
                     const Scene<double> scene = elastic_scene(sides, alpha, beta, 0.4, static_cast<Law>((j & 7) % 3));
                     for (const double time : flight_times(scene, j, 6.2)) {
-                        const SectionPoint<double> z =
-                            steady_point(scene, time, 1 - two_pi * j / (sides * time));
+                        const SectionPoint<double> z = steady_point(scene, time, 1 - two_pi * j / (sides * time));
                         if (farthest_outside(scene, z, time) > -1e-9) {
                             ++inadmissible;
                             continue;
@@ -143,8 +142,7 @@ TEST(SteadyModes, PolygonsWithoutFrictionHaveOneForEveryFlightTime) {
                     for (int i = 1; i <= 20; ++i) {
                         const double time = 0.3 * i;
                         const Scene<double> scene = elastic_scene(sides, alpha, beta, 0);
-                        const SectionPoint<double> z =
-                            steady_point(scene, time, 1 - two_pi * j / (sides * time));
+                        const SectionPoint<double> z = steady_point(scene, time, 1 - two_pi * j / (sides * time));
                         if (farthest_outside(scene, z, time) > -1e-9) {
                             ++inadmissible;
                             continue;

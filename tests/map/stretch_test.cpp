@@ -35,8 +35,10 @@ void look_at(const StretchCutter& cutter, const Stretch& stretch, Look& look) {
     for (const double share : {0.0, 0.3, 0.7, 1.0}) {
         const double t = stretch.start + share * (stretch.end - stretch.start);
         const double excess = farthest_point(cutter.scene(), moment_at(cutter.scene(), stretch, t), t) - 1;
-        if (stretch.in_contact) look.gap = std::max(look.gap, std::abs(excess));
-        else look.outside = std::max(look.outside, excess);
+        if (stretch.in_contact)
+            look.gap = std::max(look.gap, std::abs(excess));
+        else
+            look.outside = std::max(look.outside, excess);
     }
 }
 
@@ -52,8 +54,9 @@ Look follow(const Scene<double>& scene, const LabStart<double>& start, int impac
             for (const Stretch& stretch : cutter.passed(orbit, true)) {
                 look_at(cutter, stretch, look);
                 const Moment first = moment_at(cutter.scene(), stretch, stretch.start);
-                look.jump = std::max({look.jump, std::hypot(first.centre.x - last.centre.x, first.centre.y - last.centre.y),
-                                      std::abs(first.angle - last.angle)});
+                look.jump =
+                    std::max({look.jump, std::hypot(first.centre.x - last.centre.x, first.centre.y - last.centre.y),
+                              std::abs(first.angle - last.angle)});
                 last = moment_at(cutter.scene(), stretch, stretch.end);
                 turned += last.turned;
             }
@@ -84,7 +87,9 @@ TEST(Stretch, APolygonStaysOnTheWallInContactAndInsideInFlight) {
     check(tests::uniform_scene(4, 0.3, 0.6, 0, 0.3), 200);
 }
 
-TEST(Stretch, ADiskToo) { check(tests::uniform_scene(disk_sides, 0.1, 0.05, 0.4, 0.3), 200); }
+TEST(Stretch, ADiskToo) {
+    check(tests::uniform_scene(disk_sides, 0.1, 0.05, 0.4, 0.3), 200);
+}
 
 TEST(Stretch, AStartOnTheSectionBeginsWhereItStands) {
     const auto scene = tests::uniform_scene(6, 0.4, 0.5, 0.5, 0.9);

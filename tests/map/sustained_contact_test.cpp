@@ -52,8 +52,12 @@ void check_plastic_polygons(double until, int starts) {
     for (const int sides : {3, 4, 6, 12}) check_plastic_polygon(sides, until, starts, random);
 }
 
-TEST(PlasticPolygons, GoOnWithoutAStall) { check_plastic_polygons(200, 5); }
-TEST(PlasticPolygonsNightly, GoOnWithoutAStallForAHundredThousandTimeUnits) { check_plastic_polygons(1e5, 20); }
+TEST(PlasticPolygons, GoOnWithoutAStall) {
+    check_plastic_polygons(200, 5);
+}
+TEST(PlasticPolygonsNightly, GoOnWithoutAStallForAHundredThousandTimeUnits) {
+    check_plastic_polygons(1e5, 20);
+}
 
 /// How an orbit ends, and what its contacts ended with on the way.
 Tally follow_scene(const Scene<double>& scene, double vx, double vy, double angle, double until) {
@@ -79,8 +83,8 @@ TEST(Neighbours, ThatAreOutsideBetweenTwoLooksStrike) {
     for (const auto& [scene, vx, vy, angle] :
          {std::tuple{scene_of(50, 0.97608948378345117, 0.44666920243550368, 1.7449815208099522, 0, Law::stronge),
                      -0.12998357684496356, -0.059265782842172703, 0.89632774093571277},
-          std::tuple{scene_of(3, 0.17141008545796713, 0.0013397472815017204, 0.27727887373260257,
-                              0.16662228081437142, Law::newton),
+          std::tuple{scene_of(3, 0.17141008545796713, 0.0013397472815017204, 0.27727887373260257, 0.16662228081437142,
+                              Law::newton),
                      -0.14208770075879187, -0.014807044215039629, 1.5576608303647883}}) {
         const Tally tally = follow_scene(scene, vx, vy, angle, 200);
         EXPECT_LE(tally.outside, 1e-12);
@@ -104,11 +108,10 @@ TEST(Neighbours, ReboundsBelowTheRoundingOfChiComeToAnEnd) {
 
 TEST(Neighbours, StrikingInTurnOnAVertexThatRestsComeToAnEnd) {
     // An ulp of chi is a fall that gives back what the strikes take: 7e7 impacts a unit of time, for ever.
-    for (const auto& [scene, vx, vy, angle] :
-         {std::tuple{scene_of(3, 0.2305, 0.8881, 0, 0.9), 0.13253878162171626, -0.053306984828792633,
-                     1.8834260572510948},
-          std::tuple{scene_of(3, 0.2645, 1.1694, 0.02, 0.95), 0.088817989841380604, 0.11189069642218934,
-                     2.3074061207662746}}) {
+    for (const auto& [scene, vx, vy, angle] : {std::tuple{scene_of(3, 0.2305, 0.8881, 0, 0.9), 0.13253878162171626,
+                                                          -0.053306984828792633, 1.8834260572510948},
+                                               std::tuple{scene_of(3, 0.2645, 1.1694, 0.02, 0.95), 0.088817989841380604,
+                                                          0.11189069642218934, 2.3074061207662746}}) {
         const Tally tally = follow_scene(scene, vx, vy, angle, 50);
         EXPECT_LE(tally.impacts, 2000);
         EXPECT_EQ(tally.time, 50);
@@ -132,15 +135,14 @@ TEST(Release, AtLargeFrictionIsResolved) {
 
 TEST(Release, CloseToAStrikeOfTheNeighbourIsResolved) {
     // A vertex is released 1e-4 before its neighbour strikes: its gap is below 1e-16 all the way.
-    const auto scene =
-        scene_of(8, 0.36454827658835726, 0.866862777474248, 1.8310345267194184, 0.043470744687158516);
+    const auto scene = scene_of(8, 0.36454827658835726, 0.866862777474248, 1.8310345267194184, 0.043470744687158516);
     const Tally tally = follow_scene(scene, 0.023506691470764139, -0.14090989575400453, 1.005305731755205, 300);
     EXPECT_EQ(tally.outcome, Outcome::completed) << name_of(tally.outcome) << " at t = " << tally.time;
 }
 
 TEST(Release, FiveMillionthsBeforeAStrikeOfTheNeighbourIsResolved) {
-    const auto scene = scene_of(20, 0.64924916475612793, 0.099972223845483502, 1.340329544151627, 0.16642231990613229,
-                                Law::newton);
+    const auto scene =
+        scene_of(20, 0.64924916475612793, 0.099972223845483502, 1.340329544151627, 0.16642231990613229, Law::newton);
     const Tally tally = follow_scene(scene, -0.1421816906209733, 0.013875522241269108, 2.5455178191748407, 300);
     expect_goes_on(tally);
     EXPECT_GE(tally.time, 300);
@@ -148,8 +150,7 @@ TEST(Release, FiveMillionthsBeforeAStrikeOfTheNeighbourIsResolved) {
 
 TEST(Rocking, ThatFrictionStopsEndsAtRest) {
     // On this edge no sliding is consistent: what rocking leaves of slip must not end the contact.
-    const auto scene =
-        scene_of(4, 0.13418721697544064, 0.28448658488686412, 1.9592219650602412, 0, Law::newton);
+    const auto scene = scene_of(4, 0.13418721697544064, 0.28448658488686412, 1.9592219650602412, 0, Law::newton);
     const Tally tally = follow_scene(scene, -0.11763498469767016, -0.081056607630007757, 5.9218009112310632, 300);
     expect_goes_on(tally);
 }

@@ -77,8 +77,7 @@ void reproduce(const Tolerance& tolerance, int impacts) {
     Tally tally;
     for (const json& orbit : oracle["cases"]) {
         SCOPED_TRACE("orbit " + std::to_string(tally.orbits));
-        with_collision_map(tests::scene_from<T>(orbit),
-                           [&](const auto& map) { follow(map, orbit, tolerance, tally); });
+        with_collision_map(tests::scene_from<T>(orbit), [&](const auto& map) { follow(map, orbit, tolerance, tally); });
         ++tally.orbits;
     }
     std::printf("%d orbits, %d impacts, largest error %.3f of what is allowed\n", tally.orbits, tally.impacts,
@@ -87,14 +86,18 @@ void reproduce(const Tolerance& tolerance, int impacts) {
     EXPECT_GE(tally.impacts, impacts);
 }
 
-TEST(Trajectories, OracleOrbitsAreReproducedInDouble) { reproduce<double>({1e-13, 1e-12, 1e10}, 500); }
+TEST(Trajectories, OracleOrbitsAreReproducedInDouble) {
+    reproduce<double>({1e-13, 1e-12, 1e10}, 500);
+}
 
 /// The same in units of ε, which is 2¹¹ times smaller.
 TEST(Trajectories, OracleOrbitsAreReproducedInLongDouble) {
     reproduce<long double>({1e-13 / 2048, 1e-12 / 2048, 1e13}, 500);
 }
 
-TEST(Trajectories, OracleOrbitsAreReproducedInQuad) { reproduce<Quad>({1e-24, 1e-22, HUGE_VAL}, 48 * 12); }
+TEST(Trajectories, OracleOrbitsAreReproducedInQuad) {
+    reproduce<Quad>({1e-24, 1e-22, HUGE_VAL}, 48 * 12);
+}
 
 }  // namespace
 }  // namespace swirl

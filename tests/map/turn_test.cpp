@@ -41,7 +41,8 @@ TEST(Turn, IsRightToAnUlpAfterATabledMoment) {
         const double later = random.between(-0.1, 0.1);
         const Vec2<double> turn = detail::turn_after(near, later);
         const Vec2<long double> exact = exact_turn(static_cast<long double>(near.time) + later);
-        worst = std::max({worst, std::fabs(static_cast<double>(turn.x - exact.x)), std::fabs(static_cast<double>(turn.y - exact.y))});
+        worst = std::max({worst, std::fabs(static_cast<double>(turn.x - exact.x)),
+                          std::fabs(static_cast<double>(turn.y - exact.y))});
     }
     std::printf("largest error of cis t - 1 %.1e\n", worst);
     EXPECT_LE(worst, 0x1p-52);  // of values up to 2

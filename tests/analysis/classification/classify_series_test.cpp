@@ -77,8 +77,8 @@ TEST(ClassifySeries, TheEvidenceNamesThePeriodThatIsStructured) {
 }
 
 TEST_P(WithNoise, ARotationIsATorus) {
-    const auto found = classify_series(
-        made([](int i) { return std::cos(maps::two_pi * maps::golden_mean * i); }, GetParam()));
+    const auto found =
+        classify_series(made([](int i) { return std::cos(maps::two_pi * maps::golden_mean * i); }, GetParam()));
     EXPECT_EQ(found.mode, Mode::quasi_steady);
     EXPECT_EQ(found.kind, Kind::quasi_periodic);
     EXPECT_TRUE(std::isnan(found.largest_exponent));
@@ -173,11 +173,13 @@ TEST(ClassifySeries, LinearNoiseIsNeverChaotic) {
     for (long i = 0; i < cases; ++i)
         for (const auto& [a, b] : {std::pair(0.0, 0.0), std::pair(0.95, 0.0), std::pair(1.8, -0.97)}) {
             double last = 0, before = 0;
-            const auto found = classify_series(made([&, a = a, b = b](int) {
-                const double next = a * last + b * before + normal(random);
-                before = last;
-                return last = next;
-            }, 0, 1000));
+            const auto found = classify_series(made(
+                [&, a = a, b = b](int) {
+                    const double next = a * last + b * before + normal(random);
+                    before = last;
+                    return last = next;
+                },
+                0, 1000));
             chaotic += found.mode == Mode::undecided ? 0 : 1;
         }
     EXPECT_EQ(chaotic, 0) << "of " << 3 * cases;

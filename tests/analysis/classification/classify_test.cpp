@@ -6,8 +6,8 @@
 #include "tests/analysis/maps/logistic.hpp"
 #include "tests/analysis/maps/normal_forms.hpp"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -110,8 +110,8 @@ TEST(Classify, AnOrbitWhoseDerivativeForgetsNeedsOneReturn) {
     EXPECT_EQ(verdict.period, period);
 }
 
-/// In polar coordinates r′ = r (1 + a (r² − c²)(d² − r²)): the focus attracts, by 1 − a c² d² a step, within the unstable
-/// circle c only; the circle d attracts beyond.
+/// In polar coordinates r′ = r (1 + a (r² − c²)(d² − r²)): the focus attracts, by 1 − a c² d² a step, within the
+/// unstable circle c only; the circle d attracts beyond.
 struct FocusInsideCircles {
     static constexpr int dimension = 2;
     static constexpr double a = 2e8, c2 = 4e-6, d2 = 2.5e-5, turn = 2.1;
@@ -123,8 +123,7 @@ struct FocusInsideCircles {
     Linearised<2> linearise(const Vector<2>& z) const {
         const double r2 = z.squaredNorm();
         const double slope = a * (d2 + c2 - 2 * r2);  // of `factor` by r²
-        const Matrix<2> derivative =
-            rotation() * (factor(r2) * Matrix<2>::Identity() + 2 * slope * z * z.transpose());
+        const Matrix<2> derivative = rotation() * (factor(r2) * Matrix<2>::Identity() + 2 * slope * z * z.transpose());
         return {advance(z).state, 1, 0, true, derivative};
     }
     static double angle_period(int) { return 0; }

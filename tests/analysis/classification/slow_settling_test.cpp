@@ -34,10 +34,10 @@ TEST(SlowSettling, WhatFallsFasterLeavesLittle) {
 }
 
 TEST(SlowSettling, NoLimitIsNone) {
-    for (const auto& quarters : {quarters_of([](double n) { return std::log(n); }),         // p = 1
-                                 quarters_of([](double n) { return std::sqrt(n); }),        // grows for ever
-                                 quarters_of([](double n) { return n; }),                   // a drift
-                                 quarters_of([](double n) { return std::sin(20 * n); }),    // swings
+    for (const auto& quarters : {quarters_of([](double n) { return std::log(n); }),       // p = 1
+                                 quarters_of([](double n) { return std::sqrt(n); }),      // grows for ever
+                                 quarters_of([](double n) { return n; }),                 // a drift
+                                 quarters_of([](double n) { return std::sin(20 * n); }),  // swings
                                  std::array<double, 4>{1, 1, 1, 1}}) {
         EXPECT_FALSE(settling_of(quarters).remaining < 10);
     }

@@ -18,8 +18,8 @@ const SpecialPoint* first_of(const Branch& branch, SpecialKind kind) {
 
 // [references.md] Period doublings of the logistic map, through five switches.
 TEST(Continue, LogisticCascadeThroughFiveSwitches) {
-    constexpr double published[] = {3, 3.449489742783178, 3.544090359551923, 3.564407266095433, 3.568759419543826,
-                                    3.569691609801397};
+    constexpr double published[] = {
+        3, 3.449489742783178, 3.544090359551923, 3.564407266095433, 3.568759419543826, 3.569691609801397};
     const ShootingMap map = maps::logistic_family();
     ContinuationOptions options = range(2.5, 3.5699);
     Branch branch;

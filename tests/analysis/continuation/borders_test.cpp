@@ -45,7 +45,8 @@ TEST(Borders, ABranchGoesOnAcrossAKink) {
     const ShootingMap map = border_collision(0.5, -0.5);
     for (const double p : {-0.4, 0.4}) {
         Branch branch;
-        ASSERT_TRUE(continue_branch(map, {Eigen::VectorXd::Constant(1, p < 0 ? 2 * p : p / 1.5)}, p, range(-1, 1), branch));
+        ASSERT_TRUE(
+            continue_branch(map, {Eigen::VectorXd::Constant(1, p < 0 ? 2 * p : p / 1.5)}, p, range(-1, 1), branch));
         EXPECT_EQ(branch.points.front().at.p, -1);
         EXPECT_EQ(branch.points.back().at.p, 1);
         ASSERT_EQ(branch.special.size(), 1U);
@@ -72,8 +73,8 @@ TEST(Borders, ABranchTurnsBackWithoutATangent) {
 
 TEST(Borders, WhatTakesAnotherTimeIsAnotherBranch) {
     Branch branch;
-    ASSERT_TRUE(continue_branch(border_collision(0.5, -0.5, 0.4), {Eigen::VectorXd::Constant(1, -0.8)}, -0.4, range(-1, 1),
-                                branch));
+    ASSERT_TRUE(continue_branch(border_collision(0.5, -0.5, 0.4), {Eigen::VectorXd::Constant(1, -0.8)}, -0.4,
+                                range(-1, 1), branch));
     EXPECT_EQ(branch.end, BranchEnd::border);
     ASSERT_EQ(branch.special.size(), 1U);
     EXPECT_FALSE(branch.special.front().goes_on);
@@ -99,9 +100,8 @@ TEST(Borders, WhereAMarginVanishesIsExtrapolated) {
 
 // x′ = x + (x² + p² − 0.04)/10.
 TEST(BranchEnds, ACircleCloses) {
-    const ShootingMap map = one_dimensional([](double x, double p) {
-        return step_to(x + 0.1 * (x * x + p * p - 0.04), 1 + 0.2 * x, 0.2 * p);
-    });
+    const ShootingMap map = one_dimensional(
+        [](double x, double p) { return step_to(x + 0.1 * (x * x + p * p - 0.04), 1 + 0.2 * x, 0.2 * p); });
     Branch branch;
     ASSERT_TRUE(continue_branch(map, {Eigen::VectorXd::Constant(1, 0.2)}, 0, range(-1, 1), branch));
     EXPECT_EQ(branch.begin, BranchEnd::closed);
@@ -109,15 +109,15 @@ TEST(BranchEnds, ACircleCloses) {
     int folds = 0;
     for (const auto& special : branch.special) folds += special.kind == SpecialKind::fold ? 1 : 0;
     EXPECT_EQ(folds, 2);
-    for (const auto& point : branch.points)
-        EXPECT_NEAR(std::hypot(point.at.p, point.at.points[0][0]), 0.2, 1e-11);
+    for (const auto& point : branch.points) EXPECT_NEAR(std::hypot(point.at.p, point.at.points[0][0]), 0.2, 1e-11);
 }
 
 TEST(BranchEnds, ADoubledCycleIsHalvedWhereItsBranchBegan) {
     const double r = 3.2, root = std::sqrt((r - 3) * (r + 1));
     Branch branch;
-    ASSERT_TRUE(continue_branch(maps::logistic_family(), {Eigen::VectorXd::Constant(1, (r + 1 - root) / (2 * r)),
-                                                          Eigen::VectorXd::Constant(1, (r + 1 + root) / (2 * r))},
+    ASSERT_TRUE(continue_branch(maps::logistic_family(),
+                                {Eigen::VectorXd::Constant(1, (r + 1 - root) / (2 * r)),
+                                 Eigen::VectorXd::Constant(1, (r + 1 + root) / (2 * r))},
                                 r, range(2.8, 3.4), branch));
     EXPECT_EQ(branch.begin, BranchEnd::halved);
     EXPECT_NEAR(branch.points.front().at.p, 3, 1e-3);

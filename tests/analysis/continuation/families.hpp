@@ -53,8 +53,12 @@ inline ShootingMap crossing_family(int n) {
     };
     return map;
 }
-inline ShootingMap pitchfork_family() { return crossing_family(3); }
-inline ShootingMap transcritical_family() { return crossing_family(2); }
+inline ShootingMap pitchfork_family() {
+    return crossing_family(3);
+}
+inline ShootingMap transcritical_family() {
+    return crossing_family(2);
+}
 
 /// x′ = 1 − a x² + y, y′ = b x over a.
 inline ShootingMap henon_family(double b = 0.3) {

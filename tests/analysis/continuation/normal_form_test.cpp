@@ -1,9 +1,9 @@
 // Normal-form coefficients come back.
-#include "analysis/continuation/continue_branch.hpp"
 #include "analysis/continuation/normal_form.hpp"
+#include "analysis/continuation/continue_branch.hpp"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <cmath>
 
@@ -58,7 +58,8 @@ ShootingMap turn_family() {
     map.angle_periods = {0, 0};
     map.step = [](const Eigen::VectorXd& u, double p) {
         const std::complex<double> z(u[0], u[1]), turn = std::polar(1.0, 0.1);
-        const std::complex<double> next = z * turn * (1 + 1.123 * p + std::complex<double>(-6.789, -0.456) * std::norm(z));
+        const std::complex<double> next =
+            z * turn * (1 + 1.123 * p + std::complex<double>(-6.789, -0.456) * std::norm(z));
         const std::complex<double> slope = z * turn * 1.123;
         ShootingStep step;
         step.alive = true;

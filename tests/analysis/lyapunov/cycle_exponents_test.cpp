@@ -4,8 +4,8 @@
 #include "tests/analysis/maps/linear_map.hpp"
 #include "tests/analysis/maps/logistic.hpp"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <stdexcept>

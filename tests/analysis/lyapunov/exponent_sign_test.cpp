@@ -173,7 +173,8 @@ TEST(GradientInvariance, OfAConservedQuantityAndOfAnother) {
     LinearMap<2> mortal;
     mortal.A << 2, 0, 0, 1;
     mortal.lifetime = 100;
-    const auto ended = gradient_invariance(mortal, Vector<2>{1, 0}, [](const auto&) { return Vector<2>(0, 1); }, 1000);
+    const auto ended = gradient_invariance(
+        mortal, Vector<2>{1, 0}, [](const auto&) { return Vector<2>(0, 1); }, 1000);
     EXPECT_EQ(ended.outcome, LyapunovOutcome::ended_early);
     EXPECT_EQ(ended.steps, 6);
 }

@@ -8,8 +8,8 @@
 #include "tests/analysis/maps/standard_map.hpp"
 #include "tests/analysis/maps/torus.hpp"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <numbers>

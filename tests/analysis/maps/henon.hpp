@@ -29,9 +29,7 @@ struct Henon {
     static double angle_period(int) { return 0; }
 
     /// x of the two fixed points, roots of a x² + (1 − b) x − 1 = 0; y = b x. sign = +1 or −1.
-    double fixed_point(int sign) const {
-        return (-(1 - b) + sign * std::sqrt((1 - b) * (1 - b) + 4 * a)) / (2 * a);
-    }
+    double fixed_point(int sign) const { return (-(1 - b) + sign * std::sqrt((1 - b) * (1 - b) + 4 * a)) / (2 * a); }
 };
 
 static_assert(SectionMap<Henon>);

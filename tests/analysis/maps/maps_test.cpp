@@ -76,12 +76,8 @@ Vector<1> logistic_cycle_point(const Logistic& map, int k, double guess) {
 }
 
 TEST(Maps, LogisticPeriodDoublingsHaveMultiplierMinusOne) {
-    constexpr std::array<double, 6> doublings = {3,
-                                                 3.449489742783178,
-                                                 3.544090359551923,
-                                                 3.564407266095433,
-                                                 3.568759419543826,
-                                                 3.569691609801397};
+    constexpr std::array<double, 6> doublings = {
+        3, 3.449489742783178, 3.544090359551923, 3.564407266095433, 3.568759419543826, 3.569691609801397};
     int k = 1;
     double sensitivity = 20;  // |d multiplier/dr|: about 1 at the first, growing by δ = 4.67 at each
     for (const double r : doublings) {

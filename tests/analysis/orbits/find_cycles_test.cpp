@@ -12,7 +12,9 @@
 namespace swirl::analysis {
 namespace {
 
-double unit(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; }
+double unit(std::mt19937_64& engine) {
+    return static_cast<double>(engine() >> 11) * 0x1p-53;
+}
 
 CyclePoints guess_from(const ShootingMap& map, Eigen::VectorXd z, int k) {
     CyclePoints points;
@@ -99,7 +101,8 @@ TEST(FindCycles, OfTheStandardMapHoldAnglesAsAngles) {
     for (const Cycle& cycle : cycles) {
         EXPECT_NEAR(std::abs(cycle.multipliers[0] * cycle.multipliers[1]), 1, 1e-12);
         for (const auto& z : cycle.points)
-            found = found || map.distance(z, Eigen::Vector2d(1.3346, 2.6693)) < 1e-4 || map.distance(z, Eigen::Vector2d(2.6693, 1.3346)) < 1e-4;
+            found = found || map.distance(z, Eigen::Vector2d(1.3346, 2.6693)) < 1e-4 ||
+                    map.distance(z, Eigen::Vector2d(2.6693, 1.3346)) < 1e-4;
     }
     EXPECT_TRUE(found);
 }

@@ -1,9 +1,9 @@
 // Families are told from isolated cycles whatever the units of the coordinates are.
-#include "analysis/orbits/cycle.hpp"
 #include "analysis/orbits/null_space.hpp"
+#include "analysis/orbits/cycle.hpp"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 #include "tests/sample_count.hpp"
 
 #include <gtest/gtest.h>
-#include <random>
 #include <tbb/task_arena.h>
+#include <random>
 
 namespace swirl::analysis::recurrence {
 namespace {

@@ -2,8 +2,8 @@
 #include "analysis/recurrence/measures.hpp"
 #include "analysis/recurrence/rates.hpp"
 
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <limits>
 
 namespace swirl::analysis::recurrence {
@@ -129,8 +129,7 @@ TEST(BadInput, NamesValueAndRange) {
     EXPECT_EQ(error_of([&] { embed_series(series, 2, 0); }), "delay = 0: must be >= 1");
     EXPECT_EQ(error_of([&] { embed_series(series, 3, 2); }),
               "series length = 4: must be > 4 = (dimension - 1) * delay");
-    EXPECT_EQ(error_of([&] { embed_series(series, 1, 1, -1); }),
-              "period = -1: must be finite and >= 0 (0: no angle)");
+    EXPECT_EQ(error_of([&] { embed_series(series, 1, 1, -1); }), "period = -1: must be finite and >= 0 (0: no angle)");
     EXPECT_EQ(error_of([&] { section_points(series, 3); }),
               "number of values = 4: must be a positive multiple of the dimension 3");
     EXPECT_EQ(error_of([&] { count_lines(embed_series(series), -1.0); }), "threshold = -1: must be >= 0");

@@ -2,18 +2,18 @@
 #include "analysis/recurrence/lines.hpp"
 #include "analysis/recurrence/measures.hpp"
 
+#include <gtest/gtest.h>
 #include <cmath>
 #include <fstream>
-#include <gtest/gtest.h>
 
 namespace swirl::analysis::recurrence {
 namespace {
 
 // RecurrenceAnalysis.jl, test/rqa_rna_analytic.jl: rows and columns from 1.
 BinaryMatrix cross_matrix_10_by_11() {
-    constexpr int ones[][2] = {{1, 1}, {2, 2}, {3, 2},  {6, 2}, {7, 2}, {8, 2}, {6, 3},  {7, 3}, {10, 3},
-                               {2, 4}, {4, 4}, {1, 5},  {2, 5}, {3, 5}, {5, 5}, {9, 5},  {10, 5}, {2, 6},
-                               {3, 6}, {6, 6}, {7, 6},  {10, 6}, {3, 7}, {8, 7}, {4, 8}, {1, 9},  {5, 9},
+    constexpr int ones[][2] = {{1, 1}, {2, 2}, {3, 2},  {6, 2},   {7, 2},  {8, 2}, {6, 3}, {7, 3},  {10, 3},
+                               {2, 4}, {4, 4}, {1, 5},  {2, 5},   {3, 5},  {5, 5}, {9, 5}, {10, 5}, {2, 6},
+                               {3, 6}, {6, 6}, {7, 6},  {10, 6},  {3, 7},  {8, 7}, {4, 8}, {1, 9},  {5, 9},
                                {7, 9}, {9, 9}, {9, 10}, {10, 10}, {3, 11}, {7, 11}};
     BinaryMatrix matrix{10, 11, std::vector<std::uint8_t>(110, 0)};
     for (const auto& one : ones) matrix.entries[static_cast<std::size_t>((one[0] - 1) * 11 + one[1] - 1)] = 1;
@@ -91,7 +91,9 @@ TEST(Pyunicorn, SineExample) {
 
 // The published values have 16 or 17 digits: ratios of the same integers agree to the last bit or two (4 ulp); an
 // entropy is a sum of a few hundred rounded terms in another order: 1e-13 relative.
-void expect_entropy(double ours, double published) { EXPECT_NEAR(ours, published, 1e-13 * published); }
+void expect_entropy(double ours, double published) {
+    EXPECT_NEAR(ours, published, 1e-13 * published);
+}
 
 Measures rossler(const std::string& file, Norm norm, RatePairs pairs = RatePairs::outside_window) {
     Settings s;

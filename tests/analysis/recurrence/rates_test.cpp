@@ -1,12 +1,12 @@
 // RC by sorting against the pairs themselves, and thresholds from deviations and rates.
+#include "analysis/recurrence/rates.hpp"
 #include "analysis/recurrence/lines.hpp"
 #include "analysis/recurrence/measures.hpp"
-#include "analysis/recurrence/rates.hpp"
 #include "tests/sample_count.hpp"
 
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <random>
 
 namespace swirl::analysis::recurrence {

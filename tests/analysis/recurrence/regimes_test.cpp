@@ -2,9 +2,9 @@
 #include "analysis/recurrence/measures.hpp"
 #include "analysis/recurrence/rates.hpp"
 
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <random>
 
 namespace swirl::analysis::recurrence {

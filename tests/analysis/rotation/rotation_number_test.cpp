@@ -31,7 +31,9 @@ std::vector<double> orbit(const M& map, Vector<M::dimension> z, int n, int i, in
     return series;
 }
 
-double distance_of_turns(double a, double b) { return std::abs(std::remainder(a - b, 1.0)); }
+double distance_of_turns(double a, double b) {
+    return std::abs(std::remainder(a - b, 1.0));
+}
 
 TEST(WeightedBirkhoff, ConvergesFasterThanAnyPowerOnACircle) {
     // Space mean of 1/(2 + cos θ) is 1/√3.

@@ -46,7 +46,9 @@ TEST(Fft, IsTheDefinition) {
                 sum += real.input()[j] * std::polar(1.0, -two_pi * static_cast<double>(j * k) / static_cast<double>(n));
             }
             EXPECT_LT(std::abs(complex_bins[k] - sum), 1e-13);
-            if (k < real_bins.size()) { EXPECT_LT(std::abs(real_bins[k] - sum), 1e-13); }
+            if (k < real_bins.size()) {
+                EXPECT_LT(std::abs(real_bins[k] - sum), 1e-13);
+            }
         }
     }
     EXPECT_THROW(RealFft(0), std::invalid_argument);

@@ -93,8 +93,9 @@ TEST(Resample, SaysTheSmallestSpacing) {
         resample(times, times, options);
         FAIL() << "nothing was refused";
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "spacing = 1e-20: must be at least 3.552713678800501e-15, the length of the series "
-                                   "over 2^28");
+        EXPECT_STREQ(error.what(),
+                     "spacing = 1e-20: must be at least 3.552713678800501e-15, the length of the series "
+                     "over 2^28");
         EXPECT_EQ(std::stod("3.552713678800501e-15"), 0x1p-48);
     }
 }

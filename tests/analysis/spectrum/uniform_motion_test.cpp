@@ -1,7 +1,7 @@
 #include "analysis/spectrum/uniform_motion.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <stdexcept>
 

@@ -23,11 +23,10 @@ RunVerdict verdict(Mode mode, Kind kind, std::int64_t period, double mean) {
 }
 
 TEST(Attractors, CyclesAreToldApartByPeriodAndMeanAndTheMostSharedComesFirst) {
-    const std::vector<RunVerdict> runs = {verdict(Mode::steady, Kind::fixed_point, 1, -0.5),
-                                          verdict(Mode::quasi_steady, Kind::cycle, 2, -0.5),
-                                          verdict(Mode::quasi_steady, Kind::cycle, 2, -0.5 + 1e-8),
-                                          verdict(Mode::quasi_steady, Kind::cycle, 2, -0.5 + 1e-4),
-                                          verdict(Mode::quasi_steady, Kind::cycle, 4, -0.5)};
+    const std::vector<RunVerdict> runs = {
+        verdict(Mode::steady, Kind::fixed_point, 1, -0.5), verdict(Mode::quasi_steady, Kind::cycle, 2, -0.5),
+        verdict(Mode::quasi_steady, Kind::cycle, 2, -0.5 + 1e-8),
+        verdict(Mode::quasi_steady, Kind::cycle, 2, -0.5 + 1e-4), verdict(Mode::quasi_steady, Kind::cycle, 4, -0.5)};
     const auto found = attractors_of(runs);
     ASSERT_EQ(found.size(), 4u);
     EXPECT_EQ(found[0].runs, (std::vector<std::size_t>{1, 2}));

@@ -23,8 +23,8 @@ using analysis::Kind;
 
 struct Row {
     std::map<std::string, int> kinds;
-    double worst = 0;        ///< of mean S, against the pendulum's
-    int settling = 0;        ///< circulating ones that still slip a little in each turn
+    double worst = 0;  ///< of mean S, against the pendulum's
+    int settling = 0;  ///< circulating ones that still slip a little in each turn
     long landings = 0, impacts = 0;
 };
 
@@ -46,9 +46,8 @@ std::optional<RimPendulum> own_pendulum(const Scene<double>& scene, const std::v
         const auto last = Eigen::Map<const typename decltype(system)::State>(end.data()).eval();
         const auto passage = system.return_map().advance(launch_from(system.point_of(last)), 10 * contact_horizon);
         if (passage.outcome != Outcome::in_contact) return {};
-        const auto rolls = std::find_if(passage.contacts.rbegin(), passage.contacts.rend(), [](const auto& segment) {
-            return segment.motion == ContactMotion::sticking;
-        });
+        const auto rolls = std::find_if(passage.contacts.rbegin(), passage.contacts.rend(),
+                                        [](const auto& segment) { return segment.motion == ContactMotion::sticking; });
         if (rolls == passage.contacts.rend()) return {};
         const ContactScene& contact = system.return_map().contact();
         const RimPendulum pendulum = rim_pendulum(contact, rolls->from);
@@ -59,7 +58,8 @@ std::optional<RimPendulum> own_pendulum(const Scene<double>& scene, const std::v
 }
 
 Row look_at(double alpha, double beta, double e, int starts) {
-    const Scene<double> scene{disk_sides, alpha, beta, 0.4, e, Law::poisson, uniform_inertia_factor<double>(disk_sides)};
+    const Scene<double> scene{
+        disk_sides, alpha, beta, 0.4, e, Law::poisson, uniform_inertia_factor<double>(disk_sides)};
     const ContactScene contact = contact_scene(make_body(scene), scene.mu, e, ImpactRule::poisson);
     Row row;
     for (int seed = 1; seed <= starts; ++seed) {
@@ -69,7 +69,8 @@ Row look_at(double alpha, double beta, double e, int starts) {
         count_landings(scene, start, row);
         SCOPED_TRACE(::testing::Message() << "alpha " << alpha << " beta " << beta << " e " << e << " seed " << seed);
         EXPECT_TRUE(named.kind == Kind::rolling || named.kind == Kind::rolling_librating ||
-                    named.kind == Kind::rolling_circulating) << name_of(named.kind);
+                    named.kind == Kind::rolling_circulating)
+            << name_of(named.kind);
         double expected = -(1 - alpha) / alpha;
         if (named.kind == Kind::rolling_circulating) {
             const auto pendulum = own_pendulum(scene, named.end, row);
@@ -91,14 +92,15 @@ void print(double alpha, double beta, double e, const Row& row) {
 }
 
 TEST(DiskTable, EndsOnItsPendulum) {
-    for (const auto& [alpha, beta, e] : {std::tuple{0.1, 0.05, 0.3}, {0.35, 0.05, 0.0}, {0.15, 0.05, 0.97},
-                                         {0.62, 0.23, 0.9}, {0.15, 0.6, 0.0}})
+    for (const auto& [alpha, beta, e] :
+         {std::tuple{0.1, 0.05, 0.3}, {0.35, 0.05, 0.0}, {0.15, 0.05, 0.97}, {0.62, 0.23, 0.9}, {0.15, 0.6, 0.0}})
         print(alpha, beta, e, look_at(alpha, beta, e, 3));
 }
 
 /// Slips of 1e-8 in some turns: no measure by their number.
 TEST(DiskTable, NamesADiskThatHardlySlipsByWhatItSettlesOn) {
-    const Scene<double> scene{disk_sides, 0.1, 0.05, 0.4, 0.9, Law::poisson, uniform_inertia_factor<double>(disk_sides)};
+    const Scene<double> scene{
+        disk_sides, 0.1, 0.05, 0.4, 0.9, Law::poisson, uniform_inertia_factor<double>(disk_sides)};
     const auto verdict = name_mode(scene, random_start(0.05, 1.0 / 7, 20, 0), {}).verdict;
     EXPECT_EQ(verdict.kind, Kind::rolling_circulating) << name_of(verdict.kind);
     EXPECT_NEAR(verdict.mean, -2.1446596606, 1e-6);

@@ -49,10 +49,9 @@ struct Landing {
 };
 
 TEST(LandingDerivative, IsThatOfTheOrbitsNeighbours) {
-    const Landing landings[] = {{4, 0.66622562865356649, 0.92373515718371002, 1.0045737103341972,
-                                 0.025209295816361485, 1310, 5},
-                                {4, 0.30471557935466553, 0.98210557381738317, 0.46022909509736248,
-                                 0.021792063821477175, 1440, 5}};
+    const Landing landings[] = {
+        {4, 0.66622562865356649, 0.92373515718371002, 1.0045737103341972, 0.025209295816361485, 1310, 5},
+        {4, 0.30471557935466553, 0.98210557381738317, 0.46022909509736248, 0.021792063821477175, 1440, 5}};
     for (const auto& l : landings) {
         Scene<double> scene{l.sides, l.alpha, l.beta, l.mu, l.restitution};
         scene.inertia_factor = uniform_inertia_factor<double>(l.sides);

@@ -1,5 +1,5 @@
-#include "apps/command_line/errors.hpp"
 #include "apps/input/delimited_file.hpp"
+#include "apps/command_line/errors.hpp"
 #include "tests/apps/input/written_file.hpp"
 
 #include <gmock/gmock.h>

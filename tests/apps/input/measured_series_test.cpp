@@ -1,5 +1,5 @@
-#include "apps/command_line/errors.hpp"
 #include "apps/input/measured_series.hpp"
+#include "apps/command_line/errors.hpp"
 #include "tests/apps/input/written_file.hpp"
 
 #include <gmock/gmock.h>
@@ -93,7 +93,7 @@ TEST(MeasuredSeries, TimesMustRise) {
 
 TEST(MeasuredSeries, ValuesAreOfASizeThatCanBeReckonedWith) {
     EXPECT_THAT(refusal("t,S\n0,1\n1,-1e308\n2,1\n"), HasSubstr("line 3: -1e+308 in column S is outside its range: "
-                                                               "-1e+75 to 1e+75; the line reads '1,-1e308'"));
+                                                                "-1e+75 to 1e+75; the line reads '1,-1e308'"));
     EXPECT_THAT(refusal("t,S\n-1e308,1\n1e308,2\n"), HasSubstr("line 2: -1e+308 in column t"));
     EXPECT_THAT(refusal("1e-200\n-3e-200\n2e-200\n"),
                 HasSubstr("the largest value of column 1, 3e-200, is outside its range: 0, or 1e-75 to 1e+75"));

@@ -1,7 +1,7 @@
 // Branches of polygons: their borders against the condition that makes them, their points against direct solution.
+#include "apps/continue/branches.hpp"
 #include "analysis/continuation/continue_branch.hpp"
 #include "analysis/orbits/multi_shooting.hpp"
-#include "apps/continue/branches.hpp"
 #include "apps/scene_map/scene_map.hpp"
 #include "map/collision_map.hpp"
 #include "tests/map/oracle.hpp"
@@ -24,11 +24,19 @@ nlohmann::json listed(const std::string& file) {
 
 /// [references.md] The hexagon's fixed point.
 nlohmann::json hexagon() {
-    return {{"sides", 6}, {"alpha", "0.4"}, {"beta", "0.5"}, {"mu", "0.5"}, {"restitution", "0.9"}, {"law", "poisson"},
+    return {{"sides", 6},
+            {"alpha", "0.4"},
+            {"beta", "0.5"},
+            {"mu", "0.5"},
+            {"restitution", "0.9"},
+            {"law", "poisson"},
             {"period", 1},
-            {"point", {{"psi", "-0.083922288419212287574"}, {"chi", "0.027966794811174552721"},
-                       {"vn", "-0.55420644250323559488"}, {"vt", "0.88979354385790028771"},
-                       {"S", "-0.97926605821858726645"}}}};
+            {"point",
+             {{"psi", "-0.083922288419212287574"},
+              {"chi", "0.027966794811174552721"},
+              {"vn", "-0.55420644250323559488"},
+              {"vt", "0.88979354385790028771"},
+              {"S", "-0.97926605821858726645"}}}};
 }
 
 struct Followed {
@@ -62,7 +70,8 @@ TEST(Branches, ASteadyModeBeginsToSlideWhereFrictionEnds) {
     const double threshold = std::tan(tests::number<double>(c["point"]["chi"]));
     double nearest = 1;
     for (const auto& special : followed.branch.special)
-        if (apps::kind_of(special) == "stick-slip") nearest = std::min(nearest, std::abs(special.cycle.at.p - threshold));
+        if (apps::kind_of(special) == "stick-slip")
+            nearest = std::min(nearest, std::abs(special.cycle.at.p - threshold));
     EXPECT_LE(nearest, 1e-10);
 }
 
@@ -111,7 +120,8 @@ TEST(Branches, AGrazingIsLocatedToRounding) {
     EXPECT_GT(seen, 0);
 }
 
-/// The second vertex's gap at the impacts of a cycle, the smallest; or the shortest flight, at whose end it touches too.
+/// The second vertex's gap at the impacts of a cycle, the smallest; or the shortest flight, at whose end it touches
+/// too.
 double nearest_to_two_vertices(const Scene<double>& scene, const analysis::CurvePoint& cycle) {
     const auto body = make_body(scene);
     double nearest = 1;
@@ -168,13 +178,15 @@ TEST(Branches, WhereImpactsVanishIsLocated) {
     EXPECT_FALSE(grazing->goes_on);
     double nearest = 1;
     for (const auto& special : followed.branch.special)
-        if (apps::kind_of(special) == "grazing") nearest = std::min(nearest, std::abs(special.cycle.at.p - (1 - followed.scene.alpha)));
+        if (apps::kind_of(special) == "grazing")
+            nearest = std::min(nearest, std::abs(special.cycle.at.p - (1 - followed.scene.alpha)));
     EXPECT_LE(nearest, 1e-10);
 }
 
 TEST(Branches, PointsAreCyclesOfTheirScenes) {
     const auto c = tests::read_oracle("cycles.json")["cycles"][4];
-    for (const char* along : {"alpha=0.4:0.6", "beta=0.4:0.6", "mu=0.5:0.7", "restitution=0.8:1", "inertia-factor=0.3:0.45"}) {
+    for (const char* along :
+         {"alpha=0.4:0.6", "beta=0.4:0.6", "mu=0.5:0.7", "restitution=0.8:1", "inertia-factor=0.3:0.45"}) {
         const auto followed = follow(c, along);
         const auto parameter = apps::along_from(along, false, true).parameter.value();
         ASSERT_GT(followed.branch.points.size(), 5U) << along;
@@ -204,7 +216,8 @@ TEST(Branches, TheDerivativeAlongEveryParameter) {
             if (above.letter != below.letter) continue;
             const Eigen::VectorXd quotient = map.difference(above.state, below.state) / (2 * h);
             // h² of the third derivative and ε/h.
-            EXPECT_LE((quotient - step.by_parameter).norm(), 1e-7 * (1 + step.by_parameter.norm())) << name_of(parameter);
+            EXPECT_LE((quotient - step.by_parameter).norm(), 1e-7 * (1 + step.by_parameter.norm()))
+                << name_of(parameter);
         }
     }
 }

@@ -78,28 +78,38 @@ void expect_all_modes_isolated(double alpha) {
     const auto modes = steady_modes(scene, 3);
     std::size_t missing = 0;
     for (const auto& z : modes)
-        if (std::none_of(cycles.begin(), cycles.end(), [&](const auto& c) { return tests::distance_to(map, c, z) < 1e-6; }))
+        if (std::none_of(cycles.begin(), cycles.end(),
+                         [&](const auto& c) { return tests::distance_to(map, c, z) < 1e-6; }))
             ++missing;
     std::printf("alpha = %g: %zu modes listed up to tau = 3, %zu found in all\n", alpha, modes.size(), cycles.size());
     EXPECT_GE(modes.size(), 50U);
     EXPECT_EQ(missing, 0U) << "alpha = " << alpha;
 }
 
-TEST(ClosedForm, ModesOfASmallBodyAreIsolatedAndAllFound) { expect_all_modes_isolated(0.003); }
-TEST(ClosedFormNightly, ModesOfATinyBodyAreIsolatedAndAllFound) { expect_all_modes_isolated(0.001); }
+TEST(ClosedForm, ModesOfASmallBodyAreIsolatedAndAllFound) {
+    expect_all_modes_isolated(0.003);
+}
+TEST(ClosedFormNightly, ModesOfATinyBodyAreIsolatedAndAllFound) {
+    expect_all_modes_isolated(0.001);
+}
 
-Scene<double> disk() { return {disk_sides, 0.3, 0.1, 0.5, 1, Law::poisson, 0.5}; }
+Scene<double> disk() {
+    return {disk_sides, 0.3, 0.1, 0.5, 1, Law::poisson, 0.5};
+}
 
 // [references.md] τ = 1.33899: S = −1.6049495, |multipliers| 0.98723008 (a pair), 1, 0; τ = 2.5: 1.0072349.
 TEST(ClosedForm, MembersOfTheDisksFamily) {
     const auto map = apps::scene_map(disk());
     analysis::Cycle seed;
-    seed.points = {apps::state_of({0, 0, -0.8 * std::pow(std::sin(0.5), 2) * 2, 0.8 * std::sin(1.0), spin_at(disk(), 1)}, true)};
+    seed.points = {
+        apps::state_of({0, 0, -0.8 * std::pow(std::sin(0.5), 2) * 2, 0.8 * std::sin(1.0), spin_at(disk(), 1)}, true)};
     ASSERT_TRUE(analysis::complete_cycle(map, 0, seed));
     ASSERT_EQ(seed.tangents.cols(), 1);
     const auto family = analysis::walk_family(map, 0, seed);
-    for (const auto& [tau, spin, modulus] : {std::tuple{1.33899, -1.6049495, 0.98723008}, {2.5, -0.30503695, 1.0072349}}) {
-        const auto members = analysis::pinned_members(map, family, [](const auto& point) { return point.closing.duration; }, tau);
+    for (const auto& [tau, spin, modulus] :
+         {std::tuple{1.33899, -1.6049495, 0.98723008}, {2.5, -0.30503695, 1.0072349}}) {
+        const auto members = analysis::pinned_members(
+            map, family, [](const auto& point) { return point.closing.duration; }, tau);
         ASSERT_EQ(members.size(), 1U);
         analysis::Cycle member;
         member.points = members.front();
@@ -122,7 +132,8 @@ TEST(ClosedForm, TheDisksFamilyLosesItsStability) {
     const auto scene = apps::scene_branches(disk(), along);
     const double tau = 2;
     const analysis::CyclePoints member = {apps::state_of(
-        {0, 0, -2 * 0.8 / tau * std::pow(std::sin(0.5 * tau), 2), 0.8 * std::sin(tau) / tau, spin_at(disk(), tau)}, true)};
+        {0, 0, -2 * 0.8 / tau * std::pow(std::sin(0.5 * tau), 2), 0.8 * std::sin(tau) / tau, spin_at(disk(), tau)},
+        true)};
     analysis::Branch branch;
     ASSERT_TRUE(analysis::continue_branch(scene.map, member, 0, scene.options, branch));
     EXPECT_EQ(branch.begin, analysis::BranchEnd::range);

@@ -55,7 +55,8 @@ TEST(NearGrazing, CyclesAreReachedFromWhereTheMapsOwnSolverFails) {
         alone += first ? 1 : 0;
         together += first || leads_back(analysis::solve_near_grazing(map, timed, guess, 0, 1e-10)) ? 1 : 0;
     }
-    std::printf("from 1e-3 away %d of %d find it by the map alone, %d with times as unknowns too\n", alone, trials, together);
+    std::printf("from 1e-3 away %d of %d find it by the map alone, %d with times as unknowns too\n", alone, trials,
+                together);
     EXPECT_GE(together, 0.95 * trials);  // 89 and 200 of 200 when written
     EXPECT_LE(alone, 0.75 * trials);     // else this cycle shows nothing
 }

@@ -23,7 +23,8 @@ void expect_found(const nlohmann::json& c) {
     const analysis::Cycle* nearest = nullptr;
     const auto cycles = tests::cycles_of(scene, c["period"]);
     for (const auto& cycle : cycles)
-        if (nearest == nullptr || tests::distance_to(map, cycle, z) < tests::distance_to(map, *nearest, z)) nearest = &cycle;
+        if (nearest == nullptr || tests::distance_to(map, cycle, z) < tests::distance_to(map, *nearest, z))
+            nearest = &cycle;
     ASSERT_NE(nearest, nullptr);
     EXPECT_LE(tests::distance_to(map, *nearest, z), 1e-10);  // S among the coordinates
     EXPECT_LE(tests::multiplier_error(*nearest, c["multipliers"]), 1e-8);

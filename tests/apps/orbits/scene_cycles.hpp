@@ -18,7 +18,8 @@ inline std::vector<analysis::Cycle> cycles_of(const Scene<double>& scene, int pe
     const auto trajectories = apps::trajectories_of(scene, options);
     analysis::SearchOptions search;
     search.period = period;
-    return analysis::find_cycles(map, 0, apps::candidates_for(scene, map, period, trajectories, options), search).cycles;
+    return analysis::find_cycles(map, 0, apps::candidates_for(scene, map, period, trajectories, options), search)
+        .cycles;
 }
 
 /// The distance of a listed point from the nearest point of a cycle.

@@ -48,8 +48,8 @@ struct Case {
     }
 };
 
-/// An orbit that only loses J spends its time in ever longer contact, which costs up to a hundred flights an impact, and
-/// shows nothing new by it.
+/// An orbit that only loses J spends its time in ever longer contact, which costs up to a hundred flights an impact,
+/// and shows nothing new by it.
 analysis::ClassifyOptions settings_for(const Case& c) {
     analysis::ClassifyOptions settings;
     if (only_loses(c.scene) && c.scene.restitution < 0.9) settings.transient = settings.collisions = 2'000;
@@ -83,12 +83,12 @@ void print(const char* title, const Table& table) {
 
 std::string words_of(const Case& c) {
     const auto& v = c.found.verdict;
-    return fmt::format("N = {} alpha {:.17g} beta {:.17g} mu {:.17g} e {:.17g}: {} {}, period {}, exponent {:.4g} "
-                       "+- {:.2g}; truth {}, period {}, exponent {:.4g} +- {:.2g}{}",
-                       c.scene.sides, c.scene.alpha, c.scene.beta, c.scene.mu, c.scene.restitution, name_of(v.mode),
-                       name_of(v.kind), v.period, v.largest_exponent, v.largest_exponent_error, name_of(c.truth.mode),
-                       c.truth.period, c.truth.exponent, c.truth.exponent_error,
-                       c.truth.ended ? ", comes to an end" : "");
+    return fmt::format(
+        "N = {} alpha {:.17g} beta {:.17g} mu {:.17g} e {:.17g}: {} {}, period {}, exponent {:.4g} "
+        "+- {:.2g}; truth {}, period {}, exponent {:.4g} +- {:.2g}{}",
+        c.scene.sides, c.scene.alpha, c.scene.beta, c.scene.mu, c.scene.restitution, name_of(v.mode), name_of(v.kind),
+        v.period, v.largest_exponent, v.largest_exponent_error, name_of(c.truth.mode), c.truth.period, c.truth.exponent,
+        c.truth.exponent_error, c.truth.ended ? ", comes to an end" : "");
 }
 
 /// Why there is no verdict, as far as the scene tells.
@@ -122,8 +122,10 @@ struct Tally {
         if (c.left) std::printf("left later: %s\n", words_of(c).c_str());
         wrong += c.wrong();
         if (c.wrong()) std::printf("wrong: %s\n", words_of(c).c_str());
-        if (c.ended()) ++contact[ending_of(c)];
-        else add_impacts(c);
+        if (c.ended())
+            ++contact[ending_of(c)];
+        else
+            add_impacts(c);
     }
 
     void add_impacts(const Case& c) {
@@ -144,13 +146,16 @@ struct Tally {
         for (const auto& [name, n] : contact) std::printf("%5d end as %s\n", n, name.c_str());
         for (const auto& [name, n] : open) std::printf("%5d undecided: %s\n", n, name.c_str());
         const int open_ones = undecided - fading - changing;
-        std::printf("Undecided: %d proven to fade (no attractor has impacts), %d seen to change still, %d (%.1f %%) for "
-                    "want of evidence\n", fading, changing, open_ones, 100.0 * open_ones / scenes);
-        std::printf("%d scenes, %d undecided (%.1f %%), %d wrong; %d more hold for the 20,000 impacts that were judged "
-                    "and change later (chaotic transients). Impacts go on in %d; truth is known for %d, of these %d "
-                    "undecided (%.1f %%), by the paper's rule %d wrong (%.1f %%)\n",
-                    scenes, undecided, 100.0 * undecided / scenes, wrong, left, with_impacts, with_truth, missed,
-                    100.0 * missed / with_truth, paper_wrong, 100.0 * paper_wrong / with_truth);
+        std::printf(
+            "Undecided: %d proven to fade (no attractor has impacts), %d seen to change still, %d (%.1f %%) for "
+            "want of evidence\n",
+            fading, changing, open_ones, 100.0 * open_ones / scenes);
+        std::printf(
+            "%d scenes, %d undecided (%.1f %%), %d wrong; %d more hold for the 20,000 impacts that were judged "
+            "and change later (chaotic transients). Impacts go on in %d; truth is known for %d, of these %d "
+            "undecided (%.1f %%), by the paper's rule %d wrong (%.1f %%)\n",
+            scenes, undecided, 100.0 * undecided / scenes, wrong, left, with_impacts, with_truth, missed,
+            100.0 * missed / with_truth, paper_wrong, 100.0 * paper_wrong / with_truth);
     }
 
     static std::string ending_of(const Case& c) {
@@ -184,7 +189,9 @@ TEST(ModeSurveyNightly, OfTwoThousandScenes) {
     const Tally tally = survey(2000, false);
     EXPECT_LE(tally.missed, 0.03 * tally.with_truth);
 }
-TEST(ModeSurveyNightly, OfFiveHundredScenesThatAreHardlySwirled) { survey(500, true); }
+TEST(ModeSurveyNightly, OfFiveHundredScenesThatAreHardlySwirled) {
+    survey(500, true);
+}
 
 }  // namespace
 }  // namespace swirl::apps

@@ -49,8 +49,10 @@ double part(const System& system, State& orbit, State& neighbour, int direction)
     const State gap = other.alive ? analysis::difference(system, other.state, next.state) : State::Zero();
     const double size = gap.norm();
     orbit = neighbour = next.state;
-    if (size > rounding) neighbour += gap * (apart / size);
-    else neighbour[direction] += apart;
+    if (size > rounding)
+        neighbour += gap * (apart / size);
+    else
+        neighbour[direction] += apart;
     return other.alive ? std::log(std::max(size, rounding) / apart) : 0;
 }
 

@@ -1,6 +1,6 @@
 // Swirl::map brings what its headers need: Eigen and the Jets that differentiate the map.
-#include <Eigen/Core>
 #include <ceres/jet.h>
+#include <Eigen/Core>
 
 #include <cstdio>
 

@@ -38,29 +38,34 @@ int fail(int code, const std::string& message) {
 using Commands = std::vector<std::pair<CLI::App*, std::function<int()>>>;
 
 Commands add_commands(CLI::App& app) {
-    const std::string classify_text = fmt::format("{}\n\n{}", classify_series_details, classify_details);
-    const std::string recurrence_text = fmt::format("{}\n{}", input_details, recurrence_details);
-    const std::string spectrum_text = fmt::format("{}\n{}", input_details, spectrum_details);
+    const std::string classify_text =
+        fmt::format("{}\n\n{}", classify::classify_series_details, classify::classify_details);
+    const std::string recurrence_text = fmt::format("{}\n{}", input_details, recurrence::recurrence_details);
+    const std::string spectrum_text = fmt::format("{}\n{}", input_details, spectrum::spectrum_details);
     return {
-        add_command<SimulateOptions>(app, "simulate", "follow one orbit, impact by impact", simulate_details, simulate),
-        add_command<ClassifyCommandOptions>(app, "classify", "name the mode of a scene, with its evidence",
-                                            classify_text, classify_scene),
-        add_command<RecurrenceOptions>(app, "recurrence", "quantify the recurrences of an orbit or a measured series",
-                                       recurrence_text, quantify_recurrence),
-        add_command<SpectrumOptions>(app, "spectrum", "the power spectrum of an orbit or a measured series",
-                                     spectrum_text, find_spectrum),
-        add_command<LyapunovCommandOptions>(app, "lyapunov", "the whole Lyapunov spectrum of an orbit",
-                                            lyapunov_details, lyapunov),
-        add_command<OrbitsOptions>(app, "orbits", "fixed points and cycles, stable and unstable", orbits_details,
-                                   orbits),
-        add_command<ContinueOptions>(app, "continue", "branches of a cycle over one parameter", continue_details,
-                                     continue_orbit),
-        add_command<BifurcateOptions>(app, "bifurcate",
-                                      "what orbits settle on over one parameter, and the branches beneath",
-                                      bifurcate_details, bifurcate),
-        add_command<SweepOptions>(app, "sweep", "the modes across parameters", sweep_details, sweep),
-        add_command<PlotOptions>(app, "plot", "a figure of a record", plot_details, plot),
-        add_command<TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour_details, tour),
+        add_command<simulate::SimulateOptions>(app, "simulate", "follow one orbit, impact by impact",
+                                               simulate::simulate_details, simulate::simulate),
+        add_command<classify::ClassifyCommandOptions>(app, "classify", "name the mode of a scene, with its evidence",
+                                                      classify_text, classify::classify_scene),
+        add_command<recurrence::RecurrenceOptions>(app, "recurrence",
+                                                   "quantify the recurrences of an orbit or a measured series",
+                                                   recurrence_text, recurrence::quantify_recurrence),
+        add_command<spectrum::SpectrumOptions>(app, "spectrum", "the power spectrum of an orbit or a measured series",
+                                               spectrum_text, spectrum::find_spectrum),
+        add_command<lyapunov::LyapunovCommandOptions>(app, "lyapunov", "the whole Lyapunov spectrum of an orbit",
+                                                      lyapunov::lyapunov_details, lyapunov::lyapunov),
+        add_command<orbits::OrbitsOptions>(app, "orbits", "fixed points and cycles, stable and unstable",
+                                           orbits::orbits_details, orbits::orbits),
+        add_command<continuation::ContinueOptions>(app, "continue", "branches of a cycle over one parameter",
+                                                   continuation::continue_details, continuation::continue_orbit),
+        add_command<bifurcate::BifurcateOptions>(app, "bifurcate",
+                                                 "what orbits settle on over one parameter, and the branches beneath",
+                                                 bifurcate::bifurcate_details, bifurcate::bifurcate),
+        add_command<sweep::SweepOptions>(app, "sweep", "the modes across parameters", sweep::sweep_details,
+                                         sweep::sweep),
+        add_command<plot::PlotOptions>(app, "plot", "a figure of a record", plot::plot_details, plot::plot),
+        add_command<tour::TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour::tour_details,
+                                       tour::tour),
     };
 }
 

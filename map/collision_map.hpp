@@ -1,23 +1,23 @@
 // The collision map F: from just after one impact to just after the next. Design, section 4.
 #pragma once
 
-#include "map/body.hpp"
-#include "map/first_contact.hpp"
-#include "map/section.hpp"
+#include "map/first_contact/first_contact.hpp"
+#include "map/model/body.hpp"
+#include "map/model/section.hpp"
 
 namespace swirl {
 
 /// One application of the map. Everything but `contact` and `steps` is meaningless unless a contact was found.
 template <class T>
 struct Collision {
-    ContactOutcome contact = ContactOutcome::no_contact;
-    Launch<T> after;         ///< the state just after the impact
-    T flight_time{};         ///< τ
-    Vec2<T> normal;          ///< the new n in the axes of the start: the wall advance is its direction
-    int vertex_step = 0;     ///< the vertex that struck, counted from the one before
-    Impulse<T> impulse;      ///< p, q and the contact mode
-    T jacobi_restitution{};  ///< −p ū_n
-    T jacobi_friction{};     ///< q (ū_t − 1)
+    FirstContactOutcome outcome = FirstContactOutcome::no_contact;
+    PostImpactState<T> after;  ///< the state just after the impact
+    T flight_time{};           ///< τ
+    Vec2<T> normal;            ///< the new n in the axes of the start: the wall advance is its direction
+    int vertex_step = 0;       ///< the vertex that struck, counted from the one before
+    Impulse<T> impulse;        ///< p, q and the contact mode
+    T jacobi_restitution{};    ///< −p ū_n
+    T jacobi_friction{};       ///< q (ū_t − 1)
     bool simultaneous = false;
     int steps = 0;  ///< moments looked at by the search for the contact
 };
@@ -38,7 +38,9 @@ public:
     const Body<T>& body() const { return body_; }
 
     /// F, from just after an impact. Cost: one certified search for the contact, one impact.
-    Collision<T> advance(const Launch<T>& launch) const { return advance(flight_from(body_, launch)); }
+    Collision<T> advance(const PostImpactState<T>& post_impact) const {
+        return advance(flight_from(body_, post_impact));
+    }
 
     /// The first impact of any flight.
     Collision<T> advance(const Flight<T>& flight) const {
@@ -47,13 +49,14 @@ public:
         return collision;
     }
 
-    /// The same into a collision that is there: `launch` may be its own `after`. For long orbits: nothing is copied
-    /// between two impacts, and the copy of a struct whose members have just been written costs more than they did.
-    [[gnu::always_inline]] void advance(const Launch<T>& launch, Collision<T>& collision) const {
-        advance(flight_from(body_, launch), collision);
+    /// The same into a collision that is there: `post-impact state` may be its own `after`. For long orbits: nothing is
+    /// copied between two impacts, and the copy of a struct whose members have just been written costs more than they
+    /// did.
+    [[gnu::always_inline]] void advance(const PostImpactState<T>& post_impact, Collision<T>& collision) const {
+        advance(flight_from(body_, post_impact), collision);
     }
     [[gnu::always_inline]] void advance(const Flight<T>& flight, Collision<T>& collision) const {
-        Contact<T> contact;
+        FirstContact<T> contact;
         if (detail::direct_contact<shape>(body_, flight, contact)) [[likely]]
             arrive(flight, contact, collision);
         else
@@ -66,7 +69,7 @@ public:
         const Vec2<T> x = shape == Shape::disk ? body_.per_inner * at.centre : at.centre + arm;
         const T longer = missing_length(x);  // a contact: of length 1 already, but for rounding
         const Vec2<T> velocity = seen_from(x, flight.velocity);
-        Launch<T>& after = collision.after;
+        PostImpactState<T>& after = collision.after;
         after.psi = renormalised(seen_from(at.phase, x));  // ψ = arg n − arg w
         if constexpr (shape == Shape::disk)
             after.chi = {T(1), T(0)};
@@ -75,7 +78,7 @@ public:
         after.vn = velocity.x + longer * velocity.x;
         after.vt = velocity.y + longer * velocity.y;
         after.spin = flight.spin;
-        collision.contact = ContactOutcome::contact;
+        collision.outcome = FirstContactOutcome::contact;
         collision.flight_time = at.time;
         collision.normal = x + longer * x;
         apply_impact(collision);
@@ -92,13 +95,13 @@ public:
 private:
     /// For the flights that the direct path leaves over.
     [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const {
-        const Contact<T> contact = detail::certain_contact<shape>(body_, flight);
-        if (contact.outcome == ContactOutcome::contact) return arrive(flight, contact, collision);
-        collision.contact = contact.outcome;
+        const FirstContact<T> contact = detail::certain_contact<shape>(body_, flight);
+        if (contact.outcome == FirstContactOutcome::contact) return arrive(flight, contact, collision);
+        collision.outcome = contact.outcome;
         collision.steps = contact.steps;
     }
 
-    [[gnu::always_inline]] void arrive(const Flight<T>& flight, const Contact<T>& contact,
+    [[gnu::always_inline]] void arrive(const Flight<T>& flight, const FirstContact<T>& contact,
                                        Collision<T>& collision) const {
         strike(flight, contact.at, contact.arm, collision);
         collision.steps = contact.steps;
@@ -108,8 +111,8 @@ private:
 
     // In both, u changes linearly in (p, q), so the mean of before and after is the value at half the impulse.
     [[gnu::always_inline]] void apply_to_polygon(Collision<T>& collision) const {
-        Launch<T>& state = collision.after;
-        const Approach<T> before = approach_of(body_, state);
+        PostImpactState<T>& state = collision.after;
+        const ContactKinematics<T> before = contact_kinematics(body_, state);
         const Impulse<T> j = impulse<rule>(before, scene_.mu, scene_.restitution);
         const T& p = j.normal;
         const T& q = j.tangential;
@@ -124,7 +127,7 @@ private:
 
     /// The disk's r_t = 0: B₂ = 1, B₃ = 0.
     [[gnu::always_inline]] void apply_to_disk(Collision<T>& collision) const {
-        Launch<T>& state = collision.after;
+        PostImpactState<T>& state = collision.after;
         const T un = state.vn - body_.beta * state.psi.y;
         const T half(0.5);
         if constexpr (rule == ImpactRule::frictionless) {

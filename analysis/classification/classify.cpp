@@ -54,13 +54,13 @@ void describe_cycle(const Findings& findings, const ClassifyOptions& options, Cl
                                 ? "at or above 1 - " + in_words(limits.stable) + ": no attracting cycle; " +
                                       then_others_decide + ", unless the orbit itself stays on it"
                                 : "nothing: it rests on the orbit's own closure"});
-    if (findings.forgets)
+    if (findings.superstable)
         evidence.push_back({"ranks left", 0, 0,
                             "every direction is annihilated on the way: what comes back once has come "
                             "back for ever",
                             "1 or more: the orbit itself would have to stay"});
     else if (!findings.attracting)
-        evidence.push_back({"closure kept", findings.kept ? 1.0 : 0.0, 1, "along the tail's last quarter",
+        evidence.push_back({"closure kept", findings.closure_persists ? 1.0 : 0.0, 1, "along the tail's last quarter",
                             "0: an unstable cycle in passing; " + std::string(then_others_decide)});
 }
 

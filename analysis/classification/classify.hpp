@@ -58,7 +58,7 @@ inline constexpr int more_candidates = 8;
 /// What the verdict is made of; filled from a tail by the template below, judged by `decide`.
 struct Findings {
     bool has_cycle = false;
-    bool is_family = false, attracting = false, kept = false, forgets = false, has_multipliers = false;
+    bool is_family = false, attracting = false, closure_persists = false, superstable = false, has_multipliers = false;
     double rounding = 0;  ///< of a cycle that was found, but is none for its sake (FoundCycle::rounding); 0: no such
     double closure = 0, residual = 0, distance = 0, farthest = 0, slowest_multiplier = 0;
     double spread_change = 1;  ///< of the tail's last quarter over its first; far from 1: still settling
@@ -97,8 +97,8 @@ void take_cycle(const M& map, const FoundCycle<M::dimension>& cycle, const Class
     if (!findings.has_cycle) return;
     findings.is_family = cycle.family;
     findings.attracting = cycle.attracting;
-    findings.kept = cycle.kept;
-    findings.forgets = cycle.forgets;
+    findings.closure_persists = cycle.closure_persists;
+    findings.superstable = cycle.superstable;
     findings.has_multipliers = !cycle.multipliers.empty();
     findings.farthest = cycle.farthest;
     findings.closure = cycle.closure;
@@ -232,9 +232,9 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
         result.largest_exponent = findings.exponent.exponent;
         result.largest_exponent_error = findings.exponent.standard_error;
     }
-    const bool forgets = std::isinf(findings.exponent.exponent) && findings.exponent.exponent < 0;
-    if (!findings.has_cycle && findings.rounding == 0 && forgets)
-        take(find_forgetful_period(map, tail, options.period));
+    const bool superstable = std::isinf(findings.exponent.exponent) && findings.exponent.exponent < 0;
+    if (!findings.has_cycle && findings.rounding == 0 && superstable)
+        take(find_superstable_period(map, tail, options.period));
     findings.spread_change = detail::spread_change(map, tail);
     if (!findings.has_cycle && findings.rounding == 0 && findings.exponent.sign != ExponentSign::positive) {
         findings.rotation = detail::rotation_of(map, tail);

@@ -1,7 +1,7 @@
 #include "analysis/classification/classify_series.hpp"
 
+#include "analysis/argument_error.hpp"
 #include "analysis/classification/repetition.hpp"
-#include "analysis/refusal.hpp"
 #include "analysis/spectrum/lines.hpp"
 
 #include <gsl/gsl_statistics_double.h>

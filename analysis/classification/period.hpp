@@ -40,12 +40,13 @@ struct FoundCycle {
     double distance = 0;                  ///< from the orbit's last state to the point
     double farthest = 0;                  ///< how far that may be, by the orbit's own return and the slowest multiplier
     std::vector<std::complex<double>> multipliers;
-    bool family = false;      ///< a multiplier is 1
-    bool attracting = false;  ///< all multipliers inside the unit circle, those of a family apart
-    bool kept = false;        ///< the orbit itself has closed all along the tail's last quarter
+    bool family = false;            ///< a multiplier is 1
+    bool attracting = false;        ///< all multipliers inside the unit circle, those of a family apart
+    bool closure_persists = false;  ///< the orbit itself has closed all along the tail's last quarter
     bool approached = false;  ///< the orbit has come ever nearer, or is within 10⁻⁶ already, and its returns shrink
     double rounding = 0;      ///< of one that returns to `closure`: rounding_growth along it
-    bool forgets = false;     ///< every direction is annihilated on the way: what comes again once comes again for ever
+    bool superstable =
+        false;  ///< every direction is annihilated on the way: what comes again once comes again for ever
 };
 
 namespace classification_detail {
@@ -219,14 +220,15 @@ FoundCycle<M::dimension> cycle_of_closed(const M& map, const Tail<M::dimension>&
                                          const PeriodOptions& options) {
     auto found = cycle_near(map, tail, k, closure, options);
     const auto quarter = static_cast<std::int64_t>(tail.states.size() / 4);
-    const bool kept = return_distance(map, tail, k, std::max(k, quarter), options.closure) <= options.closure;
+    const bool closure_persists =
+        return_distance(map, tail, k, std::max(k, quarter), options.closure) <= options.closure;
     if (found.period == 0 || found.distance > found.farthest) {
         found = {};
         found.period = k;
         found.point = tail.states.back();
         found.closure = found.residual = closure;
     }
-    found.kept = kept;
+    found.closure_persists = closure_persists;
     found.rounding = rounding_growth(map, found.point, found.period);
     return found;
 }
@@ -247,7 +249,7 @@ FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tai
         const double returned = detail::return_distance(map, tail, k, k, options.vicinity);
         if (returned <= options.closure) {
             const auto found = detail::cycle_of_closed(map, tail, k, returned, options);
-            if (found.attracting || found.kept) return found;
+            if (found.attracting || found.closure_persists) return found;
             break;  // passes an unstable cycle: the multiples of k do, too
         }
         if (returned <= options.vicinity) near.emplace_back(returned, k);
@@ -266,8 +268,8 @@ FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tai
 /// tail's length are found. The last 64 states must come back to `closure`, and the annihilation must lie within the
 /// period: else it may be an unstable cycle in passing. Period 0 if not so. O(n), k derivatives.
 template <SectionMap M>
-FoundCycle<M::dimension> find_forgetful_period(const M& map, const Tail<M::dimension>& tail,
-                                               const PeriodOptions& options = {}) {
+FoundCycle<M::dimension> find_superstable_period(const M& map, const Tail<M::dimension>& tail,
+                                                 const PeriodOptions& options = {}) {
     constexpr std::int64_t states = 64;
     FoundCycle<M::dimension> found;
     const auto n = static_cast<std::int64_t>(tail.states.size());
@@ -282,7 +284,7 @@ FoundCycle<M::dimension> find_forgetful_period(const M& map, const Tail<M::dimen
         found.period = k;
         found.point = tail.states.back();
         found.closure = found.residual = returned;
-        found.kept = found.approached = found.forgets = true;
+        found.closure_persists = found.approached = found.superstable = true;
         found.rounding = rounding_growth(map, found.point, k);
         break;
     }

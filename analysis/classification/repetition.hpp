@@ -28,7 +28,7 @@ inline constexpr double smallest_chance = 1e-5;
 
 /// The smallest k for which the k phase means leave a residual within the limit that is white: no autocorrelation up to
 /// lag 2k + 8 beyond 4/√n, and no correlation of neighbours phase by phase beyond chance. The second is what tells
-/// chaos in k bands: the map stretches each band by its own factor, of either sign, so that a residual decides the next
+/// chaos in k bands: the map segments each band by its own factor, of either sign, so that a residual decides the next
 /// at every phase while the mean over the phases sees nothing. A residual that is small but structured is that of a
 /// longer period, or no noise at all: a torus, a band, a drift. The longer period is a multiple (the phase means of k
 /// know of a period q no more than those of the common divisor of k and q). Its residual is rounding, or white and at

@@ -13,7 +13,7 @@ namespace {
 
 /// F is continuous across a border, and so is the time of each step: where another impact has slipped in or one has
 /// been left out it jumps. Near grazing the time moves by up to 1/margin per length, hence the factor.
-bool is_continuous(const Closing& behind, const Closing& last, double h) {
+bool is_continuous(const ShootingResidual& behind, const ShootingResidual& last, double h) {
     const double tolerated = 1e-6 + std::min(1e3 * h, 1e-2);
     for (std::size_t i = 0; i < last.steps.size(); ++i)
         if (std::abs(behind.steps[i].duration - last.steps[i].duration) > tolerated) return false;
@@ -22,13 +22,14 @@ bool is_continuous(const Closing& behind, const Closing& last, double h) {
 
 /// Steps from `base` until a cycle with another word than that of `last` is met; F is continuous across, so that it is
 /// as near as the step was long.
-bool step_behind(const ShootingMap& map, const CurvePoint& base, const Closing& last, double sign, CurvePoint& behind) {
+bool step_behind(const ShootingMap& map, const CurvePoint& base, const ShootingResidual& last, double sign,
+                 CurvePoint& behind) {
     CorrectorOptions any;
     any.keep_word = false;
     any.farthest = 1e3;  // DF jumps, so the tangent may lead elsewhere; F does not
     for (double h = 1e-10; h < 1e-4; h *= 10) {
         if (correct(map, base, sign * h, behind, any) != Correction::converged) continue;
-        if (word_of(behind.closing) == word_of(last) || !is_continuous(behind.closing, last, h)) continue;
+        if (word_of(behind.shooting) == word_of(last) || !is_continuous(behind.shooting, last, h)) continue;
         if (curve_product(behind.tangent, base.tangent, map.has_parameter, base.points.size()) * sign < 0)
             behind.tangent *= -1;
         return true;
@@ -45,18 +46,18 @@ bool seen_from(const ShootingMap& map, const CurvePoint& last, Eigen::Index coor
     const double p = along_parameter ? last.p + shift : last.p;
     CurvePoint aside;
     const CyclePoints points = unstacked(z, map.dimension);
-    const Closing closing = close_cycle(map, points, p);
-    if (!closing.alive || word_of(closing) == word_of(last.closing)) return false;
+    const ShootingResidual shooting = shooting_residual(map, points, p);
+    if (!shooting.alive || word_of(shooting) == word_of(last.shooting)) return false;
     if (!begin_curve(map, points, p, {}, aside)) return false;
     base = last;
-    base.closing = aside.closing;
+    base.shooting = aside.shooting;
     base.tangent = aside.tangent;
     return true;
 }
 
-double margin_of(const Closing& closing) {
+double margin_of(const ShootingResidual& shooting) {
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& step : closing.steps) least = std::min(least, step.margin);
+    for (const auto& step : shooting.steps) least = std::min(least, step.margin);
     return least;
 }
 
@@ -64,11 +65,11 @@ double margin_of(const Closing& closing) {
 
 void extrapolate_to_border(const ShootingMap& map, CurvePoint& last) {
     constexpr double back = 1e-5;
-    const double margin = margin_of(last.closing);
+    const double margin = margin_of(last.shooting);
     if (!(map.least_margin > 0 && margin < 2 * map.least_margin)) return;
     CurvePoint before;
     if (correct(map, last, -back, before) != Correction::converged) return;
-    const double slope = (margin_of(before.closing) - margin) / back;
+    const double slope = (margin_of(before.shooting) - margin) / back;
     if (!(slope > 0)) return;
     // The cubic through four points of the curve, with the margin as its variable, at 0. They lie a hundred times
     // farther back, at margins of 10⁻⁴: at the last cycle DF is 10⁶, and it is known to 10⁻⁹ only.
@@ -77,10 +78,10 @@ void extrapolate_to_border(const ShootingMap& map, CurvePoint& last) {
     std::array<double, 4> margins{};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         if (correct(map, last, -static_cast<double>(i + 1) * apart, nodes[i]) != Correction::converged) return;
-        margins[i] = margin_of(nodes[i].closing);
+        margins[i] = margin_of(nodes[i].shooting);
         if (!(margins[i] > (i == 0 ? margin : margins[i - 1]))) return;
     }
-    Eigen::VectorXd z = Eigen::VectorXd::Zero(last.closing.gap.size());
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(last.shooting.gap.size());
     double p = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         double weight = 1;
@@ -96,20 +97,20 @@ void extrapolate_to_border(const ShootingMap& map, CurvePoint& last) {
 bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std::int64_t>& word_after,
                  CurvePoint& behind) {
     word_after.clear();
-    if (step_behind(map, last, last.closing, 1, behind)) {
-        word_after = word_of(behind.closing);
+    if (step_behind(map, last, last.shooting, 1, behind)) {
+        word_after = word_of(behind.shooting);
         return true;
     }
-    const Eigen::Index unknowns = last.closing.gap.size() + (map.has_parameter ? 1 : 0);
+    const Eigen::Index unknowns = last.shooting.gap.size() + (map.has_parameter ? 1 : 0);
     for (const double shift : {1e-9, 1e-7, 1e-5}) {
         for (Eigen::Index j = 0; j < unknowns; ++j) {
             for (const double sign : {1.0, -1.0}) {
                 CurvePoint base;
                 if (!seen_from(map, last, j, sign * shift, base)) continue;
-                if (word_after.empty()) word_after = word_of(base.closing);
+                if (word_after.empty()) word_after = word_of(base.shooting);
                 for (const double way : {1.0, -1.0})
-                    if (step_behind(map, base, last.closing, way, behind)) {
-                        word_after = word_of(behind.closing);
+                    if (step_behind(map, base, last.shooting, way, behind)) {
+                        word_after = word_of(behind.shooting);
                         return true;
                     }
             }

@@ -56,7 +56,7 @@ BranchPoint branch_point_at(const CurvePoint& at) {
     point.multipliers = cycle.multipliers;
     point.index = cycle.index;
     point.stability = cycle.stability;
-    point.mean = at.closing.integral / at.closing.duration;
+    point.mean = at.shooting.integral / at.shooting.duration;
     return point;
 }
 

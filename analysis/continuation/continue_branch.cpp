@@ -118,9 +118,9 @@ private:
     /// At the end of a parameter's range the rule itself may change (μ → 0) and cycles become families (β = 0): test
     /// functions say nothing there.
     bool is_smooth_to(const CurvePoint& last) const {
-        const Eigen::MatrixXd& before = here().closing.by_points;
-        return word_of(last.closing) == word_of(here().closing) && is_on_curve(map_, last.closing) &&
-               (last.closing.by_points - before).norm() <= 1e-3 * before.norm();
+        const Eigen::MatrixXd& before = here().shooting.by_points;
+        return word_of(last.shooting) == word_of(here().shooting) && is_on_curve(map_, last.shooting) &&
+               (last.shooting.by_points - before).norm() <= 1e-3 * before.norm();
     }
 
     /// Did the two halves of the cycle change places on the way? Then it went through a cycle of half the period.
@@ -140,7 +140,7 @@ private:
         constexpr double level = 1e-9;
         const bool is_level = std::abs(next.parameter_slope()) < level && std::abs(here().parameter_slope()) < level &&
                               std::abs(next.p - here().p) < level * h_;
-        const bool was_on_curve = std::exchange(on_curve_, is_on_curve(map_, next.closing));
+        const bool was_on_curve = std::exchange(on_curve_, is_on_curve(map_, next.shooting));
         return is_level || (!was_on_curve && !on_curve_);
     }
 
@@ -155,7 +155,7 @@ private:
     /// The tangents agree, whichever of the cycle's points is called the first.
     bool has_start_direction() const {
         const std::size_t k = start_.points.size();
-        const Eigen::Index d = map_.dimension, size = here().closing.gap.size();
+        const Eigen::Index d = map_.dimension, size = here().shooting.gap.size();
         Eigen::VectorXd turned = here().tangent;
         for (std::size_t shift = 0; shift < k; ++shift) {
             for (std::size_t i = 0; i < k; ++i)
@@ -188,7 +188,7 @@ private:
         SpecialPoint special;
         special.kind = SpecialKind::border;
         special.cycle = branch_.points.back();
-        special.word_before = word_of(here().closing);
+        special.word_before = word_of(here().shooting);
         special.after = branch_.points.size() - 1;
         CurvePoint behind;
         special.goes_on = find_behind(map_, here(), special.word_after, behind);
@@ -235,7 +235,7 @@ bool continue_branch(const ShootingMap& map, const CyclePoints& cycle, double p,
     CyclePoints points = cycle;
     polish_cycle(map, points, p);
     CurvePoint start;
-    if (!begin_curve(map, points, p, {}, start) || !is_on_curve(map, start.closing)) return false;
+    if (!begin_curve(map, points, p, {}, start) || !is_on_curve(map, start.shooting)) return false;
     const double value = parameter_of(options, map.has_parameter, start);
     if (value < options.low || value > options.high) return false;
     follow_one_way(map, start, options, branch);

@@ -16,9 +16,9 @@ namespace {
 /// A(z_1) = D(Fᵏ), ∂(Fᵏ)/∂p and dz_1/dp.
 CriticalPoint critical_point(const ShootingMap& map, const CurvePoint& at) {
     CriticalPoint critical;
-    critical.derivative = monodromy(at.closing);
+    critical.derivative = monodromy(at.shooting);
     critical.by_parameter = Eigen::VectorXd::Zero(map.dimension);
-    for (const auto& step : at.closing.steps)
+    for (const auto& step : at.shooting.steps)
         critical.by_parameter = step.by_state * critical.by_parameter + step.by_parameter;
     critical.branch_slope = at.tangent.head(map.dimension) / at.parameter_slope();
     return critical;

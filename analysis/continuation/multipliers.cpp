@@ -7,7 +7,7 @@
 namespace swirl::analysis {
 
 std::vector<std::complex<double>> multipliers_at(const CurvePoint& point) {
-    const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(monodromy(point.closing), false).eigenvalues();
+    const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(monodromy(point.shooting), false).eigenvalues();
     std::vector<std::complex<double>> multipliers(values.data(), values.data() + values.size());
     sort_multipliers(multipliers);
     return multipliers;
@@ -27,7 +27,7 @@ double neimark_sacker_function(const std::vector<std::complex<double>>& multipli
 }
 
 double crossing_function(const ShootingMap& map, const CurvePoint& point) {
-    return bordered(map, point.closing, point.tangent).partialPivLu().determinant();
+    return bordered(map, point.shooting, point.tangent).partialPivLu().determinant();
 }
 
 }  // namespace swirl::analysis

@@ -13,27 +13,27 @@ namespace {
 /// At a flip: the cycle run through twice, and the direction in which the two rounds part.
 bool doubled(const ShootingMap& map, const SpecialPoint& flip, CurvePoint& base) {
     const CurvePoint& at = flip.cycle.at;
-    Eigen::VectorXd q = eigen_pair(monodromy(at.closing), -1).right.real();
+    Eigen::VectorXd q = eigen_pair(monodromy(at.shooting), -1).right.real();
     std::vector<Eigen::VectorXd> directions;
     for (int round = 0; round < 2; ++round)
-        for (const auto& step : at.closing.steps) {
+        for (const auto& step : at.shooting.steps) {
             directions.push_back(q);
             q = step.by_state * q;
         }
     base.p = at.p;
     base.points = at.points;
     base.points.insert(base.points.end(), at.points.begin(), at.points.end());
-    base.closing = close_cycle(map, base.points, base.p);
-    if (!base.closing.alive) return false;
-    base.tangent = Eigen::VectorXd::Zero(base.closing.gap.size() + 1);
-    base.tangent.head(base.closing.gap.size()) = stacked(directions);
+    base.shooting = shooting_residual(map, base.points, base.p);
+    if (!base.shooting.alive) return false;
+    base.tangent = Eigen::VectorXd::Zero(base.shooting.gap.size() + 1);
+    base.tangent.head(base.shooting.gap.size()) = stacked(directions);
     return true;
 }
 
 /// At a branch point ∂G/∂(Z, p) has two null vectors: the direction in their plane across the known branch.
 bool crossing(const ShootingMap& map, const SpecialPoint& special, CurvePoint& base) {
     base = special.cycle.at;
-    const Eigen::MatrixXd full = bordered(map, base.closing, base.tangent);
+    const Eigen::MatrixXd full = bordered(map, base.shooting, base.tangent);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(full.topRows(full.rows() - 1), Eigen::ComputeFullV);
     const Eigen::MatrixXd plane = svd.matrixV().rightCols(2);
     const Eigen::Vector2d known = plane.transpose() * base.tangent;

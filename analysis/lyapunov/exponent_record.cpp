@@ -1,6 +1,6 @@
 #include "analysis/lyapunov/exponent_record.hpp"
 
-#include "analysis/refusal.hpp"
+#include "analysis/argument_error.hpp"
 #include "analysis/rotation/weighted_birkhoff.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // One-dimensional sets of cycles: a branch over the parameter, or a family at one parameter. Predictor and corrector.
 #pragma once
 
-#include "analysis/orbits/closing.hpp"
+#include "analysis/orbits/shooting_residual.hpp"
 
 namespace swirl::analysis {
 
@@ -9,8 +9,8 @@ namespace swirl::analysis {
 struct CurvePoint {
     CyclePoints points;
     double p = 0;
-    Closing closing;          ///< at the point
-    Eigen::VectorXd tangent;  ///< unit: (Z, p), or Z alone for a map without a parameter
+    ShootingResidual shooting;  ///< at the point
+    Eigen::VectorXd tangent;    ///< unit: (Z, p), or Z alone for a map without a parameter
 
     double parameter_slope() const { return tangent[tangent.size() - 1]; }  ///< dp/ds of a branch
 };
@@ -37,7 +37,7 @@ bool begin_curve(const ShootingMap& map, const CyclePoints& points, double p, co
 
 /// True if solutions near the point are a curve: the Jacobian has one null vector, to 10⁻⁸ when scaled. False where
 /// branches cross, and on solution sets of two and more dimensions. Cost: one QR.
-bool is_on_curve(const ShootingMap& map, const Closing& closing);
+bool is_on_curve(const ShootingMap& map, const ShootingResidual& shooting);
 
 /// The point of the curve on the plane across the base's tangent at distance h: pseudo-arclength (Keller 1977).
 /// Cost: 3 to 5 iterations of k steps of the map and one QR of kD + 1 unknowns.
@@ -48,6 +48,6 @@ Correction correct(const ShootingMap& map, const CurvePoint& base, double h, Cur
 double curve_product(const Eigen::VectorXd& a, const Eigen::VectorXd& b, bool has_parameter, std::size_t k);
 
 /// ∂G/∂(Z, p) with one more row: the tangent in the curve's product. Square for a branch.
-Eigen::MatrixXd bordered(const ShootingMap& map, const Closing& closing, const Eigen::VectorXd& tangent);
+Eigen::MatrixXd bordered(const ShootingMap& map, const ShootingResidual& shooting, const Eigen::VectorXd& tangent);
 
 }  // namespace swirl::analysis

@@ -50,24 +50,24 @@ Eigen::Index ones_among(const Multipliers& multipliers) {
                          [](const std::complex<double>& m) { return std::abs(m - 1.0) <= neutral_margin; });
 }
 
-std::vector<Eigen::MatrixXd> derivatives_of(const Closing& closing) {
+std::vector<Eigen::MatrixXd> derivatives_of(const ShootingResidual& shooting) {
     std::vector<Eigen::MatrixXd> derivatives;
-    for (const auto& step : closing.steps) derivatives.push_back(step.by_state);
+    for (const auto& step : shooting.steps) derivatives.push_back(step.by_state);
     return derivatives;
 }
 
 /// How many multipliers are 1, `enough` or fewer: in double, and in 100 digits only where that finds too few.
-Eigen::Index ones_of(const Closing& closing, Eigen::Index enough) {
-    const Eigen::VectorXcd quick = Eigen::EigenSolver<Eigen::MatrixXd>(monodromy(closing), false).eigenvalues();
+Eigen::Index ones_of(const ShootingResidual& shooting, Eigen::Index enough) {
+    const Eigen::VectorXcd quick = Eigen::EigenSolver<Eigen::MatrixXd>(monodromy(shooting), false).eigenvalues();
     if (const Eigen::Index ones = ones_among(quick); ones >= enough) return enough;
-    return std::min(enough, ones_among(cycle_exponents(derivatives_of(closing)).multipliers));
+    return std::min(enough, ones_among(cycle_exponents(derivatives_of(shooting)).multipliers));
 }
 
 }  // namespace
 
-Eigen::MatrixXd family_directions(const Closing& closing, int dimension) {
-    const Eigen::MatrixXd null = null_vectors(closing.by_points);
-    Eigen::MatrixXd first = null.rightCols(null.cols() > 0 ? ones_of(closing, null.cols()) : 0).topRows(dimension);
+Eigen::MatrixXd family_directions(const ShootingResidual& shooting, int dimension) {
+    const Eigen::MatrixXd null = null_vectors(shooting.by_points);
+    Eigen::MatrixXd first = null.rightCols(null.cols() > 0 ? ones_of(shooting, null.cols()) : 0).topRows(dimension);
     for (Eigen::Index j = 0; j < first.cols(); ++j) {
         first.col(j).normalize();
         Eigen::Index largest;
@@ -78,18 +78,18 @@ Eigen::MatrixXd family_directions(const Closing& closing, int dimension) {
 }
 
 bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle) {
-    const Closing closing = close_cycle(map, cycle.points, p);
-    if (!closing.alive) return false;
-    const CycleExponents exponents = cycle_exponents(derivatives_of(closing));
+    const ShootingResidual shooting = shooting_residual(map, cycle.points, p);
+    if (!shooting.alive) return false;
+    const CycleExponents exponents = cycle_exponents(derivatives_of(shooting));
     if (exponents.outcome != CycleOutcome::completed) return false;
-    cycle.residual = closing.residual();
-    cycle.return_time = closing.duration;
-    cycle.mean = closing.integral / closing.duration;
-    cycle.word = word_of(closing);
+    cycle.residual = shooting.residual();
+    cycle.return_time = shooting.duration;
+    cycle.mean = shooting.integral / shooting.duration;
+    cycle.word = word_of(shooting);
     cycle.multipliers = exponents.multipliers;
     sort_multipliers(cycle.multipliers);
     judge_stability(cycle);
-    cycle.tangents = family_directions(closing, map.dimension);
+    cycle.tangents = family_directions(shooting, map.dimension);
     return true;
 }
 

@@ -1,7 +1,7 @@
 // A cycle with what is known of it.
 #pragma once
 
-#include "analysis/orbits/closing.hpp"
+#include "analysis/orbits/shooting_residual.hpp"
 
 #include <complex>
 #include <string_view>
@@ -42,7 +42,7 @@ bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle);
 
 /// Directions at z_1, as columns, along which G stays zero: the null space of ∂G/∂Z, its rows and columns scaled, as
 /// far as each null vector has a multiplier 1 (to `neutral_margin`) of its own.
-Eigen::MatrixXd family_directions(const Closing& closing, int dimension);
+Eigen::MatrixXd family_directions(const ShootingResidual& shooting, int dimension);
 
 /// The smallest cyclic part that closes to `closure`.
 CyclePoints minimal_cycle(const ShootingMap& map, const CyclePoints& points, double closure);

@@ -38,9 +38,9 @@ bool KnownCycles::contains_family_of(const CyclePoints& points, Eigen::Index dim
 
 bool KnownCycles::add(const CyclePoints& points, double residual) {
     if (contains(points)) return false;
-    const Closing closing = close_cycle(map_, points, p_);
-    if (!closing.alive) return false;
-    const Eigen::MatrixXd tangents = family_directions(closing, map_.dimension);
+    const ShootingResidual shooting = shooting_residual(map_, points, p_);
+    if (!shooting.alive) return false;
+    const Eigen::MatrixXd tangents = family_directions(shooting, map_.dimension);
     if (one_per_family_ && tangents.cols() > 0 && contains_family_of(points, tangents.cols())) return false;
     Cycle cycle;
     for (const auto& z : points) cycle.points.push_back(map_.normalised(z));

@@ -83,7 +83,7 @@ ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, 
     ShootingResult result;
     result.points = guess;
     result.residual = std::numeric_limits<double>::infinity();
-    if (!close_cycle(map, guess, p).alive) return result;
+    if (!shooting_residual(map, guess, p).alive) return result;
     const auto k = guess.size();
     ceres::Problem problem;
     for (std::size_t i = 0; i < k; ++i) {
@@ -101,7 +101,7 @@ ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, 
     result.iterations = static_cast<int>(summary.iterations.size());
     if (!summary.IsSolutionUsable() || !(summary.final_cost < 1e-6)) return result;  // |G| ≈ 10⁻³: too far for Newton
     result.residual = polish_cycle(map, result.points, p);
-    result.converged = result.residual <= accept || closes_to(close_cycle(map, result.points, p), accept);
+    result.converged = result.residual <= accept || closes_to(shooting_residual(map, result.points, p), accept);
     return result;
 }
 
@@ -120,12 +120,12 @@ ShootingResult solve_near_grazing(const ShootingMap& map, const TimedMap& timed,
     result.iterations = shot.iterations;
     if (!shot.converged) return result;
     for (std::size_t i = 0; i < guess.size(); ++i) result.points[i] = shot.points[i].head(map.dimension);
-    const Closing closing = close_cycle(map, result.points, p);
-    if (!closing.alive) return result;
+    const ShootingResidual shooting = shooting_residual(map, result.points, p);
+    if (!shooting.alive) return result;
     for (std::size_t i = 0; i < guess.size(); ++i)  // the map's first contact, and no other
-        if (std::abs(closing.steps[i].duration - shot.points[i].tail(1)[0]) > same_time) return result;
-    result.residual = closing.residual();
-    result.converged = closes_to(closing, accept);
+        if (std::abs(shooting.steps[i].duration - shot.points[i].tail(1)[0]) > same_time) return result;
+    result.residual = shooting.residual();
+    result.converged = closes_to(shooting, accept);
     return result;
 }
 

@@ -1,7 +1,7 @@
 // k-cycles by multi-shooting: the k points are unknowns of a least-squares problem that Ceres solves.
 #pragma once
 
-#include "analysis/orbits/closing.hpp"
+#include "analysis/orbits/shooting_residual.hpp"
 
 #include <functional>
 
@@ -28,7 +28,8 @@ struct ShootingResult {
 ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, double p, double accept,
                               const ShootingOptions& options = {});
 
-/// A map whose points carry one more unknown, the time of their step, with one constraint (map/timed_collision.hpp).
+/// A map whose points carry one more unknown, the time of their step, with one constraint
+/// (map/derivative/timed_collision.hpp).
 struct TimedMap {
     ShootingMap map;
     /// The time after z at which an impact would lead nearest to `next`, whether or not the wall is there then.

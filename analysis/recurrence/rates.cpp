@@ -1,7 +1,7 @@
 #include "analysis/recurrence/rates.hpp"
 
+#include "analysis/argument_error.hpp"
 #include "analysis/recurrence/pair_census.hpp"
-#include "analysis/refusal.hpp"
 
 #include <gsl/gsl_statistics_double.h>
 #include <tbb/parallel_sort.h>

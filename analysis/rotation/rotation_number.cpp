@@ -1,6 +1,6 @@
 #include "analysis/rotation/rotation_number.hpp"
 
-#include "analysis/refusal.hpp"
+#include "analysis/argument_error.hpp"
 #include "analysis/rotation/weighted_birkhoff.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "analysis/spectrum/bin_average.hpp"
 
-#include "analysis/refusal.hpp"
+#include "analysis/argument_error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "analysis/spectrum/power_spectrum.hpp"
 
-#include "analysis/refusal.hpp"
+#include "analysis/argument_error.hpp"
 #include "analysis/spectrum/fft.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "analysis/spectrum/resample.hpp"
 
-#include "analysis/refusal.hpp"
+#include "analysis/argument_error.hpp"
 
 #include <gsl/gsl_statistics_double.h>
 

@@ -3,17 +3,17 @@
 #include "analysis/classification/period.hpp"
 #include "analysis/classification/tangent_growth.hpp"
 #include "apps/bifurcate/exact_return.hpp"
-#include "apps/classify/classify_command.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/scene_map/scene_map.hpp"
-#include "apps/section_system.hpp"
-#include "map/orbit.hpp"
+#include "apps/modes/name_mode.hpp"
+#include "apps/system/scene_map.hpp"
+#include "apps/system/section_system.hpp"
+#include "map/orbit/orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace swirl::apps {
+namespace swirl::apps::bifurcate {
 
 namespace {
 
@@ -45,19 +45,19 @@ Kept<System> follow(const System& system, const Start<double>& start, const Samp
             while (goes_on() && !(kept.interrupted = is_interrupted()) && orbit.advance()) {
                 if (impacts() <= settings.transient) {
                     if (left_out > 0) continue;
-                    if (const auto period = exact.after(orbit.launch()); period > 0)
+                    if (const auto period = exact.after(orbit.post_impact()); period > 0)
                         left_out = (settings.transient - impacts()) / period * period;
                     continue;
                 }
-                kept.tail.states.push_back(system.state_of(section_point(orbit.launch())));
+                kept.tail.states.push_back(system.state_of(section_point(orbit.post_impact())));
                 if (impacts() == settings.transient + 1) continue;
                 kept.tail.durations.push_back(orbit.collision().flight_time);
-                kept.turned += orbit.passage().turned;
+                kept.turned += orbit.return_step().turned;
                 kept.time += orbit.collision().flight_time;
             }
             kept.outcome = orbit.outcome();
             kept.any = orbit.impacts() > 0;
-            if (kept.any) kept.last = system.state_of(section_point(orbit.launch()));
+            if (kept.any) kept.last = system.state_of(section_point(orbit.post_impact()));
         },
         start);
     return kept;
@@ -141,13 +141,14 @@ Attractor settle(const Scene<double>& scene, const Start<double>& start, const S
         attractor.outcome = kept.outcome;
         if (kept.any) attractor.last = kept.last;
         attractor.finished = !kept.interrupted;
-        if (only_loses(scene)) return attractor.finished;  // what looks irregular there is on its way to rest
+        if (is_dissipative_without_drive(scene))
+            return attractor.finished;  // what looks irregular there is on its way to rest
         if (attractor.finished && kept.outcome == Outcome::completed) name(system, kept, settings, attractor);
         return kept.outcome == Outcome::in_contact;
     });
     if (ends_in_contact) {
         analysis::ClassifyOptions options;
-        options.transient = settings.transient + (only_loses(scene) ? longest_death : 0);
+        options.transient = settings.transient + (is_dissipative_without_drive(scene) ? longest_death : 0);
         options.collisions = std::max<std::int64_t>(settings.collisions, 64);
         const NamedMode named = name_mode(scene, start, options);
         attractor.mode = named.verdict.mode;
@@ -158,4 +159,4 @@ Attractor settle(const Scene<double>& scene, const Start<double>& start, const S
     return attractor;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::bifurcate

@@ -3,14 +3,14 @@
 
 #include "analysis/classification/mode.hpp"
 #include "apps/command_line/start_options.hpp"
-#include "map/outcome.hpp"
+#include "map/orbit/outcome.hpp"
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::bifurcate {
 
 struct SampleSettings {
     std::int64_t transient = 2500;  ///< impacts before those that are kept
@@ -45,4 +45,4 @@ struct Attractor {
 /// @throws std::invalid_argument for a start out of range
 Attractor settle(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::bifurcate

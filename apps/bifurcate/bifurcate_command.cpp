@@ -6,7 +6,7 @@
 #include <chrono>
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::bifurcate {
 
 const char* const bifurcate_details =
     R"(The attractor diagram: S after each impact (or another coordinate), after a transient, for every value of the parameter.
@@ -45,7 +45,7 @@ void BifurcateOptions::add_to(CLI::App& command) {
         ->check(CLI::Range(1, 128));
 }
 
-Scene<double> column_scene(const BifurcateOptions& options, const Along& along, double value) {
+Scene<double> column_scene(const BifurcateOptions& options, const ParameterRange& along, double value) {
     SceneOptions scene = options.scene;
     scene.set(along.name, fmt::format("{:.17g}", value));
     return scene.scene<double>();
@@ -69,7 +69,7 @@ const Attractor& typical(const DiagramColumn& column) {
 
 namespace {
 
-void check(const BifurcateOptions& options, const Along& along) {
+void check(const BifurcateOptions& options, const ParameterRange& along) {
     constexpr const char* names[] = {"S", "psi", "chi", "vn", "vt"};
     if (std::find(std::begin(names), std::end(names), options.observable) == std::end(names))
         throw BadInput(fmt::format("observable = {} is none of: S, psi, chi, vn, vt", options.observable));
@@ -91,7 +91,7 @@ void check(const BifurcateOptions& options, const Along& along) {
 int bifurcate(BifurcateOptions& options) {
     options.scene.read_file();
     Diagram diagram;
-    diagram.along = along_from(options.along, true, false);
+    diagram.along = parameter_range_from(options.along, true, false);
     check(options, diagram.along);
     for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}});
     std::optional<RecordWriter> record;
@@ -115,4 +115,4 @@ int bifurcate(BifurcateOptions& options) {
     return diagram.interrupted ? exit_interrupted : exit_done;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::bifurcate

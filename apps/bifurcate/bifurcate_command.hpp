@@ -2,13 +2,13 @@
 #pragma once
 
 #include "apps/bifurcate/attractor.hpp"
+#include "apps/branches/branches.hpp"
 #include "apps/command_line/output_options.hpp"
-#include "apps/continue/branches.hpp"
 
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::bifurcate {
 
 struct BifurcateOptions {
     SceneOptions scene;
@@ -43,7 +43,7 @@ struct Agreement {
 };
 
 struct Diagram {
-    Along along;
+    ParameterRange along;
     std::vector<DiagramColumn> columns;
     std::vector<analysis::Branch> branches;
     Agreement agreement;
@@ -51,7 +51,7 @@ struct Diagram {
 };
 
 /// The scene of a column. @throws std::invalid_argument out of range
-Scene<double> column_scene(const BifurcateOptions& options, const Along& along, double value);
+Scene<double> column_scene(const BifurcateOptions& options, const ParameterRange& along, double value);
 
 /// Samples every column from random starts; start r of every column is `classify --seed SEED + r`'s.
 void sample_columns(const BifurcateOptions& options, Diagram& diagram);
@@ -75,4 +75,4 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram);
 
 int bifurcate(BifurcateOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::bifurcate

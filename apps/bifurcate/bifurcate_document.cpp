@@ -1,10 +1,10 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 
-#include "apps/classify/kind_document.hpp"
+#include "apps/modes/kind_document.hpp"
 
 #include <map>
 
-namespace swirl::apps {
+namespace swirl::apps::bifurcate {
 
 namespace {
 
@@ -135,4 +135,4 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
         diagram.agreement.in_families);
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::bifurcate

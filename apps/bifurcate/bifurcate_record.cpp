@@ -1,6 +1,6 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 
-namespace swirl::apps {
+namespace swirl::apps::bifurcate {
 
 namespace {
 
@@ -97,4 +97,4 @@ void write_diagram_record(RecordWriter& record, const BifurcateOptions& options,
     record.finish();
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::bifurcate

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace swirl::apps {
+namespace swirl::apps::bifurcate {
 
 namespace {
 
@@ -59,8 +59,8 @@ public:
 
 private:
     bool is_in_family(const analysis::CyclePoints& points, double p) const {
-        const auto closing = analysis::close_cycle(scene_.map, points, p);
-        return closing.alive && analysis::family_directions(closing, scene_.map.dimension).cols() > 0;
+        const auto shooting = analysis::shooting_residual(scene_.map, points, p);
+        return shooting.alive && analysis::family_directions(shooting, scene_.map.dimension).cols() > 0;
     }
 
     void compare(const analysis::BranchPoint& cycle, const Attractor& attractor) {
@@ -91,4 +91,4 @@ void continue_attractors(const BifurcateOptions& options, Diagram& diagram) {
     }
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::bifurcate

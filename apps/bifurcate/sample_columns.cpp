@@ -1,8 +1,8 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
-#include "apps/scene_map/scene_map.hpp"
-#include "map/orbit.hpp"
+#include "apps/system/scene_map.hpp"
+#include "map/orbit/orbit.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -12,7 +12,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace swirl::apps {
+namespace swirl::apps::bifurcate {
 
 namespace {
 
@@ -99,4 +99,4 @@ void keep_finished(Diagram& diagram) {
     std::erase_if(diagram.columns, [](const DiagramColumn& column) { return column.attractors.empty(); });
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::bifurcate

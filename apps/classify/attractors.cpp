@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace swirl::apps {
+namespace swirl::apps::classify {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::vector<Attractor> attractors_of(std::span<const RunVerdict> runs) {
     return found;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::classify

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "analysis/classification/mode.hpp"
-#include "map/outcome.hpp"
+#include "map/orbit/outcome.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::classify {
 
 /// What is kept of the verdict on one run. NaN where not measured.
 struct RunVerdict {
@@ -42,4 +42,4 @@ inline constexpr double same_mean = 1e-6;
 /// chaotic runs and undecided ones have means of their own, run by run: they are grouped by kind and outcome alone.
 std::vector<Attractor> attractors_of(std::span<const RunVerdict> runs);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::classify

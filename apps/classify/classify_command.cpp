@@ -1,15 +1,15 @@
 #include "apps/classify/classify_command.hpp"
 
 #include "apps/classify/classify_runs.hpp"
-#include "apps/classify/verdict_document.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
 
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::classify {
 
 const char* const classify_details =
     R"(Modes: steady (one state), quasi-steady (a cycle or a torus of states), chaotic, undecided. A verdict lists its
@@ -99,4 +99,4 @@ int classify_scene(ClassifyCommandOptions& options) {
     return several ? classify_runs(options, scene) : classify_one(options, scene);
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::classify

@@ -6,11 +6,11 @@
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"
-#include "map/outcome.hpp"
+#include "apps/modes/name_mode.hpp"
 
 #include <string>
 
-namespace swirl::apps {
+namespace swirl::apps::classify {
 
 struct ClassifyCommandOptions {
     SceneOptions scene;
@@ -25,17 +25,6 @@ struct ClassifyCommandOptions {
 
 extern const char* const classify_details;
 
-/// The verdict on one orbit, and how following it ended.
-struct NamedMode {
-    analysis::Classification verdict;
-    Outcome outcome = Outcome::completed;
-    long long impacts = 0;
-};
-
-/// Classifies one start of a scene. A pure function of its arguments.
-/// @throws std::invalid_argument for a scene or start out of range
-NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& settings);
-
 int classify_scene(ClassifyCommandOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::classify

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::classify {
 
 namespace {
 
@@ -100,4 +100,4 @@ int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     return exit_done;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::classify

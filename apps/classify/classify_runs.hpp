@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::classify {
 
 /// What was found, of the runs that are finished: all of them, unless interrupted.
 struct RunsFound {
@@ -23,4 +23,4 @@ RunVerdict classify_run(const Scene<double>& scene, double speed, std::uint64_t 
 /// @return the exit code @throws BadInput for a start that is given, not random
 int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::classify

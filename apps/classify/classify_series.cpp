@@ -1,23 +1,23 @@
 #include "apps/classify/classify_series.hpp"
 
 #include "analysis/classification/classify_series.hpp"
-#include "apps/classify/evidence_document.hpp"
-#include "apps/classify/kind_document.hpp"
 #include "apps/input/input_options.hpp"
+#include "apps/modes/evidence_document.hpp"
+#include "apps/modes/kind_document.hpp"
 #include "apps/record/record_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::classify {
 
 const char* const classify_series_details =
     R"(A record of simulate holds its scene and start: the orbit is followed again from there. A measured series
 (--series, or a record without a scene) is judged without the map: does it repeat within its noise, are there
 lines in its spectrum, is it predicted better than noise and do neighbours part at a rate that all embeddings
 agree on? Little or disagreeing evidence gives undecided. With --noise SIGMA a constant with noise is known for
-steady. The longest stretch without a gap counts.)";
+steady. The longest segment without a gap counts.)";
 
 namespace {
 
@@ -190,4 +190,4 @@ int classify_measured(const ClassifyInput& input, const OutputOptions& output) {
     return exit_done;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::classify

@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace swirl::apps {
+namespace swirl::apps::classify {
 
 struct ClassifyInput {
     std::string record;
@@ -37,4 +37,4 @@ extern const char* const classify_series_details;
 /// @return the exit code
 int classify_measured(const ClassifyInput& input, const OutputOptions& output);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::classify

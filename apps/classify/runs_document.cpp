@@ -1,7 +1,7 @@
 #include "apps/classify/runs_document.hpp"
 
-#include "apps/classify/kind_document.hpp"
-#include "apps/classify/verdict_document.hpp"
+#include "apps/modes/kind_document.hpp"
+#include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <functional>
 #include <map>
 
-namespace swirl::apps {
+namespace swirl::apps::classify {
 
 namespace {
 
@@ -211,4 +211,4 @@ void print_runs(const Scene<double>& scene, const RunsFound& found) {
                table_of(found.first));
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::classify

@@ -4,7 +4,7 @@
 #include "apps/classify/classify_runs.hpp"
 #include "apps/command_line/documents.hpp"
 
-namespace swirl::apps {
+namespace swirl::apps::classify {
 
 /// The first attractor's verdict at top level, then modes, kinds, attractors and runs.
 void write_runs_document(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found);
@@ -15,4 +15,4 @@ void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, 
 
 void print_runs(const Scene<double>& scene, const RunsFound& found);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::classify

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/command_line/errors.hpp"
-#include "map/real.hpp"
+#include "map/numbers/real.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/command_line/numbers.hpp"
-#include "map/scene.hpp"
+#include "map/model/scene.hpp"
 
 #include <CLI/CLI.hpp>
 

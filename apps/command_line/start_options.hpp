@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/command_line/numbers.hpp"
-#include "map/laboratory.hpp"
+#include "map/orbit/laboratory.hpp"
 
 #include <CLI/CLI.hpp>
 

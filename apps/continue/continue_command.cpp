@@ -5,12 +5,12 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/command_line/start_options.hpp"
-#include "apps/scene_map/scene_map.hpp"
-#include "map/orbit.hpp"
+#include "apps/system/scene_map.hpp"
+#include "map/orbit/orbit.hpp"
 
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::continuation {
 
 const char* const continue_details =
     R"(Follows the cycle near --from over one parameter, both ways within A:B, through folds, by pseudo-arclength. Located to
@@ -62,15 +62,15 @@ analysis::CyclePoints cycle_from(const ContinueOptions& options, const Scene<dou
 }
 
 /// Over a parameter a cycle must be isolated, along itself it must be a member of a family of one parameter.
-bool lies_on_curve(const Scene<double>& scene, const Along& along, const analysis::CyclePoints& cycle) {
+bool lies_on_curve(const Scene<double>& scene, const ParameterRange& along, const analysis::CyclePoints& cycle) {
     const auto map = scene_map(scene);
-    const auto closing = analysis::close_cycle(map, cycle, 0);
-    return closing.alive && analysis::family_directions(closing, map.dimension).cols() == (along.parameter ? 0 : 1);
+    const auto shooting = analysis::shooting_residual(map, cycle, 0);
+    return shooting.alive && analysis::family_directions(shooting, map.dimension).cols() == (along.parameter ? 0 : 1);
 }
 
 Settings settings_of(const ContinueOptions& options) {
     return {{"from", options.from},
-            {"along", along_from(options.along, false, true).name},
+            {"along", parameter_range_from(options.along, false, true).name},
             {"range", options.along},
             {"period", std::int64_t{options.period}},
             {"switch", std::int64_t{options.switches}},
@@ -94,7 +94,7 @@ void write_document(const ContinueOptions& options, const Scene<double>& scene, 
 
 int continue_orbit(ContinueOptions& options) {
     options.scene.read_file();
-    const Along along = along_from(options.along, false, true);
+    const ParameterRange along = parameter_range_from(options.along, false, true);
     const Scene<double> scene = options.scene.scene<double>();
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: continue works in double", options.output.accuracy_name));
@@ -142,4 +142,4 @@ int continue_orbit(ContinueOptions& options) {
     return branches.empty() ? exit_numerical_ending : exit_done;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::continuation

@@ -1,12 +1,12 @@
 // `swirl continue`: one-parameter branches of cycles.
 #pragma once
 
+#include "apps/branches/branches.hpp"
 #include "apps/command_line/output_options.hpp"
-#include "apps/continue/branches.hpp"
 
 #include <string>
 
-namespace swirl::apps {
+namespace swirl::apps::continuation {
 
 struct ContinueOptions {
     SceneOptions scene;
@@ -24,4 +24,4 @@ extern const char* const continue_details;
 
 int continue_orbit(ContinueOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::continuation

@@ -2,7 +2,7 @@
 
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
-#include "apps/simulate/impact_fields.hpp"
+#include "apps/output/impact_fields.hpp"
 
 #include <algorithm>
 
@@ -17,16 +17,17 @@ const ImpactField* field_of(const std::string& column) {
 }
 
 template <class Map>
-void follow(Orbit<Map>& orbit, const ImpactRange& range, bool quiet, StretchCutter& cutter, OrbitColumns& columns) {
+void follow(Orbit<Map>& orbit, const ImpactRange& range, bool quiet, TrajectorySegmenter& cutter,
+            OrbitColumns& columns) {
     std::vector<const ImpactField*> fields;
     for (const auto& name : columns.names) fields.push_back(field_of(column_of_observable(name)));
     const std::int64_t limit = range.transient + range.collisions;
     Progress progress("orbit", static_cast<double>(limit), quiet);
     const ContactSink sink = cutter.sink();
     while (orbit.impacts() < limit && orbit.advance(contact_horizon, sink)) {
-        const auto& stretches = cutter.passed(orbit, true);
+        const auto& trajectory = cutter.passed(orbit, true);
         if (const auto kept = orbit.impacts() - range.transient; kept > 1 && !orbit.contacts().empty())
-            columns.contacts.push_back({static_cast<std::size_t>(kept - 2), stretches});
+            columns.contacts.push_back({static_cast<std::size_t>(kept - 2), trajectory});
         if (orbit.impacts() > range.transient) {
             const ImpactRow row = impact_row(orbit);
             for (std::size_t k = 0; k < fields.size(); ++k) columns.values[k].push_back(row.*(fields[k]->member));
@@ -51,7 +52,7 @@ void follow_in(const SceneOptions& scene_options, const StartOptions& start_opti
         std::visit(
             [&](const auto& s) {
                 Orbit orbit(map, s);
-                StretchCutter cutter(scene, s);
+                TrajectorySegmenter cutter(scene, s);
                 columns.contact_scene = cutter.scene();
                 follow(orbit, range, quiet, cutter, columns);
             },

@@ -2,7 +2,7 @@
 
 #include "apps/command_line/errors.hpp"
 #include "apps/input/delimited_file.hpp"
-#include "map/scene.hpp"
+#include "map/model/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
-#include "map/sustained/stretch.hpp"
+#include "map/orbit/trajectory_segment.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -19,9 +19,9 @@ struct ImpactRange {
 };
 
 /// The way from one impact to the next where it led through contact.
-struct ContactPassage {
+struct ContactWay {
     std::size_t after = 0;  ///< index, among those kept, of the impact before it
-    std::vector<Stretch> stretches;
+    std::vector<TrajectorySegment> trajectory;
 };
 
 struct OrbitColumns {
@@ -33,7 +33,7 @@ struct OrbitColumns {
     std::string outcome = "completed";          ///< how the orbit ended
     std::int64_t impacts = 0;                   ///< that the orbit has had, the transient included
     std::int64_t every = 1;                     ///< of a thinned record: only every k-th impact is there
-    std::vector<ContactPassage> contacts;       ///< between the impacts kept; of an orbit that was followed
+    std::vector<ContactWay> contacts;           ///< between the impacts kept; of an orbit that was followed
     std::optional<ContactScene> contact_scene;  ///< what they belong to
     std::string accuracy = "double";            ///< a record's
     ImpactRange range;                          ///< of the whole orbit's impacts: those that are kept

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::lyapunov {
 
 const char* const lyapunov_details =
     R"(Exponents are means of ln growth per collision, by falling size, from QR of the exact derivative: weighted means
@@ -175,4 +175,4 @@ int lyapunov(LyapunovCommandOptions& options) {
     return s.outcome == Outcome::completed ? exit_done : exit_numerical_ending;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::lyapunov

@@ -5,13 +5,13 @@
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"
-#include "map/outcome.hpp"
+#include "map/orbit/outcome.hpp"
 
 #include <cmath>
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::lyapunov {
 
 struct LyapunovCommandOptions {
     SceneOptions scene;
@@ -49,4 +49,4 @@ OrbitSpectrum spectrum_of(const Scene<double>& scene, const Start<double>& start
 
 int lyapunov(LyapunovCommandOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::lyapunov

@@ -1,13 +1,13 @@
 #include "analysis/classification/tail.hpp"
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
-#include "apps/orbit_ending.hpp"
-#include "apps/section_system.hpp"
+#include "apps/system/orbit_ending.hpp"
+#include "apps/system/section_system.hpp"
 
 #include <limits>
 #include <numeric>
 
-namespace swirl::apps {
+namespace swirl::apps::lyapunov {
 
 namespace {
 
@@ -22,9 +22,9 @@ typename System::State jacobi_gradient(const System& system, const typename Syst
         up[i] += h;
         down[i] -= h;
         const auto& body = system.map().body();
-        gradient[i] =
-            (jacobi_of(body, launch_from(system.point_of(up))) - jacobi_of(body, launch_from(system.point_of(down)))) /
-            (2 * h);
+        gradient[i] = (jacobi_of(body, post_impact_state(system.point_of(up))) -
+                       jacobi_of(body, post_impact_state(system.point_of(down)))) /
+                      (2 * h);
     }
     return gradient;
 }
@@ -81,4 +81,4 @@ OrbitSpectrum spectrum_of(const Scene<double>& scene, const Start<double>& start
     });
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::lyapunov

@@ -1,8 +1,8 @@
 #include "apps/orbits/candidates.hpp"
 
 #include "apps/command_line/start_options.hpp"
-#include "apps/scene_map/scene_map.hpp"
-#include "map/orbit.hpp"
+#include "apps/system/scene_map.hpp"
+#include "map/orbit/orbit.hpp"
 
 #include <Random123/philox.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace swirl::apps {
+namespace swirl::apps::orbits {
 
 namespace {
 
@@ -150,8 +150,9 @@ std::vector<CyclePoints> clearing(const Scene<double>& scene, const std::vector<
     return with_collision_map(scene, [&](const auto& map) {
         std::vector<CyclePoints> clear;
         for (const auto& guess : guesses) {
-            const auto collision = map.advance(launch_from(section_point_of(guess.point)));
-            if (collision.contact == ContactOutcome::contact && std::abs(collision.flight_time - guess.tau) < same_time)
+            const auto collision = map.advance(post_impact_state(section_point_of(guess.point)));
+            if (collision.outcome == FirstContactOutcome::contact &&
+                std::abs(collision.flight_time - guess.tau) < same_time)
                 clear.push_back({guess.point});
         }
         return clear;
@@ -202,7 +203,7 @@ std::vector<CyclePoints> trajectories_of(const Scene<double>& scene, const Candi
             CyclePoints states;
             const auto goes_on = [&] { return orbit.impacts() < options.collisions && !stopped(options); };
             while (goes_on() && orbit.advance(10))
-                states.push_back(state_of(section_point(orbit.launch()), scene.is_disk()));
+                states.push_back(state_of(section_point(orbit.post_impact()), scene.is_disk()));
             trajectories.push_back(std::move(states));
         }
         return trajectories;
@@ -229,4 +230,4 @@ std::vector<CyclePoints> candidates_for(const Scene<double>& scene, const analys
     return candidates;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::orbits

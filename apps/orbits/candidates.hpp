@@ -2,14 +2,14 @@
 #pragma once
 
 #include "analysis/orbits/find_cycles.hpp"
-#include "map/scene.hpp"
+#include "map/model/scene.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::orbits {
 
 struct CandidateOptions {
     std::int64_t starts = 1500;      ///< random section points
@@ -44,4 +44,4 @@ std::vector<analysis::CyclePoints> candidates_for(const Scene<double>& scene, co
                                                   const std::vector<analysis::CyclePoints>& trajectories,
                                                   const CandidateOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::orbits

@@ -4,14 +4,14 @@
 #include "analysis/orbits/known_cycles.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
-#include "apps/scene_map/scene_map.hpp"
-#include "map/orbit.hpp"
+#include "apps/system/scene_map.hpp"
+#include "map/orbit/orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::orbits {
 
 const char* const orbits_details =
     R"(Fixed points and cycles of the collision map, stable and unstable, each once: solved by multi-shooting with exact
@@ -81,7 +81,7 @@ std::optional<Pin> pin_from(const std::string& text) {
 }
 
 double pinned_value(const analysis::CurvePoint& point, bool by_time) {
-    return by_time ? point.closing.duration : point.points.front()[point.points.front().size() - 1];
+    return by_time ? point.shooting.duration : point.points.front()[point.points.front().size() - 1];
 }
 
 /// Replaces the families by their members where S or the return time has the value.
@@ -95,7 +95,7 @@ void pin_families(const analysis::ShootingMap& map, const Pin& pin, FoundOrbits&
         const auto family = analysis::walk_family(map, 0, cycle);
         const auto value = [&](const analysis::CurvePoint& point) { return pinned_value(point, pin.by_time); };
         for (const auto& points : analysis::pinned_members(map, family, value, pin.value))
-            members.add(points, analysis::close_cycle(map, points, 0).residual());
+            members.add(points, analysis::shooting_residual(map, points, 0).residual());
     }
     found.cycles = members.completed();
 }
@@ -160,7 +160,7 @@ FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, 
 
 FoundOrbits find_all(const OrbitsOptions& options, const Scene<double>& scene, const analysis::ShootingMap& map) {
     FoundOrbits found;
-    found.none_exist = only_loses(scene);
+    found.none_exist = is_dissipative_without_drive(scene);
     if (found.none_exist) return found;
     const auto timed = timed_scene_map(scene);
     const auto [first, last] = options.periods();
@@ -196,8 +196,8 @@ FamilyRange range_of(const analysis::ShootingMap& map, const analysis::Cycle& cy
         const double spin = pinned_value(member, false);
         range.least_spin = std::min(range.least_spin, spin);
         range.most_spin = std::max(range.most_spin, spin);
-        range.shortest = std::min(range.shortest, member.closing.duration);
-        range.longest = std::max(range.longest, member.closing.duration);
+        range.shortest = std::min(range.shortest, member.shooting.duration);
+        range.longest = std::max(range.longest, member.shooting.duration);
     }
     return range;
 }
@@ -234,4 +234,4 @@ int orbits(OrbitsOptions& options) {
     return !options.near.empty() && found.cycles.empty() ? exit_numerical_ending : exit_done;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::orbits

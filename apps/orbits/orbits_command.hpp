@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::orbits {
 
 struct OrbitsOptions {
     SceneOptions scene;
@@ -39,7 +39,7 @@ struct FoundOrbits {
     double distance = std::numeric_limits<double>::infinity();  ///< of the nearest point of a cycle from --near
     std::vector<std::string> limits;                            ///< what the search left out
     bool interrupted = false;
-    bool none_exist = false;  ///< proven: every impact takes (map/scene.hpp, `only_loses`)
+    bool none_exist = false;  ///< proven: every impact takes (map/model/scene.hpp, `is_dissipative_without_drive`)
 };
 
 /// A family's range over its members, worked out for families of one parameter.
@@ -60,4 +60,4 @@ double mean_spin_per_impact(const analysis::Cycle& cycle);
 
 int orbits(OrbitsOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::orbits

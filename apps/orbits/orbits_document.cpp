@@ -1,11 +1,11 @@
-#include "apps/continue/branches.hpp"
+#include "apps/branches/branches.hpp"
 #include "apps/orbits/orbits_command.hpp"
-#include "apps/scene_map/scene_map.hpp"
+#include "apps/system/scene_map.hpp"
 
 #include <cmath>
 #include <limits>
 
-namespace swirl::apps {
+namespace swirl::apps::orbits {
 
 namespace {
 
@@ -176,4 +176,4 @@ void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, con
     record.finish();
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::orbits

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace swirl::apps {
+namespace swirl::apps::plot {
 
 namespace {
 
@@ -68,4 +68,4 @@ void become_python(const std::filesystem::path& script, const std::vector<std::s
     throw BadInput(fmt::format("cannot run {} ({}); figures need the Debian packages {}", words[0], reason, packages));
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::plot

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::plot {
 
 /// plot_record.py: in the folder that the environment's SWIRL_FIGURES names; else where it is installed, relative to
 /// this program; else in the source tree that the program was built from. @throws BadInput naming what to do
@@ -15,4 +15,4 @@ std::filesystem::path figure_script();
 /// there is no such Python
 [[noreturn]] void become_python(const std::filesystem::path& script, const std::vector<std::string>& arguments);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::plot

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace swirl::apps {
+namespace swirl::apps::plot {
 
 const char* const plot_details =
     R"(The figure follows from what the record holds:
@@ -79,4 +79,4 @@ int plot(PlotOptions& options) {
     become_python(figure_script(), arguments);
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::plot

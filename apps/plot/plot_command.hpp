@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace swirl::apps {
+namespace swirl::apps::plot {
 
 struct PlotOptions {
     std::string record;
@@ -22,4 +22,4 @@ extern const char* const plot_details;
 /// Checks what it can, then becomes the Python script that draws. Returns only by throwing BadInput.
 int plot(PlotOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::plot

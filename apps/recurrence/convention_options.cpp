@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace swirl::apps {
+namespace swirl::apps::recurrence {
 
 void ConventionOptions::add_to(CLI::App& command) {
     const auto text = [&](const char* flag, std::string& target, const std::string& help) {
@@ -57,4 +57,4 @@ analysis::recurrence::Deviation ConventionOptions::deviation() const {
     return lower == "pyunicorn" ? analysis::recurrence::Deviation::population : analysis::recurrence::Deviation::sample;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::recurrence

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace swirl::apps {
+namespace swirl::apps::recurrence {
 
 namespace recurrence = analysis::recurrence;
 
@@ -149,4 +149,4 @@ int quantify_recurrence(RecurrenceOptions& options) {
     return cut ? exit_numerical_ending : exit_done;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::recurrence

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::recurrence {
 
 /// The recurrence conventions as the flags give them; what is not given is the convention's.
 struct ConventionOptions {
@@ -47,4 +47,4 @@ extern const char* const recurrence_details;
 /// @return the exit code
 int quantify_recurrence(RecurrenceOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::recurrence

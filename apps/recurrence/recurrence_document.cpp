@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace swirl::apps {
+namespace swirl::apps::recurrence {
 
 using analysis::recurrence::LineHistograms;
 using analysis::recurrence::Measures;
@@ -215,4 +215,4 @@ void print_table(const RecurrenceReport& report) {
     for (const auto& note : notes_of(report)) fmt::print("note: {}\n", note);
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::recurrence

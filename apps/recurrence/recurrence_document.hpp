@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::recurrence {
 
 struct Quantification {
     analysis::recurrence::Settings conventions;
@@ -32,4 +32,4 @@ void write_json(const RecurrenceReport& report);
 void write_record(const RecordGroup& root, const RecurrenceReport& report);
 void print_table(const RecurrenceReport& report);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::recurrence

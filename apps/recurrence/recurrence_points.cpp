@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace swirl::apps {
+namespace swirl::apps::recurrence {
 
 namespace recurrence = analysis::recurrence;
 
@@ -226,4 +226,4 @@ Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoint
     return thresholds;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::recurrence

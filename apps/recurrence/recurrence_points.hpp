@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::recurrence {
 
 /// Points with where they come from.
 struct RecurrencePoints {
@@ -43,4 +43,4 @@ struct Thresholds {
 Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoints& points, bool cross,
                          const analysis::recurrence::Settings& settings);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::recurrence

@@ -1,6 +1,6 @@
 #include "apps/simulate/impact_sinks.hpp"
 
-#include "apps/simulate/impact_fields.hpp"
+#include "apps/output/impact_fields.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace swirl::apps {
+namespace swirl::apps::simulate {
 
 namespace {
 
@@ -155,4 +155,4 @@ void RecordImpacts::add(const ImpactRow& row) {
     simultaneous_.front().append(row.simultaneous);
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::simulate

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "apps/command_line/documents.hpp"
-#include "apps/simulate/impact_row.hpp"
+#include "apps/output/impact_row.hpp"
 
 #include <memory>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::simulate {
 
 /// Writes "collisions": [...] into an open JSON object.
 /// and then "contacts": [...]; those are kept until then.
@@ -67,4 +67,4 @@ private:
     std::vector<Column<bool>> simultaneous_;
 };
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::simulate

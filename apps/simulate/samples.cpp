@@ -1,6 +1,6 @@
 #include "apps/simulate/samples.hpp"
 
-namespace swirl::apps {
+namespace swirl::apps::simulate {
 
 namespace {
 
@@ -45,4 +45,4 @@ void RecordSamples::add(const SampleRow& row) {
     in_contact_.front().append(row.in_contact);
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::simulate

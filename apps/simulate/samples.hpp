@@ -3,14 +3,14 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "map/sustained/stretch.hpp"
+#include "map/orbit/trajectory_segment.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::simulate {
 
 struct SampleRow {
     double t = 0, x = 0, y = 0, angle = 0, spin = 0;
@@ -25,16 +25,16 @@ class Sampler {
 public:
     explicit Sampler(double step) : step_(step) {}
 
-    /// Hands on the samples of these stretches (the first ones, or those that follow the last ones taken) up to
+    /// Hands on the samples of these segments (the first ones, or those that follow the last ones taken) up to
     /// `until`.
     template <class Use>
-    void take(const ContactScene& scene, std::span<const Stretch> stretches, double until, const Use& use) {
-        for (const Stretch& stretch : stretches)
-            for (; time() <= stretch.end && time() <= until; ++next_) {
+    void take(const ContactScene& scene, std::span<const TrajectorySegment> trajectory, double until, const Use& use) {
+        for (const TrajectorySegment& segment : trajectory)
+            for (; time() <= segment.end && time() <= until; ++next_) {
                 if (next_ % 1024 == 0 && is_interrupted()) return;
-                if (time() < stretch.start) continue;
-                const Moment now = moment_at(scene, stretch, time());
-                use(SampleRow{time(), now.centre.x, now.centre.y, now.angle, now.spin, stretch.in_contact});
+                if (time() < segment.start) continue;
+                const Moment now = moment_at(scene, segment, time());
+                use(SampleRow{time(), now.centre.x, now.centre.y, now.angle, now.spin, segment.in_contact});
             }
     }
     /// Leaves out all before a time.
@@ -70,4 +70,4 @@ private:
     std::vector<Column<bool>> in_contact_;
 };
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::simulate

@@ -9,7 +9,7 @@
 #include <limits>
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::simulate {
 
 const char* const simulate_details =
     R"(Outcomes: completed; no-contact (the body never meets the wall again: proven); in-contact (e < 1: the body came to
@@ -90,18 +90,18 @@ public:
     template <class Map>
     void passed(const Orbit<Map>& orbit, bool struck, Sinks& sinks) {
         if (!cutter_) return;
-        const auto& stretches = cutter_->passed(orbit, struck);
+        const auto& trajectory = cutter_->passed(orbit, struck);
         if (skip_ > 0 && orbit.impacts() <= skip_) {
             if (struck) sampler_->pass_over(static_cast<double>(orbit.frame().time.unwound()));
             return;
         }
-        sampler_->take(cutter_->scene(), stretches, until_, [&](const SampleRow& row) { sinks.add(row); });
+        sampler_->take(cutter_->scene(), trajectory, until_, [&](const SampleRow& row) { sinks.add(row); });
     }
 
 private:
     std::int64_t skip_;
     double until_;
-    std::optional<StretchCutter> cutter_;
+    std::optional<TrajectorySegmenter> cutter_;
     std::optional<Sampler> sampler_;
 };
 
@@ -123,14 +123,14 @@ public:
     void strike(const Orbit<Map>& orbit) {
         if (orbit.impacts() > 1) {
             flown_ += static_cast<double>(orbit.collision().flight_time);
-            turned_ += static_cast<double>(orbit.passage().turned);
+            turned_ += static_cast<double>(orbit.return_step().turned);
         }
         ending_.impacts = orbit.impacts();
         ending_.time = static_cast<double>(orbit.frame().time.unwound());
-        spin_ = static_cast<double>(orbit.launch().spin);
+        spin_ = static_cast<double>(orbit.post_impact().spin);
     }
 
-    /// Contact after the last impact.
+    /// FirstContact after the last impact.
     void stand(const std::vector<ContactRow>& contacts) {
         if (contacts.empty()) return;
         for (const ContactRow& row : contacts) turned_ += row.turned();
@@ -298,4 +298,4 @@ int simulate(SimulateOptions& options) {
     return ending.outcome == "completed" ? exit_done : exit_numerical_ending;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::simulate

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::simulate {
 
 struct SimulateOptions {
     SceneOptions scene;
@@ -30,4 +30,4 @@ extern const char* const simulate_details;
 /// @return the exit code. Throws BadInput, std::invalid_argument (input), RecordError, JsonError.
 int simulate(SimulateOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::simulate

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace swirl::apps {
+namespace swirl::apps::spectrum {
 
 const char* const spectrum_details =
     R"(An orbit's S(t), constant in flight and smooth in contact, is averaged exactly over equal time bins; its frequencies
@@ -123,4 +123,4 @@ int find_spectrum(SpectrumOptions& options) {
     return cut || none ? exit_numerical_ending : exit_done;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::spectrum

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace swirl::apps {
+namespace swirl::apps::spectrum {
 
 struct SpectrumOptions {
     InputOptions input;
@@ -29,4 +29,4 @@ extern const char* const spectrum_details;
 /// @return the exit code
 int find_spectrum(SpectrumOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::spectrum

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace swirl::apps {
+namespace swirl::apps::spectrum {
 
 namespace {
 
@@ -152,4 +152,4 @@ void print_table(const SpectrumReport& report) {
     for (const auto& note : report.signal.notes) fmt::print("note: {}\n", note);
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::spectrum

@@ -4,7 +4,7 @@
 #include "analysis/spectrum/lines.hpp"
 #include "apps/spectrum/spectrum_signal.hpp"
 
-namespace swirl::apps {
+namespace swirl::apps::spectrum {
 
 struct SpectrumReport {
     const SpectrumOptions& options;
@@ -19,4 +19,4 @@ void write_json(const SpectrumReport& report);
 void write_record(const RecordGroup& root, const SpectrumReport& report);
 void print_table(const SpectrumReport& report);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::spectrum

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace swirl::apps {
+namespace swirl::apps::spectrum {
 
 namespace {
 
@@ -37,25 +37,27 @@ std::vector<std::string> columns_for(const SpectrumOptions& options) {
 
 /// Averages over `bins` equal bins of the orbit's time.
 ///   flight(i, until, averager)              adds the flight from impact i on
-///   contact(stretch, until, averager)       adds a stretch of the way through contact
-template <class Value, class Flight, class Contact>
-std::vector<Value> averages(const OrbitColumns& orbit, std::size_t bins, const Flight& flight, const Contact& contact) {
+///   contact(segment, until, averager)       adds a segment of the way through contact
+template <class Value, class Flight, class FirstContact>
+std::vector<Value> averages(const OrbitColumns& orbit, std::size_t bins, const Flight& flight,
+                            const FirstContact& contact) {
     const auto& t = orbit.values[0];
     const double width = (t.back() - t.front()) / static_cast<double>(bins);
     analysis::BinAverager<Value> averager(t.front(), width);
     const double last_edge = t.front() + static_cast<double>(bins) * width;  // can lie an ulp beyond t.back()
-    auto passage = orbit.contacts.begin();
+    auto return_step = orbit.contacts.begin();
     for (std::size_t i = 0; i + 1 < t.size(); ++i) {
         const double until = i + 2 < t.size() ? t[i + 1] : std::max(t[i + 1], last_edge);
-        if (passage == orbit.contacts.end() || passage->after != i) {
+        if (return_step == orbit.contacts.end() || return_step->after != i) {
             flight(i, until, averager);
             continue;
         }
-        for (const Stretch& stretch : passage->stretches)
-            contact(stretch,
-                    &stretch == &passage->stretches.back() ? until : std::clamp(stretch.end, averager.end(), until),
-                    averager);
-        ++passage;
+        for (const TrajectorySegment& segment : return_step->trajectory)
+            contact(
+                segment,
+                &segment == &return_step->trajectory.back() ? until : std::clamp(segment.end, averager.end(), until),
+                averager);
+        ++return_step;
     }
     return averager.averages();
 }
@@ -64,10 +66,10 @@ std::vector<double> spin_averages(const OrbitColumns& orbit, std::size_t bins) {
     const auto flight = [&](std::size_t i, double until, analysis::BinAverager<double>& averager) {
         averager.add_constant(until, orbit.values[1][i]);
     };
-    const auto contact = [&](const Stretch& stretch, double until, analysis::BinAverager<double>& averager) {
+    const auto contact = [&](const TrajectorySegment& segment, double until, analysis::BinAverager<double>& averager) {
         averager.add(until, [&](double a, double b) {
-            return moment_at(*orbit.contact_scene, stretch, b).turned -
-                   moment_at(*orbit.contact_scene, stretch, a).turned;
+            return moment_at(*orbit.contact_scene, segment, b).turned -
+                   moment_at(*orbit.contact_scene, segment, a).turned;
         });
     };
     return averages<double>(orbit, bins, flight, contact);
@@ -96,14 +98,14 @@ std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bi
         const auto& v = orbit.values;
         fly({{v[1][i], v[2][i]}, {v[3][i], v[4][i]}, v[0][i]}, until, averager);
     };
-    const auto contact = [&](const Stretch& stretch, double until, analysis::BinAverager<Complex>& averager) {
-        if (!stretch.in_contact && stretch.end > stretch.start) {
-            const Complex velocity = point(stretch.to - stretch.from) / (stretch.end - stretch.start);
-            fly({point(stretch.from), velocity, stretch.start}, until, averager);
+    const auto contact = [&](const TrajectorySegment& segment, double until, analysis::BinAverager<Complex>& averager) {
+        if (!segment.in_contact && segment.end > segment.start) {
+            const Complex velocity = point(segment.to - segment.from) / (segment.end - segment.start);
+            fly({point(segment.from), velocity, segment.start}, until, averager);
             return;
         }
         const auto place = [&](double t) {
-            const UniformMotion here{point(moment_at(*orbit.contact_scene, stretch, t).centre), 0, t};
+            const UniformMotion here{point(moment_at(*orbit.contact_scene, segment, t).centre), 0, t};
             return analysis::position_at(here, t, frame, orbit.beta);
         };
         averager.add(until, [&](double a, double b) { return integral_of(place, a, b); });
@@ -193,4 +195,4 @@ SpectrumSignal signal_of(SpectrumOptions& options) {
     return options.input.kind() == InputKind::series ? signal_of_series(options) : signal_of_orbit(options);
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::spectrum

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::spectrum {
 
 struct SpectrumSignal {
     bool enough = true;  ///< false: the orbit ended before there was a flight to average
@@ -28,4 +28,4 @@ struct SpectrumSignal {
 /// BadInput
 SpectrumSignal signal_of(SpectrumOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::spectrum

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace swirl::apps {
+namespace swirl::apps::sweep {
 
 namespace {
 
@@ -87,4 +87,4 @@ Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, 
     return scene.scene<double>();
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::sweep

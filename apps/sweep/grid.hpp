@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::sweep {
 
 /// NAME=A:B:COUNT. Point i is A + (B − A) i/(COUNT − 1).
 struct GridAxis {
@@ -28,4 +28,4 @@ std::vector<double> cell_point(const std::vector<GridAxis>& grid, std::size_t ce
 /// The scene of a cell. @throws BadInput, std::invalid_argument if the scene is not complete or out of range
 Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, std::size_t cell);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::sweep

@@ -14,7 +14,7 @@
 #include <mutex>
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::sweep {
 
 const char* const sweep_details =
     R"(Names the mode of R random starts in every cell of a grid over one to three of alpha, beta, mu, restitution,
@@ -220,4 +220,4 @@ int sweep(SweepOptions& options) {
     return exit_done;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::sweep

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::sweep {
 
 struct SweepOptions {
     SceneOptions scene;
@@ -47,4 +47,4 @@ void write_sweep_document(const SweepOptions& options, const Sweep& sweep);  ///
 
 int sweep(SweepOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::sweep

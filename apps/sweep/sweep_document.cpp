@@ -1,8 +1,8 @@
 #include "apps/sweep/sweep_command.hpp"
 
-#include "apps/classify/kind_document.hpp"
+#include "apps/modes/kind_document.hpp"
 
-namespace swirl::apps {
+namespace swirl::apps::sweep {
 
 namespace {
 
@@ -92,4 +92,4 @@ void write_sweep_document(const SweepOptions& options, const Sweep& sweep) {
     json.finish();
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::sweep

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace swirl::apps {
+namespace swirl::apps::sweep {
 
 namespace {
 
@@ -106,4 +106,4 @@ void read_sweep(const std::string& path, Sweep& sweep) {
     }
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::sweep

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace swirl::apps {
+namespace swirl::apps::sweep {
 
 namespace {
 
@@ -56,4 +56,4 @@ CellSummary summary_of(std::span<const RunResult> runs) {
     return cell;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::sweep

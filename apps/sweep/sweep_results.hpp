@@ -1,13 +1,13 @@
 // What a sweep finds: one result per run, and what a cell says of its runs.
 #pragma once
 
-#include "apps/classify/classify_command.hpp"
+#include "apps/modes/name_mode.hpp"
 
 #include <array>
 #include <map>
 #include <span>
 
-namespace swirl::apps {
+namespace swirl::apps::sweep {
 
 /// One start of one cell. All numbers, so that it is its own entry of the journal.
 struct RunResult {
@@ -36,4 +36,4 @@ struct CellSummary {
 
 CellSummary summary_of(std::span<const RunResult> runs);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::sweep

@@ -1,14 +1,14 @@
 #include "apps/tour/tour.hpp"
 
-#include "apps/classify/verdict_document.hpp"
 #include "apps/command_line/progress.hpp"
+#include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <optional>
 
-namespace swirl::apps {
+namespace swirl::apps::tour {
 
 const char* const tour_details =
     R"(Scenes: a hexagon that is chaotic, one that is quasi-steady, one that is steady, a disk with and without
@@ -87,4 +87,4 @@ int tour(TourOptions& options) {
     return exit_done;
 }
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::tour

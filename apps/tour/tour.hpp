@@ -3,7 +3,7 @@
 
 #include "apps/command_line/output_options.hpp"
 
-namespace swirl::apps {
+namespace swirl::apps::tour {
 
 struct TourOptions {
     OutputOptions output;
@@ -15,4 +15,4 @@ extern const char* const tour_details;
 
 int tour(TourOptions& options);
 
-}  // namespace swirl::apps
+}  // namespace swirl::apps::tour

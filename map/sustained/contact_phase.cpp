@@ -12,7 +12,7 @@ namespace {
 /// More pieces than this without time passing, and contact is called unresolved.
 constexpr int most_idle_pieces = 50;
 
-/// Contact is given up, as at its horizon, after so many pieces.
+/// FirstContact is given up, as at its horizon, after so many pieces.
 constexpr std::size_t most_pieces = 100'000;
 
 /// The neighbour's chatter on a standing vertex has come to its end: its next rebound would lift it by less than
@@ -33,23 +33,23 @@ struct Follower {
     ContactPhase phase;
     double settled_jacobi = 0;  ///< what a neighbour that came to rest added to J: part of the next piece's landing
 
-    void finish(ContactEvent event, const Launch<double>& launch, int vertex_step) {
+    void finish(ContactEvent event, const PostImpactState<double>& post_impact, int vertex_step) {
         phase.finish = event;
-        phase.strike.after = launch;
+        phase.strike.after = post_impact;
         phase.vertex_step = vertex_step;
     }
 
     void jam(const MotionChoice& choice) {
-        Launch<double> launch = launch_from(scene, choice.state);
-        phase.strike.impulse = jam_once(scene, launch, phase.strike);
+        PostImpactState<double> post_impact = post_impact_state(scene, choice.state);
+        phase.strike.impulse = jam_once(scene, post_impact, phase.strike);
         phase.resolved = phase.strike.impulse.normal > 0;
-        finish(ContactEvent::jam, launch, choice.vertex_step);
+        finish(ContactEvent::jam, post_impact, choice.vertex_step);
     }
 
     void strike(const ContactSegment& segment, bool plastic) {
         ContactState z = segment.to;
         z.chi = std::copysign(scene.widest_chi, z.chi);
-        phase.strike = strike_while_standing(scene, launch_from(scene, z), plastic);
+        phase.strike = strike_in_contact(scene, post_impact_state(scene, z), plastic);
         phase.resolved = phase.strike.resolved;
         finish(ContactEvent::strike, phase.strike.after, segment.vertex_step + (z.chi > 0 ? -1 : 1));
     }
@@ -58,10 +58,10 @@ struct Follower {
     std::optional<MotionChoice> settled_neighbour(const ContactSegment& segment) {
         ContactState z = segment.to;
         z.chi = std::copysign(scene.widest_chi, z.chi);
-        const Launch<double> standing = launch_from(scene, z);
-        if (approach_of(scene.body, seen_from_neighbour(scene, standing)).un > 0) return {};
-        const Strike rest = strike_while_standing(scene, standing, true);
-        const Standing on = standing_of(scene, rest.after);
+        const PostImpactState<double> completion = post_impact_state(scene, z);
+        if (contact_kinematics(scene.body, seen_from_neighbour(scene, completion)).un > 0) return {};
+        const Strike rest = strike_in_contact(scene, completion, true);
+        const ChatterCompletion on = chatter_completion(scene, rest.after);
         if (!on.in_contact || on.support != Support::edge) return {};
         settled_jacobi = rest.jacobi_restitution + rest.jacobi_friction + on.jacobi;
         phase.sums.work += settled_jacobi;
@@ -97,7 +97,7 @@ struct Follower {
                 return {};
             case ContactEvent::horizon:
             case ContactEvent::release:
-                finish(end.event, launch_from(scene, end.state), choice.vertex_step);
+                finish(end.event, post_impact_state(scene, end.state), choice.vertex_step);
                 return {};
             case ContactEvent::stick:
                 next.state.ut = 0;
@@ -121,10 +121,10 @@ struct Follower {
             const MotionChoice choice = choose_motion(scene, at.support, at.state, at.vertex_step, broken);
             if (!choice.stays) {
                 if (choice.ends == ContactEvent::jam) return jam(choice);
-                return finish(ContactEvent::release, launch_from(scene, choice.state), choice.vertex_step);
+                return finish(ContactEvent::release, post_impact_state(scene, choice.state), choice.vertex_step);
             }
             if (phase.segments.size() >= most_pieces)
-                return finish(ContactEvent::horizon, launch_from(scene, choice.state), choice.vertex_step);
+                return finish(ContactEvent::horizon, post_impact_state(scene, choice.state), choice.vertex_step);
             const double before = phase.sums.time;
             const auto next = piece(choice, begin, horizon - phase.sums.time);
             if (!next) return;
@@ -133,30 +133,30 @@ struct Follower {
             at = *next;
             if (idle < most_idle_pieces) continue;
             phase.resolved = false;
-            return finish(ContactEvent::horizon, launch_from(scene, at.state), at.vertex_step);
+            return finish(ContactEvent::horizon, post_impact_state(scene, at.state), at.vertex_step);
         }
     }
 };
 
 }  // namespace
 
-ContactPhase follow_contact(const ContactScene& scene, const Standing& standing, double horizon,
+ContactPhase follow_contact(const ContactScene& scene, const ChatterCompletion& completion, double horizon,
                             const ContactSink& sink) {
     Follower follower{scene, sink, {}};
-    follower.follow(
-        {true, standing.support, ContactMotion::sticking, standing.state, standing.vertex_step, ContactEvent::release},
-        ContactEvent::landing, horizon);
+    follower.follow({true, completion.support, ContactMotion::sticking, completion.state, completion.vertex_step,
+                     ContactEvent::release},
+                    ContactEvent::landing, horizon);
     if (!follower.phase.segments.empty()) {
-        follower.phase.segments.front().landing_jacobi += standing.jacobi;
-        follower.phase.segments.front().error = standing.error;
+        follower.phase.segments.front().landing_jacobi += completion.jacobi;
+        follower.phase.segments.front().error = completion.error;
     }
     return follower.phase;
 }
 
-ContactPhase struck_at_once(const ContactScene& scene, const Launch<double>& launch) {
+ContactPhase struck_at_once(const ContactScene& scene, const PostImpactState<double>& post_impact) {
     Follower follower{scene, {}, {}};
     ContactSegment segment;
-    segment.from = segment.to = contact_state(scene, launch);
+    segment.from = segment.to = contact_state(scene, post_impact);
     segment.finish = ContactEvent::strike;
     follower.phase.segments.push_back(segment);
     follower.strike(segment, false);

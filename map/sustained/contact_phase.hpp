@@ -1,8 +1,8 @@
-// Contact from landing to the next flight or impact: pieces of one kind of motion, joined by events.
+// FirstContact from landing to the next flight or impact: pieces of one kind of motion, joined by events.
 #pragma once
 
+#include "map/sustained/chatter_completion.hpp"
 #include "map/sustained/contact_run.hpp"
-#include "map/sustained/standing.hpp"
 #include "map/sustained/strike.hpp"
 
 #include <vector>
@@ -28,18 +28,18 @@ struct ContactSegment {
 struct ContactPhase {
     ContactEvent finish = ContactEvent::horizon;  ///< horizon, release, strike or jam
     bool resolved = true;                         ///< false: no motion is consistent with the wall and friction
-    Strike strike;        ///< `after` is the launch at the end: leaving, or just after the impact (strike, jam)
-    int vertex_step = 0;  ///< the vertex of that launch, from the one that had struck
+    Strike strike;  ///< `after` is the post-impact state at the end: leaving, or just after the impact (strike, jam)
+    int vertex_step = 0;  ///< the vertex of that post-impact state, from the one that had struck
     ContactSums sums;
     std::vector<ContactSegment> segments;
 };
 
 /// Follows contact until the body leaves the wall, another vertex strikes, or `horizon` is over.
-ContactPhase follow_contact(const ContactScene& scene, const Standing& standing, double horizon,
+ContactPhase follow_contact(const ContactScene& scene, const ChatterCompletion& completion, double horizon,
                             const ContactSink& sink = {});
 
-/// Where two vertices strike in turn and flights shrink to rounding (`Standing::struck`): the neighbour strikes before
-/// the body has left the wall, after no time.
-ContactPhase struck_at_once(const ContactScene& scene, const Launch<double>& launch);
+/// Where two vertices strike in turn and flights shrink to rounding (`ChatterCompletion::struck`): the neighbour
+/// strikes before the body has left the wall, after no time.
+ContactPhase struck_at_once(const ContactScene& scene, const PostImpactState<double>& post_impact);
 
 }  // namespace swirl

@@ -35,13 +35,13 @@ void show(const Problem& problem, const Step& step, double time, double h, const
 /// A disk's pendulum is advanced in closed form if that spares so many steps' time, and if the contact holds by more
 /// than this of its forces' scale wherever the pendulum comes: then nothing can end it.
 constexpr double long_contact = 20;
-constexpr double holds_beyond_doubt = 1e-9;
+constexpr double certain_hold = 1e-9;
 
 bool holds_for_ever(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& z) {
     if (support != Support::rim || (scene.mu > 0 && motion != ContactMotion::sticking)) return false;
     const RimPendulum pendulum = rim_pendulum(scene, z);
     const double scale = (1 + scene.mu) * (scene.body.beta + scene.body.inner * (1 + 2 * pendulum.height));
-    return least_hold(scene, pendulum) > holds_beyond_doubt * scale;
+    return least_hold(scene, pendulum) > certain_hold * scale;
 }
 
 /// The whole duration at once. Of S the integral is −ρ(t + Δψ)/α rolling; friction's is IΔS/α, at u_t = 0.

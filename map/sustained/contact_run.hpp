@@ -1,4 +1,4 @@
-// Contact motion of one kind, integrated until something ends it.
+// FirstContact motion of one kind, integrated until something ends it.
 #pragma once
 
 #include "map/sustained/reaction.hpp"
@@ -61,8 +61,8 @@ struct ContactEnd {
 /// Looks at a contact on its way: what accumulated since its beginning, support, motion, state.
 using ContactSink = std::function<void(const ContactSums&, Support, ContactMotion, const ContactState&)>;
 
-/// Contact motion of one kind is given up after so many steps (some seconds): a body that swings so fast against the
-/// swirl's turn that the duration holds millions of swings.
+/// FirstContact motion of one kind is given up after so many steps (some seconds): a body that swings so fast against
+/// the swirl's turn that the duration holds millions of swings.
 inline constexpr long most_contact_steps = 1'000'000;
 
 /// Integrates one kind of contact motion until an event, at most for `duration` (or `most_contact_steps`: event

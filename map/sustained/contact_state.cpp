@@ -14,24 +14,25 @@ ContactScene contact_scene(const Body<double>& body, double mu, double restituti
     return scene;
 }
 
-ContactState contact_state(const ContactScene& scene, const Launch<double>& launch) {
-    return {std::atan2(launch.psi.y, launch.psi.x), std::atan2(launch.chi.y, launch.chi.x),
-            approach_of(scene.body, launch).ut, launch.spin};
+ContactState contact_state(const ContactScene& scene, const PostImpactState<double>& post_impact) {
+    return {std::atan2(post_impact.psi.y, post_impact.psi.x), std::atan2(post_impact.chi.y, post_impact.chi.x),
+            contact_kinematics(scene.body, post_impact).ut, post_impact.spin};
 }
 
-Launch<double> launch_from(const ContactScene& scene, const ContactState& state) {
-    Launch<double> launch{cis(state.psi), cis(state.chi), 0, 0, state.spin};
-    const Approach<double> still = approach_of(scene.body, launch);  // u of a body whose centre is at rest
-    launch.vn = -still.un;
-    launch.vt = state.ut - still.ut;
-    return launch;
+PostImpactState<double> post_impact_state(const ContactScene& scene, const ContactState& state) {
+    PostImpactState<double> post_impact{cis(state.psi), cis(state.chi), 0, 0, state.spin};
+    const ContactKinematics<double> still =
+        contact_kinematics(scene.body, post_impact);  // u of a body whose centre is at rest
+    post_impact.vn = -still.un;
+    post_impact.vt = state.ut - still.ut;
+    return post_impact;
 }
 
-Launch<double> seen_from_neighbour(const ContactScene& scene, const Launch<double>& launch) {
-    const double side = launch.chi.y > 0 ? -1 : 1;
+PostImpactState<double> seen_from_neighbour(const ContactScene& scene, const PostImpactState<double>& post_impact) {
+    const double side = post_impact.chi.y > 0 ? -1 : 1;
     const Vec2<double> turn = cis(side * 2 * scene.half_chord);  // from this contact to the other
-    const Vec2<double> velocity = seen_from(turn, Vec2<double>{launch.vn, launch.vt});
-    return {times(turn, launch.psi), cis(side * scene.widest_chi), velocity.x, velocity.y, launch.spin};
+    const Vec2<double> velocity = seen_from(turn, Vec2<double>{post_impact.vn, post_impact.vt});
+    return {times(turn, post_impact.psi), cis(side * scene.widest_chi), velocity.x, velocity.y, post_impact.spin};
 }
 
 }  // namespace swirl

@@ -6,7 +6,7 @@
 // arg n. An edge stands on its clockwise vertex, χ = −χ_m; a disk has χ = 0.
 #pragma once
 
-#include "map/section.hpp"
+#include "map/model/section.hpp"
 
 namespace swirl {
 
@@ -46,12 +46,12 @@ struct ContactScene {
 ContactScene contact_scene(const Body<double>& body, double mu, double restitution, ImpactRule rule);
 
 /// The state in contact just after an impact that left no normal velocity.
-ContactState contact_state(const ContactScene& scene, const Launch<double>& launch);
+ContactState contact_state(const ContactScene& scene, const PostImpactState<double>& post_impact);
 
 /// The state just after an impact, u_n = 0, on the vertex (rim) that the contact's coordinates belong to.
-Launch<double> launch_from(const ContactScene& scene, const ContactState& state);
+PostImpactState<double> post_impact_state(const ContactScene& scene, const ContactState& state);
 
 /// The same state seen from the neighbour that touches too (|χ| = χ_m): one number up if χ < 0, one down if χ > 0.
-Launch<double> seen_from_neighbour(const ContactScene& scene, const Launch<double>& launch);
+PostImpactState<double> seen_from_neighbour(const ContactScene& scene, const PostImpactState<double>& post_impact);
 
 }  // namespace swirl

@@ -42,11 +42,11 @@ double locate(const Problem& problem, const Step& step, double from, double to, 
 constexpr int looks_per_step = 16;
 
 /// A condition's series a − |b|, as far as bounds do not prove that it holds all along a step.
-struct Doubt {
+struct OpenCondition {
     const Series* falls = nullptr;    ///< a
     const Series* against = nullptr;  ///< b, nothing if there is none
     double factor = 1, border = 0;    ///< factor a − |b| − border > 0 while the condition holds
-    double doubtful = 0;              ///< below this rounding decides
+    double rounding = 0;              ///< below this rounding decides
     double bend = 0;                  ///< bounds its second derivative from above, on the step
 
     double at(double t) const {
@@ -61,7 +61,7 @@ struct Doubt {
     /// its terms) though it holds at both.
     ///   before, after  the values at the two
     std::optional<double> dip(double from, double to, double before, double after) const {
-        Lowest lowest{-1e-4 * doubtful, 0, false};
+        Lowest lowest{-1e-4 * rounding, 0, false};
         seek(from, to, before, after, 8, lowest);
         return lowest.found ? std::optional(lowest.time) : std::nullopt;
     }
@@ -102,21 +102,22 @@ private:
     }
 };
 
-struct Doubts {
-    std::array<Doubt, most_conditions> list;
+struct OpenConditions {
+    std::array<OpenCondition, most_conditions> list;
     std::size_t count = 0;
     bool all = false;  ///< the forces of an edge at rest are not unique and have no series
 
     /// Keeps the condition unless no series reaches from its first term to where it would fail within h.
-    void unless_proven(Doubt doubt, double h) {
-        const double held = doubt.factor * (*doubt.falls)[0] - (doubt.against ? std::abs((*doubt.against)[0]) : 0);
-        const double reach =
-            std::abs(doubt.factor) * reach_of(*doubt.falls, h) + (doubt.against ? reach_of(*doubt.against, h) : 0);
-        if (held - doubt.border > reach) return;
-        doubt.doubtful = 1e-9 * (std::abs(held) + reach);
-        doubt.bend =
-            std::abs(doubt.factor) * bend_of(*doubt.falls, h) + (doubt.against ? bend_of(*doubt.against, h) : 0);
-        list[count++] = doubt;
+    void unless_proven(OpenCondition condition, double h) {
+        const double held =
+            condition.factor * (*condition.falls)[0] - (condition.against ? std::abs((*condition.against)[0]) : 0);
+        const double reach = std::abs(condition.factor) * reach_of(*condition.falls, h) +
+                             (condition.against ? reach_of(*condition.against, h) : 0);
+        if (held - condition.border > reach) return;
+        condition.rounding = 1e-9 * (std::abs(held) + reach);
+        condition.bend = std::abs(condition.factor) * bend_of(*condition.falls, h) +
+                         (condition.against ? bend_of(*condition.against, h) : 0);
+        list[count++] = condition;
     }
 
     using Values = std::array<double, most_conditions>;
@@ -129,7 +130,7 @@ struct Doubts {
 
     bool hold(const Values& values) const {
         for (std::size_t i = 0; i < count; ++i)
-            if (!(values[i] > list[i].doubtful)) return false;
+            if (!(values[i] > list[i].rounding)) return false;
         return !all;
     }
 
@@ -143,22 +144,22 @@ struct Doubts {
     }
 };
 
-Doubts doubts_of(const Problem& problem, const ContactSeries& z, double h) {
-    Doubts doubts;
+OpenConditions open_conditions(const Problem& problem, const ContactSeries& z, double h) {
+    OpenConditions conditions;
     const bool on_edge = problem.support == Support::edge, on_vertex = problem.support == Support::vertex;
-    doubts.all = on_edge && problem.sticks();
-    if (doubts.all) return doubts;
-    doubts.unless_proven({&z.normal}, h);
-    if (on_edge) doubts.unless_proven({&z.second}, h);
-    if (on_vertex) doubts.unless_proven({&z.chi, &z.chi, 0, -problem.scene.widest_chi}, h);  // χ_m − |χ|
-    if (problem.scene.mu == 0) return doubts;
+    conditions.all = on_edge && problem.sticks();
+    if (conditions.all) return conditions;
+    conditions.unless_proven({&z.normal}, h);
+    if (on_edge) conditions.unless_proven({&z.second}, h);
+    if (on_vertex) conditions.unless_proven({&z.chi, &z.chi, 0, -problem.scene.widest_chi}, h);  // χ_m − |χ|
+    if (problem.scene.mu == 0) return conditions;
     if (problem.sticks()) {
-        doubts.unless_proven({&z.normal, &z.friction, problem.scene.mu}, h);  // μλ − |f|
-        return doubts;
+        conditions.unless_proven({&z.normal, &z.friction, problem.scene.mu}, h);  // μλ − |f|
+        return conditions;
     }
-    if (on_vertex) doubts.unless_proven({&z.stiffness, nullptr, 1, painleve_margin}, h);
-    doubts.unless_proven({&z.ut, nullptr, problem.motion == ContactMotion::sliding_backward ? -1.0 : 1.0}, h);
-    return doubts;
+    if (on_vertex) conditions.unless_proven({&z.stiffness, nullptr, 1, painleve_margin}, h);
+    conditions.unless_proven({&z.ut, nullptr, problem.motion == ContactMotion::sliding_backward ? -1.0 : 1.0}, h);
+    return conditions;
 }
 
 /// Does the neighbour, at the wall already, go on outwards? Its strike may be over before the first look.
@@ -211,16 +212,16 @@ Conditions conditions_of(const Problem& problem, const State& y) {
 
 Failure first_failure(const Problem& problem, const Step& step, double h) {
     if (strikes_at_once(problem, step)) return {0, strike_condition, true};
-    const Doubts doubts = doubts_of(problem, step.series(), h);
-    if (!doubts.all && doubts.count == 0) return {};
-    Doubts::Values before = doubts.at(0);
+    const OpenConditions conditions = open_conditions(problem, step.series(), h);
+    if (!conditions.all && conditions.count == 0) return {};
+    OpenConditions::Values before = conditions.at(0);
     for (int look = 1; look <= looks_per_step; ++look) {
         const double from = h * (look - 1) / looks_per_step, to = h * look / looks_per_step;
-        const Doubts::Values after = doubts.at(to);
-        for (const double moment : doubts.dips(from, to, before, after))
+        const OpenConditions::Values after = conditions.at(to);
+        for (const double moment : conditions.dips(from, to, before, after))
             if (const Failure failure = failure_by(problem, step, from, moment); failure.found) return failure;
         before = after;
-        if (doubts.hold(after)) continue;
+        if (conditions.hold(after)) continue;
         if (const Failure failure = failure_by(problem, step, from, to); failure.found) return failure;
     }
     return {};

@@ -1,9 +1,9 @@
 // The flight that begins where the normal force has fallen to zero.
 #pragma once
 
-#include "map/certificate.hpp"
-#include "map/contact_disk.hpp"
-#include "map/contact_polygon.hpp"
+#include "map/first_contact/certain_disk.hpp"
+#include "map/first_contact/certain_polygon.hpp"
+#include "map/first_contact/certificate.hpp"
 
 #include <optional>
 
@@ -61,8 +61,8 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
 /// have touched before, however soon that is: the gap of the vertex (disk) that is released is known from what it has
 /// moved, to rounding of its own size. Nothing if no such time lifts the gaps out of rounding.
 template <Shape shape, class T>
-std::optional<Contact<T>> contact_after_release(const Body<T>& body, const Flight<T>& flight) {
-    Contact<T> contact;
+std::optional<FirstContact<T>> contact_after_release(const Body<T>& body, const Flight<T>& flight) {
+    FirstContact<T> contact;
     contact.at = instant_at_start(flight);
     const auto bounds = detail::bounds_of<shape>(body, flight);
     if (!detail::leave_wall<shape>(body, flight, bounds, contact.at)) return {};

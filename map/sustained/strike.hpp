@@ -6,27 +6,28 @@
 namespace swirl {
 
 struct Strike {
-    Launch<double> after;           ///< on the vertex that struck
+    PostImpactState<double> after;  ///< on the vertex that struck
     Impulse<double> impulse;        ///< what it received in all, and the mode of the first impulse
     double jacobi_restitution = 0;  ///< Σ −p ū_n over all impulses, the neighbour's too
     double jacobi_friction = 0;     ///< Σ q (ū_t − 1)
     bool resolved = false;          ///< false: the impulses did not come to an end
 };
 
-/// The impact at one contact by the scene's law, with restitution e: changes the launch (that of the contact) and adds
-/// to the changes of J. Returns the impulse.
-Impulse<double> strike_once(const ContactScene& scene, Launch<double>& launch, double restitution, Strike& strike);
+/// The impact at one contact by the scene's law, with restitution e: changes the post-impact state (that of the
+/// contact) and adds to the changes of J. Returns the impulse.
+Impulse<double> strike_once(const ContactScene& scene, PostImpactState<double>& post_impact, double restitution,
+                            Strike& strike);
 
 /// The impulse without approach of a vertex that slides where B₂ − sμB₃ ≤ 0: it presses until the slip has stopped,
 /// then restitution follows by the scene's law. Motions come to that border where the numerator of λ vanishes with it
 /// (Génot & Brogliato, Eur. J. Mech. A/Solids 18 (1999) 653), and are stopped before it by as little as 10⁻⁹: a
 /// positive rest of B₂ − sμB₃ is taken for zero.
-Impulse<double> jam_once(const ContactScene& scene, Launch<double>& launch, Strike& strike);
+Impulse<double> jam_once(const ContactScene& scene, PostImpactState<double>& post_impact, Strike& strike);
 
 /// The neighbour of a vertex that stands (u_n = 0, |χ| = χ_m) strikes. Impulses alternate between the two, each by the
 /// scene's law, as long as one approaches. None creates energy under Poisson's and Stronge's law, so the whole does
 /// not. With e < 1 an endless alternation shrinks geometrically; it is ended where both are at rest to rounding.
 ///   plastic  the striking vertex' own chatter has come to its end: e = 0
-Strike strike_while_standing(const ContactScene& scene, const Launch<double>& standing, bool plastic);
+Strike strike_in_contact(const ContactScene& scene, const PostImpactState<double>& completion, bool plastic);
 
 }  // namespace swirl

@@ -1,6 +1,6 @@
 // Time per impact, in units of one libm sincos measured in the same process: a loop in which each argument depends on
 // the last result. Goals: disk 5, hexagon 14, N = 1000 at most 1.5 times the hexagon; all with friction, to rounding.
-#include "map/laboratory.hpp"
+#include "map/orbit/laboratory.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -41,7 +41,7 @@ void impact(benchmark::State& state, int sides, double alpha, double beta, doubl
         const auto begin = Clock::now();
         for (auto _ : state) {
             map.advance(collision.after, collision);
-            if (collision.contact != swirl::ContactOutcome::contact) state.SkipWithError("the orbit ended");
+            if (collision.contact != swirl::FirstContactOutcome::contact) state.SkipWithError("the orbit ended");
         }
         benchmark::DoNotOptimize(collision);
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();

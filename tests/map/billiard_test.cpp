@@ -32,24 +32,24 @@ TEST(CircularBilliard, FrictionlessElasticDiskKeepsItsAngleOfIncidence) {
                      spin = random.between(-5, 5);
         const double time = 2 * (1 - scene.alpha) * std::cos(gamma) / speed;
         const double advance = M_PI - 2 * gamma;
-        Launch<double> launch =
-            launch_from(SectionPoint<double>{0.3, 0, -speed * std::cos(gamma), speed * std::sin(gamma), spin});
+        PostImpactState<double> post_impact =
+            post_impact_state(SectionPoint<double>{0.3, 0, -speed * std::cos(gamma), speed * std::sin(gamma), spin});
         for (int k = 1; k <= impacts; ++k) {
-            const auto step = map.advance(launch);
-            ASSERT_EQ(step.contact, ContactOutcome::contact);
-            launch = step.after;
+            const auto step = map.advance(post_impact);
+            ASSERT_EQ(step.outcome, FirstContactOutcome::contact);
+            post_impact = step.after;
             // Each impact adds a few ε to the direction, which a chord turns into a time by its slope.
             const double allowed = 32 * eps * k / std::cos(gamma);
             const double error =
                 std::max({std::fabs(wrapped_angle(std::atan2(step.normal.y, step.normal.x) - advance)),
-                          std::fabs(step.flight_time / time - 1), std::fabs(launch.vn / speed + std::cos(gamma)),
-                          std::fabs(launch.vt / speed - std::sin(gamma))});
+                          std::fabs(step.flight_time / time - 1), std::fabs(post_impact.vn / speed + std::cos(gamma)),
+                          std::fabs(post_impact.vt / speed - std::sin(gamma))});
             ASSERT_LE(error, allowed) << "impact " << k << ", gamma " << gamma;
-            ASSERT_EQ(launch.spin, spin);
+            ASSERT_EQ(post_impact.spin, spin);
             worst = std::max(worst, error);
         }
         const double psi = 0.3 + impacts * (advance - time);
-        const double psi_error = std::fabs(wrapped_angle(section_point(launch).psi - psi));
+        const double psi_error = std::fabs(wrapped_angle(section_point(post_impact).psi - psi));
         ASSERT_LE(psi_error, 64 * eps * impacts * (impacts + std::fabs(time)) / std::cos(gamma));
     }
     std::printf("%ld orbits of %d impacts, largest error in an impact %.1e\n", orbits, impacts, worst);
@@ -62,18 +62,19 @@ TEST(CircularBilliard, RestitutionShrinksTheNormalVelocityGeometrically) {
         const Scene<double> scene = still_disk(random.between(0.01, 0.99), 0, random.between(0.5, 1));
         const CollisionMap<double, Shape::disk, ImpactRule::frictionless> map(scene);
         const double vn = -random.between(0.1, 2), vt = random.between(-2, 2);
-        Launch<double> launch = launch_from(SectionPoint<double>{0, 0, vn, vt, 0});
+        PostImpactState<double> post_impact = post_impact_state(SectionPoint<double>{0, 0, vn, vt, 0});
         double expected = vn;
         for (int k = 1; k <= 10; ++k) {
-            const double chord = -2 * (1 - scene.alpha) * launch.vn / (launch.vn * launch.vn + launch.vt * launch.vt);
-            const auto step = map.advance(launch);
-            ASSERT_EQ(step.contact, ContactOutcome::contact);
-            launch = step.after;
+            const double chord = -2 * (1 - scene.alpha) * post_impact.vn /
+                                 (post_impact.vn * post_impact.vn + post_impact.vt * post_impact.vt);
+            const auto step = map.advance(post_impact);
+            ASSERT_EQ(step.outcome, FirstContactOutcome::contact);
+            post_impact = step.after;
             expected *= scene.restitution;
             const double allowed = 64 * eps * k * std::hypot(vn, vt);
-            EXPECT_NEAR(launch.vn, expected, allowed);
-            EXPECT_NEAR(launch.vt, vt, allowed);
-            EXPECT_NEAR(step.flight_time, chord, 64 * eps * chord * (1 + std::fabs(vt / launch.vn)));
+            EXPECT_NEAR(post_impact.vn, expected, allowed);
+            EXPECT_NEAR(post_impact.vt, vt, allowed);
+            EXPECT_NEAR(step.flight_time, chord, 64 * eps * chord * (1 + std::fabs(vt / post_impact.vn)));
         }
     }
 }
@@ -90,23 +91,23 @@ TEST(CircularBilliard, FrictionConservesAngularMomentumAboutTheWallAndEndsInRoll
         const CollisionMap<double, Shape::disk, ImpactRule::poisson> map(scene);
         const double vn = -random.between(0.3, 2), vt = random.between(-2, 2), spin = random.between(-3, 3);
         const double conserved = vt - 0.5 * scene.alpha * spin;
-        Launch<double> launch = launch_from(SectionPoint<double>{0, 0, vn, vt, spin});
+        PostImpactState<double> post_impact = post_impact_state(SectionPoint<double>{0, 0, vn, vt, spin});
         double slip = std::fabs(vt + scene.alpha * spin);
         for (int k = 1; k <= impacts; ++k) {
-            const auto step = map.advance(launch);
-            ASSERT_EQ(step.contact, ContactOutcome::contact);
-            launch = step.after;
+            const auto step = map.advance(post_impact);
+            ASSERT_EQ(step.outcome, FirstContactOutcome::contact);
+            post_impact = step.after;
             const double allowed = 64 * eps * k * 4;
-            ASSERT_NEAR(launch.vn, vn, allowed * (1 + std::fabs(vt / vn)));
-            ASSERT_NEAR(launch.vt - 0.5 * scene.alpha * launch.spin, conserved, allowed);
-            const double now = std::fabs(launch.vt + scene.alpha * launch.spin);
+            ASSERT_NEAR(post_impact.vn, vn, allowed * (1 + std::fabs(vt / vn)));
+            ASSERT_NEAR(post_impact.vt - 0.5 * scene.alpha * post_impact.spin, conserved, allowed);
+            const double now = std::fabs(post_impact.vt + scene.alpha * post_impact.spin);
             ASSERT_LE(now, slip + allowed);
             slip = now;
         }
         if (slip > 1e-10) continue;
         ++rolling;
-        EXPECT_NEAR(launch.vt, conserved / 1.5, 1e-10);
-        EXPECT_NEAR(launch.spin, -conserved / 1.5 / scene.alpha, 1e-10 / scene.alpha);
+        EXPECT_NEAR(post_impact.vt, conserved / 1.5, 1e-10);
+        EXPECT_NEAR(post_impact.spin, -conserved / 1.5 / scene.alpha, 1e-10 / scene.alpha);
     }
     std::printf("%ld orbits, %ld of them without slip after %d impacts\n", orbits, rolling, impacts);
     EXPECT_EQ(rolling, orbits);  // Δu_t ≥ 3 · 0.05 · 2 · 0.3 per impact: at most 60 of them slip

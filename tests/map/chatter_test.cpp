@@ -1,7 +1,7 @@
 // The end of chatter against the impacts themselves, one by one in 113 bits.
-#include "map/orbit.hpp"
+#include "map/orbit/orbit.hpp"
+#include "map/sustained/chatter_completion.hpp"
 #include "map/sustained/motion_choice.hpp"
-#include "map/sustained/standing.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
 
@@ -26,22 +26,22 @@ struct Accumulation {
 Accumulation impact_by_impact(const Scene<double>& s, const SectionPoint<double>& z) {
     const Scene<Quad> scene{s.sides, s.alpha, s.beta, s.mu, s.restitution, s.law, s.inertia_factor};
     return with_collision_map(scene, [&](const auto& map) {
-        Launch<Quad> launch = launch_from(SectionPoint<Quad>{z.psi, z.chi, z.vn, z.vt, z.spin});
+        PostImpactState<Quad> post_impact = post_impact_state(SectionPoint<Quad>{z.psi, z.chi, z.vn, z.vt, z.spin});
         Quad time = 0;
         for (int i = 0; i < 1000; ++i) {
-            if (-approach_of(map.body(), launch).un < Quad(1e-20)) {
-                const SectionPoint<Quad> end = section_point(launch);
+            if (-contact_kinematics(map.body(), post_impact).un < Quad(1e-20)) {
+                const SectionPoint<Quad> end = section_point(post_impact);
                 return Accumulation{true,
                                     static_cast<double>(time),
                                     static_cast<double>(end.psi),
                                     static_cast<double>(end.chi),
-                                    static_cast<double>(approach_of(map.body(), launch).ut),
-                                    static_cast<double>(launch.spin)};
+                                    static_cast<double>(contact_kinematics(map.body(), post_impact).ut),
+                                    static_cast<double>(post_impact.spin)};
             }
-            const Collision<Quad> next = map.advance(launch);
-            if (next.contact != ContactOutcome::contact || next.vertex_step != 0) return Accumulation{};
+            const Collision<Quad> next = map.advance(post_impact);
+            if (next.outcome != FirstContactOutcome::contact || next.vertex_step != 0) return Accumulation{};
             time += next.flight_time;
-            launch = next.after;
+            post_impact = next.after;
         }
         return Accumulation{};
     });
@@ -49,10 +49,10 @@ Accumulation impact_by_impact(const Scene<double>& s, const SectionPoint<double>
 
 /// The largest difference of place and velocities from `end` if chatter is replaced by contact at once; negative if the
 /// contact changes its kind on the way.
-double difference_from(const ContactScene& scene, const Launch<double>& launch, const Accumulation& end) {
+double difference_from(const ContactScene& scene, const PostImpactState<double>& post_impact, const Accumulation& end) {
     const Support support = scene.is_disk() ? Support::rim : Support::vertex;
-    const Standing standing{true, support, {}, 0, 0, 0};
-    const ContactState landed = landed_like(scene, launch, standing, launch);
+    const ChatterCompletion completion{true, support, {}, 0, 0, 0};
+    const ContactState landed = landed_like(scene, post_impact, completion, post_impact);
     const MotionChoice choice = choose_motion(scene, support, landed, 0);
     if (!choice.stays) return -1;
     const ContactEnd contact = run_contact(scene, support, choice.motion, landed, end.time);
@@ -74,14 +74,14 @@ std::vector<double> shares_of_estimate(int sides, Law law, double v) {
         SectionPoint<double> z = tests::random_point(random, s, v);
         const ContactScene scene = tests::contact_of(s);
         if (std::abs(z.chi) > 0.9 * scene.widest_chi && sides != disk_sides) continue;
-        const Launch<double> launch = launch_from(z);
-        const ChatterError error = chatter_error(scene, launch);
+        const PostImpactState<double> post_impact = post_impact_state(z);
+        const ChatterError error = chatter_error(scene, post_impact);
         // Long against the swirl is no end of chatter, and a slip that stops on the way no smooth one.
-        if (!(error.moved <= 0.01 * v) || std::abs(approach_of(scene.body, launch).ut) < 0.05) continue;
+        if (!(error.moved <= 0.01 * v) || std::abs(contact_kinematics(scene.body, post_impact).ut) < 0.05) continue;
         const Accumulation end = impact_by_impact(s, z);
         if (!end.found) continue;
         constexpr double rounding = 1e-15;
-        const double distance = difference_from(scene, launch, end);
+        const double distance = difference_from(scene, post_impact, end);
         if (distance >= 0) shares.push_back(std::max(distance - rounding, 0.0) / error.estimate);
     }
     std::sort(shares.begin(), shares.end());

@@ -100,20 +100,20 @@ TEST(Strike, CreatesNoEnergyAndLeavesNothingApproaching) {
             const auto scene =
                 contact_of(scene_of(3 + i % 5, 0.5 + 0.4 * u(random), 0.5, mu, 0.5 + 0.49 * u(random), law));
             const ContactState z{3 * u(random), i % 2 ? scene.widest_chi : -scene.widest_chi, u(random), 2 * u(random)};
-            const Launch<double> standing = launch_from(scene, z);
-            const Launch<double> before = seen_from_neighbour(scene, standing);
-            if (!(approach_of(scene.body, before).un > 1e-3)) continue;
-            const Strike strike = strike_while_standing(scene, standing, false);
+            const PostImpactState<double> completion = post_impact_state(scene, z);
+            const PostImpactState<double> before = seen_from_neighbour(scene, completion);
+            if (!(contact_kinematics(scene.body, before).un > 1e-3)) continue;
+            const Strike strike = strike_in_contact(scene, completion, false);
             ASSERT_TRUE(strike.resolved);
             ++resolved;
             // The container is heavy and moves: energy is counted in its frame.
-            const auto energy = [&](const Launch<double>& l) {
+            const auto energy = [&](const PostImpactState<double>& l) {
                 const Vec2<double> v{l.vn - scene.body.beta * l.psi.y, l.vt - scene.body.beta * l.psi.x};
                 return 0.5 * dot(v, v) + 0.5 * scene.body.inertia * l.spin * l.spin;
             };
             EXPECT_LE(energy(strike.after), energy(before) + 1e-14);
-            EXPECT_LE(approach_of(scene.body, strike.after).un, 1e-13);
-            EXPECT_LE(approach_of(scene.body, seen_from_neighbour(scene, strike.after)).un, 1e-13);
+            EXPECT_LE(contact_kinematics(scene.body, strike.after).un, 1e-13);
+            EXPECT_LE(contact_kinematics(scene.body, seen_from_neighbour(scene, strike.after)).un, 1e-13);
             EXPECT_NEAR(jacobi_of(scene.body, strike.after) - jacobi_of(scene.body, before),
                         strike.jacobi_restitution + strike.jacobi_friction, 1e-12);
         }
@@ -125,11 +125,11 @@ TEST(Jam, WhereTheNormalForceIsNotUniqueStopsTheSlip) {
     // Slides to the point where the numerator and the denominator of the normal force vanish together.
     const auto scene = contact_of(
         scene_of(3, 0.048062199662670724, 0.81137724721839988, 1.3105431873092972, 0.12970732048356093, Law::newton));
-    const Standing standing{true, Support::vertex, {-1.792332, 0.874762935, 0.5870, -0.00356}, 0, 0, 0};
-    const ContactPhase phase = follow_contact(scene, standing, 10);
+    const ChatterCompletion completion{true, Support::vertex, {-1.792332, 0.874762935, 0.5870, -0.00356}, 0, 0, 0};
+    const ContactPhase phase = follow_contact(scene, completion, 10);
     ASSERT_EQ(phase.finish, ContactEvent::jam) << name_of(phase.finish);
     EXPECT_TRUE(phase.resolved);
-    const Approach<double> after = approach_of(scene.body, phase.strike.after);
+    const ContactKinematics<double> after = contact_kinematics(scene.body, phase.strike.after);
     EXPECT_NEAR(after.ut, 0, 1e-15);
     EXPECT_LE(after.un, 0);
     EXPECT_GE(after.un, -1e-8);  // Newton's law: nothing approached; the border is taken 1e-9 early

@@ -7,7 +7,7 @@
 // positions.
 #pragma once
 
-#include "map/scene.hpp"
+#include "map/model/scene.hpp"
 
 #include <algorithm>
 #include <cmath>

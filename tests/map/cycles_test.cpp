@@ -1,6 +1,6 @@
 // The cycles of oracle/cycles.json and the steady modes of oracle/steady_e1.json: points and multipliers.
-#include "map/derivative.hpp"
-#include "map/saltation.hpp"
+#include "map/derivative/derivative.hpp"
+#include "map/derivative/saltation.hpp"
 #include "tests/map/oracle.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ void check_cycle(const Map& map, const json& cycle) {
     double time = 0;
     for (int k = 0; k < period; ++k) {
         const auto step = differentiated.linearise(z);
-        ASSERT_EQ(step.collision.contact, ContactOutcome::contact);
+        ASSERT_EQ(step.collision.outcome, FirstContactOutcome::contact);
         jets = step.derivative * jets;
         saltation = linearise_by_saltation(map, z).derivative * saltation;
         time += step.collision.flight_time;

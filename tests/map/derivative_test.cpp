@@ -1,6 +1,6 @@
 // DF: two forms that share no formula against each other, and the facts that hold without friction at e = 1.
-#include "map/derivative.hpp"
-#include "map/saltation.hpp"
+#include "map/derivative/derivative.hpp"
+#include "map/derivative/saltation.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
 
@@ -19,8 +19,8 @@ namespace {
 using tests::Random;
 using tests::sample_count;
 
-double slip_normal(const Body<double>& body, const Launch<double>& launch) {
-    return approach_of(body, launch).un;
+double slip_normal(const Body<double>& body, const PostImpactState<double>& post_impact) {
+    return contact_kinematics(body, post_impact).un;
 }
 
 /// Largest relative difference of the two forms over random states, one count per contact mode.
@@ -31,8 +31,8 @@ struct Comparison {
 
 template <class Map>
 void compare_forms(const Map& map, const SectionPoint<double>& z, long wanted, Comparison& comparison) {
-    const auto collision = map.advance(launch_from(z));
-    if (collision.contact != ContactOutcome::contact || collision.simultaneous) return;
+    const auto collision = map.advance(post_impact_state(z));
+    if (collision.outcome != FirstContactOutcome::contact || collision.simultaneous) return;
     const auto mode = static_cast<std::size_t>(collision.impulse.mode);
     if (comparison.count[mode] >= wanted) return;
     const auto jets = DifferentiatedMap(map).linearise(z);
@@ -111,8 +111,8 @@ TEST(Derivative, BothFormsAgreeToRoundingInQuad) {
         const SectionPoint<Quad> point{z.psi, z.chi, z.vn, z.vt, z.spin};
         const auto jets = DifferentiatedMap(map).linearise(point);
         const auto saltation = linearise_by_saltation(map, point);
-        ASSERT_EQ(jets.collision.contact, ContactOutcome::contact);
-        if (-approach_of(map.body(), jets.collision.after).un < Quad(1e-3)) continue;
+        ASSERT_EQ(jets.collision.outcome, FirstContactOutcome::contact);
+        if (-contact_kinematics(map.body(), jets.collision.after).un < Quad(1e-3)) continue;
         double difference = 0, scale = 0;
         for (int k = 0; k < 25; ++k) {
             const Quad change = jets.derivative(k) - saltation.derivative(k);
@@ -127,7 +127,7 @@ TEST(Derivative, BothFormsAgreeToRoundingInQuad) {
 
 /// The time reversal: the velocities before the impact, seen in a mirror. Without friction, e = 1.
 SectionPoint<double> reversed(const Body<double>& body, const SectionPoint<double>& z) {
-    const Approach<double> a = approach_of(body, launch_from(z));
+    const ContactKinematics<double> a = contact_kinematics(body, post_impact_state(z));
     const double p = -2 * a.un / a.b2();
     return {-z.psi, -z.chi, -(z.vn + p), z.vt, z.spin - a.rt * p / body.inertia};
 }
@@ -148,7 +148,8 @@ long over_elastic_states(std::uint64_t seed, long wanted, Check&& check) {
         const SectionPoint<double> z = tests::random_point(random, scene, random.log_between(1e-3, 3));
         with_collision_map(scene, [&](const auto& map) {
             const auto linearised = DifferentiatedMap(map).linearise(z);
-            if (linearised.collision.contact != ContactOutcome::contact || linearised.collision.simultaneous) return;
+            if (linearised.collision.outcome != FirstContactOutcome::contact || linearised.collision.simultaneous)
+                return;
             if (-slip_normal(map.body(), linearised.collision.after) < 1e-3) return;
             ++count;
             check(map, z, linearised);
@@ -162,7 +163,7 @@ TEST(Derivative, DeterminantIsTheRatioOfNormalVelocities) {
     const long wanted = sample_count(20000);
     const long count = over_elastic_states(7, wanted, [&](const auto& map, const auto& z, const auto& linearised) {
         const double ratio =
-            slip_normal(map.body(), launch_from(z)) / slip_normal(map.body(), linearised.collision.after);
+            slip_normal(map.body(), post_impact_state(z)) / slip_normal(map.body(), linearised.collision.after);
         const double error = std::fabs(linearised.derivative.determinant() - ratio) / std::max(1.0, ratio);
         worst = std::max(worst, error);
         EXPECT_LE(error, 1e-10) << "N = " << map.scene().sides << ", ratio " << ratio;
@@ -176,8 +177,8 @@ TEST(Derivative, ElasticMotionWithoutFrictionIsReversible) {
     const long wanted = sample_count(20000);
     const long count = over_elastic_states(8, wanted, [&](const auto& map, const auto& z, const auto& linearised) {
         const SectionPoint<double> there = section_point(linearised.collision.after);
-        const auto back = map.advance(launch_from(reversed(map.body(), there)));
-        ASSERT_EQ(back.contact, ContactOutcome::contact);
+        const auto back = map.advance(post_impact_state(reversed(map.body(), there)));
+        ASSERT_EQ(back.outcome, FirstContactOutcome::contact);
         const double error = distance(reversed(map.body(), section_point(back.after)), z);
         const double norm = linearised.derivative.norm();
         worst = std::max(worst, error / norm);

@@ -1,6 +1,6 @@
 // As e → 1 the statistics of orbits that do not chatter join those of e = 1.
 #include "analysis/recurrence/rates.hpp"
-#include "map/orbit.hpp"
+#include "map/orbit/orbit.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
@@ -39,11 +39,11 @@ Means statistics_of(const Scene<double>& scene, tests::Random& random, long impa
             }
             contacts += static_cast<long>(orbit.contacts().size());
             if (i < transient) continue;
-            spins.push_back(orbit.launch().spin);
-            turned += orbit.passage().turned;
+            spins.push_back(orbit.post_impact().spin);
+            turned += orbit.return_step().turned;
             time += orbit.collision().flight_time;
-            square += orbit.launch().vn * orbit.launch().vn;
-            chi += std::abs(std::atan2(orbit.launch().chi.y, orbit.launch().chi.x));
+            square += orbit.post_impact().vn * orbit.post_impact().vn;
+            chi += std::abs(std::atan2(orbit.post_impact().chi.y, orbit.post_impact().chi.x));
         }
         const double n = static_cast<double>(impacts);
         // Of S just after impacts, the paper's threshold and a wide one. Its diagonal, 1/n, says nothing of the orbit.

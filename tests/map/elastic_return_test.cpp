@@ -1,6 +1,6 @@
 // Without loss (e = 1) there is no sustained contact, and the return map is the collision map: the same bits, at its
 // cost.
-#include "map/orbit.hpp"
+#include "map/orbit/orbit.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/sample_count.hpp"
 
@@ -20,7 +20,7 @@ double thread_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-bool same_bits(const Launch<double>& a, const Launch<double>& b) {
+bool same_bits(const PostImpactState<double>& a, const PostImpactState<double>& b) {
     return a.psi.x == b.psi.x && a.psi.y == b.psi.y && a.chi.x == b.chi.x && a.chi.y == b.chi.y && a.vn == b.vn &&
            a.vt == b.vt && a.spin == b.spin;
 }
@@ -48,10 +48,10 @@ TEST(ElasticReturn, IsTheCollisionMapBitForBitAndAtItsCost) {
                 auto a = first, b = first;
                 for (long i = 0; i < impacts; ++i) {
                     a = map.advance(a.after);
-                    const auto passage = returns.advance(b.after);
-                    b = passage.collision;
+                    const auto return_step = returns.advance(b.after);
+                    b = return_step.collision;
                     differing += !same_bits(a.after, b.after) || a.flight_time != b.flight_time ||
-                                 a.vertex_step != b.vertex_step || !passage.contacts.empty();
+                                 a.vertex_step != b.vertex_step || !return_step.contacts.empty();
                 }
                 EXPECT_EQ(differing, 0) << sides << " sides, mu = " << mu;
                 std::printf("%d sides, mu %g: %.0f ns an impact, by the return map %.0f\n", sides, mu,

@@ -1,5 +1,5 @@
 // No missed contact: random flights against an independent scan, with what is hard over-represented.
-#include "map/laboratory.hpp"
+#include "map/orbit/laboratory.hpp"
 #include "tests/map/container_scan.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
@@ -119,17 +119,17 @@ struct Tally {
 void check(const Case& c, Kind kind, bool scanning, Tally& tally) {
     with_collision_map(c.scene, [&](const auto& map) {
         const Flight<double> flight =
-            c.point ? flight_from(map.body(), launch_from(*c.point)) : flight_from(map.body(), c.start);
+            c.point ? flight_from(map.body(), post_impact_state(*c.point)) : flight_from(map.body(), c.start);
         const auto contact = first_contact<std::decay_t<decltype(map)>::shape>(map.body(), flight);
         ++tally.flights[kind];
         if (!c.point) ++tally.aimed;
         tally.most_steps = std::max<long>(tally.most_steps, contact.steps);
         if (contact.simultaneous) ++tally.simultaneous;
-        const bool found = contact.outcome == ContactOutcome::contact;
+        const bool found = contact.outcome == FirstContactOutcome::contact;
         const double time = found ? contact.at.time : 30;
         // What a gap may be by rounding of the positions, 10⁻¹² and 8 ε of the ways gone; a gap is twice a depth.
         const Real allowed = 2 * (1e-12L + 8 * eps * (1 + c.flight.speed() * time + std::fabs(c.flight.spin) * time));
-        if (contact.outcome == ContactOutcome::sustained || contact.outcome == ContactOutcome::unresolved) {
+        if (contact.outcome == FirstContactOutcome::sustained || contact.outcome == FirstContactOutcome::unresolved) {
             ++tally.unresolved;
             ADD_FAILURE() << "outcome " << static_cast<int>(contact.outcome) << " after " << contact.steps << " steps";
             return;

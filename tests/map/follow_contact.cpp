@@ -31,19 +31,19 @@ Tally follow(const Scene<double>& scene, const LabStart<double>& start, double u
                 break;
             }
             tally.time = orbit.frame().time.unwound();
-            const double now = jacobi_of(body, orbit.launch());
+            const double now = jacobi_of(body, orbit.post_impact());
             const auto& c = orbit.collision();
             tally.fastest =
                 std::max(tally.fastest, std::abs(c.after.spin) + std::abs(c.after.vt) + static_cast<double>(body.beta));
             tally.moments += c.steps;
-            const double change = c.jacobi_restitution + c.jacobi_friction + orbit.passage().contact_work;
+            const double change = c.jacobi_restitution + c.jacobi_friction + orbit.return_step().contact_work;
             if (known) tally.balance += now - jacobi - change;
-            tally.exchanged +=
-                std::abs(c.jacobi_restitution) + std::abs(c.jacobi_friction) + std::abs(orbit.passage().contact_work);
+            tally.exchanged += std::abs(c.jacobi_restitution) + std::abs(c.jacobi_friction) +
+                               std::abs(orbit.return_step().contact_work);
             jacobi = now;
             known = true;
             if (body.sides == disk_sides) continue;
-            const Flight<double> flight = flight_from(body, orbit.launch());
+            const Flight<double> flight = flight_from(body, orbit.post_impact());
             detail::NearestTwo<double> pair;
             detail::look_around(body, flight, instant_at_start(flight), pair);
             tally.outside = std::max({tally.outside, pair.first.gap.value, pair.second.gap.value});

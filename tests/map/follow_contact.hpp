@@ -1,7 +1,7 @@
 // Whole orbits through contact, and what can be checked of them on the way.
 #pragma once
 
-#include "map/orbit.hpp"
+#include "map/orbit/orbit.hpp"
 
 namespace swirl::tests {
 

@@ -1,5 +1,5 @@
 // The closed forms of the impact against integration in p, its energies, and when B₂ − sμB₃ can be negative.
-#include "map/impact.hpp"
+#include "map/model/impact.hpp"
 #include "tests/map/impulse_integration.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
@@ -21,7 +21,7 @@ using tests::sample_count;
 constexpr int mode_count = 6;
 
 struct Sample {
-    Approach<double> approach;
+    ContactKinematics<double> approach;
     double mu, restitution;
 };
 
@@ -55,7 +55,7 @@ struct Tally {
 };
 
 /// The kinetic energy of the contact, ½ u·B⁻¹u with u = (C, u_t) and B = (B₂ B₃; B₃ B₁): the scale for gains.
-double energy_of(const Approach<double>& a) {
+double energy_of(const ContactKinematics<double>& a) {
     const double determinant = a.b1() * a.b2() - a.b3() * a.b3();
     const double c = -a.un;
     return 0.5 * (a.b1() * c * c - 2 * a.b3() * c * a.ut + a.b2() * a.ut * a.ut) / determinant;
@@ -63,7 +63,7 @@ double energy_of(const Approach<double>& a) {
 
 template <ImpactRule rule>
 void compare(const Sample& s, Law law, long wanted, Tally& tally) {
-    const Approach<double>& a = s.approach;
+    const ContactKinematics<double>& a = s.approach;
     const Impulse<double> closed = impulse<rule>(a, s.mu, s.restitution);
     const auto mode = static_cast<std::size_t>(closed.mode);
     if (tally.count[mode] >= wanted) return;
@@ -185,8 +185,8 @@ TEST(Impact, FirstSlopeTurnsNegativeAtTheThresholdOfFriction) {
             double below = HUGE_VAL, above = HUGE_VAL;
             for (int i = 0; i <= 20000; ++i) {
                 const double chi = widest * i / 20000;
-                const Approach<double> a{1, 1, alpha * std::cos(chi), alpha * std::sin(chi),
-                                         scene.inertia_factor * alpha * alpha};
+                const ContactKinematics<double> a{1, 1, alpha * std::cos(chi), alpha * std::sin(chi),
+                                                  scene.inertia_factor * alpha * alpha};
                 below = std::min(below, a.b2() - mu * (1 - 1e-6) * a.b3());
                 above = std::min(above, a.b2() - mu * (1 + 1e-6) * a.b3());
             }

@@ -1,10 +1,10 @@
 // The impulse of an impact by integrating dC, du_t in p, in long double: the reference for the closed forms.
 //
-// Along p all rates are constant until u_t or C passes zero or restitution ends, so that steps from event to event are
-// exact. What happens is decided from the state alone: no modes, no closed form of any end.
+// ParameterRange p all rates are constant until u_t or C passes zero or restitution ends, so that steps from event to
+// event are exact. What happens is decided from the state alone: no modes, no closed form of any end.
 #pragma once
 
-#include "map/impact.hpp"
+#include "map/model/impact.hpp"
 
 #include <cmath>
 #include <limits>
@@ -21,7 +21,7 @@ struct IntegratedImpulse {
 };
 
 /// Integrates one impact. Ends: restitution ends, as C rises at a positive rate after the last kink.
-inline IntegratedImpulse integrate_impulse(const Approach<double>& approach, double mu, double e, Law law) {
+inline IntegratedImpulse integrate_impulse(const ContactKinematics<double>& approach, double mu, double e, Law law) {
     using Real = long double;
     const Real inertia = approach.inertia, rn = approach.rn, rt = approach.rt;
     const Real b1 = 1 + rn * rn / inertia, b2 = 1 + rt * rt / inertia, b3 = rn * rt / inertia;

@@ -27,19 +27,19 @@ struct Drift {
 
 template <class Map>
 Drift drift_of(const Map& map, const SectionPoint<double>& z, long impacts) {
-    Launch<double> launch = launch_from(z);
-    const double start = jacobi_of(map.body(), launch);
+    PostImpactState<double> post_impact = post_impact_state(z);
+    const double start = jacobi_of(map.body(), post_impact);
     double before = start, square = 0;
     Drift drift;
     long decade = 1000;
     for (long k = 1; k <= impacts; ++k) {
-        const auto step = map.advance(launch);
-        if (step.contact != ContactOutcome::contact) {
+        const auto step = map.advance(post_impact);
+        if (step.outcome != FirstContactOutcome::contact) {
             ADD_FAILURE() << "impact " << k << ": outcome " << static_cast<int>(step.contact);
             break;
         }
-        launch = step.after;
-        const double now = jacobi_of(map.body(), launch);
+        post_impact = step.after;
+        const double now = jacobi_of(map.body(), post_impact);
         square += (now - before) * (now - before);
         before = now;
         drift.largest = std::max(drift.largest, std::fabs(now - start));
@@ -101,7 +101,7 @@ TEST(Jacobi, IsConservedByTheFrictionlessElasticDiskOnAWideSwirl) {
 
 /// J just before an impact.
 double jacobi_before(const Body<double>& body, const Collision<double>& c) {
-    Launch<double> before = c.after;
+    PostImpactState<double> before = c.after;
     const Vec2<double> r = body.alpha * before.chi;
     before.vn += c.impulse.normal;
     before.vt -= c.impulse.tangential;
@@ -111,7 +111,7 @@ double jacobi_before(const Body<double>& body, const Collision<double>& c) {
 
 /// The sizes of what is added up in J: where velocities are large J cannot be read off a state to better than ε of
 /// them.
-double terms_of_jacobi(const Body<double>& body, const Launch<double>& z) {
+double terms_of_jacobi(const Body<double>& body, const PostImpactState<double>& z) {
     const double speed2 = z.vn * z.vn + z.vt * z.vt;
     return 0.5 * speed2 + (body.outer + body.beta) * std::sqrt(speed2) +
            body.inertia * std::fabs(z.spin) * (0.5 * std::fabs(z.spin) + 1);
@@ -123,11 +123,11 @@ struct Balance {
 };
 
 template <class Map>
-void check_balance(const Map& map, Launch<double> launch, Balance& balance) {
+void check_balance(const Map& map, PostImpactState<double> post_impact, Balance& balance) {
     for (int k = 0; k < 20; ++k) {
-        const double left = jacobi_of(map.body(), launch);
-        const auto step = map.advance(launch);
-        if (step.contact != ContactOutcome::contact) return;
+        const double left = jacobi_of(map.body(), post_impact);
+        const auto step = map.advance(post_impact);
+        if (step.outcome != FirstContactOutcome::contact) return;
         const double before = jacobi_before(map.body(), step);
         const double after = jacobi_of(map.body(), step.after);
         const double scale = std::max(1.0, terms_of_jacobi(map.body(), step.after));
@@ -143,7 +143,7 @@ void check_balance(const Map& map, Launch<double> launch, Balance& balance) {
         balance.parts = std::max(balance.parts, error);
         balance.flight = std::max(balance.flight, in_flight);
         ++balance.impacts;
-        launch = step.after;
+        post_impact = step.after;
     }
 }
 
@@ -156,7 +156,7 @@ void check_balance_under(Law law, double mu_low, double mu_high) {
         const double mu = mu_high == 0 ? 0 : random.log_between(mu_low, mu_high);
         const Scene<double> scene = tests::random_scene(random, sides, mu, random.between(0.2, 1), law);
         const auto z = tests::random_point(random, scene, random.log_between(0.01, 2));
-        with_collision_map(scene, [&](const auto& map) { check_balance(map, launch_from(z), balance); });
+        with_collision_map(scene, [&](const auto& map) { check_balance(map, post_impact_state(z), balance); });
     }
     std::printf("%-8s %s %ld impacts: dJ against its two parts %.1e, J along flights %.1e (of max(1, J's terms))\n",
                 std::string(name_of(law)).c_str(), mu_high > 0 ? "" : "without friction", balance.impacts,

@@ -20,19 +20,19 @@ struct Mean {
 /// against the memory of the orbit. (The mean of the blocks' own means would favour fast spins: their blocks are the
 /// shortest.)
 template <class Map>
-Mean mean_spin(const Map& map, Launch<double> launch, int blocks, long impacts) {
+Mean mean_spin(const Map& map, PostImpactState<double> post_impact, int blocks, long impacts) {
     std::vector<double> times, integrals;
     double per_impact = 0;
     for (int b = 0; b < blocks; ++b) {
         double time = 0, integral = 0;
         for (long k = 0; k < impacts; ++k) {
-            const double spin = launch.spin;
-            const auto step = map.advance(launch);
-            if (step.contact != ContactOutcome::contact) {
+            const double spin = post_impact.spin;
+            const auto step = map.advance(post_impact);
+            if (step.outcome != FirstContactOutcome::contact) {
                 ADD_FAILURE() << "outcome " << static_cast<int>(step.contact);
                 return {};
             }
-            launch = step.after;
+            post_impact = step.after;
             time += step.flight_time;
             integral += spin * step.flight_time;
             per_impact += spin / static_cast<double>(impacts * blocks);
@@ -55,7 +55,7 @@ void check_mean(int sides, double alpha, double beta, const SectionPoint<double>
     const CollisionMap<double, Shape::polygon, ImpactRule::frictionless> map(scene);
     constexpr long full = 20000;
     const long impacts = tests::sample_count(full);
-    const Mean mean = mean_spin(map, launch_from(z), 100, impacts);
+    const Mean mean = mean_spin(map, post_impact_state(z), 100, impacts);
     std::printf("N %d: time-mean S = %.5f +- %.5f (mean per impact %.5f)\n", sides, mean.value, mean.standard_error,
                 mean.per_impact);
     EXPECT_NEAR(mean.value, 1, 3 * mean.standard_error);

@@ -1,8 +1,8 @@
 // Reads the project's references in ../shared/oracle. Their numbers are decimal strings, parsed in the type asked for.
 #pragma once
 
-#include "map/scene.hpp"
-#include "map/section.hpp"
+#include "map/model/scene.hpp"
+#include "map/model/section.hpp"
 
 #include <nlohmann/json.hpp>
 

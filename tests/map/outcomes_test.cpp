@@ -1,5 +1,5 @@
 // Endings other than an ordinary contact: none, sustained, two at once; and no hang on the way.
-#include "map/orbit.hpp"
+#include "map/orbit/orbit.hpp"
 #include "tests/map/random_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -22,19 +22,20 @@ Collision<double> first_impact(const Scene<double>& scene, const LabStart<double
 TEST(Outcome, ABodyAtRestThatTheSwirlDoesNotReachHasNoContact) {
     for (const int sides : {disk_sides, 3, 6, 1000})
         for (const double spin : {0.0, 1.0, -2.0, 0.3, 17.77})
-            EXPECT_EQ(first_impact(scene_of(sides, 0.4, 0.3), {0, 0, 0, 0, 0.1, spin}).contact,
-                      ContactOutcome::no_contact)
+            EXPECT_EQ(first_impact(scene_of(sides, 0.4, 0.3), {0, 0, 0, 0, 0.1, spin}).outcome,
+                      FirstContactOutcome::no_contact)
                 << "N = " << sides << ", S = " << spin;
 }
 
 TEST(Outcome, ABodyAtRestThatTheSwirlReachesIsStruck) {
     // The disk at rest at distance d from the swirl's centre is struck if d + β > 1 − α.
     const auto collision = first_impact(scene_of(disk_sides, 0.4, 0.3), {0.301, 0, 0, 0, 0, 0});
-    ASSERT_EQ(collision.contact, ContactOutcome::contact);
+    ASSERT_EQ(collision.outcome, FirstContactOutcome::contact);
     // |X|² = d² + β² − 2dβ cos t = (1 − α)²
     const double expected = std::acos((0.301 * 0.301 + 0.09 - 0.36) / (2 * 0.301 * 0.3));
     EXPECT_NEAR(collision.flight_time, expected, 1e-13);
-    EXPECT_EQ(first_impact(scene_of(disk_sides, 0.4, 0.3), {0.299, 0, 0, 0, 0, 0}).contact, ContactOutcome::no_contact);
+    EXPECT_EQ(first_impact(scene_of(disk_sides, 0.4, 0.3), {0.299, 0, 0, 0, 0, 0}).outcome,
+              FirstContactOutcome::no_contact);
 }
 
 TEST(Outcome, ARestingPolygonWithAWholeNumberOfTurnsPerTurnRecurs) {
@@ -44,9 +45,9 @@ TEST(Outcome, ARestingPolygonWithAWholeNumberOfTurnsPerTurnRecurs) {
         for (int i = 0; i < 60; ++i) {
             const LabStart<double> start{0.31, 0, 0, 0, 2 * M_PI / 3 * i / 60, static_cast<double>(spin)};
             const auto collision = first_impact(scene_of(3, 0.4, 0.3), start);
-            (collision.contact == ContactOutcome::contact ? struck : none) += 1;
-            ASSERT_TRUE(collision.contact == ContactOutcome::contact ||
-                        collision.contact == ContactOutcome::no_contact);
+            (collision.outcome == FirstContactOutcome::contact ? struck : none) += 1;
+            ASSERT_TRUE(collision.outcome == FirstContactOutcome::contact ||
+                        collision.outcome == FirstContactOutcome::no_contact);
             // Independent: one turn, sampled.
             double farthest = 0;
             for (int k = 0; k < 3; ++k)
@@ -56,7 +57,7 @@ TEST(Outcome, ARestingPolygonWithAWholeNumberOfTurnsPerTurnRecurs) {
                                                              0.4 * std::sin(a) - 0.3 * std::sin(t)));
                 }
             if (std::fabs(farthest - 1) > 1e-6) {
-                EXPECT_EQ(collision.contact == ContactOutcome::contact, farthest > 1);
+                EXPECT_EQ(collision.outcome == FirstContactOutcome::contact, farthest > 1);
             }
         }
     std::printf("%ld resting triangles are struck, %ld never\n", struck, none);
@@ -65,12 +66,13 @@ TEST(Outcome, ARestingPolygonWithAWholeNumberOfTurnsPerTurnRecurs) {
 }
 
 TEST(Outcome, AStillContainerAndABodyAtRest) {
-    EXPECT_EQ(first_impact(scene_of(disk_sides, 0.4, 0), {0.3, 0, 0, 0, 0, 5}).contact, ContactOutcome::no_contact);
-    EXPECT_EQ(first_impact(scene_of(5, 0.4, 0), {0.3, 0, 0, 0, 0, 5}).contact, ContactOutcome::no_contact);
-    EXPECT_EQ(first_impact(scene_of(5, 0.4, 0), {0.3, 0, 0, 0, 0, 0}).contact, ContactOutcome::no_contact);
+    EXPECT_EQ(first_impact(scene_of(disk_sides, 0.4, 0), {0.3, 0, 0, 0, 0, 5}).outcome,
+              FirstContactOutcome::no_contact);
+    EXPECT_EQ(first_impact(scene_of(5, 0.4, 0), {0.3, 0, 0, 0, 0, 5}).outcome, FirstContactOutcome::no_contact);
+    EXPECT_EQ(first_impact(scene_of(5, 0.4, 0), {0.3, 0, 0, 0, 0, 0}).outcome, FirstContactOutcome::no_contact);
     // Beyond the shelter a turning polygon strikes with a vertex: here the one at π turns to 0.
     const auto collision = first_impact(scene_of(3, 0.4, 0), {0.605, 0, 0, 0, M_PI, 0.5});
-    ASSERT_EQ(collision.contact, ContactOutcome::contact);
+    ASSERT_EQ(collision.outcome, FirstContactOutcome::contact);
     // |x|² = d² + α² + 2dα cos θ = 1 of the vertex at θ = π + 4π/3 − 2π = π/3, which comes down to … from −π/3 up.
     const double at = std::acos((1 - 0.605 * 0.605 - 0.16) / (2 * 0.605 * 0.4));
     EXPECT_NEAR(collision.flight_time, (M_PI / 3 - at) / 0.5, 1e-12);
@@ -85,12 +87,12 @@ TEST(Outcome, WithoutRestitutionContactIsSustainedUnlessTheWallFallsAway) {
         // Just after an impact with e = 0: u_n = 0. Then g″/2 = |W|² + X·w = u_t² (less the spin) + ρβ cos ψ.
         SectionPoint<double> z{psi, 0, 2 * std::sin(psi), 2 * std::cos(psi) + 0.3, 0};
         const double bend = 0.3 * 0.3 + 0.6 * 2 * std::cos(psi);
-        const auto step = map.advance(launch_from(z));
+        const auto step = map.advance(post_impact_state(z));
         if (bend > 1e-6) {
-            EXPECT_EQ(step.contact, ContactOutcome::sustained) << psi;
+            EXPECT_EQ(step.outcome, FirstContactOutcome::sustained) << psi;
             ++sustained;
         } else if (bend < -1e-6) {
-            EXPECT_EQ(step.contact, ContactOutcome::contact) << psi;
+            EXPECT_EQ(step.outcome, FirstContactOutcome::contact) << psi;
             EXPECT_GT(step.flight_time, 0) << psi;
             ++released;
         }
@@ -107,10 +109,11 @@ TEST(Outcome, EveryLawEndsWithoutNormalVelocityAtZeroRestitution) {
             const Scene<double> scene = scene_of(sides, 0.4, 0.3, 0.4, 0, law);
             with_collision_map(scene, [&](const auto& map) {
                 auto step = map.advance(flight_from(map.body(), LabStart<double>{0.3, 0, 0.7, 0.2, 0.1, 0.4}));
-                ASSERT_EQ(step.contact, ContactOutcome::contact);
-                EXPECT_NEAR(approach_of(map.body(), step.after).un, 0, 1e-15);
+                ASSERT_EQ(step.outcome, FirstContactOutcome::contact);
+                EXPECT_NEAR(contact_kinematics(map.body(), step.after).un, 0, 1e-15);
                 step = map.advance(step.after);
-                EXPECT_TRUE(step.contact == ContactOutcome::sustained || step.contact == ContactOutcome::contact);
+                EXPECT_TRUE(step.outcome == FirstContactOutcome::sustained ||
+                            step.outcome == FirstContactOutcome::contact);
             });
         }
 }
@@ -122,7 +125,7 @@ TEST(Outcome, TwoVerticesHeadOnAreFlaggedSimultaneous) {
         const LabStart<double> start{0, 0, 0.3 * std::cos(direction), 0.3 * std::sin(direction), direction + M_PI / 4,
                                      0};
         const auto collision = first_impact(square, start);
-        ASSERT_EQ(collision.contact, ContactOutcome::contact);
+        ASSERT_EQ(collision.outcome, FirstContactOutcome::contact);
         EXPECT_TRUE(collision.simultaneous) << direction;
         const double across = 0.5 * std::sqrt(0.5);
         EXPECT_NEAR(collision.flight_time, (std::sqrt(1 - across * across) - across) / 0.3, 1e-14);
@@ -145,11 +148,11 @@ TEST(Outcome, VerySlowBodiesComeToAnEnd) {
                     most = std::max(most, collision.steps);
                     // Away from the wall by an open distance the body must meet it in the end; unless the number of
                     // moments that may be looked at runs out first, which is said.
-                    EXPECT_TRUE(collision.contact == ContactOutcome::contact ||
-                                collision.contact == ContactOutcome::unresolved)
+                    EXPECT_TRUE(collision.outcome == FirstContactOutcome::contact ||
+                                collision.outcome == FirstContactOutcome::unresolved)
                         << "N " << sides << " beta " << beta << " speed " << speed << " outcome "
-                        << static_cast<int>(collision.contact);
-                    if (collision.contact == ContactOutcome::unresolved) {
+                        << static_cast<int>(collision.outcome);
+                    if (collision.outcome == FirstContactOutcome::unresolved) {
                         EXPECT_LE(speed, 1e-6);
                     }
                 }
@@ -165,8 +168,8 @@ TEST(Outcome, AStateOfAnOrbitIsAStart) {
         with_collision_map(scene, [&](const auto& map) {
             Orbit orbit(map, tests::random_point(random, scene, 0.5));
             for (int n = 0; n < 10 && orbit.advance(5); ++n) {
-                const SectionPoint<double> z = section_point(orbit.launch());
-                if (approach_of(map.body(), launch_from(z)).un > 0) ++above;
+                const SectionPoint<double> z = section_point(orbit.post_impact());
+                if (contact_kinematics(map.body(), post_impact_state(z)).un > 0) ++above;
                 Orbit begun(map, z);
                 Orbit goes_on = orbit;
                 if (!goes_on.advance(5)) continue;

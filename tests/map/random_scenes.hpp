@@ -1,7 +1,7 @@
 // Seeded random scenes and states for the tests of the map.
 #pragma once
 
-#include "map/section.hpp"
+#include "map/model/section.hpp"
 
 #include <cmath>
 #include <cstdint>

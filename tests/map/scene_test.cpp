@@ -1,5 +1,5 @@
 // Scenes and starts: what is refused, and how the refusal reads.
-#include "map/laboratory.hpp"
+#include "map/orbit/laboratory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The search for the first contact where its numbers are at their ends: very fast, very small, many sides, wider types.
 #include "map/collision_map.hpp"
-#include "map/orbit.hpp"
+#include "map/orbit/orbit.hpp"
 #include "tests/map/random_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ Flight<double> scaled_flight(const Map& map, SectionPoint<double> z, double scal
     z.vn *= scale;
     z.vt *= scale;
     z.spin *= scale;
-    return flight_from(map.body(), launch_from(z));
+    return flight_from(map.body(), post_impact_state(z));
 }
 
 // At these speeds S⁶ is no number any more: the proof must fall away, not hold.
@@ -48,11 +48,12 @@ TEST(SearchAtExtremes, NoProofFromNumbersThatOverflow) {
             with_collision_map(scene, [&](const auto& map) {
                 constexpr Shape shape = std::decay_t<decltype(map)>::shape;
                 const Flight<double> flight = scaled_flight(map, z, std::ldexp(1.0, power));
-                Contact<double> found;
+                FirstContact<double> found;
                 if (!detail::direct_contact<shape>(map.body(), flight, found)) return;
                 const auto certain = detail::certain_contact<shape>(map.body(), flight);
                 ++direct;
-                if (certain.outcome == ContactOutcome::contact && found.at.time <= certain.at.time * (1 + 1e-9)) return;
+                if (certain.outcome == FirstContactOutcome::contact && found.at.time <= certain.at.time * (1 + 1e-9))
+                    return;
                 ++later;
                 std::printf("2^%d, %d sides, alpha %.17g, point %.17g,%.17g,%.17g,%.17g,%.17g: %.17g after %.17g\n",
                             power, scene.sides, scene.alpha, z.psi, z.chi, z.vn, z.vt, z.spin, found.at.time,
@@ -103,8 +104,8 @@ T worst_gap(int sides) {
         const SectionPoint<T> start{T(z.psi), T(z.chi), T(z.vn), T(z.vt), T(z.spin)};
         with_collision_map(scene, [&](const auto& map) {
             constexpr Shape shape = std::decay_t<decltype(map)>::shape;
-            const Flight<T> flight = flight_from(map.body(), launch_from(start));
-            Contact<T> contact;
+            const Flight<T> flight = flight_from(map.body(), post_impact_state(start));
+            FirstContact<T> contact;
             if (!detail::direct_contact<shape>(map.body(), flight, contact)) return;
             ++found;
             const Vec2<T> x = contact.at.centre;
@@ -149,7 +150,7 @@ TEST(SearchAtExtremes, AnElasticPolygonThatFrictionHoldsGoesOnInContact) {
     EXPECT_GT(contacts, 0);
 }
 
-// Contact is integrated in double; the flight after it must begin on the wall in the wider type's digits as well.
+// FirstContact is integrated in double; the flight after it must begin on the wall in the wider type's digits as well.
 TEST(SearchAtExtremes, WiderTypesGoOnAfterARelease) {
     const SectionPoint<double> start{-0.7660487341864468, 0, -2.828050828744203, -1.0937463400211522,
                                      2.3751268390572786};

@@ -1,6 +1,6 @@
 // Section coordinates both ways, and the laboratory's frame along an orbit.
-#include "map/derivative.hpp"
-#include "map/laboratory.hpp"
+#include "map/derivative/derivative.hpp"
+#include "map/orbit/laboratory.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
 
@@ -15,12 +15,12 @@ namespace {
 
 using tests::Random;
 
-TEST(Section, PointsGoToLaunchesAndBack) {
+TEST(Section, PointsGoToPostImpactStatesAndBack) {
     Random random(41);
     for (long i = 0; i < tests::sample_count(100'000); ++i) {
         const SectionPoint<double> z{random.angle(), random.angle(), random.between(-3, 3), random.between(-3, 3),
                                      random.between(-9, 9)};
-        const SectionPoint<double> back = section_point(launch_from(z));
+        const SectionPoint<double> back = section_point(post_impact_state(z));
         EXPECT_NEAR(back.psi, z.psi, 1e-15);
         EXPECT_NEAR(back.chi, z.chi, 1e-15);
         EXPECT_EQ(back.vn, z.vn);
@@ -56,7 +56,7 @@ TEST(Section, AnglesWrapToMinusPiExclusiveToPi) {
 TEST(Section, SlipVelocityIsWhatTheDesignSays) {
     const Scene<double> scene{5, 0.4, 0.3, 0.2, 0.8, Law::poisson, 0.4};
     const SectionPoint<double> z{0.7, -0.2, -0.5, 0.6, 1.5};
-    const auto approach = approach_of(make_body(scene), launch_from(z));
+    const auto approach = contact_kinematics(make_body(scene), post_impact_state(z));
     EXPECT_NEAR(approach.un, z.vn - 0.4 * z.spin * std::sin(z.chi) - 0.3 * std::sin(z.psi), 1e-15);
     EXPECT_NEAR(approach.ut, z.vt + 0.4 * z.spin * std::cos(z.chi) - 0.3 * std::cos(z.psi), 1e-15);
 }
@@ -84,21 +84,21 @@ LabStart<double> half_way(const LabState<double>& s, const LabFrame<double>& fra
         s.spin};
 }
 
-/// Along orbits: the laboratory's state, taken half a flight on and started afresh there, leads to the same impact as
-/// the section does; and vertex 0, the vertex that strikes and the wall are where they should be.
+/// ParameterRange orbits: the laboratory's state, taken half a flight on and started afresh there, leads to the same
+/// impact as the section does; and vertex 0, the vertex that strikes and the wall are where they should be.
 template <class Map>
 void check_orbit(const Map& map, const SectionPoint<double>& z, long& impacts) {
     auto frame = LabFrame<double>::at_section(z);
-    Launch<double> launch = launch_from(z);
+    PostImpactState<double> post_impact = post_impact_state(z);
     for (int k = 0; k < 8; ++k) {
-        const auto step = map.advance(launch);
-        if (step.contact != ContactOutcome::contact || step.simultaneous) return;
-        const double norm = DifferentiatedMap(map).linearise(section_point(launch)).derivative.norm();
+        const auto step = map.advance(post_impact);
+        if (step.outcome != FirstContactOutcome::contact || step.simultaneous) return;
+        const double norm = DifferentiatedMap(map).linearise(section_point(post_impact)).derivative.norm();
         if (norm > 1e3) return;  // rounding of the restart would be multiplied by it
-        const LabState<double> state = lab_state(map.body(), frame, launch);
+        const LabState<double> state = lab_state(map.body(), frame, post_impact);
         const LabStart<double> start = half_way(state, frame, step.flight_time / 2);
         const auto again = map.advance(flight_from(map.body(), start));
-        ASSERT_EQ(again.contact, ContactOutcome::contact);
+        ASSERT_EQ(again.outcome, FirstContactOutcome::contact);
         const double allowed =
             1e-14 * (10 + norm) * (10 + std::fabs(state.angle) + std::fabs(state.vx) + std::fabs(state.vy));
         EXPECT_NEAR(again.flight_time, step.flight_time / 2, allowed);
@@ -108,12 +108,12 @@ void check_orbit(const Map& map, const SectionPoint<double>& z, long& impacts) {
         EXPECT_NEAR(a.vn, b.vn, allowed);
         EXPECT_NEAR(a.vt, b.vt, allowed);
         EXPECT_NEAR(a.spin, b.spin, allowed * (1 + std::fabs(b.spin)));
-        const double spin = launch.spin;
+        const double spin = post_impact.spin;
         frame.follow(map, step, spin * step.flight_time);
-        launch = step.after;
+        post_impact = step.after;
         if constexpr (Map::shape == Shape::polygon) {
             EXPECT_EQ(again.vertex_step, frame.vertex);  // counted from vertex 0, where LabStart counts from
-            const LabState<double> after = lab_state(map.body(), frame, launch);
+            const LabState<double> after = lab_state(map.body(), frame, post_impact);
             const double direction = after.angle + map.body().spacing * frame.vertex;
             const double cx = map.body().beta * std::cos(after.t), cy = map.body().beta * std::sin(after.t);
             EXPECT_NEAR(std::hypot(after.x + map.body().alpha * std::cos(direction) - cx,

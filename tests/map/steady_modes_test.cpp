@@ -1,6 +1,6 @@
 // The steady modes at e = 1 in closed form (design, section 4): ψ = χ = 0, v_n = −(2R/τ) sin²(τ/2), v_t = R sin τ/τ,
 // with friction S = (β − v_t)/α, R = β + 1 − α.
-#include "map/derivative.hpp"
+#include "map/derivative/derivative.hpp"
 
 #include <gtest/gtest.h>
 #include <boost/math/tools/roots.hpp>
@@ -53,8 +53,8 @@ struct Tally {
 /// `time` is where the contact is expected.
 void expect_fixed(const Scene<double>& scene, const SectionPoint<double>& z, double time, Tally& tally) {
     with_collision_map(scene, [&](const auto& map) {
-        const auto step = map.advance(launch_from(z));
-        ASSERT_EQ(step.contact, ContactOutcome::contact);
+        const auto step = map.advance(post_impact_state(z));
+        ASSERT_EQ(step.outcome, FirstContactOutcome::contact);
         const SectionPoint<double> next = section_point(step.after);
         const double error = std::max({std::fabs(next.psi), std::fabs(next.chi), std::fabs(next.vn - z.vn),
                                        std::fabs(next.vt - z.vt), std::fabs(next.spin - z.spin)});

@@ -1,7 +1,7 @@
 // Rotations, tabled and by series, against long double.
-#include "map/gap_series.hpp"
-#include "map/turn_table.hpp"
-#include "map/vertices.hpp"
+#include "map/first_contact/gap_series.hpp"
+#include "map/first_contact/vertices.hpp"
+#include "map/numbers/turn_table.hpp"
 #include "tests/map/random_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -81,7 +81,7 @@ TEST(Classify, AnOrbitStillApproachingIsNamedAfterTheCycleItApproaches) {
 }
 
 /// A rotation that forgets: from [0, w) it starts again at 0.3. Every orbit is periodic from then on.
-struct Forgetful {
+struct Superstable {
     static constexpr int dimension = 1;
     static constexpr double width = 7e-5;
     Advance<1> advance(const Vector<1>& z) const {
@@ -95,8 +95,8 @@ struct Forgetful {
 };
 
 /// Its period may be longer than half the tail: what comes back once has come back for ever.
-TEST(Classify, AnOrbitWhoseDerivativeForgetsNeedsOneReturn) {
-    const Forgetful map;
+TEST(Classify, ASuperstableOrbitNeedsOneReturn) {
+    const Superstable map;
     Vector<1> z{0.3};
     std::int64_t period = 0;
     do {

@@ -84,7 +84,7 @@ TEST(Lyapunov, Henon) {
 }
 
 TEST(Lyapunov, TheStandardErrorIsTheScatterOfRepeatedRuns) {
-    // 40 stretches of one Hénon orbit, end to end. The scatter of 40 values is itself known to 11 %, the mean of 40
+    // 40 segments of one Hénon orbit, end to end. The scatter of 40 values is itself known to 11 %, the mean of 40
     // errors from 32 to 64 blocks each to 2 %: five of these.
     double sum = 0;
     double squares = 0;

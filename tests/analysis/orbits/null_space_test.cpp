@@ -37,7 +37,7 @@ Eigen::MatrixXd with_first_multiplier(double multiplier) {
 Eigen::Index family_of(const Eigen::MatrixXd& a, int k) {
     const ShootingMap map = in_units(a);
     const CyclePoints points(static_cast<std::size_t>(k), Eigen::VectorXd::Zero(a.rows()));
-    return family_directions(close_cycle(map, points, 0), map.dimension).cols();
+    return family_directions(shooting_residual(map, points, 0), map.dimension).cols();
 }
 
 TEST(NullSpace, AFamilyHasAMultiplierOne) {

@@ -8,7 +8,7 @@
 namespace swirl::apps {
 namespace {
 
-Launch<double> state(std::int64_t n) {
+PostImpactState<double> state(std::int64_t n) {
     const auto x = static_cast<double>(n);
     return {{std::cos(x), std::sin(x)}, {1, 0}, -0.1 * x, 0.2 * x, x};
 }
@@ -32,7 +32,7 @@ TEST(ExactReturn, NothingIsFoundWhereNothingReturns) {
     ExactReturn exact;
     for (std::int64_t n = 0; n < 10'000; ++n) ASSERT_EQ(exact.after(state(n)), 0);
     ExactReturn nearly;  // one bit apart
-    Launch<double> z = state(3);
+    PostImpactState<double> z = state(3);
     for (int n = 0; n < 1000; ++n) {
         z.spin = std::nextafter(z.spin, 9.0);
         ASSERT_EQ(nearly.after(z), 0);

@@ -1,8 +1,8 @@
 // What a disk with friction ends as (μ = 0.4): named, and with the mean spin of its pendulum in closed form.
-#include "apps/classify/classify_command.hpp"
 #include "apps/command_line/start_options.hpp"
-#include "apps/section_system.hpp"
-#include "map/orbit.hpp"
+#include "apps/modes/name_mode.hpp"
+#include "apps/system/section_system.hpp"
+#include "map/orbit/orbit.hpp"
 #include "map/sustained/rim_pendulum.hpp"
 
 #include <gtest/gtest.h>
@@ -44,11 +44,12 @@ std::optional<RimPendulum> own_pendulum(const Scene<double>& scene, const std::v
     return with_collision_map(scene, [&](const auto& map) -> std::optional<RimPendulum> {
         const SectionSystem system(map);
         const auto last = Eigen::Map<const typename decltype(system)::State>(end.data()).eval();
-        const auto passage = system.return_map().advance(launch_from(system.point_of(last)), 10 * contact_horizon);
-        if (passage.outcome != Outcome::in_contact) return {};
-        const auto rolls = std::find_if(passage.contacts.rbegin(), passage.contacts.rend(),
+        const auto return_step =
+            system.return_map().advance(post_impact_state(system.point_of(last)), 10 * contact_horizon);
+        if (return_step.outcome != Outcome::in_contact) return {};
+        const auto rolls = std::find_if(return_step.contacts.rbegin(), return_step.contacts.rend(),
                                         [](const auto& segment) { return segment.motion == ContactMotion::sticking; });
-        if (rolls == passage.contacts.rend()) return {};
+        if (rolls == return_step.contacts.rend()) return {};
         const ContactScene& contact = system.return_map().contact();
         const RimPendulum pendulum = rim_pendulum(contact, rolls->from);
         const auto settled = settled_pendulum(contact, pendulum);

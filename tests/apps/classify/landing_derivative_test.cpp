@@ -1,7 +1,7 @@
 // The derivative where a cycle lands on the wall and leaves it again: against the orbit's own neighbours.
 #include "analysis/classification/tail.hpp"
-#include "apps/orbit_ending.hpp"
-#include "apps/section_system.hpp"
+#include "apps/system/orbit_ending.hpp"
+#include "apps/system/section_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,8 @@
 namespace swirl::apps {
 namespace {
 
-/// Along one period from the impact after a release: all directions of F^k by differences and by the chain of DF.
+/// ParameterRange one period from the impact after a release: all directions of F^k by differences and by the chain of
+/// DF.
 template <class System>
 void compare(const System& system, const typename System::State& start, int period, double tolerance) {
     constexpr int dimension = System::dimension;

@@ -1,8 +1,8 @@
 // Branches of polygons: their borders against the condition that makes them, their points against direct solution.
-#include "apps/continue/branches.hpp"
+#include "apps/branches/branches.hpp"
 #include "analysis/continuation/continue_branch.hpp"
 #include "analysis/orbits/multi_shooting.hpp"
-#include "apps/scene_map/scene_map.hpp"
+#include "apps/system/scene_map.hpp"
 #include "map/collision_map.hpp"
 #include "tests/map/oracle.hpp"
 
@@ -45,8 +45,8 @@ struct Followed {
     analysis::Branch branch;
 };
 
-Followed follow(const nlohmann::json& c, const std::string& along_text) {
-    const auto along = apps::along_from(along_text, false, true);
+Followed follow(const nlohmann::json& c, const std::string& parameter_range_text) {
+    const auto along = apps::parameter_range_from(parameter_range_text, false, true);
     Followed followed{tests::scene_from<double>(c), {}, {}};
     followed.system = apps::scene_branches(followed.scene, along);
     const double p = apps::value_of(followed.scene, along);
@@ -80,8 +80,8 @@ double largest_inner_gap(const Scene<double>& scene, const analysis::CurvePoint&
     const auto body = make_body(scene);
     double largest = -1;
     for (std::size_t i = 0; i < cycle.points.size(); ++i) {
-        const auto flight = flight_from(body, launch_from(apps::section_point_of(cycle.points[i])));
-        const double duration = cycle.closing.steps[i].duration;
+        const auto flight = flight_from(body, post_impact_state(apps::section_point_of(cycle.points[i])));
+        const double duration = cycle.shooting.steps[i].duration;
         for (int k = 0; k < scene.sides; ++k) {
             const auto gap = [&](double t) {
                 const auto at = instant_at<Shape::polygon>(flight, t);
@@ -126,15 +126,15 @@ double nearest_to_two_vertices(const Scene<double>& scene, const analysis::Curve
     const auto body = make_body(scene);
     double nearest = 1;
     for (std::size_t i = 0; i < cycle.points.size(); ++i) {
-        const auto flight = flight_from(body, launch_from(apps::section_point_of(cycle.points[i])));
-        const auto at = instant_at<Shape::polygon>(flight, cycle.closing.steps[i].duration);
+        const auto flight = flight_from(body, post_impact_state(apps::section_point_of(cycle.points[i])));
+        const auto at = instant_at<Shape::polygon>(flight, cycle.shooting.steps[i].duration);
         std::vector<double> gaps;
         for (int k = 0; k < scene.sides; ++k) {
             const auto x = at.centre + body.turned_to_vertex(at.arm, k);
             gaps.push_back(std::abs(dot(x, x) - 1));
         }
         std::sort(gaps.begin(), gaps.end());
-        nearest = std::min({nearest, gaps[1], cycle.closing.steps[i].duration});
+        nearest = std::min({nearest, gaps[1], cycle.shooting.steps[i].duration});
     }
     return nearest;
 }
@@ -162,8 +162,8 @@ TEST(Branches, FlightsAreContinuousAlongABranch) {
         for (std::size_t i = 1; i < followed.branch.points.size(); ++i) {
             const auto& a = followed.branch.points[i - 1].at;
             const auto& b = followed.branch.points[i].at;
-            EXPECT_LE(std::abs(a.closing.duration - b.closing.duration), 0.1) << along << " = " << b.p;
-            for (const auto& step : b.closing.steps) EXPECT_GT(step.margin, 1e-6) << along << " = " << b.p;
+            EXPECT_LE(std::abs(a.shooting.duration - b.shooting.duration), 0.1) << along << " = " << b.p;
+            for (const auto& step : b.shooting.steps) EXPECT_GT(step.margin, 1e-6) << along << " = " << b.p;
         }
         for (const auto end : {followed.branch.begin, followed.branch.end})
             EXPECT_NE(end, analysis::BranchEnd::not_converged) << along;
@@ -188,14 +188,14 @@ TEST(Branches, PointsAreCyclesOfTheirScenes) {
     for (const char* along :
          {"alpha=0.4:0.6", "beta=0.4:0.6", "mu=0.5:0.7", "restitution=0.8:1", "inertia-factor=0.3:0.45"}) {
         const auto followed = follow(c, along);
-        const auto parameter = apps::along_from(along, false, true).parameter.value();
+        const auto parameter = apps::parameter_range_from(along, false, true).parameter.value();
         ASSERT_GT(followed.branch.points.size(), 5U) << along;
         for (std::size_t i = 0; i < followed.branch.points.size(); i += 7) {
             const auto& point = followed.branch.points[i];
             const auto map = apps::scene_map(with_parameter(followed.scene, parameter, point.at.p));
-            const auto closing = analysis::close_cycle(map, point.at.points, 0);
-            ASSERT_TRUE(closing.alive) << along;
-            EXPECT_LE(closing.residual(), 1e-12) << along << " = " << point.at.p;
+            const auto shooting = analysis::shooting_residual(map, point.at.points, 0);
+            ASSERT_TRUE(shooting.alive) << along;
+            EXPECT_LE(shooting.residual(), 1e-12) << along << " = " << point.at.p;
         }
     }
 }

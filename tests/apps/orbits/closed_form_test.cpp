@@ -1,7 +1,7 @@
 // Steady modes at e = 1 against their closed form (design, section 4), worked out here on a grid of its own.
 #include "analysis/continuation/continue_branch.hpp"
 #include "analysis/orbits/family.hpp"
-#include "apps/continue/branches.hpp"
+#include "apps/branches/branches.hpp"
 #include "tests/apps/orbits/scene_cycles.hpp"
 #include "tests/map/random_scenes.hpp"
 
@@ -109,7 +109,7 @@ TEST(ClosedForm, MembersOfTheDisksFamily) {
     for (const auto& [tau, spin, modulus] :
          {std::tuple{1.33899, -1.6049495, 0.98723008}, {2.5, -0.30503695, 1.0072349}}) {
         const auto members = analysis::pinned_members(
-            map, family, [](const auto& point) { return point.closing.duration; }, tau);
+            map, family, [](const auto& point) { return point.shooting.duration; }, tau);
         ASSERT_EQ(members.size(), 1U);
         analysis::Cycle member;
         member.points = members.front();
@@ -128,7 +128,7 @@ TEST(ClosedForm, MembersOfTheDisksFamily) {
 
 // [references.md] The family loses its stability (Neimark–Sacker) at τ = 2.33112237041442.
 TEST(ClosedForm, TheDisksFamilyLosesItsStability) {
-    const auto along = apps::along_from("tau=1:3", false, true);
+    const auto along = apps::parameter_range_from("tau=1:3", false, true);
     const auto scene = apps::scene_branches(disk(), along);
     const double tau = 2;
     const analysis::CyclePoints member = {apps::state_of(
@@ -140,9 +140,9 @@ TEST(ClosedForm, TheDisksFamilyLosesItsStability) {
     EXPECT_EQ(branch.end, analysis::BranchEnd::range);
     ASSERT_EQ(branch.special.size(), 1U);
     EXPECT_EQ(branch.special[0].kind, analysis::SpecialKind::neimark_sacker);
-    EXPECT_NEAR(branch.special[0].cycle.at.closing.duration, 2.33112237041442, 1e-8);
+    EXPECT_NEAR(branch.special[0].cycle.at.shooting.duration, 2.33112237041442, 1e-8);
     for (const auto& point : branch.points) {
-        const double t = point.at.closing.duration;
+        const double t = point.at.shooting.duration;
         EXPECT_NEAR(point.at.points[0][3], spin_at(disk(), t), 1e-12) << "tau " << t;
     }
 }

@@ -3,7 +3,7 @@
 
 #include "analysis/orbits/find_cycles.hpp"
 #include "apps/orbits/candidates.hpp"
-#include "apps/scene_map/scene_map.hpp"
+#include "apps/system/scene_map.hpp"
 #include "tests/map/oracle.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The classification on scenes drawn at random, against what much longer orbits show, beside the paper's rule.
-#include "apps/classify/classify_command.hpp"
+#include "apps/modes/name_mode.hpp"
 #include "tests/apps/survey/mode_truth.hpp"
 #include "tests/apps/survey/random_scene.hpp"
 
@@ -35,10 +35,10 @@ struct Case {
 
     bool ended() const { return found.outcome != Outcome::completed; }
     bool undecided() const { return found.verdict.mode == Mode::undecided; }
-    bool fading() const { return only_loses(scene) && !ended(); }
+    bool fading() const { return is_dissipative_without_drive(scene) && !ended(); }
     bool wrong() const {
         if (ended() || undecided()) return false;
-        if (only_loses(scene)) return true;
+        if (is_dissipative_without_drive(scene)) return true;
         return !left && truth.mode != Mode::undecided && !agrees(truth);
     }
     /// A cycle has the period that the truth has, a torus none.
@@ -52,14 +52,15 @@ struct Case {
 /// and shows nothing new by it.
 analysis::ClassifyOptions settings_for(const Case& c) {
     analysis::ClassifyOptions settings;
-    if (only_loses(c.scene) && c.scene.restitution < 0.9) settings.transient = settings.collisions = 2'000;
+    if (is_dissipative_without_drive(c.scene) && c.scene.restitution < 0.9)
+        settings.transient = settings.collisions = 2'000;
     return settings;
 }
 
 void look_at(Case& c, std::size_t place) {
     const LabStart<double> start = random_start(c.scene.beta, paper_speed, place + 1, 0);
     c.found = name_mode(c.scene, start, settings_for(c));
-    if (c.ended() || only_loses(c.scene)) return;
+    if (c.ended() || is_dissipative_without_drive(c.scene)) return;
     TruthOptions options;
     if (c.found.verdict.kind == Kind::landing) options = {25'000, 20'000};  // each contact costs as much as 100 flights
     c.truth = truth_of(c.scene, start, options);

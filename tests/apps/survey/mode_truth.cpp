@@ -1,8 +1,8 @@
 #include "tests/apps/survey/mode_truth.hpp"
 
 #include "analysis/classification/classify.hpp"
-#include "apps/orbit_ending.hpp"
-#include "apps/section_system.hpp"
+#include "apps/system/orbit_ending.hpp"
+#include "apps/system/section_system.hpp"
 
 #include <array>
 #include <cmath>

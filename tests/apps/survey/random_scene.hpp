@@ -1,7 +1,7 @@
 // Scenes drawn over the parameters, frictionless and elastic ones among them.
 #pragma once
 
-#include "map/scene.hpp"
+#include "map/model/scene.hpp"
 
 #include <random>
 

@@ -1,0 +1,59 @@
+// Branches of a scene's cycles, and how they leave: JSON, tables and records share them.
+#pragma once
+
+#include "analysis/continuation/continue_branch.hpp"
+#include "apps/command_line/documents.hpp"
+#include "apps/command_line/parameter_range.hpp"
+
+#include <vector>
+
+namespace swirl::apps {
+
+/// What continuation needs to know of a scene: its map along the parameter (or that of the scene alone, for a family),
+/// normal forms in 113 bits, names of borders.
+struct SceneBranches {
+    analysis::ShootingMap map;
+    analysis::ContinuationOptions options;
+};
+SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& along);
+
+/// The scene's value of the parameter; a family's is not needed.
+double value_of(const Scene<double>& scene, const ParameterRange& along);
+
+/// The name of a border from the last cycle before it and the word behind it: "stick-slip", "two-vertices", "grazing",
+/// "landing" (contact that lasts begins or ends), or "border" where none of these is seen there.
+std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
+                        const std::vector<std::int64_t>& word_after, bool goes_on);
+
+/// Second and third derivatives of Fᵏ by differences of DF in 113 bits.
+analysis::HigherForms scene_forms(const Scene<double>& scene, Parameter parameter, const analysis::CyclePoints& points,
+                                  double p);
+
+/// What a special point is called: its kind, or the border's name.
+std::string kind_of(const analysis::SpecialPoint& special);
+
+/// `branches` of the JSON document.
+void write_branches(JsonWriter& json, const SceneBranches& scene, const std::vector<analysis::Branch>& branches);
+
+/// Groups `branches` (points), `branch_ends` (one row a branch) and `special` of a record.
+///   observable  a coordinate that is written as `value` beside S, unless it is S
+void write_branches(const RecordGroup& root, const SceneBranches& scene, const std::vector<analysis::Branch>& branches,
+                    const std::string& observable = "S");
+
+/// Where an observable stands in a state of that size: psi, chi, vn, vt or S.
+Eigen::Index place_of(const std::string& observable, Eigen::Index size);
+
+void print_branches(const SceneBranches& scene, const ParameterRange& along,
+                    const std::vector<analysis::Branch>& branches);
+
+/// Follows switches of flips and branch points, `depth` times one after another. `branches` grows.
+void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth);
+
+/// A section point as JSON.
+void write_point(JsonWriter& json, std::string_view key, const Eigen::VectorXd& z);
+/// Multipliers as [re, im] pairs.
+void write_multipliers(JsonWriter& json, const std::vector<std::complex<double>>& multipliers);
+/// A word as a list of {vertex_step, contact_mode}.
+void write_word(JsonWriter& json, std::string_view key, const std::vector<std::int64_t>& word);
+
+}  // namespace swirl::apps

@@ -1,0 +1,66 @@
+#include "apps/command_line/parameter_range.hpp"
+
+#include "apps/command_line/numbers.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace swirl::apps {
+
+namespace {
+
+constexpr long most_columns = 1'000'000;
+
+[[noreturn]] void refuse(const std::string& text, const std::string& why) {
+    throw BadInput(fmt::format("along {}: {}", text, why));
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts{""};
+    for (const char c : text) {
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+long count_from(const std::string& text, const std::string& count) {
+    long value = 0;
+    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), value);
+    if (error != std::errc() || end != count.data() + count.size() || value < 2 || value > most_columns)
+        refuse(text, fmt::format("COUNT = {} is outside its range: 2 to {}", count, most_columns));
+    return value;
+}
+
+}  // namespace
+
+ParameterRange parameter_range_from(const std::string& text, bool counted, bool families) {
+    const std::string wanted = counted ? "NAME=A:B:COUNT is wanted" : "NAME=A:B is wanted";
+    const auto equals = text.find('=');
+    if (text.empty()) throw BadInput("--along is missing: " + wanted);
+    if (equals == std::string::npos) refuse(text, wanted);
+    const auto parts = split(text.substr(equals + 1), ':');
+    if (parts.size() != (counted ? 3U : 2U)) refuse(text, wanted);
+    ParameterRange along;
+    along.name = text.substr(0, equals);
+    along.parameter = parameter_named(along.name);
+    if (!along.parameter && !(families && (along.name == "S" || along.name == "tau")))
+        refuse(text, fmt::format("NAME is none of: alpha, beta, mu, restitution, inertia-factor{}",
+                                 families ? ", and for families S, tau" : ""));
+    const double a = number_from<double>("A", parts[0]);
+    const double b = number_from<double>("B", parts[1]);
+    if (!std::isfinite(a) || !std::isfinite(b) || a == b) refuse(text, "A and B must be finite and differ");
+    along.low = std::min(a, b);
+    along.high = std::max(a, b);
+    along.falling = a > b;
+    const long count = counted ? count_from(text, parts[2]) : 0;
+    for (long i = 0; i < count; ++i)
+        along.columns.push_back(i == count - 1 ? b
+                                               : a + (b - a) * static_cast<double>(i) / static_cast<double>(count - 1));
+    return along;
+}
+
+}  // namespace swirl::apps

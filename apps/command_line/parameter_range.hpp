@@ -1,0 +1,25 @@
+// --along NAME=A:B[:COUNT]: the parameter that a branch or a diagram runs over.
+#pragma once
+
+#include "apps/command_line/errors.hpp"
+#include "map/derivative/parameter.hpp"
+
+#include <string>
+#include <vector>
+
+namespace swirl::apps {
+
+struct ParameterRange {
+    std::string name;                    ///< as given
+    std::optional<Parameter> parameter;  ///< empty: S or tau, the members of a family
+    double low = 0, high = 0;
+    std::vector<double> columns;  ///< of a diagram; empty without COUNT
+    bool falling = false;         ///< A > B
+};
+
+/// @throws BadInput naming the value and what is allowed
+///   counted   COUNT is wanted
+///   families  S and tau are allowed
+ParameterRange parameter_range_from(const std::string& text, bool counted, bool families);
+
+}  // namespace swirl::apps

@@ -1,0 +1,95 @@
+// One number of the scene as a variable: by name, and ∂F along it.
+#pragma once
+
+#include "map/derivative/derivative.hpp"
+
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace swirl {
+
+/// The scene's numbers that can be varied continuously.
+enum class Parameter { alpha, beta, mu, restitution, inertia_factor };
+
+inline constexpr Parameter all_parameters[] = {Parameter::alpha, Parameter::beta, Parameter::mu, Parameter::restitution,
+                                               Parameter::inertia_factor};
+
+/// By the name of the command's flag.
+inline std::string_view name_of(Parameter parameter) {
+    switch (parameter) {
+        case Parameter::alpha:
+            return "alpha";
+        case Parameter::beta:
+            return "beta";
+        case Parameter::mu:
+            return "mu";
+        case Parameter::restitution:
+            return "restitution";
+        case Parameter::inertia_factor:
+            return "inertia-factor";
+    }
+    return "";
+}
+
+inline std::optional<Parameter> parameter_named(std::string_view name) {
+    for (const Parameter parameter : all_parameters)
+        if (name_of(parameter) == name) return parameter;
+    return std::nullopt;
+}
+
+template <class T>
+inline T& number_of(Scene<T>& scene, Parameter parameter) {
+    switch (parameter) {
+        case Parameter::alpha:
+            return scene.alpha;
+        case Parameter::beta:
+            return scene.beta;
+        case Parameter::mu:
+            return scene.mu;
+        case Parameter::restitution:
+            return scene.restitution;
+        case Parameter::inertia_factor:
+            break;
+    }
+    return scene.inertia_factor;
+}
+
+/// The scene with another value of one parameter.
+template <class T>
+inline Scene<T> with_parameter(Scene<T> scene, Parameter parameter, const T& value) {
+    number_of(scene, parameter) = value;
+    return scene;
+}
+
+/// The same scene in another number type.
+template <class To, class From>
+inline Scene<To> scene_in(const Scene<From>& s) {
+    return {s.sides, To(s.alpha), To(s.beta), To(s.mu), To(s.restitution), s.law, To(s.inertia_factor)};
+}
+
+/// ∂F/∂z and ∂F/∂λ where the next collision is known, λ the parameter: one pass in Jets of dimension + 1. The uniform
+/// lamina's κ does not follow N, which stays. Cost: some six collisions.
+template <class T, Shape shape, ImpactRule rule>
+auto derivative_with_parameter(const Scene<T>& scene, Parameter parameter, const SectionPoint<T>& z,
+                               const Collision<T>& known) {
+    constexpr int dimension = section_dimension<shape>;
+    using Jet = ceres::Jet<T, dimension + 1>;
+    Scene<Jet> jets = scene_in<Jet>(scene);
+    number_of(jets, parameter).v[dimension] = T(1);
+    const CollisionMap<Jet, shape, rule> map(jets);
+    const auto c = coordinates<shape>(z);
+    std::array<Jet, dimension> seeded;
+    for (int i = 0; i < dimension; ++i) seeded[i] = Jet(c[i], i);
+    const Flight<Jet> flight = flight_from(map.body(), post_impact_state(section_point<shape>(seeded)));
+    const Collision<Jet> collision = strike_along(map, flight, known.flight_time, known.vertex_step);
+    const auto next = coordinates<shape>(section_point(collision.after));
+    std::pair<Eigen::Matrix<T, dimension, dimension>, Eigen::Matrix<T, dimension, 1>> result;
+    for (int i = 0; i < dimension; ++i) {
+        result.first.row(i) = next[i].v.template head<dimension>().transpose();
+        result.second[i] = next[i].v[dimension];
+    }
+    return result;
+}
+
+}  // namespace swirl

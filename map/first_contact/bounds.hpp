@@ -1,0 +1,157 @@
+// The first contact of a flight, certified: no root is passed, however close to another or to a double root.
+// The derivation of the bounds, and why two vertices are enough whatever N is, stand in map/README.md.
+#pragma once
+
+#include "map/first_contact/conservative_advancement.hpp"
+#include "map/model/flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swirl {
+
+enum class FirstContactOutcome {
+    contact,     ///< found
+    no_contact,  ///< proven that there will be none
+    sustained,   ///< the vertex that began the flight does not leave the wall: g = 0, g′ = 0, g″ ≥ 0
+    unresolved   ///< the step limit was reached first (a body all but at rest that the swirl keeps just missing)
+};
+
+/// A contact: when, which vertex (counted from the reference vertex), and everything known of that moment.
+template <class T>
+struct FirstContact {
+    FirstContactOutcome outcome = FirstContactOutcome::no_contact;
+    Instant<T> at;
+    Vec2<T> arm;                ///< a of the vertex that touches (disk: along the contact's normal)
+    int vertex = 0;             ///< its number from the reference vertex, 0 … N − 1; the disk has one, 0
+    bool simultaneous = false;  ///< another vertex touches within rounding of the same time
+    int steps = 0;              ///< moments looked at
+};
+
+namespace detail {
+
+/// Flights are given up as unresolved after so many steps; ordinary ones take fewer than 20.
+inline constexpr int step_limit = 1'000'000;
+
+/// Bounds that hold along a whole flight, while nothing is outside.
+template <class T>
+struct FlightBounds {
+    T speed;         ///< |V|
+    T drift;         ///< |W| ≤ |V| + β
+    T centre_third;  ///< |g‴| of the centre's gap
+    T vertex_third;  ///< |g‴| of any vertex
+};
+
+template <class T>
+inline T magnitude(const Vec2<T>& v) {
+    using std::sqrt;
+    return sqrt(dot(v, v));
+}
+
+/// Bounds |g‴| of the centre's gap, |W| ≤ `drift`.
+template <class T>
+inline T centre_third(const Body<T>& body, const T& drift) {
+    return T(2) * body.beta * (T(3) * drift + body.outer);
+}
+
+/// Bounds |g‴| of any vertex: (2 X·a)‴ = 2 (X‴·a + 3 X″·a′ + 3 X′·a″ + X·a‴), |X| ≤ outer, |X″| = |X‴| = β, |a⁽ᵏ⁾| =
+/// α|S|ᵏ.
+template <class T>
+inline T vertex_third(const Body<T>& body, const Flight<T>& flight, const T& drift) {
+    using std::fabs;
+    const T s = fabs(flight.spin);
+    return centre_third(body, drift) +
+           T(2) * body.alpha * (body.beta + s * (T(3) * body.beta + s * (T(3) * drift + s * body.outer)));
+}
+
+template <Shape shape, class T>
+inline FlightBounds<T> bounds_of(const Body<T>& body, const Flight<T>& flight) {
+    FlightBounds<T> bounds;
+    bounds.speed = magnitude(flight.velocity);
+    bounds.drift = bounds.speed + body.beta;
+    bounds.centre_third = centre_third(body, bounds.drift);
+    bounds.vertex_third = bounds.centre_third;
+    if constexpr (shape == Shape::polygon) bounds.vertex_third = vertex_third(body, flight, bounds.drift);
+    return bounds;
+}
+
+/// What it means that there is no finite step: an infinite one proves that nothing ever touches; what is no number
+/// proves nothing.
+template <class T>
+inline FirstContactOutcome without_step(const T& step) {
+    return step > T(0) ? FirstContactOutcome::no_contact : FirstContactOutcome::unresolved;
+}
+
+/// True once the error that a last step leaves, M h³/g′, is far below the rounding of τ.
+template <class T>
+inline bool is_last(const Gap<T>& gap, const T& third, const T& step, const T& time) {
+    return gap.rate > 0 && third * step * step * step <= T(0.001) * epsilon<T>() * gap.rate * (time + step);
+}
+
+/// A moment found just beyond its contact, by the rounding of the gap there: the time to go back by. Without this the
+/// contacts that a step happens to hit from beyond are late and those from before exact, a bias that adds up in J.
+template <class T>
+inline T overshoot(const Gap<T>& gap, const T& time) {
+    if (!(gap.value > 0 && gap.rate > 0)) return T(0);
+    return std::min(T(gap.value / gap.rate), time);
+}
+
+/// While the centre is within 1 − α − β of the swirl's centre nothing can touch wherever the container is: how long it
+/// stays there (0 if it is not there; +∞ if it never leaves).
+template <class T>
+inline T sheltered_time(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
+    using std::sqrt;
+    const T radius = body.inner - body.beta;
+    if (radius <= 0) return T(0);
+    const Vec2<T> place = at.centre + at.swirl;
+    const T depth = dot(place, place) - radius * radius;
+    if (depth >= 0) return T(0);
+    const T speed2 = dot(flight.velocity, flight.velocity);
+    if (speed2 == 0) return std::numeric_limits<T>::infinity();
+    const T outward = dot(place, flight.velocity);
+    const T root = sqrt(outward * outward - speed2 * depth);
+    return outward > 0 ? T(-depth / (outward + root)) : T((root - outward) / speed2);
+}
+
+/// A centre at rest meets the same container again after every turn: what did not happen until the body looks the same
+/// to it again never will. A disk always does; a polygon after q turns if q S N is whole (q ≤ 64 are asked for: another
+/// S brings every orientation to every phase in the end), and in a container that rests as well after its own 1/N turn.
+template <Shape shape, class T>
+inline bool has_recurred(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
+    using std::fabs;
+    using std::floor;
+    if (dot(flight.velocity, flight.velocity) != 0) return false;
+    const T turn = T(2 * pi<T>());
+    if (shape == Shape::disk) return at.time > turn;
+    const T symmetry = T(body.sides);
+    if (body.beta == 0) return fabs(flight.spin) * symmetry * at.time > turn;
+    for (int q = 1; q <= 64 && at.time > T(q) * turn; ++q) {
+        const T turns = T(q) * flight.spin * symmetry;
+        if (floor(turns) == turns) return true;
+    }
+    return false;
+}
+
+/// The rounding of g′ at a start on the wall: below this a normal velocity can't be told from zero.
+template <class T>
+inline T rate_rounding(const Body<T>& body, const Flight<T>& flight) {
+    using std::fabs;
+    const T speed = fabs(flight.velocity.x) + fabs(flight.velocity.y);
+    return T(16) * epsilon<T>() * (speed + body.beta + fabs(flight.spin) * body.alpha);
+}
+
+/// Is a vertex that starts on the wall held there? Its normal velocity is zero within rounding, and the wall does not
+/// fall away.
+template <class T>
+inline bool stays(const Body<T>& body, const Flight<T>& flight, Gap<T>& gap) {
+    const T rounding = rate_rounding(body, flight);
+    if (gap.rate < -rounding) return false;
+    if (gap.rate > rounding) return true;  // pressed into the wall: no flight begins here
+    if (gap.bend < 0) gap.rate = std::min(gap.rate, T(0));
+    return gap.bend >= 0;
+}
+
+}  // namespace detail
+
+}  // namespace swirl

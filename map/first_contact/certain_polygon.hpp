@@ -1,0 +1,125 @@
+// The first contact of a polygon, at a cost that does not grow with its number of vertices.
+#pragma once
+
+#include "map/first_contact/bounds.hpp"
+#include "map/first_contact/vertices.hpp"
+
+namespace swirl {
+
+namespace detail {
+
+template <class T>
+inline T safe_step_of(const Candidate<T>& candidate, const T& third) {
+    return candidate.gap.value < 0 ? safe_step(candidate.gap, third) : safe_step_off_the_wall(candidate.gap, third);
+}
+
+/// The next step, and whether it ends on a contact to rounding.
+template <class T>
+struct NextStep {
+    T length;
+    bool last;
+};
+
+template <class T>
+inline NextStep<T> step_among_vertices(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
+                                       const Instant<T>& at, const NearestTwo<T>& pair, const T& distance) {
+    const T first = safe_step_of(pair.first, bounds.vertex_third);
+    const T second = safe_step_of(pair.second, bounds.vertex_third);
+    const bool second_binds = second < first;
+    const T step = second_binds ? second : first;
+    const Gap<T>& gap = second_binds ? pair.second.gap : pair.first.gap;
+    const T limit = two_are_enough(body, flight, bounds, distance);
+    if (limit < step) return {limit, false};
+    return {step, gap.value < 0 && is_last(gap, bounds.vertex_third, step, at.time)};
+}
+
+/// Takes a contact that was met from beyond back to its time.
+template <class T>
+inline void step_back(const Body<T>& body, const Flight<T>& flight, const NearestTwo<T>& pair,
+                      FirstContact<T>& contact) {
+    const Candidate<T>& chosen = contact.vertex == pair.first.vertex ? pair.first : pair.second;
+    const T back = overshoot(chosen.gap, contact.at.time);
+    if (back == 0) return;
+    advance<Shape::polygon>(flight, contact.at, T(-back));
+    contact.arm = body.turned_to_vertex(contact.at.arm, contact.vertex);
+}
+
+/// Advances by safe steps until a vertex touches, from a moment on its way, `contact.at`. Away from the wall the
+/// circumscribed circle decides; in the ring 1 − α ≤ |X| where vertices can touch, the two nearest to the centre's
+/// direction do (and within rounding of the wall, where the circle of a polygon of many sides leaves no room for a
+/// step).
+template <class T>
+void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
+                                FirstContact<T>& contact) {
+    const T ring = std::max(T(T(0.25) * (body.outer * body.outer - body.inner * body.inner)), T(64) * epsilon<T>());
+    NearestTwo<T> pair;
+    bool last = false;
+    while (contact.steps < step_limit) {  // ends at: contact, proof of none, or the limit
+        ++contact.steps;
+        const Gap<T> circle = centre_gap(body, flight, contact.at);
+        NextStep<T> next;
+        if (!last && circle.value < 0 && (circle.value < -ring || circle.rate < 0)) {
+            const T shelter = sheltered_time(body, flight, contact.at);
+            next = {std::max(safe_step(circle, bounds.centre_third), shelter), false};
+        } else {
+            look_around(body, flight, contact.at, pair);
+            if (last || touches(pair.first) || touches(pair.second)) {
+                choose(pair, contact);
+                if (!last) step_back(body, flight, pair, contact);
+                return;
+            }
+            next = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre));
+        }
+        if (has_recurred<Shape::polygon>(body, flight, contact.at)) return;
+        if (!(next.length < std::numeric_limits<T>::infinity())) {
+            contact.outcome = without_step(next.length);
+            return;
+        }
+        last = next.last;
+        advance<Shape::polygon>(flight, contact.at, next.length);
+    }
+    contact.outcome = FirstContactOutcome::unresolved;
+}
+
+/// From a start on the wall: true if a vertex stays there or touches at once, which `contact` then tells; else the
+/// first safe step away is taken.
+template <class T>
+bool begins_in_contact(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
+                       FirstContact<T>& contact) {
+    NearestTwo<T> pair;
+    look_around(body, flight, contact.at, pair);
+    ++contact.steps;
+    if (stays(body, flight, struck_of(pair).gap)) {
+        contact.outcome = FirstContactOutcome::sustained;
+        return true;
+    }
+    if (const auto* neighbour = touching_neighbour(pair, rate_rounding(body, flight))) {
+        contact.outcome = FirstContactOutcome::contact;
+        contact.vertex = neighbour->vertex;
+        contact.arm = neighbour->arm;
+        contact.simultaneous = true;
+        return true;
+    }
+    const T step = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre)).length;
+    if (!(step < std::numeric_limits<T>::infinity())) {
+        contact.outcome = without_step(step);
+        return true;
+    }
+    advance<Shape::polygon>(flight, contact.at, step);
+    return false;
+}
+
+/// The first contact of a polygon by safe steps alone: slower, and never in doubt.
+template <class T>
+[[gnu::noinline]] FirstContact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
+    const auto bounds = bounds_of<Shape::polygon>(body, flight);
+    FirstContact<T> contact;
+    contact.at = instant_at_start(flight);
+    if (flight.struck && begins_in_contact(body, flight, bounds, contact)) return contact;
+    advance_to_contact_polygon(body, flight, bounds, contact);
+    return contact;
+}
+
+}  // namespace detail
+
+}  // namespace swirl

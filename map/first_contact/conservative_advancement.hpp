@@ -1,0 +1,67 @@
+// How far one may go along a flight without passing a contact.
+//
+// With |g‴| ≤ M on the way, g(h) ≤ P(h) = g + g′h + ½g″h² + M h³/6, so no contact lies before P's first positive root.
+// And for every H, P(h) ≤ g + g′h + ½(g″ + MH/3)h² on [0, H]: the smaller of H and that parabola's first root is safe,
+// whatever H is; the closer H is to P's root the less is given away. Near a transversal contact what is left after a
+// step h is of order M h³/g′: the advance converges cubically, and from below.
+#pragma once
+
+#include "map/model/flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swirl::detail {
+
+/// First positive root of g + g′h + ½ b h² for g < 0; +∞ if there is none.
+template <class T>
+inline T first_root(const T& g, const T& rate, const T& bend) {
+    using std::sqrt;
+    const T discriminant = rate * rate - T(2) * bend * g;
+    if (discriminant < 0) return std::numeric_limits<T>::infinity();
+    if (rate >= 0) return T(-2) * g / (rate + sqrt(discriminant));
+    if (bend <= 0) return std::numeric_limits<T>::infinity();
+    return (sqrt(discriminant) - rate) / bend;
+}
+
+/// A bound from above for P's first positive root when the parabola without M has none (Lagrange, Kioustelidis).
+template <class T>
+inline T root_bound(const Gap<T>& gap, const T& third) {
+    using std::cbrt;
+    using std::sqrt;
+    const T leading = third / T(6);
+    if (leading == 0) return std::numeric_limits<T>::infinity();
+    T bound = cbrt(T(-gap.value / leading));
+    if (gap.rate < 0) bound = std::max(bound, T(sqrt(-gap.rate / leading)));
+    if (gap.bend < 0) bound = std::max(bound, T(T(-0.5) * gap.bend / leading));
+    return T(2) * bound;
+}
+
+/// A safe step from an open gap, g < 0.
+template <class T>
+inline T safe_step(const Gap<T>& gap, const T& third) {
+    T reach = first_root(gap.value, gap.rate, gap.bend);
+    if (!(reach < std::numeric_limits<T>::infinity())) reach = root_bound(gap, third);
+    if (!(reach < std::numeric_limits<T>::infinity())) return reach;
+    const T parabola = gap.bend + third * reach / T(3);
+    const T step = std::min(reach, first_root(gap.value, gap.rate, parabola));
+    if (step > T(0.99) * reach) return step;
+    const T nearer = T(0.5) * (step + reach);
+    const T tighter = gap.bend + third * nearer / T(3);
+    return std::max(step, std::min(nearer, first_root(gap.value, gap.rate, tighter)));
+}
+
+/// A safe step from a gap that is closed and opening, g = 0 and g′ < 0 (or g′ = 0, g″ < 0): here P/h is a parabola,
+/// and its root is exact.
+template <class T>
+inline T safe_step_off_the_wall(const Gap<T>& gap, const T& third) {
+    using std::sqrt;
+    const T half_bend = T(0.5) * gap.bend;
+    const T root = sqrt(half_bend * half_bend - T(2) / T(3) * third * gap.rate);
+    if (half_bend > 0) return T(-2) * gap.rate / (half_bend + root);
+    if (third == 0) return std::numeric_limits<T>::infinity();
+    return (root - half_bend) * T(3) / third;
+}
+
+}  // namespace swirl::detail

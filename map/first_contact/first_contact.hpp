@@ -1,0 +1,42 @@
+// The first contact of any flight: the direct path for the usual one from wall to wall, the advance for what is left.
+#pragma once
+
+#include "map/first_contact/certain_disk.hpp"
+#include "map/first_contact/certain_polygon.hpp"
+#include "map/first_contact/direct_polygon.hpp"
+
+namespace swirl {
+
+namespace detail {
+
+/// True if the direct path found and proved a contact. `contact` is local to the caller and nothing takes its address,
+/// so that it stays in registers.
+template <Shape shape, class T>
+[[gnu::always_inline]] inline bool direct_contact(const Body<T>& body, const Flight<T>& flight,
+                                                  FirstContact<T>& contact) {
+    if (!flight.struck) return false;
+    if constexpr (shape == Shape::disk)
+        return direct_contact_disk(body, flight, contact);
+    else
+        return direct_contact_polygon(body, flight, contact);
+}
+
+template <Shape shape, class T>
+inline FirstContact<T> certain_contact(const Body<T>& body, const Flight<T>& flight) {
+    if constexpr (shape == Shape::disk)
+        return certain_contact_disk(body, flight);
+    else
+        return certain_contact_polygon(body, flight);
+}
+
+}  // namespace detail
+
+/// The first time at which the disk's rim or a vertex reaches the wall from within.
+template <Shape shape, class T>
+FirstContact<T> first_contact(const Body<T>& body, const Flight<T>& flight) {
+    FirstContact<T> contact;
+    if (detail::direct_contact<shape>(body, flight, contact)) return contact;
+    return detail::certain_contact<shape>(body, flight);
+}
+
+}  // namespace swirl

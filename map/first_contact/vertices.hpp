@@ -1,0 +1,167 @@
+// Which vertices can touch next: the two nearest to the centre's direction, whatever N is.
+#pragma once
+
+#include "map/first_contact/bounds.hpp"
+
+namespace swirl {
+
+namespace detail {
+
+/// A vertex that may touch next.
+template <class T>
+struct Candidate {
+    int vertex = 0;  ///< number from the reference vertex
+    Vec2<T> arm;     ///< a now
+    Gap<T> gap;
+};
+
+/// The two vertices nearest to the centre's direction.
+template <class T>
+struct NearestTwo {
+    Candidate<T> first;
+    Candidate<T> second;
+};
+
+/// atan2 to 2·10⁻⁶: enough to number the vertices of a polygon that has a table of them.
+inline double rough_angle(double y, double x) {
+    const double a = std::fabs(x), b = std::fabs(y);
+    const double t = std::min(a, b) / std::max(a, b);
+    const double s = t * t, s2 = s * s;
+    double angle =
+        t * ((0.99997726 - 0.33262347 * s) + s2 * ((0.19354346 - 0.11643287 * s) + s2 * (0.05265332 - 0.01172120 * s)));
+    if (b > a) angle = M_PI / 2 - angle;
+    if (x < 0) angle = M_PI - angle;
+    return y < 0 ? -angle : angle;
+}
+
+/// The number of the vertex nearest to the direction of X, or one next to it.
+template <class T>
+[[gnu::always_inline]] inline int vertex_towards(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& reference) {
+    using std::atan2;
+    using std::round;
+    const Vec2<T> between = seen_from(reference, centre);
+    if constexpr (std::is_same_v<T, double>) {
+        if (!body.vertices.empty()) {
+            const double number = rough_angle(between.y, between.x) * body.per_spacing;
+            if (!(std::fabs(number) < body.sides)) return 0;  // there is no direction
+            const int k = static_cast<int>((number + 0x1.8p52) - 0x1.8p52);
+            return k < 0 ? k + body.sides : k;
+        }
+    }
+    return body.vertex_number(static_cast<long long>(round(atan2(between.y, between.x) / body.spacing)));
+}
+
+/// True if no vertex's arm is nearer to X: |X × a| ≤ tan(π/N) X·a.
+template <class T>
+[[gnu::always_inline]] inline bool is_nearest(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& arm) {
+    using std::fabs;
+    return fabs(cross(arm, centre)) <= body.half_slope * dot(arm, centre);
+}
+
+/// Turns arm and number by whole vertices until the arm is the nearest one to X.
+template <class T>
+inline void turn_to_nearest(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& reference, Candidate<T>& c) {
+    if (is_nearest(body, centre, c.arm)) return;
+    c.vertex = vertex_towards(body, centre, reference);
+    c.arm = body.turned_to_vertex(reference, c.vertex);
+    if (is_nearest(body, centre, c.arm)) return;
+    c.vertex = body.vertex_number(c.vertex + (cross(c.arm, centre) > 0 ? 1 : -1));
+    c.arm = body.turned_to_vertex(reference, c.vertex);
+}
+
+template <class T>
+inline Gap<T> gap_of(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at,
+                     const Candidate<T>& candidate) {
+    if (flight.struck && candidate.vertex == 0) return struck_gap(flight, at);
+    Gap<T> gap = vertex_gap(flight, at, candidate.arm);
+    gap.value = gap.value + T(2) * dot(at.centre + candidate.arm, body.rest_of_vertex(at.arm, candidate.vertex));
+    return gap;
+}
+
+/// The one nearest to the centre's direction, from the last known number.
+template <class T>
+inline void look_at_nearest(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, Candidate<T>& nearest) {
+    nearest.arm = body.turned_to_vertex(at.arm, nearest.vertex);
+    turn_to_nearest(body, at.centre, at.arm, nearest);
+    nearest.gap = gap_of(body, flight, at, nearest);
+}
+
+/// Brings the pair up to date at a moment.
+template <class T>
+inline void look_around(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, NearestTwo<T>& pair) {
+    look_at_nearest(body, flight, at, pair.first);
+    const int side = cross(pair.first.arm, at.centre) >= 0 ? 1 : -1;
+    pair.second.vertex = body.vertex_number(pair.first.vertex + side);
+    pair.second.arm = body.turned_to_vertex(at.arm, pair.second.vertex);
+    pair.second.gap = gap_of(body, flight, at, pair.second);
+}
+
+/// How long the third nearest vertex stays out of it: it is at least 2π/N away from the centre's direction and would
+/// have to come within π/N to be first. The direction turns by less than 2|W|/|X| while |X| halves at most.
+template <class T>
+inline T two_are_enough(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
+                        const T& distance) {
+    using std::fabs;
+    const T turning = T(0.5) * body.spacing / (fabs(flight.spin) + T(2) * bounds.drift / distance);
+    return std::min(turning, T(distance / (T(2) * bounds.drift)));
+}
+
+/// The one that began the flight: at a start on the wall it is among the two, though not always the first (two vertices
+/// that strike together are equally near).
+template <class T>
+inline Candidate<T>& struck_of(NearestTwo<T>& pair) {
+    return pair.second.vertex == 0 ? pair.second : pair.first;
+}
+
+template <class T>
+inline bool touches(const Candidate<T>& candidate) {
+    return candidate.gap.value >= 0 && candidate.gap.rate >= 0;
+}
+
+/// The neighbour that touches where a flight begins on the wall. One that has no normal velocity but for `rounding`
+/// only does if the wall does not fall away from it: two vertices may leave together.
+template <class T>
+inline const Candidate<T>* touching_neighbour(const NearestTwo<T>& pair, const T& rounding) {
+    const Candidate<T>& other = pair.second.vertex == 0 ? pair.first : pair.second;
+    if (other.vertex == 0 || other.gap.value < 0) return nullptr;
+    const bool touches = other.gap.rate > rounding || (other.gap.rate >= -rounding && other.gap.bend >= 0);
+    return touches ? &other : nullptr;
+}
+
+/// Time until an approaching vertex touches, to first order; +∞ for one that does not approach.
+template <class T>
+inline T time_left(const Gap<T>& gap) {
+    return gap.rate > 0 ? T(-gap.value / gap.rate) : std::numeric_limits<T>::infinity();
+}
+
+/// True if both touch within rounding of the same time. A gap is known to some ε and so its root to ε/g′, beside the
+/// rounding of the time itself.
+template <class T>
+inline bool touch_together(const Gap<T>& first, const Gap<T>& second, const T& time) {
+    using std::fabs;
+    if (!(first.rate > 0 && second.rate > 0)) return false;
+    // |g₁/g₁′ − g₂/g₂′| ≤ 16ε (1/min g′ + τ), without the divisions
+    const T apart = fabs(first.value * second.rate - second.value * first.rate);
+    return apart <= T(16) * epsilon<T>() * (std::max(first.rate, second.rate) + first.rate * second.rate * time);
+}
+
+/// Settles which of the two it is: the earlier; on an exact tie the larger u_n, then the lower number.
+template <class T>
+inline void choose(const NearestTwo<T>& pair, FirstContact<T>& contact) {
+    const T first = time_left(pair.first.gap);
+    const T second = time_left(pair.second.gap);
+    contact.simultaneous = touch_together(pair.first.gap, pair.second.gap, contact.at.time);
+    bool take_second = second < first;
+    if (first == second) {
+        const T difference = pair.second.gap.rate - pair.first.gap.rate;  // g′ = 2 u_n
+        take_second = difference > 0 || (difference == 0 && pair.second.vertex < pair.first.vertex);
+    }
+    const Candidate<T>& chosen = take_second ? pair.second : pair.first;
+    contact.outcome = FirstContactOutcome::contact;
+    contact.vertex = chosen.vertex;
+    contact.arm = chosen.arm;
+}
+
+}  // namespace detail
+
+}  // namespace swirl

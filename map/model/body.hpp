@@ -1,0 +1,107 @@
+// The numbers of a scene that the inner loops read, worked out once per scene.
+#pragma once
+
+#include "map/model/scene.hpp"
+#include "map/numbers/turn.hpp"
+#include "map/numbers/vec2.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+namespace swirl {
+
+enum class Shape { disk, polygon };
+
+/// What a flight needs to know of the body and its container. Lengths in R_c.
+template <class T>
+struct Body {
+    int sides = disk_sides;
+    T alpha{}, beta{};
+    T inertia{};        ///< I = κ α² (m = 1)
+    T per_inertia{};    ///< 1/I: what is divided by at every impact is kept as a reciprocal
+    T per_alpha{};      ///< 1/α
+    T per_inner{};      ///< 1/(1 − α)
+    T disk_grip{};      ///< 1/B₁ of the disk, I/(I + α²)
+    T inner{};          ///< 1 − α: the centre's distance at which the circumscribed circle touches
+    T outer{};          ///< the largest distance the centre can have (next to an edge's middle); inner for the disk
+    T spacing{};        ///< 2π/N, the angle from a vertex to the next
+    T per_spacing{};    ///< N/2π
+    T half_slope{};     ///< tan(π/N)
+    Vec2<T> next_turn;  ///< cis(2π/N) − 1
+    T side{};           ///< the length of a side, 2α sin(π/N)
+    std::vector<Vec2<T>> vertices;  ///< cis(2πk/N) for N small enough to be worth a table …
+    std::vector<Vec2<T>> rests;     ///< … and what rounding left out of it (double only)
+
+    static constexpr int table_limit = 1024;
+
+    /// v turned by 2πk/N, 0 ≤ k < N.
+    Vec2<T> turned_to_vertex(const Vec2<T>& v, int k) const {
+        if (k == 0) return v;
+        if (vertices.empty()) return times(v, direction_by_formula(k));
+        return times(v, vertices[static_cast<std::size_t>(k)]);
+    }
+    /// What that leaves out because the table is rounded: some 10⁻¹⁷ of v, always the same way for the same k. Too
+    /// small to be added to the vector, it is added to the vertex's gap, where it keeps J from drifting.
+    Vec2<T> rest_of_vertex(const Vec2<T>& v, int k) const {
+        if (rests.empty()) return {T(0), T(0)};
+        return times(v, rests[static_cast<std::size_t>(k)]);
+    }
+    Vec2<T> direction_by_formula(int k) const {
+        const int centred = 2 * k > sides ? k - sides : k;  // the shorter way round keeps the argument small
+        return cis(T(2 * pi<T>() * centred / sides));
+    }
+    /// k reduced to 0 … N − 1.
+    int vertex_number(long long k) const {
+        const long long reduced = k % sides;
+        return static_cast<int>(reduced < 0 ? reduced + sides : reduced);
+    }
+};
+
+/// How fast any point of the body moves, to a factor: the largest of |V|'s components and α|S|.
+template <class T>
+inline T speed_of(const Body<T>& body, const T& vx, const T& vy, const T& spin) {
+    using std::fabs;
+    return std::max(std::max(T(fabs(vx)), T(fabs(vy))), T(body.alpha * fabs(spin)));
+}
+
+template <class T>
+inline Body<T> make_body(const Scene<T>& scene) {
+    using std::sqrt;
+    using std::tan;
+    Body<T> body;
+    body.sides = scene.sides;
+    body.alpha = scene.alpha;
+    body.beta = scene.beta;
+    body.inertia = scene.inertia_factor * scene.alpha * scene.alpha;
+    body.inner = T(1) - scene.alpha;
+    body.per_inertia = T(1) / body.inertia;
+    body.per_alpha = T(1) / body.alpha;
+    body.per_inner = T(1) / body.inner;
+    body.disk_grip = body.inertia / (body.inertia + body.alpha * body.alpha);
+    body.outer = body.inner;
+    if (scene.is_disk()) return body;
+    const Vec2<T> half = cis(T(pi<T>() / scene.sides));
+    const T across = scene.alpha * half.y;
+    body.outer = sqrt(T(1) - across * across) - scene.alpha * half.x;
+    body.spacing = T(2 * pi<T>() / scene.sides);
+    body.per_spacing = T(1) / body.spacing;
+    body.half_slope = half.y / half.x;
+    body.side = T(2) * scene.alpha * half.y;
+    body.next_turn = {T(-2) * half.y * half.y, T(2) * half.y * half.x};
+    if (scene.sides > Body<T>::table_limit) return body;
+    for (int k = 0; k < scene.sides; ++k) {
+        if constexpr (std::is_same_v<T, double>) {
+            const long double angle = 2 * pi<long double>() * (2 * k > scene.sides ? k - scene.sides : k) / scene.sides;
+            const detail::TabledVector entry = detail::tabled(cis(angle));
+            body.vertices.push_back(entry.value);
+            body.rests.push_back(entry.rest);
+        } else {
+            body.vertices.push_back(body.direction_by_formula(k));
+        }
+    }
+    return body;
+}
+
+}  // namespace swirl

@@ -1,0 +1,120 @@
+// The scene: which polygon in which container, dimensionless (R_c = 1, ω_s = 1, m = 1). Design, section 1.
+#pragma once
+
+#include "map/numbers/real.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace swirl {
+
+/// How the end of restitution is fixed (design, section 3). Without friction, in sliding and for the disk all agree.
+enum class Law { poisson, newton, stronge };
+
+/// Number of sides that stands for the disk (N = ∞).
+inline constexpr int disk_sides = 0;
+inline constexpr int max_sides = 1'000'000;
+
+/// A scene, in units of R_c, 1/ω_s and m.
+template <class T = double>
+struct Scene {
+    int sides = 6;    ///< N: 3 … 10⁶, or `disk_sides`
+    T alpha{};        ///< α = R_p/R_c, in (0, 1)
+    T beta{};         ///< β = r_s/R_c, ≥ 0
+    T mu{};           ///< friction μ, ≥ 0
+    T restitution{};  ///< e, in [0, 1]
+    Law law = Law::poisson;
+    T inertia_factor{};  ///< κ: I = κ m R_p², > 0
+
+    bool is_disk() const { return sides == disk_sides; }
+};
+
+/// κ of the uniform lamina: (2 + cos(2π/N))/6, and ½ for the disk.
+template <class T>
+inline T uniform_inertia_factor(int sides) {
+    using std::cos;
+    if (sides == disk_sides) return T(0.5);
+    return (T(2) + cos(T(2 * pi<T>() / sides))) / T(6);
+}
+
+/// "poisson", "newton", "stronge".
+inline std::string_view name_of(Law law) {
+    switch (law) {
+        case Law::poisson:
+            return "poisson";
+        case Law::newton:
+            return "newton";
+        case Law::stronge:
+            return "stronge";
+    }
+    return "";
+}
+
+namespace detail {
+
+template <class T>
+[[noreturn]] void out_of_range(const char* name, const T& value, const char* range) {
+    std::ostringstream message;
+    message.precision(17);
+    message << name << " = " << value << " is outside its range: " << range;
+    throw std::invalid_argument(message.str());
+}
+
+/// The numbers of a scene and of a start are 0 or within these bounds, so that their fourth powers can be held.
+inline constexpr double smallest_magnitude = 1e-75;
+inline constexpr double largest_magnitude = 1e75;
+
+template <class T>
+inline bool is_holdable(const T& value) {
+    return value == T(0) || ((value >= T(smallest_magnitude) || -value >= T(smallest_magnitude)) &&
+                             value <= T(largest_magnitude) && -value <= T(largest_magnitude));
+}
+
+/// @throws std::invalid_argument for a coordinate of a start that is not finite, or too large
+template <class T>
+inline void require_finite(const char* name, const T& value) {
+    if (!(value <= T(largest_magnitude) && -value <= T(largest_magnitude)))
+        out_of_range(name, value, "any finite number up to 1e75");
+}
+
+/// @throws std::invalid_argument for a start that is all but at rest; a single component may be as small as it likes
+template <class T>
+inline void require_speed(const T& speed) {
+    if (!is_holdable(speed)) out_of_range("speed", speed, "0 (at rest), or 1e-75 to 1e75");
+}
+
+}  // namespace detail
+
+/// True if every impact takes for ever: with e < 1, without friction, J (ΔJ = −½(1 − e) p u_n); in a container at rest
+/// the energy, which friction takes, too, but a polygon's under Newton's law. Both are bounded from below, so impacts
+/// must fade: no cycle and no attractor has any (design, section 3).
+template <class T>
+inline bool is_dissipative_without_drive(const Scene<T>& scene) {
+    if (!(scene.restitution < T(1))) return false;
+    return scene.mu == T(0) || (scene.beta == T(0) && (scene.law != Law::newton || scene.is_disk()));
+}
+
+/// Returns the scene if every parameter is within its range.
+/// @throws std::invalid_argument naming the parameter, its value and its range; a NaN is outside every range.
+template <class T>
+inline Scene<T> validated(const Scene<T>& scene) {
+    using detail::is_holdable;
+    if (scene.sides != disk_sides && (scene.sides < 3 || scene.sides > max_sides))
+        detail::out_of_range("sides", scene.sides, "3 to 1000000, or disk");
+    if (!(scene.alpha > T(0) && scene.alpha < T(1) && is_holdable(scene.alpha)))
+        detail::out_of_range("alpha", scene.alpha, "0 < alpha < 1, at least 1e-75");
+    if (!(scene.beta >= T(0) && is_holdable(scene.beta)))
+        detail::out_of_range("beta", scene.beta, "beta >= 0, finite (0, or 1e-75 to 1e75)");
+    if (!(scene.mu >= T(0) && is_holdable(scene.mu)))
+        detail::out_of_range("mu", scene.mu, "mu >= 0, finite (0, or 1e-75 to 1e75)");
+    if (!(scene.restitution >= T(0) && scene.restitution <= T(1)))
+        detail::out_of_range("restitution", scene.restitution, "0 <= restitution <= 1");
+    if (!(scene.inertia_factor > T(0) && is_holdable(scene.inertia_factor)))
+        detail::out_of_range("inertia-factor", scene.inertia_factor, "inertia-factor > 0, finite (1e-75 to 1e75)");
+    return scene;
+}
+
+}  // namespace swirl

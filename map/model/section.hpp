@@ -1,0 +1,81 @@
+// The section: the state just after an impact, in axes that turn with the swirl. Design, section 4.
+//
+//     z = (ψ, χ, v_n, v_t, S)   ψ = arg n − t,  χ = arg r − arg n,  v_n, v_t: the centre's lab velocity along n and t.
+#pragma once
+
+#include "map/model/body.hpp"
+#include "map/model/flight.hpp"
+#include "map/model/impact.hpp"
+
+namespace swirl {
+
+/// A point of the section. The disk has χ = 0.
+template <class T = double>
+struct SectionPoint {
+    T psi{};   ///< ψ ∈ (−π, π]
+    T chi{};   ///< χ ∈ (−π, π]
+    T vn{};    ///< v_n, in R_c ω_s
+    T vt{};    ///< v_t, in R_c ω_s
+    T spin{};  ///< S = ω_p/ω_s
+};
+
+/// The same with the angles as unit vectors, which is what the map iterates: no arc tangent per impact.
+template <class T>
+struct PostImpactState {
+    Vec2<T> psi;  ///< cis ψ
+    Vec2<T> chi;  ///< cis χ
+    T vn{}, vt{}, spin{};
+};
+
+template <class T>
+inline PostImpactState<T> post_impact_state(const SectionPoint<T>& z) {
+    return {cis(z.psi), cis(z.chi), z.vn, z.vt, z.spin};
+}
+
+template <class T>
+inline SectionPoint<T> section_point(const PostImpactState<T>& post_impact) {
+    using std::atan2;
+    return {atan2(post_impact.psi.y, post_impact.psi.x), atan2(post_impact.chi.y, post_impact.chi.x), post_impact.vn,
+            post_impact.vt, post_impact.spin};
+}
+
+/// The flight that begins there, in the axes (n, t): the struck vertex is at (1, 0), the swirl's arm at angle −ψ.
+template <class T>
+[[gnu::always_inline]] inline Flight<T> flight_from(const Body<T>& body, const PostImpactState<T>& post_impact) {
+    Flight<T> flight;
+    flight.arm = body.alpha * post_impact.chi;
+    flight.centre = Vec2<T>{T(1) - flight.arm.x, -flight.arm.y};
+    flight.velocity = {post_impact.vn, post_impact.vt};
+    flight.phase = conjugate(post_impact.psi);
+    flight.beta = body.beta;
+    flight.spin = post_impact.spin;
+    flight.struck = true;
+    return flight;
+}
+
+/// Slip velocities and lever arms at the contact: u = V + S ẑ×r − O′,
+/// u_n = v_n − αS sin χ − β sin ψ, u_t = v_t + αS cos χ − β cos ψ.
+template <class T>
+[[gnu::always_inline]] inline ContactKinematics<T> contact_kinematics(const Body<T>& body,
+                                                                      const PostImpactState<T>& post_impact) {
+    const Vec2<T> r = body.alpha * post_impact.chi;
+    return {post_impact.vn - post_impact.spin * r.y - body.beta * post_impact.psi.y,
+            post_impact.vt + post_impact.spin * r.x - body.beta * post_impact.psi.x,
+            r.x,
+            r.y,
+            body.inertia,
+            body.per_inertia};
+}
+
+/// Energy in the swirling frame, J = ½|V − ẑ×X|² − ½|X|² + ½I(S − 1)² − ½I with X from the swirl's centre
+/// (design, section 3). Conserved in flight.
+template <class T>
+inline T jacobi_of(const Body<T>& body, const PostImpactState<T>& post_impact) {
+    const Vec2<T> place = Vec2<T>{T(1) - body.alpha * post_impact.chi.x, -(body.alpha * post_impact.chi.y)} +
+                          body.beta * conjugate(post_impact.psi);
+    const Vec2<T> velocity{post_impact.vn, post_impact.vt};
+    return T(0.5) * dot(velocity, velocity) - cross(place, velocity) +
+           body.inertia * post_impact.spin * (T(0.5) * post_impact.spin - T(1));
+}
+
+}  // namespace swirl

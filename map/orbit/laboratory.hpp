@@ -1,0 +1,124 @@
+// The laboratory's frame: starts given there, and orbits of the section followed back into it.
+#pragma once
+
+#include "map/collision_map.hpp"
+
+namespace swirl {
+
+/// A start in the laboratory at t = 0, when the container's centre is at (β, 0).
+template <class T = double>
+struct LabStart {
+    T x{}, y{};    ///< the body's centre, in R_c, from the swirl's centre
+    T vx{}, vy{};  ///< its velocity, in R_c ω_s
+    T angle{};     ///< vertex 0's direction, in radians
+    T spin{};      ///< S
+};
+
+/// @throws std::invalid_argument if a vertex is outside the container, or the disk overlaps its wall
+template <class T>
+Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
+    using std::sqrt;
+    const T* values[] = {&start.x, &start.y, &start.vx, &start.vy, &start.angle, &start.spin};
+    const char* names[] = {"x", "y", "vx", "vy", "angle", "spin"};
+    for (int i = 0; i < 6; ++i) detail::require_finite(names[i], *values[i]);
+    detail::require_speed(speed_of(body, start.vx, start.vy, start.spin));
+    Flight<T> flight;
+    flight.centre = {start.x - body.beta, start.y};
+    flight.velocity = {start.vx, start.vy};
+    flight.phase = {T(1), T(0)};
+    flight.beta = body.beta;
+    flight.arm = body.alpha * cis(start.angle);
+    flight.spin = start.spin;
+    T reach = detail::magnitude(flight.centre) + body.alpha;
+    if (body.sides != disk_sides && reach > T(1)) {
+        detail::NearestTwo<T> pair;
+        detail::look_around(body, flight, instant_at_start(flight), pair);
+        reach = sqrt(std::max(pair.first.gap.value, pair.second.gap.value) + T(1));
+    }
+    if (reach > T(1))
+        detail::out_of_range("start: distance of the farthest point from the container's centre", reach, "at most 1");
+    return flight;
+}
+
+/// An angle kept as (its value in [0, 2π), whole turns), so that precision does not decay on long runs.
+template <class T>
+struct WoundAngle {
+    T phase{};
+    T turns{};  ///< a whole number: an orbit that dies away (β = 0, e < 1) outlives any integer type
+
+    void add(const T& change) {
+        using std::fmod;
+        using std::round;
+        const T turn = T(2 * pi<T>());
+        const T sum = phase + change;
+        phase = fmod(sum, turn);  // exact, however many turns
+        if (phase < 0) phase = phase + turn;
+        if (!(phase < turn)) phase = T(0);  // −tiny + 2π rounds to 2π
+        turns = turns + round((sum - phase) / turn);
+    }
+    T unwound() const { return phase + T(2 * pi<T>()) * turns; }
+};
+
+/// Where an orbit of the section is in the laboratory.
+template <class T>
+struct LabFrame {
+    WoundAngle<T> time;   ///< t: (swirl phase, turns)
+    WoundAngle<T> angle;  ///< vertex 0's direction
+    int vertex = 0;       ///< the vertex that struck last
+    T direction{};        ///< of the axes that the next flight begins in: arg n of the last contact
+
+    /// A time whose rounding is a thousand times that of an angle.
+    static T long_flight() { return T(1024); }
+
+    /// A start in flight.
+    static LabFrame at_start(const T& angle) {
+        LabFrame frame;
+        frame.angle.add(angle);
+        return frame;
+    }
+    /// A start on the section: t = 0 and vertex 0 has just struck.
+    static LabFrame at_section(const SectionPoint<T>& z) {
+        LabFrame frame = at_start(T(z.psi + z.chi));
+        frame.direction = z.psi;
+        return frame;
+    }
+
+    /// Takes note of a collision; `turned` is ∫S dt since the one before.
+    template <class Map>
+    void follow(const Map& map, const Collision<T>& collision, const T& turned) {
+        using std::atan2;
+        const SectionPoint<T> z = section_point(collision.after);
+        time.add(collision.flight_time);
+        if (collision.flight_time > long_flight()) {
+            // So long a time no longer tells the swirl's phase; the new contact's ψ = arg n − t does.
+            const T phase = direction + atan2(collision.normal.y, collision.normal.x) - z.psi;
+            time.add(wrapped_angle(T(phase - time.phase)));
+        }
+        direction = time.phase + z.psi;
+        angle.add(turned);
+        if constexpr (Map::shape == Shape::polygon) {
+            vertex = map.body().vertex_number(static_cast<long long>(vertex) + collision.vertex_step);
+            // arg r − 2πk/N is vertex 0's direction too, and free of the rounding that the sum gathers.
+            const T measured = time.phase + z.psi + z.chi - map.body().spacing * T(vertex);
+            angle.add(wrapped_angle(T(measured - angle.phase)));
+        }
+    }
+};
+
+/// The state just after an impact, in the laboratory. Angles are unwound.
+template <class T>
+struct LabState {
+    T t{}, x{}, y{}, vx{}, vy{}, angle{}, spin{};
+};
+
+template <class T>
+LabState<T> lab_state(const Body<T>& body, const LabFrame<T>& frame, const PostImpactState<T>& post_impact) {
+    const Vec2<T> swirl = cis(frame.time.phase);
+    const Vec2<T> n = times(swirl, post_impact.psi);
+    const Vec2<T> r = body.alpha * times(n, post_impact.chi);
+    const Vec2<T> velocity = times(n, Vec2<T>{post_impact.vn, post_impact.vt});
+    const Vec2<T> place = body.beta * swirl + (n - r);
+    return {frame.time.unwound(), place.x, place.y, velocity.x, velocity.y, frame.angle.unwound(), post_impact.spin};
+}
+
+}  // namespace swirl

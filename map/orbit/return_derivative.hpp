@@ -1,0 +1,162 @@
+// The derivative of the return map where the way leads through sustained contact.
+//
+// An impact that ends in contact leaves with a normal velocity that may be as small as 10⁻⁸: differences over more than
+// that would compare with flights. So DF = B A is taken apart at the landing. A is the derivative of the state in
+// contact, in which the removal of u_n, with its friction, is smooth whatever the sign of u_n (`landed_like`); B that
+// of the way from there to the next impact. Both are central differences of order h². Where neighbours on one side only
+// go the way of the orbit itself (`same_way`) theirs stands, one-sided, of the same order; where none does the column
+// is zero. A singular value of B that is no more than rounding belongs to a direction that contact has lost: it is
+// zero, too.
+#pragma once
+
+#include "map/derivative/linearised_collision.hpp"
+#include "map/orbit/return_map.hpp"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace swirl {
+
+namespace detail {
+
+constexpr double difference_step = 1e-5;
+/// FirstContact is integrated to some 10⁻¹⁴: over 2 h that is 10⁻⁹.
+constexpr double difference_rounding = 1e-8;
+
+/// The coordinates in which a state in contact can differ: a disk has no χ; a moving edge turns as one piece, S = u_t;
+/// one at rest can only lie elsewhere.
+inline int contact_freedom(const ContactScene& scene, const ChatterCompletion& completion) {
+    if (completion.support == Support::rim) return 3;
+    if (completion.support == Support::vertex) return 4;
+    return rests_still(scene, completion) ? 1 : 2;
+}
+
+inline Eigen::Vector4d contact_vector(const ChatterCompletion& completion, const ContactState& s) {
+    if (completion.support == Support::vertex) return {s.psi, s.ut, s.spin, s.chi};
+    return {s.psi, s.ut, s.spin, 0};
+}
+
+inline ContactState moved_by(const ChatterCompletion& completion, int coordinate, double h) {
+    ContactState s = completion.state;
+    if (coordinate == 0) s.psi += h;
+    if (coordinate == 1) s.ut += h;
+    if (coordinate == 2) s.spin += h;
+    if (coordinate == 3) s.chi += h;
+    if (completion.support == Support::edge) s.spin = s.ut;
+    return s;
+}
+
+inline double wrapped(double angle) {
+    return std::remainder(angle, 2 * pi<double>());
+}
+
+/// A vertex whose neighbour comes to rest at once stands on their edge: the rocking between is over within rounding.
+inline ChatterCompletion lasting_completion(ChatterCompletion completion, const std::vector<ContactSegment>& contacts) {
+    if (contacts.size() < 2 || completion.support != Support::vertex) return completion;
+    const ContactSegment& first = contacts[0];
+    const ContactSegment& second = contacts[1];
+    if (first.end > first.start || second.support != Support::edge) return completion;
+    return {true, Support::edge, second.from, second.vertex_step, completion.error, completion.jacobi};
+}
+
+/// The same supports one after the other, to the same end and the same impact. (A slip that friction ends at once does
+/// not count: it comes with every neighbour of a body that sticks.)
+inline bool same_way(const ReturnStep<double>& a, const ReturnStep<double>& b) {
+    if (a.outcome != Outcome::completed || a.contacts.empty() || b.contacts.empty()) return false;
+    const auto supports = [](const ReturnStep<double>& return_step) {
+        std::vector<Support> list;
+        for (const auto& segment : return_step.contacts)
+            if (segment.end > segment.start && (list.empty() || list.back() != segment.support))
+                list.push_back(segment.support);
+        return list;
+    };
+    return a.collision.vertex_step == b.collision.vertex_step && a.collision.impulse.mode == b.collision.impulse.mode &&
+           a.contacts.back().finish == b.contacts.back().finish && supports(a) == supports(b);
+}
+
+template <Shape shape>
+Eigen::Matrix<double, section_dimension<shape>, 1> section_difference(const PostImpactState<double>& a,
+                                                                      const PostImpactState<double>& b) {
+    constexpr int dimension = section_dimension<shape>;
+    const auto x = coordinates<shape>(section_point(a)), y = coordinates<shape>(section_point(b));
+    Eigen::Matrix<double, dimension, 1> d;
+    for (int i = 0; i < dimension; ++i) d[i] = x[static_cast<std::size_t>(i)] - y[static_cast<std::size_t>(i)];
+    const int angles = shape == Shape::disk ? 1 : 2;
+    for (int i = 0; i < angles; ++i) d[i] = wrapped(d[i]);
+    return d;
+}
+
+/// A: the state in contact by the post-impact state.
+template <Shape shape>
+auto landing_derivative(const ContactScene& scene, const SectionPoint<double>& z, const ChatterCompletion& completion) {
+    constexpr int dimension = section_dimension<shape>;
+    constexpr double h = difference_step;
+    Eigen::Matrix<double, 4, dimension> a;
+    const auto c = coordinates<shape>(z);
+    const PostImpactState<double> base = post_impact_state(z);
+    for (int j = 0; j < dimension; ++j) {
+        const auto at = [&](double step) {
+            auto near = c;
+            near[static_cast<std::size_t>(j)] += step;
+            return contact_vector(completion,
+                                  landed_like(scene, base, completion, post_impact_state(section_point<shape>(near))));
+        };
+        a.col(j) = at(h) - at(-h);
+        a(0, j) = wrapped(a(0, j));
+        a(3, j) = wrapped(a(3, j));
+    }
+    return Eigen::Matrix<double, 4, dimension>(a / (2 * h));
+}
+
+/// One column of B: `end(s)` is F at s along the coordinate, nothing where it goes another way.
+template <Shape shape, class End>
+Eigen::Matrix<double, section_dimension<shape>, 1> column_of(const PostImpactState<double>& after, const End& end,
+                                                             double h) {
+    const auto above = end(h), below = end(-h);
+    if (above && below) return section_difference<shape>(*above, *below) / (2 * h);
+    if (!above && !below) return Eigen::Matrix<double, section_dimension<shape>, 1>::Zero();
+    const double side = above ? h : -h;
+    const auto near = section_difference<shape>(above ? *above : *below, after);
+    const auto beyond = end(2 * side);
+    if (!beyond) return near / side;
+    return (4 * near - section_difference<shape>(*beyond, after)) / (2 * side);
+}
+
+inline Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b) {
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(b, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    Eigen::VectorXd sizes = svd.singularValues();
+    for (auto& size : sizes)
+        if (size <= difference_rounding) size = 0;
+    return svd.matrixU() * sizes.asDiagonal() * svd.matrixV().transpose();
+}
+
+}  // namespace detail
+
+/// DF(z), where `known` is F(z) and leads through contact.
+template <class Map>
+auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z,
+                                const ReturnStep<double>& known) {
+    constexpr int dimension = section_dimension<Map::shape>;
+    constexpr double h = detail::difference_step;
+    const PostImpactState<double> base = post_impact_state(z);
+    const ChatterCompletion completion = detail::lasting_completion(map.completion(base), known.contacts);
+    const int freedom = detail::contact_freedom(map.contact(), completion);
+    Eigen::Matrix<double, dimension, 4> b = Eigen::Matrix<double, dimension, 4>::Zero();
+    for (int i = 0; i < freedom; ++i) {
+        const auto end = [&](double step) -> std::optional<PostImpactState<double>> {
+            ChatterCompletion near = completion;
+            near.state = detail::moved_by(completion, i, step);
+            const ReturnStep<double> return_step = map.advance_in_contact(base, near);
+            if (!detail::same_way(return_step, known)) return {};
+            return return_step.collision.after;
+        };
+        b.col(i) = detail::column_of<Map::shape>(known.collision.after, end, h);
+    }
+    return Eigen::Matrix<double, dimension, dimension>(
+        detail::without_rounding(b) * detail::landing_derivative<Map::shape>(map.contact(), z, completion));
+}
+
+}  // namespace swirl

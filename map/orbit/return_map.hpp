@@ -1,0 +1,219 @@
+// The return map: from one impact to the next, through chatter and sustained contact where there is any.
+#pragma once
+
+#include "map/collision_map.hpp"
+#include "map/orbit/outcome.hpp"
+#include "map/sustained/contact_phase.hpp"
+#include "map/sustained/release.hpp"
+
+#include <optional>
+
+namespace swirl {
+
+/// From just after an impact to just after the next.
+template <class T>
+struct ReturnStep {
+    Outcome outcome = Outcome::completed;  ///< completed: `collision` is the next impact
+    Collision<T> collision;  ///< its flight_time, normal and vertex_step are those of the whole return step
+    T turned{};              ///< ∫ S dt on the way
+    T contact_work{};        ///< ∫ f (u_t − 1) dt: what friction in contact and the end of chatter added to J
+    std::vector<ContactSegment> contacts;
+};
+
+/// How long contact may last without an impact before the orbit ends as `in_contact`, in 1/ω_s (less where the body
+/// swings very fast: `most_contact_steps`).
+inline constexpr double contact_horizon = 1000;
+
+/// F with sustained contact. For e = 1 it is the collision map itself, but for one thing: where friction holds a
+/// polygon's vertex its normal velocity may fall with every impact (Poisson, Stronge: B₃ couples it to friction), and
+/// from the impact at which it is lost in rounding the orbit goes on in contact. A disk and a frictionless body at e =
+/// 1 keep |u_n|, and need none of it. FirstContact is integrated in double, whatever T is.
+template <class Map>
+class ReturnMap {
+public:
+    using T = typename Map::Number;
+    static constexpr Shape shape = Map::shape;
+
+    /// The map must outlive it.
+    explicit ReturnMap(const Map& map) : map_(map) {
+        const auto& s = map.scene();
+        sums_chatter_ = s.restitution < T(1);
+        if (!sums_chatter_ && (shape == Shape::disk || Map::rule == ImpactRule::frictionless)) return;
+        Scene<double> scene{s.sides,
+                            static_cast<double>(s.alpha),
+                            static_cast<double>(s.beta),
+                            static_cast<double>(s.mu),
+                            static_cast<double>(s.restitution),
+                            s.law,
+                            static_cast<double>(s.inertia_factor)};
+        contact_ = contact_scene(make_body(scene), scene.mu, scene.restitution, Map::rule);
+    }
+
+    const Map& map() const { return map_; }
+    /// What contact needs of the scene; only for e < 1, or a polygon with friction.
+    const ContactScene& contact() const { return *contact_; }
+
+    /// The first impact of a flight in the laboratory.
+    ReturnStep<T> advance(const Flight<T>& flight) const {
+        ReturnStep<T> return_step;
+        map_.advance(flight, return_step.collision);
+        return_step.turned = flight.spin * return_step.collision.flight_time;
+        return_step.outcome = outcome_of(return_step.collision.outcome);
+        return return_step;
+    }
+
+    /// From just after an impact.
+    ///   horizon  for how long contact without an impact is followed
+    ///   sink     looks at contact on its way
+    ReturnStep<T> advance(const PostImpactState<T>& post_impact, double horizon = contact_horizon,
+                          const ContactSink& sink = {}) const {
+        if (sums_chatter_ && may_chatter(*contact_, state_in_double(post_impact)))
+            if (const ChatterCompletion completion = chatter_completion(*contact_, state_in_double(post_impact));
+                completion.in_contact || completion.struck)
+                return advance_in_contact(post_impact, completion, horizon, sink);
+        ReturnStep<T> return_step = advance(flight_from(map_.body(), post_impact));
+        if (contact_ && return_step.collision.outcome == FirstContactOutcome::sustained)
+            return advance_in_contact(post_impact, held(post_impact), horizon, sink);
+        if (return_step.outcome == Outcome::completed && changes_nothing(return_step.collision))
+            return_step.outcome = Outcome::unresolved;
+        return return_step;
+    }
+
+    /// The same from the end of a return step, in place: for long orbits, where a copy of what has just been written
+    /// costs more than many a calculation. Unless `completed`, only `contacts` changes, to those after its impact.
+    Outcome advance(ReturnStep<T>& return_step, double horizon = contact_horizon, const ContactSink& sink = {}) const {
+        Collision<T>& collision = return_step.collision;
+        if (!sums_chatter_ || !may_chatter(*contact_, state_in_double(collision.after))) [[likely]] {
+            const T spin = collision.after.spin;
+            map_.advance(collision.after, collision);
+            if (collision.outcome == FirstContactOutcome::contact && !changes_nothing(collision)) [[likely]] {
+                return_step.turned = spin * collision.flight_time;
+                return_step.contact_work = T(0);
+                return_step.contacts.clear();
+                return return_step.outcome = Outcome::completed;
+            }
+        }
+        const PostImpactState<T> post_impact = collision.after;  // unless there was a contact it is what it was
+        ReturnStep<T> next = advance(post_impact, horizon, sink);
+        if (next.outcome != Outcome::completed) {
+            return_step.contacts = std::move(next.contacts);
+            return next.outcome;
+        }
+        return_step = std::move(next);
+        return Outcome::completed;
+    }
+
+    /// How the body stands just after an impact from which `advance` led through contact.
+    ChatterCompletion completion(const PostImpactState<T>& post_impact) const {
+        if (!sums_chatter_) return held(post_impact);
+        const ChatterCompletion completion = chatter_completion(*contact_, state_in_double(post_impact));
+        return completion.in_contact ? completion : held(post_impact);
+    }
+
+    /// From a landing on, `post-impact state` being the impact before it.
+    ReturnStep<T> advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion& completion,
+                                     double horizon = contact_horizon, const ContactSink& sink = {}) const {
+        const ContactPhase phase = completion.struck ? struck_at_once(*contact_, state_in_double(post_impact))
+                                                     : follow_contact(*contact_, completion, horizon, sink);
+        ReturnStep<T> return_step = after_contact(post_impact, phase);
+        return_step.contact_work = T(phase.sums.work + completion.jacobi);
+        return return_step;
+    }
+
+private:
+    /// An impact without time and without impulse would come again for ever.
+    bool changes_nothing(const Collision<T>& c) const {
+        return contact_ && c.flight_time == T(0) && c.impulse.normal == T(0);
+    }
+
+    /// The search found the body held that `chatter_completion` saw leave: on the border between the two.
+    ChatterCompletion held(const PostImpactState<T>& post_impact) const {
+        ChatterCompletion completion;
+        completion.support = shape == Shape::disk ? Support::rim : Support::vertex;
+        completion.state = contact_state(*contact_, state_in_double(post_impact));
+        return completion;
+    }
+
+    static PostImpactState<double> state_in_double(const PostImpactState<T>& l) {
+        const auto d = [](const T& x) { return static_cast<double>(x); };
+        return {{d(l.psi.x), d(l.psi.y)}, {d(l.chi.x), d(l.chi.y)}, d(l.vn), d(l.vt), d(l.spin)};
+    }
+    /// FirstContact ends in double's digits; the directions are of length 1 in T's, so that the body touches in these
+    /// too.
+    static PostImpactState<T> state_from_double(const PostImpactState<double>& l) {
+        return {renormalised(Vec2<T>{T(l.psi.x), T(l.psi.y)}), renormalised(Vec2<T>{T(l.chi.x), T(l.chi.y)}), T(l.vn),
+                T(l.vt), T(l.spin)};
+    }
+    Outcome outcome_of(FirstContactOutcome outcome) const {
+        switch (contact) {
+            case FirstContactOutcome::contact:
+                return Outcome::completed;
+            case FirstContactOutcome::no_contact:
+                return Outcome::no_contact;
+            case FirstContactOutcome::sustained:
+                return contact_ ? Outcome::unresolved : Outcome::resting;
+            case FirstContactOutcome::unresolved:
+                return Outcome::unresolved;
+        }
+        return Outcome::unresolved;
+    }
+
+    /// The first impact after a release.
+    Collision<T> fly_off(const Flight<T>& flight) const {
+        const auto contact = contact_after_release<shape>(map_.body(), flight);
+        if (!contact) return map_.advance(flight);
+        Collision<T> collision;
+        if (contact->outcome == FirstContactOutcome::contact) map_.strike(flight, contact->at, contact->arm, collision);
+        collision.outcome = contact->outcome;
+        collision.steps = contact->steps;
+        collision.vertex_step = contact->vertex;
+        collision.simultaneous = contact->simultaneous;
+        return collision;
+    }
+
+    ReturnStep<T> after_contact(const PostImpactState<T>& post_impact, const ContactPhase& phase) const {
+        ReturnStep<T> return_step;
+        const PostImpactState<T> end = state_from_double(phase.strike.after);
+        Collision<T>& collision = return_step.collision;
+        T flight_time{}, flight_turned{};
+        Vec2<T> flight_normal{T(1), T(0)};
+        if (!phase.resolved) {
+            return_step.outcome = Outcome::unresolved;
+        } else if (phase.finish == ContactEvent::horizon) {
+            return_step.outcome = Outcome::in_contact;
+        } else if (phase.finish == ContactEvent::release) {
+            PostImpactState<T> leaving = end;  // a release has u_n = 0, in T's digits too
+            leaving.vn = leaving.vn - contact_kinematics(map_.body(), leaving).un;
+            const Flight<T> flight = flight_from(map_.body(), leaving);
+            collision = fly_off(flight);
+            flight_time = collision.flight_time;
+            flight_turned = flight.spin * flight_time;
+            flight_normal = collision.normal;
+            return_step.outcome = outcome_of(collision.outcome);
+        } else {
+            collision.outcome = FirstContactOutcome::contact;
+            const Impulse<double>& j = phase.strike.impulse;
+            collision.impulse = {T(j.normal), T(j.tangential), j.mode};
+            collision.jacobi_restitution = T(phase.strike.jacobi_restitution);
+            collision.jacobi_friction = T(phase.strike.jacobi_friction);
+        }
+        if (phase.finish != ContactEvent::release) collision.after = end;
+        // The whole return step: arg n has gone on by Δψ + t in contact, and by the flight's own turn after it.
+        const T duration(phase.sums.time);
+        const Vec2<T> advance = times(seen_from(post_impact.psi, end.psi), cis(duration));
+        collision.normal = times(advance, flight_normal);
+        collision.flight_time = duration + flight_time;
+        if constexpr (shape == Shape::polygon)
+            collision.vertex_step =
+                map_.body().vertex_number(static_cast<long long>(collision.vertex_step) + phase.vertex_step);
+        return_step.turned = T(phase.sums.turned) + flight_turned;
+        return_step.contacts = phase.segments;
+        return return_step;
+    }
+
+    const Map& map_;
+    std::optional<ContactScene> contact_;
+    bool sums_chatter_ = false;  ///< e < 1: chatter is looked for after every impact
+};
+
+}  // namespace swirl

@@ -1,0 +1,95 @@
+#include "map/orbit/trajectory_segment.hpp"
+
+#include "map/sustained/contact_series.hpp"
+
+namespace swirl {
+
+namespace {
+
+/// The body's centre while it stands on the wall: β w + n − α r, of a disk β w + (1 − α) n.
+Vec2<double> centre_on_wall(const ContactScene& scene, const ContactState& state, double t) {
+    const Vec2<double> swirl = cis(t);
+    const Vec2<double> n = times(swirl, cis(state.psi));
+    const Vec2<double> r = scene.is_disk() ? n : times(n, cis(state.chi));
+    return scene.body.beta * swirl + (n - scene.body.alpha * r);
+}
+
+}  // namespace
+
+Moment moment_at(const ContactScene& scene, const TrajectorySegment& segment, double t) {
+    const double later = t - segment.start;
+    if (!segment.in_contact) {
+        const double lasts = segment.end - segment.start;
+        const double share = lasts > 0 ? later / lasts : 0;
+        const double turned = segment.spin * later;
+        return {segment.from + share * (segment.to - segment.from), segment.angle + turned, segment.spin, turned};
+    }
+    const ContactSeries series = contact_series(scene, segment.support, segment.motion, segment.state);
+    ContactState state = segment.state;
+    state.psi += change_at(series.psi, later);
+    state.chi += change_at(series.chi, later);
+    state.spin += change_at(series.spin, later);
+    const double turned = change_at(series.turned, later);
+    return {centre_on_wall(scene, state, t), segment.angle + turned, state.spin, turned};
+}
+
+TrajectorySegmenter::TrajectorySegmenter(const Scene<double>& scene)
+    // The law plays no part between impacts.
+    : scene_(contact_scene(make_body(scene), scene.mu, scene.restitution, ImpactRule::poisson)) {}
+
+ContactSink TrajectorySegmenter::sink() {
+    return [this](const ContactSums& sums, Support support, ContactMotion motion, const ContactState& state) {
+        looks_.push_back({sums, support, motion, state});
+    };
+}
+
+Vec2<double> TrajectorySegmenter::centre_in_contact(const ContactState& state, double t) const {
+    return centre_on_wall(scene_, state, t);
+}
+
+void TrajectorySegmenter::add_contacts(const std::vector<ContactSegment>& segments) {
+    const double began = time_, angle = angle_;
+    double turned = 0;
+    auto look = looks_.begin();
+    for (const ContactSegment& segment : segments) {
+        TrajectorySegment piece;
+        piece.in_contact = true;
+        piece.support = segment.support;
+        piece.motion = segment.motion;
+        piece.state = segment.from;
+        piece.start = began + segment.start;
+        piece.angle = angle + turned;
+        for (; look != looks_.end() && look->sums.time < segment.end; ++look) {
+            if (!(look->sums.time > segment.start)) continue;
+            piece.end = began + look->sums.time;
+            trajectory_.push_back(piece);
+            piece.start = piece.end;
+            piece.state = look->state;
+            piece.angle = angle + look->sums.turned;
+        }
+        piece.end = began + segment.end;
+        trajectory_.push_back(piece);
+        turned += segment.turned;
+        time_ = piece.end;
+        angle_ = angle + turned;
+        spin_ = segment.to.spin;
+        place_ = centre_on_wall(scene_, segment.to, time_);
+    }
+}
+
+void TrajectorySegmenter::add_flight(double until, const Vec2<double>& place) {
+    if (until > time_) {
+        TrajectorySegment flight;
+        flight.start = time_;
+        flight.end = until;
+        flight.angle = angle_;
+        flight.spin = spin_;
+        flight.from = place_;
+        flight.to = place;
+        trajectory_.push_back(flight);
+    }
+    time_ = until;
+    place_ = place;
+}
+
+}  // namespace swirl

@@ -1,0 +1,104 @@
+// An orbit in continuous time: where the body is and how it turns at any moment, in flight and in contact.
+//
+// Between two impacts an orbit is a row of segments: flights, on which the centre moves uniformly and S is constant,
+// and pieces of contact so short that one power series (contact_series.hpp) gives the motion to rounding.
+#pragma once
+
+#include "map/orbit/orbit.hpp"
+
+#include <vector>
+
+namespace swirl {
+
+/// From `start` to `end`, t in 1/ω_s. Places are the laboratory's, in R_c.
+struct TrajectorySegment {
+    double start = 0, end = 0;
+    bool in_contact = false;
+    double angle = 0;                   ///< vertex 0's direction at the start, unwound
+    double spin = 0;                    ///< in flight: S
+    Vec2<double> from, to;              ///< in flight: the centre at both ends
+    Support support = Support::vertex;  ///< in contact, and so are the next two
+    ContactMotion motion = ContactMotion::sticking;
+    ContactState state;  ///< at the start
+};
+
+/// What can be seen of the body at a time.
+struct Moment {
+    Vec2<double> centre;  ///< laboratory, R_c
+    double angle = 0;     ///< vertex 0's direction, unwound
+    double spin = 0;      ///< S
+    double turned = 0;    ///< ∫ S dt from the segment's start
+};
+
+/// The body at a time within a segment. Cost: in contact, a power series (about a microsecond).
+Moment moment_at(const ContactScene& scene, const TrajectorySegment& segment, double t);
+
+/// Cuts the return steps of an orbit into segments. Give `sink()` to every Orbit::advance, and call `passed` after it.
+class TrajectorySegmenter {
+public:
+    /// Begins at t = 0 where the orbit begins.
+    template <class T>
+    TrajectorySegmenter(const Scene<T>& scene, const LabStart<T>& start) : TrajectorySegmenter(in_double(scene)) {
+        place_ = {number(start.x), number(start.y)};
+        angle_ = number(start.angle);
+        spin_ = number(start.spin);
+    }
+    template <class T>
+    TrajectorySegmenter(const Scene<T>& scene, const SectionPoint<T>& z) : TrajectorySegmenter(in_double(scene)) {
+        const ContactState state{number(z.psi), number(z.chi), 0, number(z.spin)};
+        place_ = centre_in_contact(state, 0);
+        angle_ = state.psi + state.chi;
+        spin_ = state.spin;
+    }
+
+    const ContactScene& scene() const { return scene_; }
+    /// Refers to this object.
+    ContactSink sink();
+
+    /// The segments of the return step that `orbit.advance` has just made; where it returned false, those of the
+    /// contact that came after the last impact.
+    template <class Map>
+    const std::vector<TrajectorySegment>& passed(const Orbit<Map>& orbit, bool struck) {
+        trajectory_.clear();
+        add_contacts(orbit.contacts());
+        if (struck) {
+            const auto lab = orbit.lab();
+            add_flight(number(lab.t), {number(lab.x), number(lab.y)});
+            angle_ = number(lab.angle);  // free of what the sum has gathered
+            spin_ = number(lab.spin);
+        }
+        looks_.clear();
+        return trajectory_;
+    }
+
+private:
+    struct Look {
+        ContactSums sums;
+        Support support;
+        ContactMotion motion;
+        ContactState state;
+    };
+
+    explicit TrajectorySegmenter(const Scene<double>& scene);
+    template <class T>
+    static double number(const T& value) {
+        return static_cast<double>(value);
+    }
+    template <class T>
+    static Scene<double> in_double(const Scene<T>& s) {
+        return {s.sides, number(s.alpha),         number(s.beta), number(s.mu), number(s.restitution),
+                s.law,   number(s.inertia_factor)};
+    }
+    Vec2<double> centre_in_contact(const ContactState& state, double t) const;
+    void add_contacts(const std::vector<ContactSegment>& segments);
+    void add_flight(double until, const Vec2<double>& place);
+
+    ContactScene scene_;
+    std::vector<Look> looks_;
+    std::vector<TrajectorySegment> trajectory_;
+    double time_ = 0;  ///< where the next segment begins: t, centre, angle, S
+    Vec2<double> place_{};
+    double angle_ = 0, spin_ = 0;
+};
+
+}  // namespace swirl

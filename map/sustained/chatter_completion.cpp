@@ -1,0 +1,189 @@
+#include "map/sustained/chatter_completion.hpp"
+
+#include "map/sustained/reaction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swirl {
+
+namespace {
+
+/// The acceleration towards the wall of the point that touches, in free flight with u_n = 0.
+double free_acceleration(const ContactScene& scene, const PostImpactState<double>& post_impact, double ut) {
+    const Body<double>& body = scene.body;
+    const double wn = body.beta * post_impact.psi.x;
+    if (scene.is_disk()) {
+        const double along = ut - body.alpha * post_impact.spin;
+        return wn + along * along / body.inner;
+    }
+    return wn + ut * ut - post_impact.spin * post_impact.spin * body.alpha * post_impact.chi.x;
+}
+
+struct Touch {
+    bool rests;    ///< no normal velocity but rounding and the end of chatter
+    bool pressed;  ///< free flight would take it into the wall
+    double error;
+};
+
+Touch touch_of(const ContactScene& scene, const PostImpactState<double>& post_impact) {
+    const ContactKinematics<double> u = contact_kinematics(scene.body, post_impact);
+    const double rounding = velocity_rounding(scene, post_impact);
+    const double acceleration = free_acceleration(scene, post_impact, u.ut);
+    if (std::abs(u.un) <= rounding) return {true, acceleration > 0, 0};
+    const ChatterError error = chatter_error(scene, post_impact);
+    return {u.un < 0 && error.moved <= chatter_tolerance, acceleration > 0, error.estimate};
+}
+
+/// How friction goes with a normal impulse: −1 and 1 by the sign of u_t while it slides, 0 while it sticks.
+struct Slip {
+    bool slides;
+    double sign;
+};
+
+Slip slip_of(const ContactScene& scene, const PostImpactState<double>& post_impact) {
+    const double ut = contact_kinematics(scene.body, post_impact).ut;
+    return {scene.mu > 0 && std::abs(ut) > velocity_rounding(scene, post_impact), ut > 0 ? 1.0 : -1.0};
+}
+
+/// Takes v out by the impulse that contact would have needed less of: p = u_n/c < 0, friction with it.
+ContactState without_normal_velocity(const ContactScene& scene, const PostImpactState<double>& post_impact,
+                                     const Slip& slip, double& jacobi) {
+    const ContactKinematics<double> u = contact_kinematics(scene.body, post_impact);
+    ContactState state = contact_state(scene, post_impact);
+    const double ratio = scene.mu == 0 ? 0 : slip.slides ? -scene.mu * slip.sign : -u.b3() / u.b1();  // q/p
+    const double c = u.b2() + u.b3() * ratio;
+    const double p = c > 0 ? u.un / c : 0;
+    const double q = ratio * p;
+    state.ut += u.b3() * p + u.b1() * q;
+    state.spin += (u.rn * q + u.rt * p) / u.inertia;
+    jacobi = -p * 0.5 * u.un + q * (0.5 * (u.ut + state.ut) - 1);
+    return state;
+}
+
+ContactState landed(const ContactScene& scene, const PostImpactState<double>& post_impact, double& jacobi) {
+    const Slip slip = slip_of(scene, post_impact);
+    ContactState state = without_normal_velocity(scene, post_impact, slip, jacobi);
+    if (scene.mu > 0 && (!slip.slides || state.ut * slip.sign <= 0)) state.ut = 0;
+    return state;
+}
+
+/// How fast an edge turns about the container's centre once its rocking has died: normal impulses point to there.
+double edge_rate(const ContactScene& scene, const PostImpactState<double>& post_impact) {
+    const Body<double>& body = scene.body;
+    const Vec2<double> place{1 - body.alpha * post_impact.chi.x, -(body.alpha * post_impact.chi.y)};
+    const Vec2<double> velocity{post_impact.vn - body.beta * post_impact.psi.y,
+                                post_impact.vt - body.beta * post_impact.psi.x};
+    return (cross(place, velocity) + body.inertia * post_impact.spin) / (dot(place, place) + body.inertia);
+}
+
+/// How far an edge that lands slides on, if friction then holds it; infinite if that does not. Where no sliding is
+/// consistent it jams at once.
+double slide_of(const ContactScene& scene, const ContactState& landed) {
+    ContactState z = landed;
+    z.ut = z.spin = 0;
+    const Reaction held = reaction_of(scene, Support::edge, ContactMotion::sticking, z);
+    if (scene.mu == 0 || held.reserve < 0) return std::numeric_limits<double>::infinity();
+    z.ut = z.spin = landed.ut;
+    const auto motion = landed.ut > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
+    const Reaction slips = reaction_of(scene, Support::edge, motion, z);
+    const bool pushes = slips.stiffness > 0 && slips.normal >= 0 && slips.second >= 0;
+    const double slowing =
+        pushes ? (landed.ut > 0 ? -slips.ut_rate : slips.ut_rate) : scene.mu * (held.normal + held.second);
+    return slowing > 0 ? landed.ut * landed.ut / (2 * slowing) : std::numeric_limits<double>::infinity();
+}
+
+/// Puts χ at ±χ_m if it is that close: the neighbour touches, too. An ulp inside it would fall by an ulp, which gives
+/// it a velocity of 10⁻⁸ that it did not have: where the two vertices strike in turn it would be taken and given for
+/// ever.
+void keep_neighbour_at_wall(const ContactScene& scene, double tolerance, ContactState& state) {
+    if (scene.is_disk() || std::abs(std::abs(state.chi) - scene.widest_chi) > tolerance) return;
+    state.chi = std::copysign(scene.widest_chi, state.chi);
+}
+
+}  // namespace
+
+ChatterError chatter_error(const ContactScene& scene, const PostImpactState<double>& post_impact) {
+    const ContactKinematics<double> u = contact_kinematics(scene.body, post_impact);
+    const double acceleration = free_acceleration(scene, post_impact, u.ut);
+    const double v = std::abs(u.un);
+    if (!(acceleration > 0)) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    const double lasts = 2 * v / (acceleration * (1 - scene.restitution));
+    const double turning = scene.is_disk() ? std::abs(u.ut - scene.body.alpha * post_impact.spin) * scene.body.per_inner
+                                           : std::abs(u.ut) + std::abs(post_impact.spin);
+    const double passes = lasts * (1 + turning);
+    double unused;
+    const ContactState taken = without_normal_velocity(scene, post_impact, slip_of(scene, post_impact), unused);
+    const double removed = v + std::abs(taken.ut - u.ut) + scene.body.alpha * std::abs(taken.spin - post_impact.spin);
+    return {v * lasts, 4 * removed * std::min(1.0, passes * passes)};
+}
+
+bool rests_still(const ContactScene& scene, const ChatterCompletion& completion) {
+    return scene.mu > 0 && completion.support == Support::edge && completion.state.ut == 0 &&
+           completion.state.spin == 0;
+}
+
+ContactState landed_like(const ContactScene& scene, const PostImpactState<double>& base,
+                         const ChatterCompletion& completion, const PostImpactState<double>& near) {
+    const auto seen = [&](const PostImpactState<double>& post_impact) {
+        return completion.vertex_step == 0 ? post_impact : seen_from_neighbour(scene, post_impact);
+    };
+    if (completion.support == Support::edge) {
+        ContactState state = contact_state(scene, seen(near));
+        state.chi = completion.state.chi;
+        state.spin = state.ut = rests_still(scene, completion) ? 0 : edge_rate(scene, seen(near));
+        return state;
+    }
+    double jacobi = 0;
+    return without_normal_velocity(scene, seen(near), slip_of(scene, seen(base)), jacobi);
+}
+
+ChatterCompletion chatter_completion(const ContactScene& scene, const PostImpactState<double>& post_impact) {
+    ChatterCompletion completion;
+    const Touch here = touch_of(scene, post_impact);
+    bool there_rests = false;
+    bool there_approaches = false;
+    PostImpactState<double> neighbour;
+    Touch there{false, false, 0};
+    if (!scene.is_disk()) {
+        const double apart = std::abs(std::abs(std::atan2(post_impact.chi.y, post_impact.chi.x)) - scene.widest_chi);
+        if (apart <= neighbour_tolerance) {
+            neighbour = seen_from_neighbour(scene, post_impact);
+            there = touch_of(scene, neighbour);
+            there_rests = there.rests;
+            there_approaches =
+                !there.rests && apart <= chatter_tolerance && contact_kinematics(scene.body, neighbour).un > 0;
+        }
+    }
+    const int step = post_impact.chi.y > 0 ? -1 : 1;
+    if (here.rests && there_rests) {
+        const bool clockwise = post_impact.chi.y < 0;
+        completion = {true,
+                      Support::edge,
+                      contact_state(scene, clockwise ? post_impact : neighbour),
+                      clockwise ? 0 : step,
+                      std::max(here.error, there.error),
+                      0};
+        completion.state.chi = -scene.widest_chi;
+        // The slip of one vertex is also what is left of rocking on the other.
+        const bool still = scene.mu > 0 && (std::abs(completion.state.ut) <= velocity_rounding(scene, post_impact) ||
+                                            slide_of(scene, completion.state) <= chatter_tolerance);
+        completion.state.ut = completion.state.spin = still ? 0 : completion.state.ut;
+        completion.jacobi =
+            jacobi_of(scene.body, post_impact_state(scene, completion.state)) - jacobi_of(scene.body, post_impact);
+    } else if (here.rests && here.pressed) {
+        completion = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, here.error, 0};
+        completion.state = landed(scene, post_impact, completion.jacobi);
+        keep_neighbour_at_wall(scene, chatter_tolerance, completion.state);
+    } else if (there_rests && there.pressed) {
+        completion = {true, Support::vertex, {}, step, there.error, 0};
+        completion.state = landed(scene, neighbour, completion.jacobi);
+        keep_neighbour_at_wall(scene, neighbour_tolerance, completion.state);  // as exact as its rebound is small
+    } else {
+        completion.struck = here.rests && there_approaches;
+    }
+    return completion;
+}
+
+}  // namespace swirl

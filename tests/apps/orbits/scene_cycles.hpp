@@ -1,10 +1,10 @@
-// What the tests of orbits share: a search as the command does it, and points of the oracle as states.
+// What the tests of orbits share: a search as the command does it, and points of the references as states.
 #pragma once
 
 #include "analysis/orbits/find_cycles.hpp"
 #include "apps/orbits/candidates.hpp"
 #include "apps/scene_map/scene_map.hpp"
-#include "tests/map/oracle.hpp"
+#include "tests/references/references.hpp"
 
 #include <algorithm>
 #include <complex>

@@ -1,7 +1,14 @@
+<<<<<<< HEAD
 // The cycles of oracle/cycles.json and the steady modes of oracle/steady_e1.json: points and multipliers.
 #include "map/derivative/derivative.hpp"
 #include "map/derivative/saltation.hpp"
 #include "tests/map/oracle.hpp"
+=======
+// The cycles of tests/references/cycles.json and the steady modes of steady_e1.json there: points and multipliers.
+#include "map/derivative/derivative.hpp"
+#include "map/derivative/saltation.hpp"
+#include "tests/references/references.hpp"
+>>>>>>> e50de5b696095eb3ef35e8c16286e8945f7e71f2
 
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
@@ -71,21 +78,26 @@ void check_cycle(const Map& map, const json& cycle) {
 }
 
 void check_all(const char* file, int wanted) {
-    const json oracle = tests::read_oracle(file);
+    const json references = tests::read_reference(file);
     int count = 0;
-    for (const json& cycle : oracle["cycles"]) {
+    for (const json& cycle : references["cycles"]) {
         SCOPED_TRACE(std::string(file) + ", number " + std::to_string(count++));
         with_collision_map(tests::scene_from<double>(cycle), [&](const auto& map) { check_cycle(map, cycle); });
     }
     EXPECT_EQ(count, wanted);
 }
 
+<<<<<<< HEAD
 TEST(Cycles, OracleCyclesCloseWithTheirMultipliers) {
     check_all("cycles.json", 20);
 }
 TEST(Cycles, OracleSteadyModesCloseWithTheirMultipliers) {
     check_all("steady_e1.json", 10);
 }
+=======
+TEST(Cycles, ReferenceCyclesCloseWithTheirMultipliers) { check_all("cycles.json", 20); }
+TEST(Cycles, ReferenceSteadyModesCloseWithTheirMultipliers) { check_all("steady_e1.json", 10); }
+>>>>>>> e50de5b696095eb3ef35e8c16286e8945f7e71f2
 
 }  // namespace
 }  // namespace swirl

@@ -1,6 +1,6 @@
-// The 48 orbits of oracle/trajectories.json, in three precisions.
+// The 48 orbits of tests/references/trajectories.json, in three precisions.
 #include "map/orbit/laboratory.hpp"
-#include "tests/map/oracle.hpp"
+#include "tests/references/references.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ struct Tally {
     double worst = 0;  ///< error in units of what is allowed
 };
 
-/// Largest error of one impact, in all that the oracle lists (times and angles as they are, unwound; ψ as an angle).
+/// Largest error of one impact, in all that the reference has (times and angles as they are, unwound; ψ as an angle).
 template <class T>
 double error_of(const LabState<T>& state, const Collision<T>& collision, const json& row) {
     using std::fabs;
@@ -73,9 +73,9 @@ void follow(const Map& map, const json& orbit, const Tolerance& tolerance, Tally
 
 template <class T>
 void reproduce(const Tolerance& tolerance, int impacts) {
-    const json oracle = tests::read_oracle("trajectories.json");
+    const json references = tests::read_reference("trajectories.json");
     Tally tally;
-    for (const json& orbit : oracle["cases"]) {
+    for (const json& orbit : references["cases"]) {
         SCOPED_TRACE("orbit " + std::to_string(tally.orbits));
         with_collision_map(tests::scene_from<T>(orbit), [&](const auto& map) { follow(map, orbit, tolerance, tally); });
         ++tally.orbits;
@@ -86,16 +86,16 @@ void reproduce(const Tolerance& tolerance, int impacts) {
     EXPECT_GE(tally.impacts, impacts);
 }
 
-TEST(Trajectories, OracleOrbitsAreReproducedInDouble) {
+TEST(Trajectories, ReferenceOrbitsAreReproducedInDouble) {
     reproduce<double>({1e-13, 1e-12, 1e10}, 500);
 }
 
 /// The same in units of ε, which is 2¹¹ times smaller.
-TEST(Trajectories, OracleOrbitsAreReproducedInLongDouble) {
+TEST(Trajectories, ReferenceOrbitsAreReproducedInLongDouble) {
     reproduce<long double>({1e-13 / 2048, 1e-12 / 2048, 1e13}, 500);
 }
 
-TEST(Trajectories, OracleOrbitsAreReproducedInQuad) {
+TEST(Trajectories, ReferenceOrbitsAreReproducedInQuad) {
     reproduce<Quad>({1e-24, 1e-22, HUGE_VAL}, 48 * 12);
 }
 

@@ -16,7 +16,7 @@ const SpecialPoint* first_of(const Branch& branch, SpecialKind kind) {
     return nullptr;
 }
 
-// [references.md] Period doublings of the logistic map, through five switches.
+// [tests/references/README.md] Period doublings of the logistic map, through five switches.
 TEST(Continue, LogisticCascadeThroughFiveSwitches) {
     constexpr double published[] = {
         3, 3.449489742783178, 3.544090359551923, 3.564407266095433, 3.568759419543826, 3.569691609801397};
@@ -62,7 +62,7 @@ TEST(Continue, LogisticThreeCycleBeginsAtItsFold) {
     }
 }
 
-// [references.md] Hénon, b = 0.3: saddle-node −0.1225, doubling 0.3675, 2 → 4 at 0.9125.
+// [tests/references/README.md] Hénon, b = 0.3: saddle-node −0.1225, doubling 0.3675, 2 → 4 at 0.9125.
 TEST(Continue, HenonFoldAndDoublings) {
     const ShootingMap map = maps::henon_family();
     Branch branch;
@@ -80,7 +80,8 @@ TEST(Continue, HenonFoldAndDoublings) {
     EXPECT_NEAR(next->cycle.at.p, 0.9125, 1e-9);
 }
 
-// [references.md, Holmes 1982] n = 1: saddle-node γ = 2π(1 − α), doubling γ² = 4(1 + α)² + (2π(1 − α))².
+// [tests/references/README.md, Holmes 1982] n = 1: saddle-node γ = 2π(1 − α),
+// doubling γ² = 4(1 + α)² + (2π(1 − α))².
 TEST(Continue, BouncingBallSaddleNodeAndDoubling) {
     const double alpha = 0.8, node = 2 * M_PI * (1 - alpha);
     const ShootingMap map = maps::bouncing_ball_family(alpha);

@@ -71,7 +71,7 @@ ShootingMap turn_family() {
     return map;
 }
 
-// [references.md, BifurcationKit.jl] The coefficients must come back.
+// [tests/references/README.md, BifurcationKit.jl] The coefficients must come back.
 TEST(NormalForm, OfADoubling) {
     const ShootingMap map = flip_family();
     ContinuationOptions options;

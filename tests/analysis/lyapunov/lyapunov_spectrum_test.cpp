@@ -57,7 +57,7 @@ LyapunovOptions of_length(std::int64_t steps, std::int64_t transient = 1000) {
     return options;
 }
 
-// Chaotic. λ(r = 4) = ln 2 [references.md].
+// Chaotic. λ(r = 4) = ln 2 [tests/references/README.md].
 TEST(Lyapunov, LogisticAtFourIsLnTwo) {
     const LyapunovSpectrum result = lyapunov_spectrum(Logistic{4}, Vector<1>{0.3}, of_length(1'000'000));
     ASSERT_EQ(result.outcome, LyapunovOutcome::completed);
@@ -67,7 +67,7 @@ TEST(Lyapunov, LogisticAtFourIsLnTwo) {
     EXPECT_NEAR(result.exponents[0], std::numbers::ln2, 5e-5);
 }
 
-// Chaotic. λ₁ = 0.41922, λ₁ + λ₂ = ln 0.3 [references.md].
+// Chaotic. λ₁ = 0.41922, λ₁ + λ₂ = ln 0.3 [tests/references/README.md].
 TEST(Lyapunov, Henon) {
     const LyapunovSpectrum result = lyapunov_spectrum(Henon{}, Vector<2>{0.1, 0.1}, of_length(2'000'000));
     ASSERT_EQ(result.outcome, LyapunovOutcome::completed);

@@ -67,7 +67,7 @@ TEST(FindCycles, EveryCycleOfHenonUpToPeriodTen) {
     }
 }
 
-// [references.md] Fixed points and the 2-cycle, with multipliers.
+// [tests/references/README.md] Fixed points and the 2-cycle, with multipliers.
 TEST(FindCycles, OfHenonHaveTheirPublishedMultipliers) {
     const maps::Henon henon;
     const ShootingMap map = shooting_map(henon);
@@ -90,7 +90,7 @@ TEST(FindCycles, OfHenonHaveTheirPublishedMultipliers) {
     EXPECT_EQ(two[0].index, 1);
 }
 
-// [references.md, from ChaosTools.jl] Conservative: angles modulo 2π, multipliers of product 1.
+// [tests/references/README.md, from ChaosTools.jl] Conservative: angles modulo 2π, multipliers of product 1.
 TEST(FindCycles, OfTheStandardMapHoldAnglesAsAngles) {
     const maps::StandardMap standard;
     const ShootingMap map = shooting_map(standard);

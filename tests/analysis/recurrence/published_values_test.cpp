@@ -1,6 +1,7 @@
 // Every number under "Recurrence" in the project's references, to the printed digits; each test names its source.
 #include "analysis/recurrence/lines.hpp"
 #include "analysis/recurrence/measures.hpp"
+#include "tests/references/reference_file.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -21,7 +22,7 @@ BinaryMatrix cross_matrix_10_by_11() {
 }
 
 std::vector<double> read_series(const std::string& name) {
-    std::ifstream file(std::string(SWIRL_SHARED_DIR) + "/oracle/" + name);
+    std::ifstream file(tests::reference_path(name));
     std::vector<double> series;
     for (double value; file >> value;) series.push_back(value);
     return series;

@@ -13,7 +13,7 @@ import xarray
 
 from driving import SWIRL, InFolder, document, interrupted, run
 
-ROOT, SHARED = (sys.argv.pop(1) for _ in range(2))
+ROOT, REFERENCES = (Path(sys.argv.pop(1)) for _ in range(2))
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 ROW = """t x y vx vy angle spin vertex psi chi vn vt flight_time impulse_normal impulse_tangential contact_mode jacobi
 jacobi_restitution jacobi_friction""".split()
@@ -92,7 +92,7 @@ class Simulate(InFolder):
             self.assertEqual(row["vertex"], 0)
 
     def orbits(self):
-        return json.loads((Path(SHARED) / "oracle/trajectories.json").read_text())["cases"]
+        return json.loads((REFERENCES / "trajectories.json").read_text())["cases"]
 
     def check_orbit(self, case, accuracy, tolerance):
         scene = {k: case[k] for k in ("alpha", "beta", "mu", "restitution", "law")}
@@ -221,7 +221,7 @@ class Classify(unittest.TestCase):
         self.assertTrue(any(math.hypot(re - 1, im) < 1e-9 for re, im in family["multipliers"]))
 
     def test_every_cycle_of_the_references_by_its_period(self):
-        for case in json.loads((Path(SHARED) / "oracle/cycles.json").read_text())["cycles"]:
+        for case in json.loads((REFERENCES / "cycles.json").read_text())["cycles"]:
             flags = " ".join(f"--{k} {case[k]}" for k in ("sides", "alpha", "beta", "mu", "restitution", "law"))
             point = ",".join(case["point"][k] for k in ("psi", "chi", "vn", "vt", "S"))
             verdict = document(f"classify {flags} --point {point} --transient 100 --collisions 1000")
@@ -260,7 +260,7 @@ class Help(InFolder):
                 self.assertEqual(run(example, cwd=self.folder).returncode, 0, example)
 
     def test_every_example_of_the_readme_runs(self):
-        examples = re.findall(r"^swirl (.*?)(?:\s+#.*)?$", (Path(ROOT) / "README.md").read_text(), re.M)
+        examples = re.findall(r"^swirl (.*?)(?:\s+#.*)?$", (ROOT / "README.md").read_text(), re.M)
         self.assertTrue(examples)
         for example in examples:
             self.assertEqual(run(example, cwd=self.folder).returncode, 0, example)

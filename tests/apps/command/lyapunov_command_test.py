@@ -1,4 +1,4 @@
-"""swirl lyapunov, from outside: lyapunov_command_test.py SWIRL SHARED"""
+"""swirl lyapunov, from outside: lyapunov_command_test.py SWIRL REFERENCES"""
 
 import json
 import math
@@ -11,13 +11,13 @@ import xarray
 
 from driving import document, run
 
-SHARED = Path(sys.argv.pop(1))
+REFERENCES = Path(sys.argv.pop(1))
 
 
 class Lyapunov(unittest.TestCase):
     def test_cycles_have_the_logarithms_of_their_multipliers(self):
         largest = 0
-        for case in json.loads((SHARED / "oracle/cycles.json").read_text())["cycles"]:
+        for case in json.loads((REFERENCES / "cycles.json").read_text())["cycles"]:
             flags = " ".join(f"--{k} {case[k]}" for k in ("sides", "alpha", "beta", "mu", "restitution", "law"))
             point = ",".join(case["point"][k] for k in ("psi", "chi", "vn", "vt", "S"))
             found = document(f"lyapunov {flags} --point={point} --transient 1000 --collisions 20000")

@@ -1,4 +1,4 @@
-"""swirl recurrence, from outside: recurrence_command_test.py SWIRL SHARED"""
+"""swirl recurrence, from outside: recurrence_command_test.py SWIRL REFERENCES"""
 
 import math
 import sys
@@ -10,7 +10,7 @@ import xarray
 
 from driving import InFolder, document, run
 
-ORACLE = Path(sys.argv.pop(1)).resolve() / "oracle"
+REFERENCES = Path(sys.argv.pop(1)).resolve()
 STEADY = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 CYCLE = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"  # of period 8
 CHAOTIC = "--sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1"
@@ -20,7 +20,7 @@ GOLDEN = (math.sqrt(5) - 1) / 2
 
 
 class PublishedRecurrence(unittest.TestCase):
-    """RecurrenceAnalysis.jl's tests, which were checked against the CRP Toolbox (references.md)."""
+    """RecurrenceAnalysis.jl's tests, which were checked against the CRP Toolbox (tests/references/README.md)."""
 
     def check(self, arguments, published):
         found = document(f"recurrence {arguments} --dimension 3 --delay 6 --threshold 1.2")
@@ -30,7 +30,7 @@ class PublishedRecurrence(unittest.TestCase):
         return found
 
     def test_rossler_250(self):
-        file = ORACLE / "rossler_250.txt"
+        file = REFERENCES / "rossler_250.txt"
         found = self.check(f"--series {file}", {
             "RR": 0.03808105520689288, "DET": 0.9990689013035382, "L": 18.1864406779661, "Lmax": 237,
             "ENTR": 3.044979404476836, "LAM": 0.9548417132216015, "TT": 3.8408239700374533})
@@ -41,16 +41,16 @@ class PublishedRecurrence(unittest.TestCase):
             "ENTR": 3.1418178182603116, "LAM": 0.9786683904330963, "TT": 4.791139240506329})
 
     def test_rossler_3000(self):
-        file = ORACLE / "rossler_3000.txt"
+        file = REFERENCES / "rossler_3000.txt"
         self.check(f"--series {file}", {
             "RR": 0.034497548278147744, "DET": 0.998194195442617, "L": 18.085206543485935, "Lmax": 758,
             "ENTR": 3.6108687203622942, "LAM": 0.9889573102606075, "TT": 5.380358341873697})
         self.check(f"--series {file} --rate-pairs all", {"RR": 0.034486002913931495})
 
     def test_rossler_has_one_answer_whatever_the_threads_and_the_file_looks_like(self):
-        values = (ORACLE / "rossler_250.txt").read_text().split()
+        values = (REFERENCES / "rossler_250.txt").read_text().split()
         arguments = "--dimension 3 --delay 6 --threshold 1.2"
-        expected = document(f"recurrence --series {ORACLE / 'rossler_250.txt'} {arguments} --threads 1")
+        expected = document(f"recurrence --series {REFERENCES / 'rossler_250.txt'} {arguments} --threads 1")
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "a.csv"
             file.write_bytes("".join(f'"{i * 0.5}";"{v}";text\r\n' for i, v in enumerate(values)).encode())
@@ -107,7 +107,7 @@ class RecurrenceOfOrbits(InFolder):
         self.assertIsNotNone(some["RR"])
 
     def test_several_thresholds_in_one_pass_are_those_one_by_one(self):
-        file = ORACLE / "rossler_250.txt"
+        file = REFERENCES / "rossler_250.txt"
         for flag in ("threshold", "threshold-std", "recurrence-rate"):
             together = document(f"recurrence --series {file} --{flag} 0.3,0.1 --{flag} 0.05")
             self.assertEqual(len(together["thresholds"]), 3)
@@ -119,7 +119,7 @@ class RecurrenceOfOrbits(InFolder):
         self.assertAlmostEqual(rate["RR"], 0.05, delta=1 / (250 * 249 / 2))
 
     def test_conventions_are_the_packages(self):
-        file, flags = ORACLE / "rossler_250.txt", "--dimension 3 --delay 6 --threshold 1.2"
+        file, flags = REFERENCES / "rossler_250.txt", "--dimension 3 --delay 6 --threshold 1.2"
         ours = document(f"recurrence --series {file} {flags}")
         same = document(f"recurrence --series {file} {flags} --convention recurrenceanalysis.jl")
         self.assertEqual([ours[m] for m in MEASURES], [same[m] for m in MEASURES])
@@ -131,7 +131,7 @@ class RecurrenceOfOrbits(InFolder):
         self.assertTrue(pyunicorn["settings"]["strict"])
 
     def test_a_series_against_itself_is_its_recurrence_matrix(self):
-        values = (ORACLE / "rossler_250.txt").read_text().split()
+        values = (REFERENCES / "rossler_250.txt").read_text().split()
         two = self.file("two.csv", "a b\n" + "".join(f"{v} {v}\n" for v in values))
         flags = f"--series {two} --column a --threshold 1 --theiler 1"
         whole = document(f"recurrence {flags}")

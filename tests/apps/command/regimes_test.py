@@ -118,7 +118,7 @@ class Transient(unittest.TestCase):
         self.assertLess(settling["RR"], 1)
         self.assertGreater(settling["LAM"], 0.9)  # it stays where it has come to
         self.assertEqual(document(f"recurrence {late} --threshold 1e-6")["RR"], 1)
-        # The fixed point's own exponent (oracle/cycles.json: its largest multiplier).
+        # The fixed point's own exponent (cycles.json: its largest multiplier).
         exact = math.log(math.hypot(0.603654650944, 0.745364501151))
         plain = document(f"lyapunov {early}")["plain_means"][0], document(f"lyapunov {late}")["plain_means"][0]
         self.assertGreater(abs(plain[0] - exact), abs(plain[1] - exact))

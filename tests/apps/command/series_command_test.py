@@ -1,4 +1,4 @@
-"""Measured series and records as input to recurrence, spectrum and classify: series_command_test.py SWIRL SHARED"""
+"""Measured series and records as input to recurrence, spectrum and classify: series_command_test.py SWIRL REFERENCES"""
 
 import math
 import random
@@ -10,7 +10,7 @@ import xarray
 
 from driving import InFolder, document, interrupted, run
 
-ORACLE = Path(sys.argv.pop(1)).resolve() / "oracle"
+REFERENCES = Path(sys.argv.pop(1)).resolve()
 STEADY = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 CHAOTIC = "--sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1"
 CHATTER = "--sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9"
@@ -103,7 +103,7 @@ class ClassifySeries(InFolder):
                 self.assertEqual(found["period"], 4 if found["kind"] == "cycle" else None)
                 self.assertEqual(found["largest_exponent"] is None, found["mode"] != "chaotic")
                 self.assertIsNone(found["mean_S"])  # no times, no mean over time
-        # Noise lowers the rate at which neighbours part: 10 % of 0.41922 (references.md).
+        # Noise lowers the rate at which neighbours part: 10 % of 0.41922 (tests/references/README.md).
         found = document(f"classify --series {self.series('h.csv', henon)}")
         self.assertAlmostEqual(found["largest_exponent"], 0.41922, delta=0.02)
 
@@ -187,7 +187,7 @@ class BadInput(InFolder):
         self.check("", "nothing to analyse")
 
     def test_recurrence_options(self):
-        file = ORACLE / "rossler_250.txt"
+        file = REFERENCES / "rossler_250.txt"
         for flags, mentions in {
                 "--threshold -1": ("threshold", "-1"), "--threshold nan": ("threshold", "nan"),
                 "--threshold 0.1,x": ("threshold", "x"), "--threshold-std inf": ("threshold-std", "inf"),
@@ -210,7 +210,7 @@ class BadInput(InFolder):
         self.check(f"--series {constant}", "constant", "--threshold", commands=["recurrence"])
 
     def test_spectrum_options(self):
-        file = ORACLE / "rossler_250.txt"
+        file = REFERENCES / "rossler_250.txt"
         for flags, mentions in {
                 "--window boxcar": ("window", "boxcar", "hann"), "--overlap 1": ("overlap", "1"),
                 "--overlap nan": ("overlap", "nan"), "--segments 0": ("segments", "0"),
@@ -245,14 +245,15 @@ class BadInput(InFolder):
 
 class Input(InFolder):
     def test_a_series_comes_from_standard_input_too(self):
-        values = (ORACLE / "rossler_250.txt").read_text()
+        values = (REFERENCES / "rossler_250.txt").read_text()
         piped = document("recurrence --series - --threshold 1", input=values)
-        self.assertEqual(piped["RR"], document(f"recurrence --series {ORACLE / 'rossler_250.txt'} --threshold 1")["RR"])
+        from_file = document(f"recurrence --series {REFERENCES / 'rossler_250.txt'} --threshold 1")
+        self.assertEqual(piped["RR"], from_file["RR"])
 
     def test_accuracy_belongs_to_the_orbit(self):
         flags = f"{STEADY} --transient 500 --collisions 100 --threshold 1e-6"
         self.assertEqual(document(f"recurrence {flags} --accuracy quad")["RC"], 1)
-        self.assertEqual(run(f"recurrence --series {ORACLE / 'rossler_250.txt'} --accuracy quad").returncode, 2)
+        self.assertEqual(run(f"recurrence --series {REFERENCES / 'rossler_250.txt'} --accuracy quad").returncode, 2)
 
     def test_an_interrupted_orbit_leaves_nothing_half_done(self):
         for command in ("recurrence", "spectrum"):

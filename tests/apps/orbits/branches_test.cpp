@@ -4,7 +4,7 @@
 #include "analysis/orbits/multi_shooting.hpp"
 #include "apps/system/scene_map.hpp"
 #include "map/collision_map.hpp"
-#include "tests/map/oracle.hpp"
+#include "tests/references/references.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@ namespace {
 
 /// A copy: a loop over a member of a temporary would see nothing.
 nlohmann::json listed(const std::string& file) {
-    nlohmann::json cycles = tests::read_oracle(file)["cycles"];
+    nlohmann::json cycles = tests::read_reference(file)["cycles"];
     EXPECT_GE(cycles.size(), 10U);
     return cycles;
 }
 
-/// [references.md] The hexagon's fixed point.
+/// [tests/references/README.md] The hexagon's fixed point.
 nlohmann::json hexagon() {
     return {{"sides", 6},
             {"alpha", "0.4"},
@@ -65,7 +65,7 @@ const analysis::SpecialPoint* first_of(const Followed& followed, const std::stri
 // A steady mode that sticks has its impulse through the centre, q/p = −tan χ, and doesn't know μ: it begins to slide
 // where μ = |tan χ|.
 TEST(Branches, ASteadyModeBeginsToSlideWhereFrictionEnds) {
-    const auto c = tests::read_oracle("cycles.json")["cycles"][0];
+    const auto c = tests::read_reference("cycles.json")["cycles"][0];
     const auto followed = follow(c, "mu=0.01:0.9");
     const double threshold = std::tan(tests::number<double>(c["point"]["chi"]));
     double nearest = 1;
@@ -106,7 +106,7 @@ double largest_inner_gap(const Scene<double>& scene, const analysis::CurvePoint&
 
 TEST(Branches, AGrazingIsLocatedToRounding) {
     int seen = 0;
-    const auto cycles = tests::read_oracle("cycles.json")["cycles"];
+    const auto cycles = tests::read_reference("cycles.json")["cycles"];
     for (const std::size_t i : {1U, 3U}) {
         const auto followed = follow(cycles[i], "alpha=0.05:0.97");
         const auto* grazing = first_of(followed, "grazing");
@@ -184,9 +184,14 @@ TEST(Branches, WhereImpactsVanishIsLocated) {
 }
 
 TEST(Branches, PointsAreCyclesOfTheirScenes) {
+<<<<<<< HEAD
     const auto c = tests::read_oracle("cycles.json")["cycles"][4];
     for (const char* along :
          {"alpha=0.4:0.6", "beta=0.4:0.6", "mu=0.5:0.7", "restitution=0.8:1", "inertia-factor=0.3:0.45"}) {
+=======
+    const auto c = tests::read_reference("cycles.json")["cycles"][4];
+    for (const char* along : {"alpha=0.4:0.6", "beta=0.4:0.6", "mu=0.5:0.7", "restitution=0.8:1", "inertia-factor=0.3:0.45"}) {
+>>>>>>> e50de5b696095eb3ef35e8c16286e8945f7e71f2
         const auto followed = follow(c, along);
         const auto parameter = apps::parameter_range_from(along, false, true).parameter.value();
         ASSERT_GT(followed.branch.points.size(), 5U) << along;

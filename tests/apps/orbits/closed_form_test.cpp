@@ -97,7 +97,7 @@ Scene<double> disk() {
     return {disk_sides, 0.3, 0.1, 0.5, 1, Law::poisson, 0.5};
 }
 
-// [references.md] τ = 1.33899: S = −1.6049495, |multipliers| 0.98723008 (a pair), 1, 0; τ = 2.5: 1.0072349.
+// [tests/references/README.md] τ = 1.33899: S = −1.6049495, |multipliers| 0.98723008 (a pair), 1, 0; τ = 2.5: 1.0072349.
 TEST(ClosedForm, MembersOfTheDisksFamily) {
     const auto map = apps::scene_map(disk());
     analysis::Cycle seed;
@@ -126,7 +126,7 @@ TEST(ClosedForm, MembersOfTheDisksFamily) {
     }
 }
 
-// [references.md] The family loses its stability (Neimark–Sacker) at τ = 2.33112237041442.
+// [tests/references/README.md] The family loses its stability (Neimark–Sacker) at τ = 2.33112237041442.
 TEST(ClosedForm, TheDisksFamilyLosesItsStability) {
     const auto along = apps::parameter_range_from("tau=1:3", false, true);
     const auto scene = apps::scene_branches(disk(), along);

@@ -12,8 +12,8 @@ namespace {
 
 // Elimination of the time: DF = ∂z′/∂z − ∂z′/∂τ (∂g/∂z)/(∂g/∂τ).
 TEST(TimedCollision, GivesTheMapsDerivativeOnceTheTimeIsEliminated) {
-    const auto oracle = tests::read_oracle("cycles.json");
-    for (const auto& c : oracle["cycles"]) {
+    const auto references = tests::read_reference("cycles.json");
+    for (const auto& c : references["cycles"]) {
         const auto scene = tests::scene_from<double>(c);
         const auto map = apps::scene_map(scene), timed = apps::timed_scene_map(scene).map;
         const auto z = apps::state_of(tests::point_from<double>(c["point"]), scene.is_disk());

@@ -1,4 +1,4 @@
-// [oracle/cycles.json, oracle/steady_e1.json] Every cycle is found, from its period alone and from nearby.
+// [cycles.json, steady_e1.json of tests/references] Every cycle is found, from its period alone and from nearby.
 #include "analysis/orbits/multi_shooting.hpp"
 #include "tests/apps/orbits/scene_cycles.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 
 /// A copy: a loop over a member of a temporary would see nothing.
 nlohmann::json listed(const std::string& file) {
-    nlohmann::json cycles = tests::read_oracle(file)["cycles"];
+    nlohmann::json cycles = tests::read_reference(file)["cycles"];
     EXPECT_GE(cycles.size(), 10U);
     return cycles;
 }
@@ -32,20 +32,20 @@ void expect_found(const nlohmann::json& c) {
     EXPECT_LE(nearest->residual, 1e-12);
 }
 
-TEST(OracleCycles, EverySteadyPolygonIsFoundFromItsPeriodAlone) {
+TEST(ReferenceCycles, EverySteadyPolygonIsFoundFromItsPeriodAlone) {
     for (const auto& c : listed("steady_e1.json")) expect_found(c);
 }
 
-TEST(OracleCycles, FirstFiveAreFoundFromTheirPeriodAlone) {
-    const auto cycles = tests::read_oracle("cycles.json")["cycles"];
+TEST(ReferenceCycles, FirstFiveAreFoundFromTheirPeriodAlone) {
+    const auto cycles = tests::read_reference("cycles.json")["cycles"];
     for (std::size_t i = 0; i < 5; ++i) expect_found(cycles[i]);
 }
 
-TEST(OracleCyclesNightly, AllAreFoundFromTheirPeriodAlone) {
+TEST(ReferenceCyclesNightly, AllAreFoundFromTheirPeriodAlone) {
     for (const auto& c : listed("cycles.json")) expect_found(c);
 }
 
-TEST(OracleCycles, AllAreReachedFromNearbyWithinTwentyIterations) {
+TEST(ReferenceCycles, AllAreReachedFromNearbyWithinTwentyIterations) {
     int most = 0;
     for (const char* file : {"cycles.json", "steady_e1.json"}) {
         for (const auto& c : listed(file)) {

@@ -1,8 +1,9 @@
-// Reads the project's references in ../shared/oracle. Their numbers are decimal strings, parsed in the type asked for.
+// Reads the references in JSON of this folder. Their numbers are decimal strings, parsed in the type asked for.
 #pragma once
 
 #include "map/model/scene.hpp"
 #include "map/model/section.hpp"
+#include "tests/references/reference_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -13,8 +14,8 @@
 
 namespace swirl::tests {
 
-inline nlohmann::json read_oracle(const std::string& name) {
-    const std::string path = std::string(SWIRL_SHARED_DIR) + "/oracle/" + name;
+inline nlohmann::json read_reference(const std::string& name) {
+    const std::string path = reference_path(name);
     std::ifstream file(path);
     if (!file) throw std::runtime_error("cannot open " + path);
     return nlohmann::json::parse(file);

@@ -1,4 +1,4 @@
-// The collision map F: from just after one impact to just after the next. Design, section 4.
+// The collision map F: from just after one impact to just after the next. map/README.md, "Collision map".
 #pragma once
 
 #include "map/first_contact/first_contact.hpp"

@@ -87,10 +87,11 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
                         " standard errors, and the bound of a neutral direction): " + cycle});
 }
 
-/// The paper's rule reads RC alone; it stands here as evidence, not as a judge.
+/// The rule of Sun 2019 (docs/references.md) reads RC alone; it is evidence, and does not decide.
 void describe_recurrence(Classification& result) {
-    constexpr double papers = 1e-4;
-    const bool few = result.recurrence_rate_without_diagonal < papers;
+    constexpr double sun_2019 = 1e-4;
+    (rename `papers` in its four places; the strings are output and stay) const bool few =
+        result.recurrence_rate_without_diagonal < papers;
     result.evidence.push_back(
         {"recurrence rate without diagonal", result.recurrence_rate_without_diagonal, papers,
          few ? "as the paper's chaotic mode" : "values of the observable recur",

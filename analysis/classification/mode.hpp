@@ -1,11 +1,12 @@
-// The modes of the paper and the finer kinds behind them.
+// The three modes of Sun 2019 (docs/references.md) and the finer kinds behind them.
 #pragma once
 
 #include <string_view>
 
 namespace swirl::analysis {
 
-/// What the paper names: chaotic, quasi-steady (finitely many or a closed curve of states), steady (one state).
+/// The modes of Sun 2019 (docs/references.md): chaotic, quasi-steady (finitely many or a closed curve of states),
+/// steady (one state).
 enum class Mode { steady, quasi_steady, chaotic, undecided };
 
 /// What is known beyond that.

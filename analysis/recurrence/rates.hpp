@@ -16,7 +16,7 @@ struct RecurrenceRate {
     std::uint64_t diagonal = 0;  ///< those of the main diagonal: n, or 0 with strict and threshold 0
     std::size_t count = 0;       ///< n
 
-    /// The paper's RC = (1/n^2) sum_ij [ |x_i - x_j| <= delta ]: k equally visited values give 1/k.
+    /// RC of Sun 2019 (docs/references.md), (1/n^2) sum_ij [ |x_i - x_j| <= delta ]: k equally visited values give 1/k.
     double with_diagonal() const;
     /// The same over the n (n - 1) pairs of different points; 0 if n = 1.
     double without_diagonal() const;

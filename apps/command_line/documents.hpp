@@ -16,7 +16,7 @@ namespace swirl::apps {
 /// Named settings of a run, in the order in which they are written.
 using Settings = std::vector<std::pair<std::string, AttributeValue>>;
 
-/// The scene's parameters by the names of the contract; sides is a number, or "disk".
+/// The scene's parameters by the names of docs/command-line.md, "Scene"; sides is a number, or "disk".
 Settings scene_settings(const Scene<double>& scene);
 /// A start in the laboratory, on the section, or at random (speed, seed).
 Settings start_settings(const StartOptions& options, const Scene<double>& scene);

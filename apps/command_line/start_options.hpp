@@ -23,7 +23,7 @@ LabStart<double> random_start(double beta, double speed, std::uint64_t seed, std
 /// --seed: CLI11 would take −1 for 2⁶⁴ − 1. `given`, if there is one, is set when the flag is.
 CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const std::string& help, bool* given = nullptr);
 
-/// The paper's speed at ω_s = 1: |v| = 1 with R_c = 7.
+/// The speed of Sun 2019 (docs/references.md) at ω_s = 1: |v| = 1 with R_c = 7.
 inline constexpr double paper_speed = 1.0 / 7;
 
 class StartOptions {

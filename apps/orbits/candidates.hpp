@@ -28,11 +28,11 @@ struct SteadyGuesses {
     std::vector<std::string> limits;
 };
 
-/// Candidates for steady modes from their closed form at e = 1 (design, section 4): ψ = χ = 0, v_n = −(2R/τ) sin²(τ/2),
-/// v_t = R sin τ/τ, R = β + 1 − α. For a polygon with friction one per root τ of (β − v_t)/α = 1 − 2πj/(Nτ); for the
-/// disk, and without friction (where S is free), a grid of τ. For e < 1 they are guesses. Where there are very many
-/// (α → 0, N → ∞) those that another vertex cuts short are left out, and for e < 1 some thousands are taken of the
-/// rest.
+/// Candidates for steady modes from their closed form at e = 1 (map/README.md, "Steady modes"): ψ = χ = 0, v_n =
+/// −(2R/τ) sin²(τ/2), v_t = R sin τ/τ, R = β + 1 − α. For a polygon with friction one per root τ of (β − v_t)/α = 1 −
+/// 2πj/(Nτ); for the disk, and without friction (where S is free), a grid of τ. For e < 1 they are guesses. Where there
+/// are very many (α → 0, N → ∞) those that another vertex cuts short are left out, and for e < 1 some thousands are
+/// taken of the rest.
 SteadyGuesses steady_guesses(const Scene<double>& scene);
 
 /// Trajectories from random starts, transients included: each a list of states on the section.

@@ -1,4 +1,4 @@
-// The numbers of an impact by name, in the contract's order, with what a record says of them.
+// The numbers of an impact by name, in the order of docs/command-line.md, "simulate", with what a record says of them.
 #pragma once
 
 #include "apps/output/impact_row.hpp"

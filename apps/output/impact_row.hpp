@@ -1,4 +1,4 @@
-// One impact as it is listed: the state just after it, and what the impact did. Keys are the contract's.
+// One impact as it is listed: the state just after it, and what the impact did. Keys: docs/command-line.md, "simulate".
 #pragma once
 
 #include "map/orbit/orbit.hpp"

@@ -17,7 +17,7 @@ struct Quantification {
     Thresholds thresholds;
     std::vector<analysis::recurrence::LineHistograms> lines;  ///< one entry a threshold; empty: too few points
     std::vector<analysis::recurrence::Measures> measures;
-    std::vector<double> rc, rc_without_diagonal;  ///< the paper's; NaN for a cross recurrence
+    std::vector<double> rc, rc_without_diagonal;  ///< of Sun 2019 (docs/references.md); NaN for a cross recurrence
     std::optional<analysis::recurrence::Image> image;
 };
 

@@ -1,4 +1,4 @@
-// `swirl tour`: the main job of ./quickstart, the modes of the paper on a built-in set of scenes.
+// `swirl tour`: the main job of ./quickstart, the modes of Sun 2019 (docs/references.md) on a built-in set of scenes.
 #pragma once
 
 #include "apps/command_line/output_options.hpp"

@@ -1,4 +1,5 @@
-// Free flight: the centre moves uniformly, the spin is constant; seen from the container's centre. Design, section 2.
+// Free flight: the centre moves uniformly, the spin is constant; seen from the container's centre. map/README.md,
+// "Flight".
 //
 // Axes are those of the start: along n and t of the impact that began the flight, or the laboratory's. With
 // E(τ) = cis τ − 1, w = O(t) the swirl's arm and a the arm from the centre to a vertex,

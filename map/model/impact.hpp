@@ -1,7 +1,7 @@
 // The impact of a rigid body with the wall under Coulomb friction, in closed form.
 //
-// Routh's plane impact (design, section 3; Wang & Mason, J. Appl. Mech. 59 (1992) 635; Stronge, Proc. R. Soc. A 431
-// (1990) 169). The impulse on the body is −p n + q t, p ≥ 0 grows from 0, and with C = −u_n
+// Routh's plane impact (map/README.md, "Impact"; Wang & Mason, J. Appl. Mech. 59 (1992) 635; Stronge, Proc. R. Soc. A
+// 431 (1990) 169). The impulse on the body is −p n + q t, p ≥ 0 grows from 0, and with C = −u_n
 //     C = C₀ + B₂ p + B₃ q,   u_t = u_t₀ + B₃ p + B₁ q,   dq = −μ sign(u_t) dp while slipping.
 // C(p) is therefore piecewise linear with at most one kink, where slip stops; the five contact modes are where it
 // falls.

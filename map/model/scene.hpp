@@ -1,4 +1,4 @@
-// The scene: which polygon in which container, dimensionless (R_c = 1, ω_s = 1, m = 1). Design, section 1.
+// The scene: which polygon in which container, dimensionless (R_c = 1, ω_s = 1, m = 1). map/README.md, "Scene".
 #pragma once
 
 #include "map/numbers/real.hpp"
@@ -11,7 +11,8 @@
 
 namespace swirl {
 
-/// How the end of restitution is fixed (design, section 3). Without friction, in sliding and for the disk all agree.
+/// How the end of restitution is fixed (map/README.md, "Impact"). Without friction, in sliding and for the disk all
+/// agree.
 enum class Law { poisson, newton, stronge };
 
 /// Number of sides that stands for the disk (N = ∞).
@@ -90,7 +91,7 @@ inline void require_speed(const T& speed) {
 
 /// True if every impact takes for ever: with e < 1, without friction, J (ΔJ = −½(1 − e) p u_n); in a container at rest
 /// the energy, which friction takes, too, but a polygon's under Newton's law. Both are bounded from below, so impacts
-/// must fade: no cycle and no attractor has any (design, section 3).
+/// must fade: no cycle and no attractor has any (map/README.md, "Energy in the swirling frame").
 template <class T>
 inline bool is_dissipative_without_drive(const Scene<T>& scene) {
     if (!(scene.restitution < T(1))) return false;

@@ -1,4 +1,4 @@
-// The section: the state just after an impact, in axes that turn with the swirl. Design, section 4.
+// The section: the state just after an impact, in axes that turn with the swirl. map/README.md, "Section coordinates".
 //
 //     z = (ψ, χ, v_n, v_t, S)   ψ = arg n − t,  χ = arg r − arg n,  v_n, v_t: the centre's lab velocity along n and t.
 #pragma once
@@ -68,7 +68,7 @@ template <class T>
 }
 
 /// Energy in the swirling frame, J = ½|V − ẑ×X|² − ½|X|² + ½I(S − 1)² − ½I with X from the swirl's centre
-/// (design, section 3). Conserved in flight.
+/// (map/README.md, "Energy in the swirling frame"). Conserved in flight.
 template <class T>
 inline T jacobi_of(const Body<T>& body, const PostImpactState<T>& post_impact) {
     const Vec2<T> place = Vec2<T>{T(1) - body.alpha * post_impact.chi.x, -(body.alpha * post_impact.chi.y)} +

@@ -1,4 +1,4 @@
-// Sustained contact: the body on the wall, on a vertex, on the two of an edge, or (a disk) on its rim. Design,
+// Sustained contact: the body on the wall, on a vertex, on the two of an edge, or (a disk) on its rim.
 // section 5.
 //
 // The section's coordinates serve here too, with u_n = 0: ψ = arg n − t, χ = arg r − arg n (a vertex), the slip

@@ -1,9 +1,9 @@
-"""Checks that includes follow the design: check_includes.py ROOT
+"""Checks that includes follow the layers of docs/architecture.svg: check_includes.py ROOT
 
 Prints one line per violation, `file:line: what is wrong`, and exits 1 if there is any; 2 if ROOT holds no sources.
 What is checked, in every .hpp and .cpp of map/, analysis/ and apps/:
   - a folder includes only the folders that it may know (FOLDERS);
-  - map/ and analysis/ include only the libraries that the design grants them (LIBRARIES) and the C++ standard library;
+  - map/ and analysis/ include only the libraries that are granted to them (LIBRARIES) and the C++ standard library;
   - the project's headers are included in quotes, by their path from the root, and exist;
   - headers do not include each other in a circle.
 """
@@ -107,7 +107,7 @@ def main(arguments):
         print(f"usage: check_includes.py ROOT, with C++ files in {', '.join(FOLDERS)}", file=sys.stderr)
         return 2
     found = check(root)
-    print("\n".join(found) if found else f"the includes of {count} files follow the design")
+    print("\n".join(found) if found else f"the includes of {count} files follow the layers of docs/architecture.svg")
     return 1 if found else 0
 
 

@@ -1,7 +1,7 @@
 // An independent witness in long double: is any vertex outside at a moment, or between two moments of a flight?
 //
-// Between moments a and b of a flight with |g″| ≤ M while inside (design, section 2), every gap stays below the chord
-// of its ends by no more than M (b − a)²/8; so the interval is clear if the larger end plus that is within the
+// Between moments a and b of a flight with |g″| ≤ M while inside (map/README.md, "Flight"), every gap stays below the
+// chord of its ends by no more than M (b − a)²/8; so the interval is clear if the larger end plus that is within the
 // tolerance, and is halved otherwise. That is a dense scan which is finest where the wall is near, and it cannot step
 // over an excursion, however short. It shares nothing with the search: no derivatives, no neighbours in time, its own
 // positions.

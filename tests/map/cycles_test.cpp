@@ -1,5 +1,5 @@
 <<<<<<< HEAD
-// The cycles of oracle/cycles.json and the steady modes of oracle/steady_e1.json: points and multipliers.
+// The cycles of tests/references/cycles.json and the steady modes of tests/references/steady_e1.json: points and multipliers.
 #include "map/derivative/derivative.hpp"
 #include "map/derivative/saltation.hpp"
 #include "tests/map/oracle.hpp"

@@ -46,7 +46,7 @@ Means statistics_of(const Scene<double>& scene, tests::Random& random, long impa
             chi += std::abs(std::atan2(orbit.post_impact().chi.y, orbit.post_impact().chi.x));
         }
         const double n = static_cast<double>(impacts);
-        // Of S just after impacts, the paper's threshold and a wide one. Its diagonal, 1/n, says nothing of the orbit.
+        // Of S just after impacts, Sun 2019's threshold and a wide one. Its diagonal, 1/n, says nothing of the orbit.
         const auto rates =
             analysis::recurrence::recurrence_rates(analysis::recurrence::embed_series(spins), std::array{1e-2, 1e-6});
         return Means{turned / time, std::sqrt(square / n),       time / n,

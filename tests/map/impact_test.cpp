@@ -165,7 +165,7 @@ TEST(Impact, AllLawsAgreeInSlidingForTheDiskAndWithoutFriction) {
     EXPECT_GE(sliding, count / 5);
 }
 
-/// μ ≥ κ/T + (1 + κ)T, T = min(√(κ/(1 + κ)), tan χ_m): from there B₂ − sμB₃ < 0 is possible (design, section 3).
+/// μ ≥ κ/T + (1 + κ)T, T = min(√(κ/(1 + κ)), tan χ_m): from there B₂ − sμB₃ < 0 is possible (map/README.md, "Impact").
 double threshold(const Scene<double>& scene) {
     const double kappa = scene.inertia_factor;
     const double t = std::min(std::sqrt(kappa / (1 + kappa)), std::tan(tests::largest_chi(scene)));
@@ -176,7 +176,7 @@ TEST(Impact, FirstSlopeTurnsNegativeAtTheThresholdOfFriction) {
     const auto scene_of = [](int sides, double alpha) {
         return Scene<double>{sides, alpha, 0.1, 0, 1, Law::poisson, uniform_inertia_factor<double>(sides)};
     };
-    EXPECT_NEAR(threshold(scene_of(3, 0.4)), 1.118, 5e-4);  // the design's numbers
+    EXPECT_NEAR(threshold(scene_of(3, 0.4)), 1.118, 5e-4);  // map/README.md, "Impact"
     EXPECT_NEAR(threshold(scene_of(6, 0.4)), 1.721, 5e-4);
     for (const int sides : {3, 4, 5, 6, 7, 12, 100})
         for (const double alpha : {0.1, 0.4, 0.8}) {

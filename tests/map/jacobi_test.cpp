@@ -1,4 +1,4 @@
-// The energy in the swirling frame, J (design, section 3).
+// The energy in the swirling frame, J (map/README.md, "Energy in the swirling frame").
 #include "map/collision_map.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"

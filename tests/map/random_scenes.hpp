@@ -27,13 +27,14 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// χ_m = π/N − asin(α sin(π/N)): |χ| up to which the other vertices have room (design, section 3); 0 for the disk.
+/// χ_m = π/N − asin(α sin(π/N)): |χ| up to which the other vertices have room (map/README.md, "Impact"); 0 for the
+/// disk.
 inline double largest_chi(const Scene<double>& scene) {
     if (scene.is_disk()) return 0;
     return M_PI / scene.sides - std::asin(scene.alpha * std::sin(M_PI / scene.sides));
 }
 
-/// A polygon or disk of any kind the design asks for.
+/// A polygon or disk of any kind in the ranges of map/README.md, "Scene".
 inline Scene<double> random_scene(Random& random, int sides, double mu, double restitution, Law law) {
     Scene<double> scene;
     scene.sides = sides;

@@ -53,7 +53,7 @@ TEST(Section, AnglesWrapToMinusPiExclusiveToPi) {
     }
 }
 
-TEST(Section, SlipVelocityIsWhatTheDesignSays) {
+TEST(Section, SlipVelocityIsThatOfThePointThatTouches) {
     const Scene<double> scene{5, 0.4, 0.3, 0.2, 0.8, Law::poisson, 0.4};
     const SectionPoint<double> z{0.7, -0.2, -0.5, 0.6, 1.5};
     const auto approach = contact_kinematics(make_body(scene), post_impact_state(z));

@@ -1,5 +1,5 @@
-// The steady modes at e = 1 in closed form (design, section 4): ψ = χ = 0, v_n = −(2R/τ) sin²(τ/2), v_t = R sin τ/τ,
-// with friction S = (β − v_t)/α, R = β + 1 − α.
+// The steady modes at e = 1 in closed form (map/README.md, "Steady modes"): ψ = χ = 0, v_n = −(2R/τ) sin²(τ/2), v_t = R
+// sin τ/τ, with friction S = (β − v_t)/α, R = β + 1 − α.
 #include "map/derivative/derivative.hpp"
 
 #include <gtest/gtest.h>

@@ -80,7 +80,7 @@ class BadInput(InFolder):
 
 
 class Simulate(InFolder):
-    def test_rows_have_the_keys_of_the_contract(self):
+    def test_rows_have_the_fixed_keys(self):
         rows = document(f"simulate {HEXAGON} --collisions 3")["collisions"]
         self.assertEqual(len(rows), 3)
         for row in rows:

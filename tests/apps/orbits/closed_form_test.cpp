@@ -1,4 +1,5 @@
-// Steady modes at e = 1 against their closed form (design, section 4), worked out here on a grid of its own.
+// Steady modes at e = 1 against their closed form (map/README.md, "Steady modes"), worked out here on a grid of its
+// own.
 #include "analysis/continuation/continue_branch.hpp"
 #include "analysis/orbits/family.hpp"
 #include "apps/branches/branches.hpp"
@@ -97,7 +98,8 @@ Scene<double> disk() {
     return {disk_sides, 0.3, 0.1, 0.5, 1, Law::poisson, 0.5};
 }
 
-// [tests/references/README.md] τ = 1.33899: S = −1.6049495, |multipliers| 0.98723008 (a pair), 1, 0; τ = 2.5: 1.0072349.
+// [tests/references/README.md] τ = 1.33899: S = −1.6049495, |multipliers| 0.98723008 (a pair), 1, 0; τ
+// = 2.5: 1.0072349.
 TEST(ClosedForm, MembersOfTheDisksFamily) {
     const auto map = apps::scene_map(disk());
     analysis::Cycle seed;

@@ -1,4 +1,5 @@
-// The classification on scenes drawn at random, against what much longer orbits show, beside the paper's rule.
+// The classification on scenes drawn at random, against what much longer orbits show, beside the rule of Sun 2019
+// (docs/references.md).
 #include "apps/modes/name_mode.hpp"
 #include "tests/apps/survey/mode_truth.hpp"
 #include "tests/apps/survey/random_scene.hpp"
@@ -21,7 +22,7 @@ namespace {
 using analysis::Kind;
 using analysis::Mode;
 
-/// What the paper's rule says from RC alone (without the main diagonal): one value, few values, none.
+/// What the rule of Sun 2019 says from RC alone (without the main diagonal): one value, few values, none.
 Mode by_recurrence_rate(double rate) {
     if (rate < 1e-4) return Mode::chaotic;
     return rate > 0.99 ? Mode::steady : Mode::quasi_steady;
@@ -143,7 +144,7 @@ struct Tally {
 
     void print_all() const {
         print("this classification (rows: truth)", ours);
-        print("the paper's rule, RC alone (rows: truth)", papers);
+        print("the rule of Sun 2019, RC alone (rows: truth)", papers);
         for (const auto& [name, n] : contact) std::printf("%5d end as %s\n", n, name.c_str());
         for (const auto& [name, n] : open) std::printf("%5d undecided: %s\n", n, name.c_str());
         const int open_ones = undecided - fading - changing;
@@ -154,7 +155,7 @@ struct Tally {
         std::printf(
             "%d scenes, %d undecided (%.1f %%), %d wrong; %d more hold for the 20,000 impacts that were judged "
             "and change later (chaotic transients). Impacts go on in %d; truth is known for %d, of these %d "
-            "undecided (%.1f %%), by the paper's rule %d wrong (%.1f %%)\n",
+            "undecided (%.1f %%), by the rule of Sun 2019 %d wrong (%.1f %%)\n",
             scenes, undecided, 100.0 * undecided / scenes, wrong, left, with_impacts, with_truth, missed,
             100.0 * missed / with_truth, paper_wrong, 100.0 * paper_wrong / with_truth);
     }

@@ -1,5 +1,5 @@
 // Sustained contact: the body on the wall, on a vertex, on the two of an edge, or (a disk) on its rim.
-// section 5.
+// map/sustained/README.md, "Motion".
 //
 // The section's coordinates serve here too, with u_n = 0: ψ = arg n − t, χ = arg r − arg n (a vertex), the slip
 // velocity u_t and S. The container does not rotate, so a vertex that touches moves along the wall at u_t = dν/dt, ν =

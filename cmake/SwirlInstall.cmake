@@ -3,7 +3,6 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # swirl_install_library(TARGET folder): the target, and every header of the folder as a public one.
-# As a file set the headers are also compiled one by one, each on its own, by `all_verify_interface_header_sets`.
 function(swirl_install_library target folder)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
   target_sources(${target} ${ARGN} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})

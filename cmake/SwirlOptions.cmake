@@ -4,6 +4,12 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
+# A compiler cache where there is one; -DCMAKE_CXX_COMPILER_LAUNCHER= does without it.
+find_program(SWIRL_CCACHE ccache)
+if(SWIRL_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${SWIRL_CCACHE} CACHE STRING "What runs the compiler")
+endif()
+
 add_library(swirl_options INTERFACE)
 set_target_properties(swirl_options PROPERTIES EXPORT_NAME options)
 target_compile_features(swirl_options INTERFACE cxx_std_20)

@@ -1,0 +1,116 @@
+"""check_layers.py, check_sizes.py and check_names.py on made-up files: each must find what it is for, and only that."""
+
+import contextlib
+import io
+import tempfile
+import unittest
+from pathlib import Path
+
+import check_layers
+import check_names
+import check_sizes
+
+
+def with_files(files, use):
+    """What `use(root)` says of a tree of these files."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder)
+        for name, text in files.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text, encoding="utf-8")
+        return use(root)
+
+
+def printed(main, files):
+    """Exit code and output of a check's main function."""
+    output = io.StringIO()
+    with contextlib.redirect_stdout(output), contextlib.redirect_stderr(io.StringIO()):
+        code = with_files(files, lambda root: main([str(root)]))
+    return code, output.getvalue()
+
+
+class Layers(unittest.TestCase):
+    FILES = {
+        "map/numbers/real.hpp": "#pragma once\n",
+        "map/model/scene.hpp": '#include "map/numbers/real.hpp"\n',
+        "map/collision_map.hpp": '#include "map/model/scene.hpp"\n',
+    }
+
+    def test_rooms_are_printed_from_the_top_down(self):
+        code, text = printed(check_layers.main, self.FILES)
+        self.assertEqual(code, 0)
+        self.assertEqual([line.split() for line in text.splitlines()],
+                         [["2", "map/collision_map"], ["1", "map/model"], ["0", "map/numbers"]])
+
+    def test_a_circle_of_folders_is_found_where_the_files_have_none(self):
+        back = {**self.FILES, "map/numbers/tables.hpp": '#include "map/model/body.hpp"\n', "map/model/body.hpp": "\n"}
+        code, text = printed(check_layers.main, back)
+        self.assertEqual(code, 1)
+        self.assertIn("a circle of folders: map/model -> map/numbers -> map/model", text)
+
+    def test_nothing_to_check_is_an_error(self):
+        self.assertEqual(printed(check_layers.main, {"README.md": ""})[0], 2)
+
+
+def function_of(lines):
+    return "int f(int x) {\n" + "    ++x;\n" * (lines - 2) + "}\n"
+
+
+class Sizes(unittest.TestCase):
+    def found(self, text, name="map/a.cpp"):
+        return with_files({name: text}, check_sizes.check)
+
+    def test_sixty_lines_pass_and_sixty_one_do_not(self):
+        self.assertEqual(self.found(function_of(60)), [])
+        self.assertEqual(self.found(function_of(61)), ["map/a.cpp:1: a function of 61 lines; at most 60"])
+
+    def test_arguments_on_lines_of_their_own_hide_no_function(self):
+        text = "struct S {\n    int f(int a,\n          int b) const {\n" + "        ++a;\n" * 60 + "    }\n};\n"
+        self.assertEqual(self.found(text), ["map/a.cpp:3: a function of 62 lines; at most 60"])
+
+    def test_a_long_class_is_no_function(self):
+        self.assertEqual(self.found("class C : public D<int()> {\n" + "    int a;\n" * 80 + "};\n"), [])
+
+    def test_functions_that_follow_one_another_are_told_apart(self):
+        self.assertEqual(self.found(function_of(40) + "\n" + function_of(40)), [])
+
+    def test_three_hundred_lines_pass_and_one_more_does_not(self):
+        self.assertEqual(self.found("\n" * 300), [])
+        self.assertEqual(self.found("\n" * 301), ["map/a.cpp:301: 301 lines; at most 300"])
+        self.assertEqual(self.found("\n" * 301, "notebooks-export/a.py"),
+                         ["notebooks-export/a.py:301: 301 lines; at most 300"])
+
+
+class Names(unittest.TestCase):
+    def found(self, files):
+        return with_files(files, check_names.check)[0]
+
+    def test_one_name_in_two_commands_is_found(self):
+        body = "namespace swirl::apps {\n\nstruct Attractor {\n    int a;\n};\n\n}  // namespace swirl::apps\n"
+        self.assertEqual(self.found({"apps/a/a.hpp": body, "apps/b/b.hpp": body}),
+                         ["swirl::apps::Attractor: apps/a/a.hpp:3 and apps/b/b.hpp:3"])
+
+    def test_namespaces_and_unnamed_ones_tell_names_apart(self):
+        one = "namespace a {\nnamespace {\nstruct S {};\n}  // namespace\nclass T {\n};\n}  // namespace a\n"
+        other = one.replace("namespace a", "namespace b")
+        self.assertEqual(self.found({"apps/a.cpp": one, "apps/b.cpp": one.replace("class T", "class U")}), [])
+        self.assertEqual(self.found({"apps/a.cpp": one, "apps/b.cpp": other}), [])
+
+    def test_declarations_and_members_are_no_definitions(self):
+        text = "namespace a {\nstruct S;\nstruct T::Inner {\n};\n}  // namespace a\n"
+        self.assertEqual(self.found({"apps/a.cpp": text, "apps/b.cpp": text}), [])
+
+    def test_templates_and_enumerations_are_types(self):
+        for kind in ("template <class T>\nstruct S {\n", "enum class S { a, b };\n", "class S final : public T {\n"):
+            text = f"namespace a {{\n{kind}}};\n}}  // namespace a\n"
+            self.assertEqual(len(self.found({"map/a.hpp": text, "apps/b.hpp": text})), 1, kind)
+
+    def test_programs_of_two_test_folders_do_not_meet(self):
+        text = "namespace a {\nstruct S {\n};\n}  // namespace a\n"
+        self.assertEqual(self.found({"tests/map/a.cpp": text, "tests/apps/b.cpp": text}), [])
+        self.assertEqual(len(self.found({"tests/map/a.cpp": text, "tests/map/b.cpp": text})), 1)
+        self.assertEqual(len(self.found({"tests/map/a.cpp": text, "map/b.hpp": text})), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

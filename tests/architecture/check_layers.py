@@ -1,0 +1,68 @@
+"""Prints the folders of map/, analysis/ and apps/ as layers, and checks them: check_layers.py ROOT
+
+A folder stands one layer above the highest folder that it includes, so that nothing includes upwards. Folders that
+include each other in a circle have no layer: each circle is printed, and the exit code is 1; 2 if ROOT holds no sources.
+A file beside folders (map/collision_map.hpp) is a room of its own.
+"""
+
+import sys
+from pathlib import Path
+
+from check_includes import FOLDERS, includes_of, source_files
+
+
+def room_of(name):
+    """The folder of a file, or, for a file that lies beside folders of its library, the file without its ending."""
+    path = Path(name)
+    return path.with_suffix("").as_posix() if path.parent.as_posix() in FOLDERS else path.parent.as_posix()
+
+
+def room_graph(root):
+    """{room: the rooms that its files include}, itself left out."""
+    graph = {}
+    for _, file in source_files(root):
+        room = room_of(file.relative_to(root).as_posix())
+        included = graph.setdefault(room, set())
+        for _, bracket, name in includes_of(file):
+            if bracket == '"' and name.split("/")[0] in FOLDERS and room_of(name) != room:
+                included.add(room_of(name))
+    return graph
+
+
+def layers_of(graph):
+    """Lists of rooms from the lowest layer up, and the rooms that are left because they lie on or above a circle."""
+    layers, placed, left = [], set(), set(graph)
+    while left:
+        layer = sorted(room for room in left if graph[room] <= placed)
+        if not layer:
+            break
+        layers.append(layer)
+        placed.update(layer)
+        left.difference_update(layer)
+    return layers, sorted(left)
+
+
+def circle_in(graph, rooms):
+    """One circle among rooms each of which includes another of them."""
+    path = [rooms[0]]
+    while path.count(path[-1]) == 1:
+        path.append(min(graph[path[-1]] & set(rooms)))
+    return path[path.index(path[-1]):]
+
+
+def main(arguments):
+    root = Path(arguments[0]) if len(arguments) == 1 else None
+    graph = room_graph(root) if root else {}
+    if not graph:  # a check of nothing must not pass
+        print(f"usage: check_layers.py ROOT, with C++ files in {', '.join(FOLDERS)}", file=sys.stderr)
+        return 2
+    layers, left = layers_of(graph)
+    for number, layer in reversed(list(enumerate(layers))):
+        print(f"{number:3}  {'  '.join(layer)}")
+    if left:
+        print("a circle of folders:", " -> ".join(circle_in(graph, left)))
+    return 1 if left else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

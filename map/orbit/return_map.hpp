@@ -145,7 +145,7 @@ private:
                 T(l.vt), T(l.spin)};
     }
     Outcome outcome_of(FirstContactOutcome outcome) const {
-        switch (contact) {
+        switch (outcome) {
             case FirstContactOutcome::contact:
                 return Outcome::completed;
             case FirstContactOutcome::no_contact:

@@ -82,6 +82,7 @@ void check_all(const char* file, int wanted) {
 
 TEST(Cycles, ReferenceCyclesCloseWithTheirMultipliers) { check_all("cycles.json", 20); }
 TEST(Cycles, ReferenceSteadyModesCloseWithTheirMultipliers) { check_all("steady_e1.json", 10); }
+TEST(Cycles, ReferenceFixedPointsOfAHexagonCloseWithTheirMultipliers) { check_all("fixed_points.json", 31); }
 
 }  // namespace
 }  // namespace swirl

@@ -141,7 +141,7 @@ analysis::ShootingMap scene_map(const Scene<double>& scene) {
 }
 
 analysis::ShootingMap scene_map(const Scene<double>& scene, Parameter parameter) {
-    // ParameterRange μ there is friction, whatever this scene's own μ.
+    // Along μ there is friction, whatever this scene's own μ.
     const Scene<double> typical = parameter == Parameter::mu ? with_parameter(scene, parameter, 1.0) : scene;
     return with_collision_map(typical, [&](const auto& map) {
         const SectionSystem system(map);

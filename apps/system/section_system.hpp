@@ -32,7 +32,7 @@ public:
 
     analysis::Advance<dimension> advance(const State& z) const;
     analysis::Linearised<dimension> linearise(const State& z) const;
-    /// DF(z), where `return step` is F(z) and completed.
+    /// DF(z), where `return_step` is F(z) and completed.
     Eigen::Matrix<double, dimension, dimension> derivative_of(const SectionPoint<double>& z,
                                                               const ReturnStep<double>& return_step) const;
 

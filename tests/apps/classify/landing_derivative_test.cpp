@@ -13,7 +13,7 @@
 namespace swirl::apps {
 namespace {
 
-/// ParameterRange one period from the impact after a release: all directions of F^k by differences and by the chain of
+/// Along one period from the impact after a release: all directions of F^k by differences and by the chain of
 /// DF.
 template <class System>
 void compare(const System& system, const typename System::State& start, int period, double tolerance) {

@@ -5,21 +5,12 @@ endif()
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 # A compiler cache where there is one; -DSWIRL_CCACHE=OFF does without it. Paths below the checkout count from there, so
-# that two checkouts share what they compile; what a precompiled header holds is known by its own contents.
+# that two checkouts share what they compile.
 find_program(SWIRL_CCACHE ccache)
 if(SWIRL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
-    CCACHE_SLOPPINESS=pch_defines,time_macros ${SWIRL_CCACHE})
+    ${SWIRL_CCACHE})
 endif()
-
-# swirl_precompile(TARGET headers… | REUSE_FROM target): headers of libraries that most of a target's files include. Each
-# file includes what it uses all the same: where headers are compiled alone, there are no precompiled ones.
-function(swirl_precompile target)
-  target_precompile_headers(${target} ${ARGN})
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(${target} PRIVATE -fpch-preprocess)  # for the compiler cache
-  endif()
-endfunction()
 
 add_library(swirl_options INTERFACE)
 set_target_properties(swirl_options PROPERTIES EXPORT_NAME options)

@@ -38,16 +38,10 @@ public:
     const Body<T>& body() const { return body_; }
 
     /// F, from just after an impact. Cost: one certified search for the contact, one impact.
-    Collision<T> advance(const PostImpactState<T>& post_impact) const {
-        return advance(flight_from(body_, post_impact));
-    }
+    Collision<T> advance(const PostImpactState<T>& post_impact) const;
 
     /// The first impact of any flight.
-    Collision<T> advance(const Flight<T>& flight) const {
-        Collision<T> collision;
-        advance(flight, collision);
-        return collision;
-    }
+    Collision<T> advance(const Flight<T>& flight) const;
 
     /// The same into a collision that is there: `post-impact state` may be its own `after`. For long orbits: nothing is
     /// copied between two impacts, and the copy of a struct whose members have just been written costs more than they
@@ -94,12 +88,7 @@ public:
 
 private:
     /// For the flights that the direct path leaves over.
-    [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const {
-        const FirstContact<T> contact = detail::certain_contact<shape>(body_, flight);
-        if (contact.outcome == FirstContactOutcome::contact) return arrive(flight, contact, collision);
-        collision.outcome = contact.outcome;
-        collision.steps = contact.steps;
-    }
+    [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const;
 
     [[gnu::always_inline]] void arrive(const Flight<T>& flight, const FirstContact<T>& contact,
                                        Collision<T>& collision) const {
@@ -173,5 +162,46 @@ auto with_collision_map(const Scene<T>& scene, Use&& use) {
     }
     return use(CollisionMap<T, Shape::polygon, ImpactRule::poisson>(scene));
 }
+
+template <class T, Shape shape_, ImpactRule rule_>
+auto CollisionMap<T, shape_, rule_>::advance(const PostImpactState<T>& post_impact) const -> Collision<T> {
+    return advance(flight_from(body_, post_impact));
+}
+
+template <class T, Shape shape_, ImpactRule rule_>
+auto CollisionMap<T, shape_, rule_>::advance(const Flight<T>& flight) const -> Collision<T> {
+    Collision<T> collision;
+    advance(flight, collision);
+    return collision;
+}
+
+template <class T, Shape shape_, ImpactRule rule_>
+auto CollisionMap<T, shape_, rule_>::advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const
+    -> void {
+    const FirstContact<T> contact = detail::certain_contact<shape>(body_, flight);
+    if (contact.outcome == FirstContactOutcome::contact) return arrive(flight, contact, collision);
+    collision.outcome = contact.outcome;
+    collision.steps = contact.steps;
+}
+
+// Compiled once, in maps_in_*.cpp: the first contact takes a second to compile for each map.
+extern template class CollisionMap<double, Shape::disk, ImpactRule::frictionless>;
+extern template class CollisionMap<double, Shape::disk, ImpactRule::poisson>;
+extern template class CollisionMap<double, Shape::polygon, ImpactRule::frictionless>;
+extern template class CollisionMap<double, Shape::polygon, ImpactRule::poisson>;
+extern template class CollisionMap<double, Shape::polygon, ImpactRule::newton>;
+extern template class CollisionMap<double, Shape::polygon, ImpactRule::stronge>;
+extern template class CollisionMap<long double, Shape::disk, ImpactRule::frictionless>;
+extern template class CollisionMap<long double, Shape::disk, ImpactRule::poisson>;
+extern template class CollisionMap<long double, Shape::polygon, ImpactRule::frictionless>;
+extern template class CollisionMap<long double, Shape::polygon, ImpactRule::poisson>;
+extern template class CollisionMap<long double, Shape::polygon, ImpactRule::newton>;
+extern template class CollisionMap<long double, Shape::polygon, ImpactRule::stronge>;
+extern template class CollisionMap<Quad, Shape::disk, ImpactRule::frictionless>;
+extern template class CollisionMap<Quad, Shape::disk, ImpactRule::poisson>;
+extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::frictionless>;
+extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::poisson>;
+extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::newton>;
+extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::stronge>;
 
 }  // namespace swirl

@@ -24,10 +24,10 @@ struct ReturnStep {
 /// swings very fast: `most_contact_steps`).
 inline constexpr double contact_horizon = 1000;
 
-/// F with sustained contact. For e = 1 it is the collision map itself, but for one thing: where friction holds a
+/// F with sustained contact. For e = 1 it is the collision map itself, with one exception: where friction holds a
 /// polygon's vertex its normal velocity may fall with every impact (Poisson, Stronge: B₃ couples it to friction), and
-/// from the impact at which it is lost in rounding the orbit goes on in contact. A disk and a frictionless body at e =
-/// 1 keep |u_n|, and need none of it. Contact is integrated in double, whatever T is.
+/// once it is below rounding the orbit goes on in contact. For a disk or a frictionless body |u_n| is conserved at e =
+/// 1, so that there is no contact. Contact is integrated in double, whatever T is.
 template <class Map>
 class ReturnMap {
 public:
@@ -58,28 +58,29 @@ public:
 
     /// From just after an impact.
     ///   horizon  for how long contact without an impact is followed
-    ///   sink     looks at contact on its way
+    ///   sink     is called with the motion in contact
     ReturnStep<T> advance(const PostImpactState<T>& post_impact, double horizon = contact_horizon,
                           const ContactSink& sink = {}) const;
 
-    /// The same from the end of a return step, in place: for long orbits, where a copy of what has just been written
-    /// costs more than many a calculation. Unless `completed`, only `contacts` changes, to those after its impact.
+    /// The same from the end of a return step, in place: for long orbits, without a copy per impact. If the outcome is
+    /// not `completed`, only `contacts` changes, to those after its impact.
     Outcome advance(ReturnStep<T>& return_step, double horizon = contact_horizon, const ContactSink& sink = {}) const;
 
-    /// How the body stands just after an impact from which `advance` led through contact.
+    /// The chatter completion (support and state) just after an impact from which `advance` led through contact.
     ChatterCompletion completion(const PostImpactState<T>& post_impact) const;
 
-    /// From a landing on, `post-impact state` being the impact before it.
+    /// The return step from a landing on; `post_impact` is the state after the impact before it.
     ReturnStep<T> advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion& completion,
                                      double horizon = contact_horizon, const ContactSink& sink = {}) const;
 
 private:
-    /// An impact without time and without impulse would come again for ever.
+    /// A step of no duration and no impulse: iterating F would repeat it without end.
     bool changes_nothing(const Collision<T>& c) const {
         return contact_ && c.flight_time == T(0) && c.impulse.normal == T(0);
     }
 
-    /// The search found the body held that `chatter_completion` saw leave: on the border between the two.
+    /// The contact state where the search found `sustained` but `chatter_completion` did not: both within rounding of
+    /// the border between leaving and staying.
     ChatterCompletion held(const PostImpactState<T>& post_impact) const {
         ChatterCompletion completion;
         completion.support = shape == Shape::disk ? Support::rim : Support::vertex;
@@ -91,8 +92,7 @@ private:
         const auto d = [](const T& x) { return static_cast<double>(x); };
         return {{d(l.psi.x), d(l.psi.y)}, {d(l.chi.x), d(l.chi.y)}, d(l.vn), d(l.vt), d(l.spin)};
     }
-    /// Contact ends in double's digits; the directions are of length 1 in T's, so that the body touches in these
-    /// too.
+    /// Contact ends in double precision; the directions are normalised in T, so that the body touches to T's rounding.
     static PostImpactState<T> state_from_double(const PostImpactState<double>& l) {
         return {renormalised(Vec2<T>{T(l.psi.x), T(l.psi.y)}), renormalised(Vec2<T>{T(l.chi.x), T(l.chi.y)}), T(l.vn),
                 T(l.vt), T(l.spin)};
@@ -158,7 +158,7 @@ auto ReturnMap<Map>::advance(ReturnStep<T>& return_step, double horizon, const C
             return return_step.outcome = Outcome::completed;
         }
     }
-    const PostImpactState<T> post_impact = collision.after;  // unless there was a contact it is what it was
+    const PostImpactState<T> post_impact = collision.after;  // unchanged by map_.advance if it found no contact
     ReturnStep<T> next = advance(post_impact, horizon, sink);
     if (next.outcome != Outcome::completed) {
         return_step.contacts = std::move(next.contacts);

@@ -70,8 +70,8 @@ inline constexpr long most_contact_steps = 1'000'000;
 /// Each step is a power series in time (contact_series.hpp) with last terms below 10⁻¹⁶. Its coefficients bound the
 /// forces on the step, which on most steps proves that it has no event; the others are examined in sixteen parts. An
 /// event is located to rounding on the step's polynomial. A disk's pendulum that no event can end takes its whole
-/// duration in one closed-form step, unless a sink is given (rim_pendulum.hpp). Cost: one to three microseconds per
-/// step, a few steps per radian of swirl or turn.
+/// duration in one closed-form step, unless a sink is given (rim_pendulum.hpp).
+/// Cost: one to three microseconds per step, a few steps per radian of swirl or turn.
 ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& start,
                        double duration, const ContactSink& sink = {});
 

@@ -3,8 +3,9 @@
 // Every equation of motion (reaction.hpp) is made of sums, products, sine and cosine and at most one quotient, so the
 // coefficients follow from one another by recurrence: one product of series costs k operations for the k-th, all of
 // them together a few microseconds. A step is then a polynomial: the state at any moment of it costs no further
-// evaluation of forces, and the forces can be bounded on the whole of it. Source: À. Jorba, M. Zou, A software package
-// for the numerical integration of ODEs by means of high-order Taylor methods, Exp. Math. 14 (2005) 99.
+// evaluation of forces, and the forces can be bounded on the whole of it.
+// Source: À. Jorba, M. Zou, A software package for the numerical integration of ODEs by means of high-order Taylor
+// methods, Exp. Math. 14 (2005) 99.
 #pragma once
 
 #include "map/sustained/contact_run.hpp"

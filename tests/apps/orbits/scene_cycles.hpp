@@ -3,13 +3,8 @@
 
 #include "analysis/orbits/find_cycles.hpp"
 #include "apps/orbits/candidates.hpp"
-<<<<<<< HEAD
 #include "apps/system/scene_map.hpp"
-#include "tests/map/oracle.hpp"
-=======
-#include "apps/scene_map/scene_map.hpp"
 #include "tests/references/references.hpp"
->>>>>>> e50de5b696095eb3ef35e8c16286e8945f7e71f2
 
 #include <algorithm>
 #include <complex>

@@ -1,7 +1,7 @@
 // Branches of polygons: their borders against the condition that makes them, their points against direct solution.
 #include "apps/branches/branches.hpp"
 #include "analysis/continuation/continue_branch.hpp"
-#include "analysis/orbits/multi_shooting.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
 #include "apps/system/scene_map.hpp"
 #include "map/collision_map.hpp"
 #include "tests/references/references.hpp"

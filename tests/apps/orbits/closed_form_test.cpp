@@ -1,7 +1,7 @@
 // Steady modes at e = 1 against their closed form (map/README.md, "Steady modes"), worked out here on a grid of its
 // own.
 #include "analysis/continuation/continue_branch.hpp"
-#include "analysis/orbits/family.hpp"
+#include "analysis/cycles/family.hpp"
 #include "apps/branches/branches.hpp"
 #include "tests/apps/orbits/scene_cycles.hpp"
 #include "tests/map/random_scenes.hpp"

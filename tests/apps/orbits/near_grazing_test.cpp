@@ -1,5 +1,5 @@
 // Cycles whose impacts all but graze: solved with the impacts' times as unknowns, where DF grows without bound.
-#include "analysis/orbits/multi_shooting.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
 #include "tests/apps/orbits/scene_cycles.hpp"
 #include "tests/map/random_scenes.hpp"
 

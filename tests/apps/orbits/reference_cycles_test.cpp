@@ -1,5 +1,5 @@
 // [cycles.json, steady_e1.json of tests/references] Every cycle is found, from its period alone and from nearby.
-#include "analysis/orbits/multi_shooting.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
 #include "tests/apps/orbits/scene_cycles.hpp"
 
 #include <gtest/gtest.h>

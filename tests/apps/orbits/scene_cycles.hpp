@@ -1,7 +1,7 @@
 // What the tests of orbits share: a search as the command does it, and points of the references as states.
 #pragma once
 
-#include "analysis/orbits/find_cycles.hpp"
+#include "analysis/cycles/find_cycles.hpp"
 #include "apps/orbits/candidates.hpp"
 <<<<<<< HEAD
 #include "apps/system/scene_map.hpp"

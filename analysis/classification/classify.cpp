@@ -90,14 +90,13 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
 /// The rule of Sun 2019 (docs/references.md) reads RC alone; it is evidence, and does not decide.
 void describe_recurrence(Classification& result) {
     constexpr double sun_2019 = 1e-4;
-    (rename `papers` in its four places; the strings are output and stay) const bool few =
-        result.recurrence_rate_without_diagonal < papers;
+    const bool few = result.recurrence_rate_without_diagonal < sun_2019;
     result.evidence.push_back(
-        {"recurrence rate without diagonal", result.recurrence_rate_without_diagonal, papers,
+        {"recurrence rate without diagonal", result.recurrence_rate_without_diagonal, sun_2019,
          few ? "as the paper's chaotic mode" : "values of the observable recur",
          "nothing: it does not decide (the paper's rule alone would call it " +
-             std::string(few ? "chaotic, and regular at or above " : "regular, and chaotic below ") + in_words(papers) +
-             ")"});
+             std::string(few ? "chaotic, and regular at or above " : "regular, and chaotic below ") +
+             in_words(sun_2019) + ")"});
 }
 
 void describe_rounding(const Findings& findings, const ClassifyOptions& options, Classification& result) {

@@ -36,7 +36,7 @@ public:
     void finish();
 
     [[nodiscard]] const ColumnLayout& layout() const { return layout_; }
-    /// ParameterRange the first dimension, appended so far.
+    /// Along the first dimension, appended so far.
     [[nodiscard]] std::uint64_t rows() const { return written_rows_ + buffer_.size() / row_bytes_; }
     /// Open after finish().
     [[nodiscard]] hid_t dataset() const { return dataset_.id(); }

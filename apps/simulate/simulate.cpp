@@ -130,7 +130,7 @@ public:
         spin_ = static_cast<double>(orbit.post_impact().spin);
     }
 
-    /// FirstContact after the last impact.
+    /// Contact after the last impact.
     void stand(const std::vector<ContactRow>& contacts) {
         if (contacts.empty()) return;
         for (const ContactRow& row : contacts) turned_ += row.turned();

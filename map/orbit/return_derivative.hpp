@@ -23,7 +23,7 @@ namespace swirl {
 namespace detail {
 
 constexpr double difference_step = 1e-5;
-/// FirstContact is integrated to some 10⁻¹⁴: over 2 h that is 10⁻⁹.
+/// Contact is integrated to some 10⁻¹⁴: over 2 h that is 10⁻⁹.
 constexpr double difference_rounding = 1e-8;
 
 /// The coordinates in which a state in contact can differ: a disk has no χ; a moving edge turns as one piece, S = u_t;

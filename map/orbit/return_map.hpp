@@ -27,7 +27,7 @@ inline constexpr double contact_horizon = 1000;
 /// F with sustained contact. For e = 1 it is the collision map itself, but for one thing: where friction holds a
 /// polygon's vertex its normal velocity may fall with every impact (Poisson, Stronge: B₃ couples it to friction), and
 /// from the impact at which it is lost in rounding the orbit goes on in contact. A disk and a frictionless body at e =
-/// 1 keep |u_n|, and need none of it. FirstContact is integrated in double, whatever T is.
+/// 1 keep |u_n|, and need none of it. Contact is integrated in double, whatever T is.
 template <class Map>
 class ReturnMap {
 public:
@@ -138,7 +138,7 @@ private:
         const auto d = [](const T& x) { return static_cast<double>(x); };
         return {{d(l.psi.x), d(l.psi.y)}, {d(l.chi.x), d(l.chi.y)}, d(l.vn), d(l.vt), d(l.spin)};
     }
-    /// FirstContact ends in double's digits; the directions are of length 1 in T's, so that the body touches in these
+    /// Contact ends in double's digits; the directions are of length 1 in T's, so that the body touches in these
     /// too.
     static PostImpactState<T> state_from_double(const PostImpactState<double>& l) {
         return {renormalised(Vec2<T>{T(l.psi.x), T(l.psi.y)}), renormalised(Vec2<T>{T(l.chi.x), T(l.chi.y)}), T(l.vn),

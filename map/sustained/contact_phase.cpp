@@ -12,7 +12,7 @@ namespace {
 /// More pieces than this without time passing, and contact is called unresolved.
 constexpr int most_idle_pieces = 50;
 
-/// FirstContact is given up, as at its horizon, after so many pieces.
+/// Contact is given up, as at its horizon, after so many pieces.
 constexpr std::size_t most_pieces = 100'000;
 
 /// The neighbour's chatter on a standing vertex has come to its end: its next rebound would lift it by less than

@@ -1,4 +1,4 @@
-// FirstContact from landing to the next flight or impact: pieces of one kind of motion, joined by events.
+// Contact from landing to the next flight or impact: pieces of one kind of motion, joined by events.
 #pragma once
 
 #include "map/sustained/chatter_completion.hpp"

@@ -1,4 +1,4 @@
-// FirstContact motion of one kind, integrated until something ends it.
+// Contact motion of one kind, integrated until something ends it.
 #pragma once
 
 #include "map/sustained/reaction.hpp"
@@ -61,7 +61,7 @@ struct ContactEnd {
 /// Looks at a contact on its way: what accumulated since its beginning, support, motion, state.
 using ContactSink = std::function<void(const ContactSums&, Support, ContactMotion, const ContactState&)>;
 
-/// FirstContact motion of one kind is given up after so many steps (some seconds): a body that swings so fast against
+/// Contact motion of one kind is given up after so many steps (some seconds): a body that swings so fast against
 /// the swirl's turn that the duration holds millions of swings.
 inline constexpr long most_contact_steps = 1'000'000;
 

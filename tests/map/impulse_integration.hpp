@@ -1,6 +1,6 @@
 // The impulse of an impact by integrating dC, du_t in p, in long double: the reference for the closed forms.
 //
-// ParameterRange p all rates are constant until u_t or C passes zero or restitution ends, so that steps from event to
+// Along p all rates are constant until u_t or C passes zero or restitution ends, so that steps from event to
 // event are exact. What happens is decided from the state alone: no modes, no closed form of any end.
 #pragma once
 

@@ -58,7 +58,7 @@ std::vector<RandomScene> draw(int count, bool with_thousand) {
     return cases;
 }
 
-/// A bound on events per unit time. FirstContact begins by a landing, or by a strike of the next vertex of a polygon
+/// A bound on events per unit time. Contact begins by a landing, or by a strike of the next vertex of a polygon
 /// that turns along the wall (N Ω/2π of them, Ω = |S| + |u_t|), and by slips and releases, some per turn of ψ. Each may
 /// be followed by one chatter: rebounds that shrink by e until they are below rounding, ln(v/√(8ε a(1 − e)))/ln(1/e) of
 /// them, some 20/ln(1/e). A polygon that rocks on an edge keeps the share r = (κ + cos 2π/N)/(κ + 1) of its turn at

@@ -84,7 +84,7 @@ LabStart<double> half_way(const LabState<double>& s, const LabFrame<double>& fra
         s.spin};
 }
 
-/// ParameterRange orbits: the laboratory's state, taken half a flight on and started afresh there, leads to the same
+/// Along orbits: the laboratory's state, taken half a flight on and started afresh there, leads to the same
 /// impact as the section does; and vertex 0, the vertex that strikes and the wall are where they should be.
 template <class Map>
 void check_orbit(const Map& map, const SectionPoint<double>& z, long& impacts) {

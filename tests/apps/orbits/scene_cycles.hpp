@@ -4,10 +4,10 @@
 #include "analysis/cycles/find_cycles.hpp"
 #include "apps/orbits/candidates.hpp"
 <<<<<<< HEAD
-#include "apps/system/scene_map.hpp"
+#include "apps/system/section_coordinates.hpp"
+#include "apps/system/shooting_map.hpp"
 #include "tests/map/oracle.hpp"
 =======
-#include "apps/scene_map/scene_map.hpp"
 #include "tests/references/references.hpp"
 >>>>>>> e50de5b696095eb3ef35e8c16286e8945f7e71f2
 
@@ -19,7 +19,7 @@ namespace swirl::tests {
 
 inline std::vector<analysis::Cycle> cycles_of(const Scene<double>& scene, int period,
                                               const apps::CandidateOptions& options = {}) {
-    const auto map = apps::scene_map(scene);
+    const auto map = apps::shooting_map_of(scene);
     const auto trajectories = apps::trajectories_of(scene, options);
     analysis::SearchOptions search;
     search.period = period;

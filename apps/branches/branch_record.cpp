@@ -42,8 +42,8 @@ struct Columns {
         parameter.push_back(analysis::parameter_of(scene.options, scene.map.has_parameter, point.at));
         mean.push_back(point.mean);
         largest.push_back(std::abs(point.multipliers.front()));
-        time.push_back(point.at.closing.duration);
-        residual.push_back(point.at.closing.residual());
+        time.push_back(point.at.shooting.duration);
+        residual.push_back(point.at.shooting.residual());
         append_phases(spins, point.at, longest, "S");
         append_phases(values, point.at, longest, observable);
     }
@@ -114,7 +114,7 @@ void write_ends(const RecordGroup& root, const std::vector<analysis::Branch>& br
         parent_special.push_back(branch.parent_special);
         begins.emplace_back(analysis::name(branch.begin));
         ends.emplace_back(analysis::name(branch.end));
-        word.push_back(text_of(analysis::word_of(branch.points.front().at.closing)));
+        word.push_back(text_of(analysis::word_of(branch.points.front().at.shooting)));
     }
     const RecordGroup group = root.group("branch_ends");
     group.dimension("branch", branches.size());

@@ -80,7 +80,7 @@ void name_end(const SceneMap<D>& map, const PostImpactState<double>& last, Named
 }
 
 template <int D>
-void keep_samples(const SceneMap<D>& map, const analysis::Tail<SceneMap<D>>& tail, OrbitSamples& samples) {
+void keep_samples(const analysis::Tail<SceneMap<D>>& tail, OrbitSamples& samples) {
     samples.last = section_point(tail.ended ? tail.end : tail.last);
     if (tail.ended) return;
     for (const auto& point : tail.points) samples.points.emplace_back(point);
@@ -101,7 +101,7 @@ NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const anal
     const auto tail = analysis::follow_tail(map, begin.state, settings.transient, settings.collisions, stop);
     named.finished = !tail.stopped;
     if (tail.stopped) return named;
-    if (samples) keep_samples(map, tail, *samples);
+    if (samples) keep_samples(tail, *samples);
     // Where the verdict is known beforehand, derivatives and periods would cost much and tell nothing.
     named.verdict = dissipative ? analysis::observed(map, tail, map.integrated, settings.recurrence_threshold)
                                 : analysis::classify_tail(map, tail, map.integrated, settings);

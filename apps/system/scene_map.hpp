@@ -5,6 +5,7 @@
 #include "apps/system/letter.hpp"
 #include "apps/system/section_coordinates.hpp"
 #include "map/derivative/parameter.hpp"
+#include "map/orbit/laboratory.hpp"
 #include "map/orbit/return_map.hpp"
 #include "map/orbit/speed_limits.hpp"
 

@@ -34,7 +34,7 @@ bool fill_step(const SceneMap<D>& map, const ReturnStep<double>& known, analysis
 }
 
 template <int D>
-analysis::ShootingStep step_of(const SceneMap<D>& map, const analysis::Vector<D>& z) {
+analysis::ShootingStep step_of(const SceneMap<D>& map, const Eigen::VectorXd& z) {
     analysis::ShootingStep step;
     const auto state = map.state_at(z);
     const ReturnStep<double> known = map.return_step(state);

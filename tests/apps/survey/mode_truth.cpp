@@ -89,7 +89,7 @@ Truth truth_of(const Scene<double>& scene, const Start<double>& start, const Tru
                 truth.mode = truth.period == 1 ? analysis::Mode::steady : analysis::Mode::quasi_steady;
             return truth;
         }
-        find_exponent(map, tail.states.front(), options.tail, truth);
+        find_exponent(map, tail.points.front(), options.tail, truth);
         if (truth.exponent > std::max(5 * truth.exponent_error, 20 / static_cast<double>(options.tail))) {
             truth.mode = analysis::Mode::chaotic;
         } else {

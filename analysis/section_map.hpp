@@ -14,7 +14,8 @@ using Vector = Eigen::Matrix<double, D, 1>;
 template <int D>
 using Matrix = Eigen::Matrix<double, D, D>;
 
-/// One application of the map, z ↦ z′. `State` is what the map iterates: the coordinates themselves unless it has its own.
+/// One application of the map, z ↦ z′. `State` is what the map iterates: the coordinates themselves unless it has its
+/// own.
 template <int D, class State = Vector<D>>
 struct Advance {
     State state;              ///< z′; meaningless unless `alive`
@@ -42,7 +43,9 @@ struct StateOf {
     using type = Vector<M::dimension>;
 };
 template <class M>
-    requires requires { typename M::State; }
+requires requires {
+    typename M::State;
+}
 struct StateOf<M> {
     using type = typename M::State;
 };
@@ -109,8 +112,8 @@ bool goes_on(const M&, const Step& step) {
 /// Asked now and then by what takes long: true to end it. Empty: never.
 using Stop = std::function<bool()>;
 
-/// Moves z on by `steps` steps and returns how many there were: fewer where the map ends (z is then the state that has no
-/// next one) or where it was stopped. A map that can do so faster than step by step has a `follow` of its own.
+/// Moves z on by `steps` steps and returns how many there were: fewer where the map ends (z is then the state that has
+/// no next one) or where it was stopped. A map that can do so faster than step by step has a `follow` of its own.
 template <SectionMap M>
 std::int64_t follow(const M& map, State<M>& z, std::int64_t steps, const Stop& stop = {}) {
     if constexpr (requires { map.follow(z, steps, stop); }) {

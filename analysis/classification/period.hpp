@@ -34,13 +34,13 @@ struct PeriodOptions {
 /// A cycle with what is known of it.
 template <SectionMap M>
 struct FoundCycle {
-    std::int64_t period = 0;              ///< 0: none found
+    std::int64_t period = 0;                                    ///< 0: none found
     Vector<M::dimension> point = Vector<M::dimension>::Zero();  ///< on the cycle, polished
-    State<M> state{};                                           ///< there; bit for bit the orbit's own if that is the evidence
-    double closure = 0;                   ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
-    double residual = 0;                  ///< |Fᵏ(z) − z| at the point
-    double distance = 0;                  ///< from the orbit's last state to the point
-    double farthest = 0;                  ///< how far that may be, by the orbit's own return and the slowest multiplier
+    State<M> state{};     ///< there; bit for bit the orbit's own if that is the evidence
+    double closure = 0;   ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
+    double residual = 0;  ///< |Fᵏ(z) − z| at the point
+    double distance = 0;  ///< from the orbit's last state to the point
+    double farthest = 0;  ///< how far that may be, by the orbit's own return and the slowest multiplier
     std::vector<std::complex<double>> multipliers;
     bool family = false;            ///< a multiplier is 1
     bool attracting = false;        ///< `attracts`: all multipliers inside the unit circle, those of a family apart
@@ -80,8 +80,7 @@ bool approaches(const M& map, const Tail<M>& tail, const std::vector<Vector<M::d
 
 /// The orbit's largest return after k steps, over its last `count` states.
 template <SectionMap M>
-double return_distance(const M& map, const Tail<M>& tail, std::int64_t k, std::int64_t count,
-                       double give_up) {
+double return_distance(const M& map, const Tail<M>& tail, std::int64_t k, std::int64_t count, double give_up) {
     const std::int64_t n = static_cast<std::int64_t>(tail.points.size());
     double largest = 0;
     for (std::int64_t j = n - 1; j >= std::max(n - count, k) && largest <= give_up; --j)
@@ -121,8 +120,8 @@ bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::i
     return true;
 }
 
-/// Newton's method for Fᵏ(z) = z, from a point of the orbit itself: for cycles that attract one point is enough, however
-/// long they are. Returns the residual reached, +∞ if the map ended.
+/// Newton's method for Fᵏ(z) = z, from a point of the orbit itself: for cycles that attract one point is enough,
+/// however long they are. Returns the residual reached, +∞ if the map ended.
 template <SectionMap M>
 double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, double goal) {
     const auto equation = [&](const Eigen::VectorXd& z, Eigen::VectorXd& gap, Eigen::MatrixXd& derivative) {
@@ -212,7 +211,7 @@ FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, doub
 /// tail. Where Newton's method leads elsewhere (on a border of the map, say) the orbit itself is the evidence.
 template <SectionMap M>
 FoundCycle<M> cycle_of_closed(const M& map, const Tail<M>& tail, std::int64_t k, double closure,
-                                         const PeriodOptions& options) {
+                              const PeriodOptions& options) {
     auto found = cycle_near(map, tail, k, closure, options);
     const auto quarter = static_cast<std::int64_t>(tail.points.size() / 4);
     const bool closure_persists =
@@ -264,8 +263,7 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
 /// tail's length are found. The last 64 states must come back to `closure`, and the annihilation must lie within the
 /// period: else it may be an unstable cycle in passing. Period 0 if not so. O(n), k derivatives.
 template <SectionMap M>
-FoundCycle<M> find_superstable_period(const M& map, const Tail<M>& tail,
-                                                 const PeriodOptions& options = {}) {
+FoundCycle<M> find_superstable_period(const M& map, const Tail<M>& tail, const PeriodOptions& options = {}) {
     constexpr std::int64_t states = 64;
     FoundCycle<M> found;
     const auto n = static_cast<std::int64_t>(tail.points.size());

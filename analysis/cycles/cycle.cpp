@@ -63,9 +63,8 @@ bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle) {
 }
 
 CyclePoints minimal_cycle(const ShootingMap& map, const CyclePoints& points, double closure) {
-    const std::size_t period = minimal_period(points.size(), closure, [&](std::size_t i, std::size_t j) {
-        return map.distance(points[i], points[j]);
-    });
+    const std::size_t period = minimal_period(
+        points.size(), closure, [&](std::size_t i, std::size_t j) { return map.distance(points[i], points[j]); });
     return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(period)};
 }
 

@@ -16,9 +16,9 @@ struct NewtonOptions {
     int patience = 2;  ///< from this iteration on one that is no better than the best before is the last
 };
 
-/// Solves G(x) = 0 from x by steps of minimum norm: where solutions are no points but families (singular values below 10⁻⁹
-/// of the largest) the member near the start is found. Returns the smallest max |G|, whose x is kept; +∞ if the map ends at
-/// the start. Cost: an equation and a complete orthogonal decomposition an iteration.
+/// Solves G(x) = 0 from x by steps of minimum norm: where solutions are no points but families (singular values below
+/// 10⁻⁹ of the largest) the member near the start is found. Returns the smallest max |G|, whose x is kept; +∞ if the
+/// map ends at the start. Cost: an equation and a complete orthogonal decomposition an iteration.
 double newton(const Equation& equation, Eigen::VectorXd& x, const NewtonOptions& options = {});
 
 }  // namespace swirl::analysis

@@ -8,9 +8,9 @@
 
 namespace swirl::analysis {
 
-/// A modulus, or a multiplier, this near to 1 can't be told from it: a double multiplier 1 (e = 1 without friction) splits
-/// by the root of the residual's rounding. And what attracts by less takes a million impacts to come e times nearer: no
-/// orbit that is followed shows it.
+/// A modulus, or a multiplier, this near to 1 can't be told from it: a double multiplier 1 (e = 1 without friction)
+/// splits by the root of the residual's rounding. And what attracts by less takes a million impacts to come e times
+/// nearer: no orbit that is followed shows it.
 inline constexpr double neutral_margin = 1e-6;
 
 enum class Stability {

@@ -40,8 +40,7 @@ CycleExponents cycle_exponents(std::span<const Eigen::MatrixXd> derivatives, dou
 
 /// The same for the cycle of length k through `state`, which must be on it: see `closure`.
 template <SectionMap M>
-CycleExponents cycle_exponents(const M& map, const State<M>& state, std::int64_t k,
-                               double rank_tolerance = 1e-13) {
+CycleExponents cycle_exponents(const M& map, const State<M>& state, std::int64_t k, double rank_tolerance = 1e-13) {
     constexpr int D = M::dimension;
     std::vector<Eigen::MatrixXd> derivatives;
     State<M> z = state;

@@ -78,8 +78,7 @@ struct GradientInvariance {
 
 /// Follows `steps` steps from `state`. gradient(z) → Vector<D>, of a state. Cost O(D²) per step besides DF.
 template <SectionMap M, class Gradient>
-GradientInvariance gradient_invariance(const M& map, State<M> state, const Gradient& gradient,
-                                       std::int64_t steps) {
+GradientInvariance gradient_invariance(const M& map, State<M> state, const Gradient& gradient, std::int64_t steps) {
     constexpr int D = M::dimension;
     GradientInvariance result;
     for (; result.steps < steps; ++result.steps) {

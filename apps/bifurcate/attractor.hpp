@@ -37,10 +37,10 @@ struct Attractor {
 };
 
 /// Follows a start and names what it settles on: the verdict of `classify` (name_mode) with these counts of impacts; an
-/// orbit that they leave undecided is followed on for as long as `classify` does. One that can only die away is waited for.
-/// An interruption is named (`finished` false); apart from that a pure function of its arguments. Cost: one step of the
-/// map an impact, and a derivative, some four steps, for each that is kept; for orbits that stay undecided some 20,000
-/// impacts more.
+/// orbit that they leave undecided is followed on for as long as `classify` does. One that can only die away is waited
+/// for. An interruption is named (`finished` false); apart from that a pure function of its arguments. Cost: one step
+/// of the map an impact, and a derivative, some four steps, for each that is kept; for orbits that stay undecided some
+/// 20,000 impacts more.
 /// @throws std::invalid_argument for a start out of range
 Attractor settle(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings);
 

@@ -83,8 +83,7 @@ std::string name_without_cycle(const SceneMap<D>& map, const analysis::CurvePoin
 std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
                         const std::vector<std::int64_t>& word_after, bool goes_on) {
     if (!goes_on) {
-        const std::string name =
-            with_scene_map(scene, [&](const auto& map) { return name_without_cycle(map, last); });
+        const std::string name = with_scene_map(scene, [&](const auto& map) { return name_without_cycle(map, last); });
         if (name != analysis::nameless_border) return name;
     }
     const auto before = analysis::word_of(last.shooting);

@@ -21,8 +21,7 @@ analysis::Vector<D> jacobi_gradient(const SceneMap<D>& map, const PostImpactStat
         analysis::Vector<D> up = z, down = z;
         up[i] += h;
         down[i] -= h;
-        gradient[i] =
-            (jacobi_of(map.body(), map.state_at(up)) - jacobi_of(map.body(), map.state_at(down))) / (2 * h);
+        gradient[i] = (jacobi_of(map.body(), map.state_at(up)) - jacobi_of(map.body(), map.state_at(down))) / (2 * h);
     }
     return gradient;
 }
@@ -58,8 +57,8 @@ OrbitSpectrum spectrum_of(const Scene<double>& scene, const Start<double>& start
         } else {
             const auto tail = analysis::follow_tail(map, begin.state, transient + collisions, 0);
             result.impacts += tail.steps;
-            result.outcome = tail.ended ? ending_at(map, tail.end, result.impacts)
-                                        : Outcome::unresolved;  // a derivative overflowed
+            result.outcome =
+                tail.ended ? ending_at(map, tail.end, result.impacts) : Outcome::unresolved;  // a derivative overflowed
         }
         if (result.spectrum.steps > 0) {
             for (std::size_t i = 0; i < result.spectrum.exponents.size(); ++i)

@@ -20,7 +20,7 @@ struct NamedMode {
 
 /// What else a verdict saw of its orbit.
 struct OrbitSamples {
-    std::vector<Eigen::VectorXd> points;        ///< coordinates of the tail; none where the orbit ended
+    std::vector<Eigen::VectorXd> points;       ///< coordinates of the tail; none where the orbit ended
     std::optional<SectionPoint<double>> last;  ///< of the orbit; none without impacts
 };
 

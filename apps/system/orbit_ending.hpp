@@ -12,7 +12,8 @@ struct OrbitBegin {
     PostImpactState<double> state{};       ///< the first on the section
 };
 
-/// @throws std::invalid_argument if the start is not inside the container, or a point of the section does not leave the wall
+/// @throws std::invalid_argument if the start is not inside the container, or a point of the section does not leave the
+/// wall
 template <int D>
 OrbitBegin begin_orbit(const SceneMap<D>& map, const Start<double>& start);
 

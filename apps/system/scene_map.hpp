@@ -51,7 +51,8 @@ public:
     static State state_at(const analysis::Vector<D>& point) { return post_impact_state(section_point_of(point)); }
     static double angle_period(int coordinate) { return coordinate < D - 3 ? 2 * pi<double>() : 0; }
 
-    /// The whole step from z, with what came before its impact or instead of one; `collision` is of a completed step only.
+    /// The whole step from z, with what came before its impact or instead of one; `collision` is of a completed step
+    /// only.
     ReturnStep<double> return_step(const State& z) const { return return_step(z, horizon_); }
     ReturnStep<double> return_step(const State& z, double horizon, const ContactSink& sink = {}) const;
     /// The first impact of a start. @throws std::invalid_argument if it is not inside the container

@@ -49,7 +49,8 @@ SceneOrbit<T>::SceneOrbit(const Scene<T>& scene, const Start<T>& start) : body_(
     with_collision_map(scene, [&](const auto& map) {
         using Owned = scene_orbit_detail::Owned<std::decay_t<decltype(map)>>;
         functions_ = &Owned::functions;
-        orbit_ = std::visit([&](const auto& s) -> std::shared_ptr<void> { return std::make_shared<Owned>(map, s); }, start);
+        orbit_ =
+            std::visit([&](const auto& s) -> std::shared_ptr<void> { return std::make_shared<Owned>(map, s); }, start);
     });
 }
 

@@ -103,8 +103,8 @@ Scene<double> disk() {
 TEST(ClosedForm, MembersOfTheDisksFamily) {
     const auto map = apps::shooting_map_of(disk());
     analysis::Cycle seed;
-    seed.points = {
-        apps::coordinates_of({0, 0, -0.8 * std::pow(std::sin(0.5), 2) * 2, 0.8 * std::sin(1.0), spin_at(disk(), 1)}, true)};
+    seed.points = {apps::coordinates_of(
+        {0, 0, -0.8 * std::pow(std::sin(0.5), 2) * 2, 0.8 * std::sin(1.0), spin_at(disk(), 1)}, true)};
     ASSERT_TRUE(analysis::complete_cycle(map, 0, seed));
     ASSERT_EQ(seed.tangents.cols(), 1);
     const auto family = analysis::walk_family(map, 0, seed);

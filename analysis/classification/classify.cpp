@@ -46,12 +46,12 @@ void describe_cycle(const Findings& findings, const ClassifyOptions& options, Cl
              "from the orbit's last state, against what its return allows",
              "above " + in_words(findings.farthest) + ": another cycle than the orbit's, " + then_others_decide});
     if (findings.has_multipliers)
-        evidence.push_back({"slowest multiplier", findings.slowest_multiplier, 1 - limits.stable,
+        evidence.push_back({"slowest multiplier", findings.slowest_multiplier, 1 - neutral_margin,
                             !findings.attracting ? "does not attract, but the orbit has stayed on the cycle"
                             : findings.is_family ? "a multiplier is 1: a member of a family; the others attract"
                                                  : "all multipliers attract",
                             findings.attracting
-                                ? "at or above 1 - " + in_words(limits.stable) + ": no attracting cycle; " +
+                                ? "at or above 1 - " + in_words(neutral_margin) + ": no attracting cycle; " +
                                       then_others_decide + ", unless the orbit itself stays on it"
                                 : "nothing: it rests on the orbit's own closure"});
     if (findings.superstable)

@@ -34,7 +34,7 @@ struct Classification {
     Mode mode = Mode::undecided;
     Kind kind = Kind::none;
     bool ended = false;         ///< the map ended before the tail was whole
-    std::vector<double> end;    ///< if so: the state that has no next one
+    std::vector<double> end;    ///< if so: coordinates of the state that has no next one
     std::int64_t steps = 0;     ///< steps taken, the transient included
     std::int64_t period = 0;    ///< 0: none
     std::vector<double> point;  ///< of the cycle
@@ -77,20 +77,20 @@ struct Means {
 };
 
 template <SectionMap M>
-Means means_of(const Tail<M::dimension>& tail, int coordinate) {
+Means means_of(const Tail<M>& tail, int coordinate) {
     const bool integrated = coordinate == integrated_coordinate<M>();
     double integral = 0, time = 0, plain = 0;
-    for (std::size_t i = 0; i < tail.states.size(); ++i) {
-        integral += integrated ? tail.integrals[i] : tail.states[i][coordinate] * tail.durations[i];
+    for (std::size_t i = 0; i < tail.points.size(); ++i) {
+        integral += integrated ? tail.integrals[i] : tail.points[i][coordinate] * tail.durations[i];
         time += tail.durations[i];
-        plain += tail.states[i][coordinate];
+        plain += tail.points[i][coordinate];
     }
-    return {integral / time, plain / static_cast<double>(tail.states.size())};
+    return {integral / time, plain / static_cast<double>(tail.points.size())};
 }
 
 /// Takes a cycle, if one was found, into the findings and the result.
 template <SectionMap M>
-void take_cycle(const M& map, const FoundCycle<M::dimension>& cycle, const ClassifyOptions& options, int observable,
+void take_cycle(const M& map, const FoundCycle<M>& cycle, const ClassifyOptions& options, int observable,
                 Findings& findings, Classification& result) {
     if (cycle.rounding > options.period.rounding) findings.rounding = cycle.rounding;
     findings.has_cycle = cycle.period > 0 && findings.rounding == 0;
@@ -104,13 +104,11 @@ void take_cycle(const M& map, const FoundCycle<M::dimension>& cycle, const Class
     findings.closure = cycle.closure;
     findings.residual = cycle.residual;
     findings.distance = cycle.distance;
-    for (const auto& multiplier : cycle.multipliers)
-        if (!(std::abs(multiplier - 1.0) <= options.period.neutral))
-            findings.slowest_multiplier = std::max(findings.slowest_multiplier, std::abs(multiplier));
+    findings.slowest_multiplier = slowest_of(cycle.multipliers);
     result.period = cycle.period;
     result.point.assign(cycle.point.data(), cycle.point.data() + cycle.point.size());
     result.multipliers = cycle.multipliers;
-    const auto once = follow_tail(map, cycle.point, 0, cycle.period);
+    const auto once = follow_tail(map, cycle.state, 0, cycle.period);
     if (once.ended) return;
     const Means means = means_of<M>(once, observable);
     result.mean = means.per_time;
@@ -120,14 +118,14 @@ void take_cycle(const M& map, const FoundCycle<M::dimension>& cycle, const Class
 /// The spread (root mean square about the mean) of a tail's last quarter over that of its first, of the coordinate in
 /// which it changed most. A torus keeps its size; what is still settling shrinks, however slowly.
 template <SectionMap M>
-double spread_change(const M& map, const Tail<M::dimension>& tail) {
+double spread_change(const M& map, const Tail<M>& tail) {
     constexpr int D = M::dimension;
-    const std::size_t quarter = tail.states.size() / 4;
+    const std::size_t quarter = tail.points.size() / 4;
     const auto spread = [&](std::size_t begin) {
-        const Vector<D> origin = tail.states[begin];
+        const Vector<D> origin = tail.points[begin];
         Vector<D> sum = Vector<D>::Zero(), squares = Vector<D>::Zero();
         for (std::size_t i = begin; i < begin + quarter; ++i) {
-            const Vector<D> d = difference(map, tail.states[i], origin);
+            const Vector<D> d = difference(map, tail.points[i], origin);
             sum += d;
             squares += d.cwiseProduct(d);
         }
@@ -135,7 +133,7 @@ double spread_change(const M& map, const Tail<M::dimension>& tail) {
         return Vector<D>((squares / static_cast<double>(quarter) - mean.cwiseProduct(mean)).cwiseMax(0).cwiseSqrt());
     };
     const Vector<D> first = spread(0);
-    const Vector<D> last = spread(tail.states.size() - quarter);
+    const Vector<D> last = spread(tail.points.size() - quarter);
     double change = 1;
     for (int i = 0; i < D; ++i) {
         if (!(first[i] > 0 && last[i] > 0)) continue;
@@ -151,11 +149,11 @@ constexpr double fewest_turns = 4;
 
 /// The rotation number, from the first coordinate that gives a converged one: a torus shows in any of them.
 template <SectionMap M>
-RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
+RotationNumber rotation_of(const M& map, const Tail<M>& tail) {
     RotationNumber last;
-    std::vector<double> series(tail.states.size());
+    std::vector<double> series(tail.points.size());
     for (int i = 0; i < M::dimension; ++i) {
-        for (std::size_t j = 0; j < series.size(); ++j) series[j] = tail.states[j][i];
+        for (std::size_t j = 0; j < series.size(); ++j) series[j] = tail.points[j][i];
         const double period = map.angle_period(i);
         for (const bool as_angle : {true, false}) {
             if (as_angle && !(period > 0)) continue;
@@ -175,16 +173,17 @@ RotationNumber rotation_of(const M& map, const Tail<M::dimension>& tail) {
 /// What an orbit's tail tells before any verdict (which stays `undecided`, without evidence): its end if it ended,
 /// means and recurrence rate.
 template <SectionMap M>
-Classification observed(const M&, const Tail<M::dimension>& tail, int observable, double recurrence_threshold) {
+Classification observed(const M& map, const Tail<M>& tail, int observable, double recurrence_threshold) {
     Classification result;
     result.ended = tail.ended;
     result.steps = tail.steps;
     if (tail.ended) {
-        result.end.assign(tail.end.data(), tail.end.data() + tail.end.size());
+        const Vector<M::dimension> end = coordinates(map, tail.end);
+        result.end.assign(end.data(), end.data() + end.size());
         return result;
     }
-    std::vector<double> series(tail.states.size());
-    for (std::size_t i = 0; i < series.size(); ++i) series[i] = tail.states[i][observable];
+    std::vector<double> series(tail.points.size());
+    for (std::size_t i = 0; i < series.size(); ++i) series[i] = tail.points[i][observable];
     const auto rate = recurrence::recurrence_rate(recurrence::embed_series(series), recurrence_threshold);
     result.recurrence_rate = rate.with_diagonal();
     result.recurrence_rate_without_diagonal = rate.without_diagonal();
@@ -194,36 +193,26 @@ Classification observed(const M&, const Tail<M::dimension>& tail, int observable
     return result;
 }
 
-/// Follows an orbit from `start` and says only that. Cost: transient + collisions steps of the map.
-template <SectionMap M>
-Classification observe(const M& map, const Vector<M::dimension>& start, int observable,
-                       const ClassifyOptions& options = {}) {
-    const auto tail = follow_tail(map, start, options.transient, options.collisions);
-    return observed(map, tail, observable, options.recurrence_threshold);
-}
-
-/// Follows an orbit from `start` and names its mode.
+/// Names the mode of the orbit that a tail is of.
 ///   observable  the coordinate whose means and recurrence rate are reported (S)
 /// In this order: does the tail return to itself (`find_period`)? Is the largest exponent positive (`judge_sign`)? If
 /// neither, has it a rotation number and a size that lasts? Disagreement gives `undecided`; the kind is `transient` if
-/// the orbit is seen to change still. Cost: transient + 2 collisions steps of the map, `collisions` derivatives.
+/// the orbit is seen to change still. Cost: n steps of the map and n derivatives for a tail of n.
 template <SectionMap M>
-Classification classify(const M& map, const Vector<M::dimension>& start, int observable,
-                        const ClassifyOptions& options = {}) {
+Classification classify_tail(const M& map, const Tail<M>& tail, int observable, const ClassifyOptions& options = {}) {
     namespace detail = classification_detail;
-    const auto tail = follow_tail(map, start, options.transient, options.collisions);
     Classification result = observed(map, tail, observable, options.recurrence_threshold);
     if (result.ended) return result;
 
     detail::Findings findings;
-    const auto take = [&](const FoundCycle<M::dimension>& cycle) {
+    const auto take = [&](const FoundCycle<M>& cycle) {
         detail::take_cycle(map, cycle, options, observable, findings, result);
     };
     take(find_period(map, tail, options.period));
     LyapunovOptions lyapunov;
     lyapunov.transient = 0;
-    lyapunov.steps = options.collisions;
-    const auto spectrum = largest_exponent(map, tail.states.front(), lyapunov);
+    lyapunov.steps = static_cast<std::int64_t>(tail.points.size());
+    const auto spectrum = largest_exponent(map, tail.first, lyapunov);
     findings.exponent_outcome = spectrum.outcome;
     if (spectrum.outcome == LyapunovOutcome::completed) {
         SignOptions sign;
@@ -244,6 +233,12 @@ Classification classify(const M& map, const Vector<M::dimension>& start, int obs
     }
     detail::decide(findings, options, result);
     return result;
+}
+
+/// Follows an orbit from `start` and names its mode. Cost: `transient` steps of the map more than `classify_tail`.
+template <SectionMap M>
+Classification classify(const M& map, const State<M>& start, int observable, const ClassifyOptions& options = {}) {
+    return classify_tail(map, follow_tail(map, start, options.transient, options.collisions), observable, options);
 }
 
 }  // namespace swirl::analysis

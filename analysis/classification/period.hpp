@@ -3,10 +3,13 @@
 
 #include "analysis/classification/rounding_growth.hpp"
 #include "analysis/classification/tail.hpp"
+#include "analysis/cycles/minimal_period.hpp"
+#include "analysis/cycles/newton.hpp"
+#include "analysis/cycles/stability.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -24,24 +27,23 @@ struct PeriodOptions {
     double vicinity = 1e-2;          ///< an orbit this near to itself after k steps is taken for settling on a k-cycle
     int candidates = 4;              ///< periods tried by Newton's method
     double residual = 1e-12;         ///< |Fᵏ(z) − z| that Newton's method must reach
-    double neutral = 1e-6;           ///< a multiplier this near to 1 belongs to a family
     double rounding = 1e-6;          ///< a cycle along which rounding grows to more than this is an accident of it
     bool exact_multipliers = true;   ///< always in 100 digits; false: only where double's own can't decide
-    double stable = 1e-8;            ///< an attracting cycle's multipliers are below 1 − stable, those near 1 apart
 };
 
 /// A cycle with what is known of it.
-template <int D>
+template <SectionMap M>
 struct FoundCycle {
-    std::int64_t period = 0;              ///< 0: none found
-    Vector<D> point = Vector<D>::Zero();  ///< on the cycle, polished
-    double closure = 0;                   ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
-    double residual = 0;                  ///< |Fᵏ(z) − z| at the point
-    double distance = 0;                  ///< from the orbit's last state to the point
-    double farthest = 0;                  ///< how far that may be, by the orbit's own return and the slowest multiplier
+    std::int64_t period = 0;                                    ///< 0: none found
+    Vector<M::dimension> point = Vector<M::dimension>::Zero();  ///< on the cycle, polished
+    State<M> state{};     ///< there; bit for bit the orbit's own if that is the evidence
+    double closure = 0;   ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
+    double residual = 0;  ///< |Fᵏ(z) − z| at the point
+    double distance = 0;  ///< from the orbit's last state to the point
+    double farthest = 0;  ///< how far that may be, by the orbit's own return and the slowest multiplier
     std::vector<std::complex<double>> multipliers;
     bool family = false;            ///< a multiplier is 1
-    bool attracting = false;        ///< all multipliers inside the unit circle, those of a family apart
+    bool attracting = false;        ///< `attracts`: all multipliers inside the unit circle, those of a family apart
     bool closure_persists = false;  ///< the orbit itself has closed all along the tail's last quarter
     bool approached = false;  ///< the orbit has come ever nearer, or is within 10⁻⁶ already, and its returns shrink
     double rounding = 0;      ///< of one that returns to `closure`: rounding_growth along it
@@ -56,18 +58,17 @@ namespace classification_detail {
 /// only passes by, or circles round it on a torus, does not. Within 10⁻⁶, where rounding through sustained contact may
 /// stop it, it need not.
 template <SectionMap M>
-bool approaches(const M& map, const Tail<M::dimension>& tail, const Vector<M::dimension>& point, std::int64_t k) {
-    std::vector<Vector<M::dimension>> cycle{point};
-    while (static_cast<std::int64_t>(cycle.size()) < k) cycle.push_back(map.advance(cycle.back()).state);
-    const auto n = static_cast<std::int64_t>(tail.states.size());
+bool approaches(const M& map, const Tail<M>& tail, const std::vector<Vector<M::dimension>>& cycle) {
+    const auto k = static_cast<std::int64_t>(cycle.size());
+    const auto n = static_cast<std::int64_t>(tail.points.size());
     const std::int64_t length = std::max(k, n / 16);
     const std::int64_t windows = std::min<std::int64_t>(4, n / length);
     double nearer = 0;
     for (std::int64_t w = 0; w < windows; ++w) {
         double farthest = 0;
         for (std::int64_t j = w * length; j < (w + 1) * length;
-             ++j)  // j steps before the last state, which is at `point`
-            farthest = std::max(farthest, distance(map, tail.states[static_cast<std::size_t>(n - 1 - j)],
+             ++j)  // j steps before the last state, which is at the cycle's first point
+            farthest = std::max(farthest, distance(map, tail.points[static_cast<std::size_t>(n - 1 - j)],
                                                    cycle[static_cast<std::size_t>((k - j % k) % k)]));
         if (w == 0 && farthest <= 1e-6) return true;
         if (!(farthest > nearer)) return false;
@@ -79,13 +80,12 @@ bool approaches(const M& map, const Tail<M::dimension>& tail, const Vector<M::di
 
 /// The orbit's largest return after k steps, over its last `count` states.
 template <SectionMap M>
-double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_t k, std::int64_t count,
-                       double give_up) {
-    const std::int64_t n = static_cast<std::int64_t>(tail.states.size());
+double return_distance(const M& map, const Tail<M>& tail, std::int64_t k, std::int64_t count, double give_up) {
+    const std::int64_t n = static_cast<std::int64_t>(tail.points.size());
     double largest = 0;
     for (std::int64_t j = n - 1; j >= std::max(n - count, k) && largest <= give_up; --j)
-        largest = std::max(largest, distance(map, tail.states[static_cast<std::size_t>(j)],
-                                             tail.states[static_cast<std::size_t>(j - k)], give_up));
+        largest = std::max(largest, distance(map, tail.points[static_cast<std::size_t>(j)],
+                                             tail.points[static_cast<std::size_t>(j - k)], give_up));
     return largest;
 }
 
@@ -93,14 +93,14 @@ double return_distance(const M& map, const Tail<M::dimension>& tail, std::int64_
 /// the slowest multiplier m of the cycle (of period `period`) predicts, in the logarithm? On a torus near a rational
 /// one they stay as they are, and Newton's method finds a cycle there all the same.
 template <SectionMap M>
-bool returns_shrink(const M& map, const Tail<M::dimension>& tail, std::int64_t k, double slowest, std::int64_t period) {
-    const auto n = static_cast<std::int64_t>(tail.states.size());
+bool returns_shrink(const M& map, const Tail<M>& tail, std::int64_t k, double slowest, std::int64_t period) {
+    const auto n = static_cast<std::int64_t>(tail.points.size());
     const std::int64_t count = std::max(k, n / 16);  // states, so that the phase of a complex multiplier plays no part
     const auto largest = [&](std::int64_t first) {   // from `first` on, to those k steps before
         double farthest = 0;
         for (std::int64_t j = first; j < first + count; ++j)
-            farthest = std::max(farthest, distance(map, tail.states[static_cast<std::size_t>(j)],
-                                                   tail.states[static_cast<std::size_t>(j - k)]));
+            farthest = std::max(farthest, distance(map, tail.points[static_cast<std::size_t>(j)],
+                                                   tail.points[static_cast<std::size_t>(j - k)]));
         return farthest;
     };
     const double apart = static_cast<double>(n - count - k) / static_cast<double>(period);
@@ -109,65 +109,57 @@ bool returns_shrink(const M& map, const Tail<M::dimension>& tail, std::int64_t k
 
 /// Fᵏ and its derivative at z; false if the map ends on the way.
 template <SectionMap M>
-bool iterate(const M& map, Vector<M::dimension>& z, Matrix<M::dimension>& derivative, std::int64_t k) {
+bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::int64_t k) {
     derivative.setIdentity();
     for (std::int64_t i = 0; i < k; ++i) {
         const auto step = map.linearise(z);
-        if (!step.alive || !step.state.allFinite()) return false;
+        if (!goes_on(map, step)) return false;
         derivative = step.derivative * derivative;
         z = step.state;
     }
     return true;
 }
 
-/// Newton's method for Fᵏ(z) = z with a minimum-norm step, so that members of a family are found near the start.
-/// Returns the residual reached, +∞ if the map ended.
+/// Newton's method for Fᵏ(z) = z, from a point of the orbit itself: for cycles that attract one point is enough,
+/// however long they are. Returns the residual reached, +∞ if the map ended.
 template <SectionMap M>
-double polish(const M& map, Vector<M::dimension>& z, std::int64_t k, double goal) {
-    constexpr int D = M::dimension;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double best = infinity;
-    Vector<D> best_point = z;
-    for (int iteration = 0; iteration < 20; ++iteration) {  // quadratic: 6 are usual; 20 allow a poor start
-        Vector<D> image = z;
-        Matrix<D> derivative;
-        if (!iterate(map, image, derivative, k)) break;
-        const Vector<D> gap = difference(map, image, z);
-        const double residual = gap.template lpNorm<Eigen::Infinity>();
-        if (residual < best) {
-            best = residual;
-            best_point = z;
-        } else if (iteration > 3) {
-            break;
-        }
-        if (residual <= 0.01 * goal) break;
-        // Sizes known at run time: GCC 12 sees an overrun in Eigen's solver for 1 × 1.
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-        solver.setThreshold(1e-9);
-        solver.compute(Matrix<D>::Identity() - derivative);
-        z += Vector<D>(solver.solve(Eigen::VectorXd(gap)));
-    }
-    z = best_point;
-    return best;
+double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, double goal) {
+    const auto equation = [&](const Eigen::VectorXd& z, Eigen::VectorXd& gap, Eigen::MatrixXd& derivative) {
+        const Vector<M::dimension> from = z;
+        State<M> image = state_at(map, from);
+        Matrix<M::dimension> product;
+        if (!iterate(map, image, product, k)) return false;
+        gap = difference(map, coordinates(map, image), from);
+        derivative = product - Matrix<M::dimension>::Identity();
+        return true;
+    };
+    NewtonOptions newton_options;
+    newton_options.goal = 0.01 * goal;
+    newton_options.most = 20;  // 6 are usual; 20 allow a poor start
+    newton_options.patience = 3;
+    Eigen::VectorXd z = point;
+    const double residual = newton(equation, z, newton_options);
+    point = z;
+    return residual;
 }
 
-/// The smallest divisor of k after which the cycle through z closes already.
+/// The point and the k − 1 after it; fewer if the map ends.
 template <SectionMap M>
-std::int64_t minimal_period(const M& map, const Vector<M::dimension>& z, std::int64_t k, double closure) {
-    Vector<M::dimension> image = z;
-    for (std::int64_t d = 1; d < k; ++d) {
-        const auto step = map.advance(image);
-        if (!step.alive) return k;
-        image = step.state;
-        if (k % d == 0 && distance(map, image, z) <= closure) return d;
+std::vector<Vector<M::dimension>> points_from(const M& map, State<M> z, std::int64_t k) {
+    std::vector<Vector<M::dimension>> points{coordinates(map, z)};
+    while (static_cast<std::int64_t>(points.size()) < k) {
+        const auto step = map.advance(z);
+        if (!step.alive) break;
+        z = step.state;
+        points.push_back(coordinates(map, z));
     }
-    return k;
+    return points;
 }
 
 /// Multipliers from double's eigenvalues, for a cycle that attracts clearly: ε‖A‖ may move them by its fifth root at
 /// worst (a defective one of D = 5), 10⁻³, and none is nearer to the unit circle than 10⁻². Empty if that is not so.
 template <SectionMap M>
-std::vector<std::complex<double>> clear_multipliers(const M& map, Vector<M::dimension> z, std::int64_t k) {
+std::vector<std::complex<double>> clear_multipliers(const M& map, State<M> z, std::int64_t k) {
     Matrix<M::dimension> derivative;
     if (!iterate(map, z, derivative, k) || !(derivative.norm() < 100)) return {};
     const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(derivative, false).eigenvalues();
@@ -175,40 +167,42 @@ std::vector<std::complex<double>> clear_multipliers(const M& map, Vector<M::dime
     return {values.data(), values.data() + values.size()};
 }
 
-/// Fills in the cycle of period k near the orbit's last state, if there is one.
+/// Multipliers, family and attraction of a cycle whose point and period are known. False if the map ends on it.
 template <SectionMap M>
-FoundCycle<M::dimension> cycle_near(const M& map, const Tail<M::dimension>& tail, std::int64_t k, double closure,
-                                    const PeriodOptions& options) {
-    FoundCycle<M::dimension> found;
-    Vector<M::dimension> z = tail.states.back();
-    found.residual = polish(map, z, k, options.residual);
-    if (!(found.residual <= options.residual)) return found;
-    const std::int64_t returned_after = k;
-    k = minimal_period(map, z, k, options.closure);
-    if (!options.exact_multipliers) found.multipliers = clear_multipliers(map, z, k);
+bool judge_multipliers(const M& map, const PeriodOptions& options, FoundCycle<M>& found) {
+    if (!options.exact_multipliers) found.multipliers = clear_multipliers(map, found.state, found.period);
     if (found.multipliers.empty()) {
-        const CycleExponents exponents = cycle_exponents(map, z, k);
-        if (exponents.outcome != CycleOutcome::completed) return found;
+        const CycleExponents exponents = cycle_exponents(map, found.state, found.period);
+        if (exponents.outcome != CycleOutcome::completed) return false;
         found.multipliers = exponents.multipliers;
     }
-    found.period = k;
-    found.point = z;
+    found.family = std::any_of(found.multipliers.begin(), found.multipliers.end(), &is_one);
+    found.attracting = attracts(found.multipliers);
+    return true;
+}
+
+/// Fills in the cycle of period k near the orbit's last state, if there is one.
+template <SectionMap M>
+FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, double closure,
+                         const PeriodOptions& options) {
+    FoundCycle<M> found;
+    found.point = tail.points.back();
+    found.residual = polish(map, found.point, k, options.residual);
+    if (!(found.residual <= options.residual)) return found;
+    found.state = state_at(map, found.point);
+    auto points = points_from(map, found.state, k);
+    if (static_cast<std::int64_t>(points.size()) < k) return found;
+    const auto apart = [&](std::size_t i, std::size_t j) { return distance(map, points[i], points[j]); };
+    points.resize(minimal_period(points.size(), options.closure, apart));
+    found.period = static_cast<std::int64_t>(points.size());
+    if (!judge_multipliers(map, options, found)) return {};
     found.closure = closure;
-    found.attracting = true;
-    for (const auto& multiplier : found.multipliers) {
-        if (std::abs(multiplier - 1.0) <= options.neutral)
-            found.family = true;
-        else if (!(std::abs(multiplier) < 1 - options.stable))
-            found.attracting = false;
-    }
     // A return of size d after j periods of a cycle with slowest multiplier m means a distance of d/(1 − mʲ).
-    double slowest = 0;
-    for (const auto& multiplier : found.multipliers)
-        if (std::abs(multiplier - 1.0) > options.neutral) slowest = std::max(slowest, std::abs(multiplier));
-    found.distance = distance(map, tail.states.back(), z);
-    const double along = std::pow(slowest, static_cast<double>(returned_after) / static_cast<double>(k));
+    const double slowest = slowest_of(found.multipliers);
+    found.distance = distance(map, tail.points.back(), found.point);
+    const double along = std::pow(slowest, static_cast<double>(k) / static_cast<double>(found.period));
     found.farthest = 10 * std::max(closure, options.residual) / std::max(1 - along, 1e-6);
-    found.approached = approaches(map, tail, z, k) && returns_shrink(map, tail, returned_after, slowest, k);
+    found.approached = approaches(map, tail, points) && returns_shrink(map, tail, k, slowest, found.period);
     return found;
 }
 
@@ -216,20 +210,21 @@ FoundCycle<M::dimension> cycle_near(const M& map, const Tail<M::dimension>& tail
 /// have stayed: repelled by a multiplier m it would have left after ln(10⁷)/ln m of the returns along a quarter of the
 /// tail. Where Newton's method leads elsewhere (on a border of the map, say) the orbit itself is the evidence.
 template <SectionMap M>
-FoundCycle<M::dimension> cycle_of_closed(const M& map, const Tail<M::dimension>& tail, std::int64_t k, double closure,
-                                         const PeriodOptions& options) {
+FoundCycle<M> cycle_of_closed(const M& map, const Tail<M>& tail, std::int64_t k, double closure,
+                              const PeriodOptions& options) {
     auto found = cycle_near(map, tail, k, closure, options);
-    const auto quarter = static_cast<std::int64_t>(tail.states.size() / 4);
+    const auto quarter = static_cast<std::int64_t>(tail.points.size() / 4);
     const bool closure_persists =
         return_distance(map, tail, k, std::max(k, quarter), options.closure) <= options.closure;
     if (found.period == 0 || found.distance > found.farthest) {
         found = {};
         found.period = k;
-        found.point = tail.states.back();
+        found.point = tail.points.back();
+        found.state = tail.last;
         found.closure = found.residual = closure;
     }
     found.closure_persists = closure_persists;
-    found.rounding = rounding_growth(map, found.point, found.period);
+    found.rounding = rounding_growth(map, found.state, found.period);
     return found;
 }
 
@@ -240,10 +235,10 @@ FoundCycle<M::dimension> cycle_of_closed(const M& map, const Tail<M::dimension>&
 /// suggests, which the tail has come nearer to. Period 0 if neither.
 /// Cost: max_period² comparisons at worst, few in practice; 20 k derivatives per candidate.
 template <SectionMap M>
-FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tail, const PeriodOptions& options = {}) {
+FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options = {}) {
     namespace detail = classification_detail;
     const std::int64_t longest =
-        std::min<std::int64_t>(options.max_period, static_cast<std::int64_t>(tail.states.size()) / 2);
+        std::min<std::int64_t>(options.max_period, static_cast<std::int64_t>(tail.points.size()) / 2);
     std::vector<std::pair<double, std::int64_t>> near;
     for (std::int64_t k = 1; k <= longest; ++k) {
         const double returned = detail::return_distance(map, tail, k, k, options.vicinity);
@@ -255,7 +250,7 @@ FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tai
         if (returned <= options.vicinity) near.emplace_back(returned, k);
     }
     std::sort(near.begin(), near.end());
-    FoundCycle<M::dimension> best;
+    FoundCycle<M> best;
     for (std::size_t i = 0; i < near.size() && i < static_cast<std::size_t>(options.candidates); ++i) {
         const auto found = detail::cycle_near(map, tail, near[i].second, near[i].first, options);
         if (found.period == 0 || !found.attracting || !found.approached || found.distance > found.farthest) continue;
@@ -268,24 +263,24 @@ FoundCycle<M::dimension> find_period(const M& map, const Tail<M::dimension>& tai
 /// tail's length are found. The last 64 states must come back to `closure`, and the annihilation must lie within the
 /// period: else it may be an unstable cycle in passing. Period 0 if not so. O(n), k derivatives.
 template <SectionMap M>
-FoundCycle<M::dimension> find_superstable_period(const M& map, const Tail<M::dimension>& tail,
-                                                 const PeriodOptions& options = {}) {
+FoundCycle<M> find_superstable_period(const M& map, const Tail<M>& tail, const PeriodOptions& options = {}) {
     constexpr std::int64_t states = 64;
-    FoundCycle<M::dimension> found;
-    const auto n = static_cast<std::int64_t>(tail.states.size());
+    FoundCycle<M> found;
+    const auto n = static_cast<std::int64_t>(tail.points.size());
     for (std::int64_t k = 1; k <= n - states; ++k) {
         const double returned = classification_detail::return_distance(map, tail, k, states, options.closure);
         if (returned > options.closure) continue;
         LyapunovOptions once;
         once.transient = 0;
         once.steps = k;
-        const auto growth = largest_exponent(map, tail.states.back(), once);
+        const auto growth = largest_exponent(map, tail.last, once);
         if (growth.outcome != LyapunovOutcome::completed || !std::isinf(growth.exponents.front())) break;
         found.period = k;
-        found.point = tail.states.back();
+        found.point = tail.points.back();
+        found.state = tail.last;
         found.closure = found.residual = returned;
         found.closure_persists = found.approached = found.superstable = true;
-        found.rounding = rounding_growth(map, found.point, k);
+        found.rounding = rounding_growth(map, found.state, k);
         break;
     }
     return found;

@@ -16,18 +16,22 @@ namespace swirl::analysis {
 /// Neighbours and no derivatives, as beyond a border of the map these say nothing. Infinite if the neighbour's map
 /// ends. Cost: 2 k steps.
 template <SectionMap M>
-double rounding_growth(const M& map, Vector<M::dimension> z, std::int64_t k) {
+double rounding_growth(const M& map, State<M> z, std::int64_t k) {
     constexpr double apart = 1e-14;
-    Vector<M::dimension> neighbour = z;
-    double farthest = 0;
+    Vector<M::dimension> aside;
+    for (int c = 0; c < M::dimension; ++c) aside[c] = apart * std::cos(1.0 + c);
+    State<M> neighbour = z;
+    Vector<M::dimension> point = coordinates(map, z);
+    double away = 0, farthest = 0;
     for (std::int64_t i = 0; i < k; ++i) {
-        if (distance(map, neighbour, z) < apart)
-            for (int c = 0; c < M::dimension; ++c) neighbour[c] = z[c] + apart * std::cos(1.0 + c);
+        if (away < apart) neighbour = state_at(map, Vector<M::dimension>(point + aside));
         const auto step = map.advance(z), beside = map.advance(neighbour);
         if (!step.alive || !beside.alive) return std::numeric_limits<double>::infinity();
         z = step.state;
         neighbour = beside.state;
-        farthest = std::max(farthest, distance(map, neighbour, z));
+        point = coordinates(map, z);
+        away = distance(map, coordinates(map, neighbour), point);
+        farthest = std::max(farthest, away);
     }
     return std::numeric_limits<double>::epsilon() / apart * farthest;
 }

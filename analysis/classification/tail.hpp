@@ -1,8 +1,9 @@
-// The part of an orbit that is looked at: its states and durations after the transient.
+// The part of an orbit that is looked at: its states' coordinates and durations after the transient.
 #pragma once
 
 #include "analysis/section_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,44 +11,50 @@
 
 namespace swirl::analysis {
 
-template <int D>
+template <SectionMap M>
 struct Tail {
-    std::vector<Vector<D>> states;      ///< n states
-    std::vector<double> durations;      ///< durations[i]: from states[i] to the next
-    std::vector<double> integrals;      ///< Advance::integral on that way
-    std::int64_t steps = 0;             ///< steps taken in all, the transient included
-    bool ended = false;                 ///< the map ended before all steps were taken
-    Vector<D> end = Vector<D>::Zero();  ///< if so: the state that has no next one
+    std::vector<Vector<M::dimension>> points;  ///< coordinates of n states
+    std::vector<double> durations;             ///< durations[i]: from points[i] to the next
+    std::vector<double> integrals;             ///< Advance::integral on that way
+    State<M> first{};                          ///< the state at points.front(): where others follow the same orbit from
+    State<M> last{};                           ///< the state at points.back()
+    std::int64_t steps = 0;                    ///< steps taken in all, the transient included
+    bool ended = false;                        ///< the map ended before all steps were taken
+    bool stopped = false;                      ///< it was stopped before: what is there is no tail
+    State<M> end{};                            ///< if it ended: the state that has no next one
 };
 
 /// Follows `transient` steps, then keeps `count` states. Cost: one step of the map each.
 template <SectionMap M>
-Tail<M::dimension> follow_tail(const M& map, Vector<M::dimension> z, std::int64_t transient, std::int64_t count) {
-    Tail<M::dimension> tail;
-    const auto step_from = [&](const Vector<M::dimension>& state) {
-        const auto step = map.advance(state);
-        if (step.alive && step.state.allFinite()) {
-            ++tail.steps;
-        } else {
-            tail.ended = true;
-            tail.end = state;
-        }
-        return step;
-    };
-    for (std::int64_t i = 0; i < transient; ++i) {
-        const auto step = step_from(z);
-        if (tail.ended) return tail;
-        z = step.state;
+Tail<M> follow_tail(const M& map, State<M> z, std::int64_t transient, std::int64_t count, const Stop& stop = {}) {
+    constexpr std::int64_t between = 1024;      // steps from one look at `stop` to the next
+    constexpr std::int64_t reserved = 1 << 20;  // a tail that is longer grows as it is followed
+    Tail<M> tail;
+    tail.steps = follow(map, z, transient, stop);
+    if (tail.steps < transient) {
+        tail.stopped = stop && stop();
+        tail.ended = !tail.stopped;
+        tail.end = z;
+        return tail;
     }
-    tail.states.reserve(static_cast<std::size_t>(count));
-    tail.durations.reserve(static_cast<std::size_t>(count));
-    tail.integrals.reserve(static_cast<std::size_t>(count));
+    const auto room = static_cast<std::size_t>(std::min(count, reserved));
+    tail.points.reserve(room);
+    tail.durations.reserve(room);
+    tail.integrals.reserve(room);
+    tail.first = z;
     for (std::int64_t i = 0; i < count; ++i) {
-        const auto step = step_from(z);
-        if (tail.ended) return tail;
-        tail.states.push_back(z);
+        if (stop && i % between == 0 && (tail.stopped = stop())) return tail;
+        const auto step = map.advance(z);
+        if (!goes_on(map, step)) {
+            tail.ended = true;
+            tail.end = z;
+            return tail;
+        }
+        ++tail.steps;
+        tail.points.push_back(coordinates(map, z));
         tail.durations.push_back(step.duration);
         tail.integrals.push_back(step.integral);
+        tail.last = z;
         z = step.state;
     }
     return tail;

@@ -1,6 +1,6 @@
 #include "analysis/continuation/border.hpp"
 
-#include "analysis/orbits/cycle.hpp"
+#include "analysis/cycles/cycle.hpp"
 
 #include <algorithm>
 #include <array>

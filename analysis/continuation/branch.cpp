@@ -48,14 +48,11 @@ std::string_view name(BranchEnd end) {
 }
 
 BranchPoint branch_point_at(const CurvePoint& at) {
-    Cycle cycle;
-    cycle.multipliers = multipliers_at(at);
-    judge_stability(cycle);
     BranchPoint point;
     point.at = at;
-    point.multipliers = cycle.multipliers;
-    point.index = cycle.index;
-    point.stability = cycle.stability;
+    point.multipliers = multipliers_at(at);
+    point.index = index_of(point.multipliers);
+    point.stability = stability_of(point.multipliers);
     point.mean = at.shooting.integral / at.shooting.duration;
     return point;
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analysis/continuation/normal_form.hpp"
-#include "analysis/orbits/curve.hpp"
-#include "analysis/orbits/cycle.hpp"
+#include "analysis/cycles/curve.hpp"
+#include "analysis/cycles/cycle.hpp"
 
 #include <complex>
 #include <optional>

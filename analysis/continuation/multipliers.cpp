@@ -1,6 +1,6 @@
 #include "analysis/continuation/multipliers.hpp"
 
-#include "analysis/orbits/cycle.hpp"
+#include "analysis/cycles/cycle.hpp"
 
 #include <Eigen/Dense>
 

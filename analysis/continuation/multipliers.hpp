@@ -1,7 +1,7 @@
 // Multipliers on a branch, and the functions whose zeros are its special points.
 #pragma once
 
-#include "analysis/orbits/curve.hpp"
+#include "analysis/cycles/curve.hpp"
 
 #include <complex>
 #include <vector>

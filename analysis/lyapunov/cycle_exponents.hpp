@@ -40,16 +40,14 @@ CycleExponents cycle_exponents(std::span<const Eigen::MatrixXd> derivatives, dou
 
 /// The same for the cycle of length k through `state`, which must be on it: see `closure`.
 template <SectionMap M>
-CycleExponents cycle_exponents(const M& map, const Vector<M::dimension>& state, std::int64_t k,
-                               double rank_tolerance = 1e-13) {
+CycleExponents cycle_exponents(const M& map, const State<M>& state, std::int64_t k, double rank_tolerance = 1e-13) {
     constexpr int D = M::dimension;
     std::vector<Eigen::MatrixXd> derivatives;
-    Vector<D> z = state;
+    State<M> z = state;
     double time = 0;
     for (std::int64_t i = 0; i < k; ++i) {
-        const Linearised<D> step = map.linearise(z);
-        const bool finite = step.state.allFinite() && step.derivative.allFinite();
-        if (!step.alive || !finite) {
+        const auto step = map.linearise(z);
+        if (!goes_on(map, step) || !step.derivative.allFinite()) {
             CycleExponents ended;
             ended.outcome = step.alive ? CycleOutcome::not_finite : CycleOutcome::ended_early;
             return ended;
@@ -60,9 +58,10 @@ CycleExponents cycle_exponents(const M& map, const Vector<M::dimension>& state, 
     }
     CycleExponents result = cycle_exponents(derivatives, rank_tolerance);
     result.time = time;
+    const Vector<D> open = coordinates(map, z) - coordinates(map, state);
     for (int i = 0; i < D; ++i) {
         const double period = map.angle_period(i);
-        double difference = z[i] - state[i];
+        double difference = open[i];
         if (period > 0) difference = std::remainder(difference, period);
         result.closure = std::max(result.closure, std::abs(difference));
     }

@@ -76,15 +76,14 @@ struct GradientInvariance {
     double largest_residual = 0;  ///< max ‖g(F(z)) DF − g(z)‖ / (‖g(F(z))‖ ‖DF‖ + ‖g(z)‖): rounding if invariant
 };
 
-/// Follows `steps` steps from `state`. gradient(z) → Vector<D>. Cost O(D²) per step besides DF.
+/// Follows `steps` steps from `state`. gradient(z) → Vector<D>, of a state. Cost O(D²) per step besides DF.
 template <SectionMap M, class Gradient>
-GradientInvariance gradient_invariance(const M& map, Vector<M::dimension> state, const Gradient& gradient,
-                                       std::int64_t steps) {
+GradientInvariance gradient_invariance(const M& map, State<M> state, const Gradient& gradient, std::int64_t steps) {
     constexpr int D = M::dimension;
     GradientInvariance result;
     for (; result.steps < steps; ++result.steps) {
-        const Linearised<D> step = map.linearise(state);
-        if (!step.alive || !step.state.allFinite() || !step.derivative.allFinite()) {
+        const auto step = map.linearise(state);
+        if (!goes_on(map, step) || !step.derivative.allFinite()) {
             result.outcome = step.alive ? LyapunovOutcome::not_finite : LyapunovOutcome::ended_early;
             return result;
         }

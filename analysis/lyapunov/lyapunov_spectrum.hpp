@@ -14,17 +14,6 @@ namespace swirl::analysis {
 
 namespace lyapunov_detail {
 
-/// Follows the transient by the map alone; false if it ended or overflowed.
-template <SectionMap M>
-bool settle(const M& map, Vector<M::dimension>& state, std::int64_t steps) {
-    for (std::int64_t i = 0; i < steps; ++i) {
-        const auto step = map.advance(state);
-        if (!step.alive || !step.state.allFinite()) return false;
-        state = step.state;
-    }
-    return true;
-}
-
 /// ln of the growth |r|, −∞ when it is rounding of a derivative of size `norm`.
 inline double log_growth(double r, double norm, double rank_tolerance) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -48,18 +37,18 @@ inline std::int64_t frame_transient(std::int64_t transient) {
 /// LyapunovOutcome. Cost O(D³) per step besides DF. Source: Benettin, Galgani, Giorgilli & Strelcyn, Meccanica 15
 /// (1980) 9; Geist, Parlitz & Lauterborn, Prog. Theor. Phys. 83 (1990) 875.
 template <SectionMap M>
-LyapunovSpectrum lyapunov_spectrum(const M& map, Vector<M::dimension> state, const LyapunovOptions& options = {}) {
+LyapunovSpectrum lyapunov_spectrum(const M& map, State<M> state, const LyapunovOptions& options = {}) {
     constexpr int D = M::dimension;
     ExponentAccumulator accumulator(D, options);
     const std::int64_t aligning = lyapunov_detail::frame_transient(options.transient);
-    if (!lyapunov_detail::settle(map, state, options.transient - aligning)) {
+    if (const auto steps = options.transient - aligning; follow(map, state, steps) < steps) {
         return accumulator.finish(LyapunovOutcome::ended_in_transient);
     }
     Matrix<D> frame = generic_frame(D);
     for (std::int64_t i = -aligning; i < options.steps; ++i) {
-        const Linearised<D> step = map.linearise(state);
-        const bool finite = step.state.allFinite() && step.derivative.allFinite();
-        if (!step.alive || !finite) {
+        const auto step = map.linearise(state);
+        const bool finite = goes_on(map, step) && step.derivative.allFinite();
+        if (!finite) {
             if (i < 0) return accumulator.finish(LyapunovOutcome::ended_in_transient);
             return accumulator.finish(step.alive ? LyapunovOutcome::not_finite : LyapunovOutcome::ended_early);
         }
@@ -80,19 +69,19 @@ LyapunovSpectrum lyapunov_spectrum(const M& map, Vector<M::dimension> state, con
 /// The largest exponent alone, by the growth of one tangent vector: vectors of length 1 in the result. It is −∞ only if
 /// the product of the derivatives annihilates a vector in general position. Cost O(D²) per step besides DF.
 template <SectionMap M>
-LyapunovSpectrum largest_exponent(const M& map, Vector<M::dimension> state, const LyapunovOptions& options = {}) {
+LyapunovSpectrum largest_exponent(const M& map, State<M> state, const LyapunovOptions& options = {}) {
     constexpr int D = M::dimension;
     ExponentAccumulator accumulator(1, options);
     const std::int64_t aligning = lyapunov_detail::frame_transient(options.transient);
-    if (!lyapunov_detail::settle(map, state, options.transient - aligning)) {
+    if (const auto steps = options.transient - aligning; follow(map, state, steps) < steps) {
         return accumulator.finish(LyapunovOutcome::ended_in_transient);
     }
     const Vector<D> generic = generic_frame(D).col(0);
     Vector<D> tangent = generic;
     for (std::int64_t i = -aligning; i < options.steps; ++i) {
-        const Linearised<D> step = map.linearise(state);
-        const bool finite = step.state.allFinite() && step.derivative.allFinite();
-        if (!step.alive || !finite) {
+        const auto step = map.linearise(state);
+        const bool finite = goes_on(map, step) && step.derivative.allFinite();
+        if (!finite) {
             if (i < 0) return accumulator.finish(LyapunovOutcome::ended_in_transient);
             return accumulator.finish(step.alive ? LyapunovOutcome::not_finite : LyapunovOutcome::ended_early);
         }

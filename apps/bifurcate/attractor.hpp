@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace swirl::apps::bifurcate {
@@ -15,7 +16,6 @@ namespace swirl::apps::bifurcate {
 struct SampleSettings {
     std::int64_t transient = 2500;  ///< impacts before those that are kept
     std::int64_t collisions = 500;  ///< impacts that are kept
-    std::int64_t max_period = 128;
 };
 
 /// Where the start of a sample came from.
@@ -31,17 +31,16 @@ struct Attractor {
     std::int64_t period = 0;          ///< 0: none found
     double distance = 0;              ///< of the samples from the cycle, where there is one
     double mean_spin = std::nan("");  ///< time mean of S over the kept impacts, or over the period; NaN without
-    std::vector<Eigen::VectorXd>
-        states;            ///< the kept states; where there is a cycle one period of the orbit, settled on it
-    Eigen::VectorXd last;  ///< the orbit's last state; empty without impacts
+    /// Coordinates: the kept states; where there is a cycle one period of the orbit, settled on it.
+    std::vector<Eigen::VectorXd> states;
+    std::optional<SectionPoint<double>> last;  ///< the orbit's last state; none without impacts
 };
 
-/// Follows a start and names what it settles on: steady or quasi-steady by a period of the kept states (returned to
-/// within 10⁻⁹, or an attracting cycle found by Newton's method from the last state within the distance that the
-/// orbit's own return suggests), chaotic by a tangent vector that grows by more than 5 standard errors, undecided
-/// otherwise. What ends in contact is named as `classify` names it. An interruption is named (`finished` false); apart
-/// from that a pure function of its arguments. Cost: one step of the map an impact, for irregular orbits some 5 more
-/// for each of 400.
+/// Follows a start and names what it settles on: the verdict of `classify` (name_mode) with these counts of impacts; an
+/// orbit that they leave undecided is followed on for as long as `classify` does. One that can only die away is waited
+/// for. An interruption is named (`finished` false); apart from that a pure function of its arguments. Cost: one step
+/// of the map an impact, and a derivative, some four steps, for each that is kept; for orbits that stay undecided some
+/// 20,000 impacts more.
 /// @throws std::invalid_argument for a start out of range
 Attractor settle(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings);
 

@@ -1,5 +1,5 @@
 #include "analysis/continuation/on_branch.hpp"
-#include "analysis/orbits/multi_shooting.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
 #include "apps/bifurcate/bifurcate_command.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"

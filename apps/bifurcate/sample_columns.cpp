@@ -1,7 +1,6 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
-#include "apps/system/scene_map.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <tbb/parallel_for.h>
@@ -25,21 +24,22 @@ tbb::task_arena arena_of(const BifurcateOptions& options) {
 }
 
 /// The state as a start of another column's scene, if it can be one there.
-std::optional<SectionPoint<double>> carried_over(const Scene<double>& scene, const Eigen::VectorXd& last) {
-    if (last.size() == 0) return std::nullopt;
+std::optional<SectionPoint<double>> carried_over(const Scene<double>& scene,
+                                                 const std::optional<SectionPoint<double>>& last) {
+    if (!last) return std::nullopt;
     try {
-        require_leaving(make_body(scene), section_point_of(last));
+        require_leaving(make_body(scene), *last);
     } catch (const std::invalid_argument&) {
         return std::nullopt;  // another vertex would be outside, say
     }
-    return section_point_of(last);
+    return last;
 }
 
 /// One way along the columns; `sign` = +1 upwards in the parameter.
 std::vector<Attractor> follow_way(const BifurcateOptions& options, const Diagram& diagram, Origin origin) {
     const std::size_t count = diagram.columns.size();
     std::vector<Attractor> found(count);
-    Eigen::VectorXd last;
+    std::optional<SectionPoint<double>> last;
     const bool forward = (origin == Origin::up) != diagram.along.falling;
     for (std::size_t i = 0; i < count && !is_interrupted(); ++i) {
         const std::size_t column = forward ? i : count - 1 - i;

@@ -1,7 +1,5 @@
 #include "apps/branches/branches.hpp"
 #include "apps/system/scene_map.hpp"
-#include "map/collision_map.hpp"
-#include "map/orbit/return_map.hpp"
 
 #include <boost/math/tools/minima.hpp>
 
@@ -60,22 +58,22 @@ bool grazes(const Body<double>& body, const Flight<double>& flight, double durat
     return false;
 }
 
-template <class Map>
-std::string name_without_cycle(const Map& map, const analysis::CurvePoint& last) {
-    const ReturnMap<Map> return_map(map);
+template <int D>
+std::string name_without_cycle(const SceneMap<D>& map, const analysis::CurvePoint& last) {
+    constexpr Shape shape = shape_of<D>;
     const double touching = touching_of(map.body());
     for (const auto& z : last.points) {
         const PostImpactState<double> post_impact = post_impact_state(section_point_of(z));
-        const ReturnStep<double> return_step = return_map.advance(post_impact);
+        const ReturnStep<double> return_step = map.return_step(post_impact);
         if (return_step.outcome != Outcome::completed) return "landing";
         if (!return_step.contacts.empty()) continue;
         const Flight<double> flight = flight_from(map.body(), post_impact);
         const double duration = return_step.collision.flight_time;
-        if (std::abs(second_gap<Map::shape>(map.body(), flight, 0)) < touching ||
-            std::abs(second_gap<Map::shape>(map.body(), flight, duration)) < touching)
+        if (std::abs(second_gap<shape>(map.body(), flight, 0)) < touching ||
+            std::abs(second_gap<shape>(map.body(), flight, duration)) < touching)
             return "two-vertices";
         if (return_step.collision.impulse.normal < touching) return "grazing";
-        if (grazes<Map::shape>(map.body(), flight, duration)) return "grazing";
+        if (grazes<shape>(map.body(), flight, duration)) return "grazing";
     }
     return analysis::nameless_border;
 }
@@ -85,8 +83,7 @@ std::string name_without_cycle(const Map& map, const analysis::CurvePoint& last)
 std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
                         const std::vector<std::int64_t>& word_after, bool goes_on) {
     if (!goes_on) {
-        const std::string name =
-            with_collision_map(scene, [&](const auto& map) { return name_without_cycle(map, last); });
+        const std::string name = with_scene_map(scene, [&](const auto& map) { return name_without_cycle(map, last); });
         if (name != analysis::nameless_border) return name;
     }
     const auto before = analysis::word_of(last.shooting);

@@ -1,5 +1,5 @@
 #include "apps/branches/branches.hpp"
-#include "apps/system/scene_map.hpp"
+#include "apps/system/letter.hpp"
 
 #include <algorithm>
 #include <cmath>

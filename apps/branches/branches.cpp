@@ -3,7 +3,7 @@
 #include "analysis/continuation/on_branch.hpp"
 #include "analysis/continuation/switch_branch.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/system/scene_map.hpp"
+#include "apps/system/shooting_map.hpp"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& a
     branches.options.stop = is_interrupted;
     if (along.parameter) {
         const Parameter parameter = *along.parameter;
-        branches.map = scene_map(scene, parameter);
+        branches.map = shooting_map_of(scene, parameter);
         branches.options.forms = [scene, parameter](const analysis::CyclePoints& points, double p) {
             return scene_forms(scene, parameter, points, p);
         };
@@ -30,7 +30,7 @@ SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& a
         };
         return branches;
     }
-    branches.map = scene_map(scene);
+    branches.map = shooting_map_of(scene);
     const bool by_time = along.name == "tau";
     branches.options.label = [by_time](const analysis::CurvePoint& point) {
         return by_time ? point.shooting.duration : point.points.front()[point.points.front().size() - 1];

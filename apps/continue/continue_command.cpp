@@ -1,11 +1,12 @@
 #include "apps/continue/continue_command.hpp"
 
-#include "analysis/orbits/cycle.hpp"
-#include "analysis/orbits/multi_shooting.hpp"
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/command_line/start_options.hpp"
-#include "apps/system/scene_map.hpp"
+#include "apps/system/section_coordinates.hpp"
+#include "apps/system/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <optional>
@@ -53,7 +54,7 @@ analysis::CyclePoints cycle_from(const ContinueOptions& options, const Scene<dou
     if (options.from.empty()) throw BadInput("--from is missing: psi,chi,vn,vt,S near a point of the cycle");
     const auto z = section_point_from<double>("--from", options.from, scene.is_disk());
     require_leaving(make_body(scene), z);
-    const auto guess = analysis::orbit_from(map, state_of(z, scene.is_disk()), p, options.period);
+    const auto guess = analysis::orbit_from(map, coordinates_of(z, scene.is_disk()), p, options.period);
     if (guess.empty()) return {};
     const auto shot = analysis::solve_shooting(map, guess, p, accepted);
     if (!shot.converged) return {};
@@ -63,7 +64,7 @@ analysis::CyclePoints cycle_from(const ContinueOptions& options, const Scene<dou
 
 /// Over a parameter a cycle must be isolated, along itself it must be a member of a family of one parameter.
 bool lies_on_curve(const Scene<double>& scene, const ParameterRange& along, const analysis::CyclePoints& cycle) {
-    const auto map = scene_map(scene);
+    const auto map = shooting_map_of(scene);
     const auto shooting = analysis::shooting_residual(map, cycle, 0);
     return shooting.alive && analysis::family_directions(shooting, map.dimension).cols() == (along.parameter ? 0 : 1);
 }

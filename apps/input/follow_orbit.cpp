@@ -16,8 +16,8 @@ const ImpactField* field_of(const std::string& column) {
     return nullptr;
 }
 
-template <class Map>
-void follow(Orbit<Map>& orbit, const ImpactRange& range, bool quiet, TrajectorySegmenter& cutter,
+template <class T>
+void follow(SceneOrbit<T>& orbit, const ImpactRange& range, bool quiet, TrajectorySegmenter& cutter,
             OrbitColumns& columns) {
     std::vector<const ImpactField*> fields;
     for (const auto& name : columns.names) fields.push_back(field_of(column_of_observable(name)));
@@ -48,17 +48,14 @@ void follow_in(const SceneOptions& scene_options, const StartOptions& start_opti
                bool quiet, OrbitColumns& columns) {
     const Scene<T> scene = scene_options.scene<T>();
     const Start<T> start = start_options.start<T>(scene);
-    with_collision_map(scene, [&](const auto& map) {
-        std::visit(
-            [&](const auto& s) {
-                Orbit orbit(map, s);
-                TrajectorySegmenter cutter(scene, s);
-                columns.contact_scene = cutter.scene();
-                follow(orbit, range, quiet, cutter, columns);
-            },
-            start);
-        return 0;
-    });
+    SceneOrbit<T> orbit(scene, start);
+    std::visit(
+        [&](const auto& s) {
+            TrajectorySegmenter cutter(scene, s);
+            columns.contact_scene = cutter.scene();
+            follow(orbit, range, quiet, cutter, columns);
+        },
+        start);
 }
 
 }  // namespace

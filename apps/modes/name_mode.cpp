@@ -2,7 +2,6 @@
 
 #include "apps/modes/contact_mode.hpp"
 #include "apps/system/orbit_ending.hpp"
-#include "apps/system/section_system.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +10,8 @@ namespace swirl::apps {
 namespace {
 
 /// What follows the last impact, followed on and judged.
-template <class Map>
-void judge_contact(const ReturnMap<Map>& map, const PostImpactState<double>& last, analysis::Classification& verdict) {
+template <int D>
+void judge_contact(const SceneMap<D>& map, const PostImpactState<double>& last, analysis::Classification& verdict) {
     // Friction may take longer than that to bring slip to an end: a tail that still changes is followed ten times on.
     for (const double time : {contact_horizon, 10 * contact_horizon}) {
         double reached = time;
@@ -20,7 +19,7 @@ void judge_contact(const ReturnMap<Map>& map, const PostImpactState<double>& las
              cut;) {  // a body that swings very fast (most_contact_steps): once more, to where that was
             const double followed = reached;
             ContactTail tail(map.contact(), followed);
-            const auto return_step = map.advance(last, followed, [&](const auto&... seen) { tail.add(seen...); });
+            const auto return_step = map.return_step(last, followed, [&](const auto&... seen) { tail.add(seen...); });
             if (return_step.outcome != Outcome::in_contact) return;
             reached = return_step.contacts.back().end;
             cut = reached < followed;
@@ -32,20 +31,16 @@ void judge_contact(const ReturnMap<Map>& map, const PostImpactState<double>& las
     }
 }
 
-template <class System>
-typename System::State state_of(const std::vector<double>& coordinates) {
-    return Eigen::Map<const typename System::State>(coordinates.data());
-}
-
 /// Does a cycle lead through sustained contact? Then it is a landing.
-template <class System>
-void look_for_landings(const System& system, analysis::Classification& verdict) {
+template <int D>
+void look_for_landings(const SceneMap<D>& map, analysis::Classification& verdict) {
     using analysis::Kind;
     if (verdict.kind != Kind::cycle && verdict.kind != Kind::fixed_point) return;
-    auto z = state_of<System>(verdict.point);
+    auto z = map.state_at(analysis::Vector<D>(verdict.point.data()));
     for (std::int64_t k = 0; k < verdict.period; ++k) {
-        const auto step = system.advance(z);
-        if (step.letter < 0) {
+        const auto step = map.advance(z);
+        if (!step.alive) return;
+        if (letter_from(step.letter).through_contact) {
             verdict.kind = Kind::landing;
             verdict.mode = analysis::Mode::quasi_steady;
             verdict.evidence.push_back({"impact that lands", static_cast<double>(k + 1),
@@ -75,43 +70,60 @@ void name_ending(Outcome outcome, long long impacts, analysis::Classification& v
                                 "more: named by the orbit of its impacts"});
 }
 
+/// An orbit that has no next impact from `last` on.
+template <int D>
+void name_end(const SceneMap<D>& map, const PostImpactState<double>& last, NamedMode& named) {
+    if (named.outcome == Outcome::in_contact)
+        judge_contact(map, last, named.verdict);
+    else
+        name_ending(named.outcome, named.impacts, named.verdict);
+}
+
+template <int D>
+void keep_samples(const analysis::Tail<SceneMap<D>>& tail, OrbitSamples& samples) {
+    samples.last = section_point(tail.ended ? tail.end : tail.last);
+    if (tail.ended) return;
+    for (const auto& point : tail.points) samples.points.emplace_back(point);
+}
+
+template <int D>
+NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const analysis::ClassifyOptions& settings,
+                  bool dissipative, const analysis::Stop& stop, OrbitSamples* samples) {
+    NamedMode named;
+    const OrbitBegin begin = begin_orbit(map, start);
+    named.outcome = begin.outcome;
+    named.impacts = begin.impacts;
+    if (begin.outcome != Outcome::completed) {
+        named.verdict.ended = true;
+        name_ending(named.outcome, named.impacts, named.verdict);
+        return named;
+    }
+    const auto tail = analysis::follow_tail(map, begin.state, settings.transient, settings.collisions, stop);
+    named.finished = !tail.stopped;
+    if (tail.stopped) return named;
+    if (samples) keep_samples(tail, *samples);
+    // Where the verdict is known beforehand, derivatives and periods would cost much and tell nothing.
+    named.verdict = dissipative ? analysis::observed(map, tail, map.integrated, settings.recurrence_threshold)
+                                : analysis::classify_tail(map, tail, map.integrated, settings);
+    named.impacts += named.verdict.steps;
+    if (tail.ended) {
+        named.outcome = ending_at(map, tail.end, named.impacts);
+        name_end(map, tail.end, named);
+    } else if (dissipative) {
+        name_dissipative_orbit(named.verdict);
+    }
+    look_for_landings(map, named.verdict);
+    return named;
+}
+
 }  // namespace
 
-NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& options) {
+NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& options,
+                    const analysis::Stop& stop, OrbitSamples* samples) {
     analysis::ClassifyOptions settings = options;
     settings.conserves = scene.mu == 0 && scene.restitution == 1;
-    return with_collision_map(scene, [&](const auto& map) {
-        NamedMode named;
-        SectionPoint<double> first{};
-        named.outcome = ending_of(map, start, 1, first, named.impacts);
-        const SectionSystem system(map);
-        if (named.outcome != Outcome::completed) {
-            named.verdict.ended = true;
-            if (named.outcome == Outcome::in_contact)
-                judge_contact(system.return_map(), post_impact_state(std::get<SectionPoint<double>>(start)),
-                              named.verdict);
-            else
-                name_ending(named.outcome, named.impacts, named.verdict);
-            return named;
-        }
-        if (std::holds_alternative<SectionPoint<double>>(start)) named.impacts = 0;  // followed again from the point
-        // Where the verdict is known beforehand, derivatives and periods would cost much and tell nothing.
-        named.verdict = is_dissipative_without_drive(scene)
-                            ? analysis::observe(system, system.state_of(first), system.integrated, settings)
-                            : analysis::classify(system, system.state_of(first), system.integrated, settings);
-        named.impacts += named.verdict.steps;
-        if (named.verdict.ended) {
-            const auto last = state_of<decltype(system)>(named.verdict.end);
-            named.outcome = ending_at(system, last, named.impacts);
-            if (named.outcome == Outcome::in_contact)
-                judge_contact(system.return_map(), post_impact_state(system.point_of(last)), named.verdict);
-            else
-                name_ending(named.outcome, named.impacts, named.verdict);
-        } else if (is_dissipative_without_drive(scene)) {
-            name_dissipative_orbit(named.verdict);
-        }
-        look_for_landings(system, named.verdict);
-        return named;
+    return with_scene_map(scene, [&](const auto& map) {
+        return name_in(map, start, settings, is_dissipative_without_drive(scene), stop, samples);
     });
 }
 

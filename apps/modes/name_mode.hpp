@@ -5,6 +5,9 @@
 #include "apps/command_line/start_options.hpp"
 #include "map/orbit/outcome.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace swirl::apps {
 
 /// The verdict on one orbit, and how following it ended.
@@ -12,10 +15,19 @@ struct NamedMode {
     analysis::Classification verdict;
     Outcome outcome = Outcome::completed;
     long long impacts = 0;
+    bool finished = true;  ///< false: stopped before there was a verdict; nothing else is meaningful then
 };
 
-/// Classifies one start of a scene. A pure function of its arguments.
+/// What else a verdict saw of its orbit.
+struct OrbitSamples {
+    std::vector<Eigen::VectorXd> points;       ///< coordinates of the tail; none where the orbit ended
+    std::optional<SectionPoint<double>> last;  ///< of the orbit; none without impacts
+};
+
+/// Classifies one start of a scene. A pure function of its arguments, if it is not stopped.
+///   samples  filled where it is given
 /// @throws std::invalid_argument for a scene or start out of range
-NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& settings);
+NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& settings,
+                    const analysis::Stop& stop = {}, OrbitSamples* samples = nullptr);
 
 }  // namespace swirl::apps

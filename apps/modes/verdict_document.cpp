@@ -22,7 +22,7 @@ Settings settings_of(const analysis::ClassifyOptions& s) {
             {"closure", s.period.closure},
             {"vicinity", s.period.vicinity},
             {"residual", s.period.residual},
-            {"neutral", s.period.neutral}};
+            {"neutral", analysis::neutral_margin}};
 }
 
 struct NamedNumber {

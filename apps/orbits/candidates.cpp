@@ -1,8 +1,7 @@
 #include "apps/orbits/candidates.hpp"
 
 #include "apps/command_line/start_options.hpp"
-#include "apps/system/scene_map.hpp"
-#include "map/orbit/orbit.hpp"
+#include "apps/system/orbit_ending.hpp"
 
 #include <Random123/philox.h>
 #include <fmt/format.h>
@@ -28,7 +27,7 @@ struct SteadyGuess {
 Eigen::VectorXd steady_point(const Scene<double>& scene, double tau, double spin) {
     const double radius = scene.beta + 1 - scene.alpha;
     const double half = std::sin(0.5 * tau);
-    return state_of({0, 0, -2 * radius / tau * half * half, radius * std::sin(tau) / tau, spin}, scene.is_disk());
+    return coordinates_of({0, 0, -2 * radius / tau * half * half, radius * std::sin(tau) / tau, spin}, scene.is_disk());
 }
 
 /// S of a steady mode whose contact does not slip.
@@ -130,7 +129,7 @@ Eigen::VectorXd random_section_point(const Scene<double>& scene, const Draws& dr
     // Half of them without slip, which is where sticking impacts lead.
     z.vt = scene.beta * std::cos(z.psi) - scene.alpha * z.spin * std::cos(z.chi) +
            (draws.u[6] < 0.5 ? 0 : draws.between(4, -speed, speed));
-    return state_of(z, scene.is_disk());
+    return coordinates_of(z, scene.is_disk());
 }
 
 bool stopped(const CandidateOptions& options) {
@@ -195,19 +194,30 @@ SteadyGuesses steady_guesses(const Scene<double>& scene) {
 }
 
 std::vector<CyclePoints> trajectories_of(const Scene<double>& scene, const CandidateOptions& options) {
-    return with_collision_map(scene, [&](const auto& map) {
-        std::vector<CyclePoints> trajectories;
-        for (std::int64_t run = 0; run < options.trajectories; ++run) {
-            const auto start = random_start(scene.beta, options.speed, options.seed, static_cast<std::uint64_t>(run));
-            ReducedOrbit orbit(map, start);
-            CyclePoints states;
-            const auto goes_on = [&] { return orbit.impacts() < options.collisions && !stopped(options); };
-            while (goes_on() && orbit.advance(10))
-                states.push_back(state_of(section_point(orbit.post_impact()), scene.is_disk()));
-            trajectories.push_back(std::move(states));
-        }
-        return trajectories;
-    });
+    constexpr double horizon = 10;
+    return with_scene_map(
+        scene,
+        [&](const auto& map) {
+            std::vector<CyclePoints> trajectories;
+            for (std::int64_t run = 0; run < options.trajectories; ++run) {
+                const auto start =
+                    random_start(scene.beta, options.speed, options.seed, static_cast<std::uint64_t>(run));
+                CyclePoints points;
+                OrbitBegin begin = begin_orbit(map, start);
+                const auto goes_on = [&] {
+                    return static_cast<std::int64_t>(points.size()) < options.collisions && !stopped(options);
+                };
+                for (bool alive = begin.impacts > 0; alive && goes_on();) {
+                    points.emplace_back(map.coordinates(begin.state));
+                    const auto step = map.advance(begin.state);
+                    alive = step.alive;
+                    begin.state = step.state;
+                }
+                trajectories.push_back(std::move(points));
+            }
+            return trajectories;
+        },
+        horizon);
 }
 
 std::vector<CyclePoints> candidates_for(const Scene<double>& scene, const analysis::ShootingMap& map, int k,

@@ -1,7 +1,7 @@
 // Where to look for cycles of a scene.
 #pragma once
 
-#include "analysis/orbits/find_cycles.hpp"
+#include "analysis/cycles/find_cycles.hpp"
 #include "map/model/scene.hpp"
 
 #include <cstdint>

@@ -1,10 +1,11 @@
 #include "apps/orbits/orbits_command.hpp"
 
-#include "analysis/orbits/family.hpp"
-#include "analysis/orbits/known_cycles.hpp"
+#include "analysis/cycles/family.hpp"
+#include "analysis/cycles/known_cycles.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
-#include "apps/system/scene_map.hpp"
+#include "apps/system/section_coordinates.hpp"
+#include "apps/system/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <algorithm>
@@ -131,9 +132,9 @@ analysis::ShootingResult solve_near(const analysis::ShootingMap& map, const anal
 FoundOrbits find_near(const OrbitsOptions& options, const Scene<double>& scene, const analysis::ShootingMap& map) {
     const auto z = section_point_from<double>("--near", options.near, scene.is_disk());
     require_leaving(make_body(scene), z);
-    const Eigen::VectorXd near = state_of(z, scene.is_disk());
+    const Eigen::VectorXd near = coordinates_of(z, scene.is_disk());
     FoundOrbits found;
-    const auto timed = timed_scene_map(scene);
+    const auto timed = timed_map_of(scene);
     analysis::KnownCycles known(map, 0, same_cycle, false);
     const auto [first, last] = options.periods();
     for (int k = first; k <= last; ++k) {
@@ -162,7 +163,7 @@ FoundOrbits find_all(const OrbitsOptions& options, const Scene<double>& scene, c
     FoundOrbits found;
     found.none_exist = is_dissipative_without_drive(scene);
     if (found.none_exist) return found;
-    const auto timed = timed_scene_map(scene);
+    const auto timed = timed_map_of(scene);
     const auto [first, last] = options.periods();
     const auto trajectories = trajectories_of(scene, options.candidates);
     for (int k = first; k <= last && !found.interrupted; ++k) {
@@ -216,7 +217,7 @@ int orbits(OrbitsOptions& options) {
     options.periods();
     const std::optional<Pin> pin = pin_from(options.pin);
     if (pin && !options.near.empty()) throw BadInput("--pin and --near are both given; give one");
-    const auto map = scene_map(scene);
+    const auto map = shooting_map_of(scene);
     std::optional<RecordWriter> record;
     if (!options.output.record.empty())
         record.emplace(open_record(options.output.record, "Cycles of a swirled polygon"));

@@ -1,8 +1,8 @@
 // `swirl orbits`: fixed points and cycles, stable and unstable.
 #pragma once
 
-#include "analysis/orbits/cycle.hpp"
-#include "analysis/orbits/find_cycles.hpp"
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/find_cycles.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/orbits/candidates.hpp"

@@ -1,6 +1,6 @@
 #include "apps/branches/branches.hpp"
 #include "apps/orbits/orbits_command.hpp"
-#include "apps/system/scene_map.hpp"
+#include "apps/system/shooting_map.hpp"
 
 #include <cmath>
 #include <limits>
@@ -72,7 +72,7 @@ Settings orbits_settings(const OrbitsOptions& options) {
 }
 
 void write_orbits_document(const OrbitsOptions& options, const Scene<double>& scene, const FoundOrbits& found) {
-    const auto map = scene_map(scene);
+    const auto map = shooting_map_of(scene);
     JsonWriter json(stdout);
     json.begin_object(JsonLayout::rows);
     write_json(json, "scene", scene_settings(scene));

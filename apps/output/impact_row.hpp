@@ -1,7 +1,7 @@
 // One impact as it is listed: the state just after it, and what the impact did. Keys: docs/command-line.md, "simulate".
 #pragma once
 
-#include "map/orbit/orbit.hpp"
+#include "apps/system/scene_orbit.hpp"
 
 #include <string_view>
 #include <vector>
@@ -19,8 +19,8 @@ struct ImpactRow {
     double jacobi = 0, jacobi_restitution = 0, jacobi_friction = 0;
 };
 
-template <class Map>
-ImpactRow impact_row(const Orbit<Map>& orbit) {
+template <class T>
+ImpactRow impact_row(const SceneOrbit<T>& orbit) {
     const auto& c = orbit.collision();
     const auto lab = orbit.lab();
     const auto z = section_point(c.after);
@@ -44,7 +44,7 @@ ImpactRow impact_row(const Orbit<Map>& orbit) {
     row.impulse_tangential = number(c.impulse.tangential);
     row.contact_mode = c.impulse.mode;
     row.simultaneous = c.simultaneous;
-    row.jacobi = number(jacobi_of(orbit.map().body(), c.after));
+    row.jacobi = number(jacobi_of(orbit.body(), c.after));
     row.jacobi_restitution = number(c.jacobi_restitution);
     row.jacobi_friction = number(c.jacobi_friction);
     return row;
@@ -64,10 +64,10 @@ struct ContactRow {
 
 /// The pieces of contact of the orbit's last return step.
 ///   t, vertex  time and vertex of the impact before it
-template <class Map>
-std::vector<ContactRow> contact_rows(const Orbit<Map>& orbit, double t, int vertex) {
+template <class T>
+std::vector<ContactRow> contact_rows(const SceneOrbit<T>& orbit, double t, int vertex) {
     std::vector<ContactRow> rows;
-    const auto& body = orbit.map().body();
+    const auto& body = orbit.body();
     for (const ContactSegment& piece : orbit.contacts()) {
         ContactRow row{t + piece.start,
                        t + piece.end,

@@ -87,8 +87,8 @@ public:
 
     ContactSink sink() { return cutter_ ? cutter_->sink() : ContactSink{}; }
 
-    template <class Map>
-    void passed(const Orbit<Map>& orbit, bool struck, Sinks& sinks) {
+    template <class T>
+    void passed(const SceneOrbit<T>& orbit, bool struck, Sinks& sinks) {
         if (!cutter_) return;
         const auto& trajectory = cutter_->passed(orbit, struck);
         if (skip_ > 0 && orbit.impacts() <= skip_) {
@@ -119,8 +119,8 @@ public:
 
     double time() const { return ending_.time; }
 
-    template <class Map>
-    void strike(const Orbit<Map>& orbit) {
+    template <class T>
+    void strike(const SceneOrbit<T>& orbit) {
         if (orbit.impacts() > 1) {
             flown_ += static_cast<double>(orbit.collision().flight_time);
             turned_ += static_cast<double>(orbit.return_step().turned);
@@ -150,8 +150,8 @@ private:
     double turned_ = 0, flown_ = 0;
 };
 
-template <class Map>
-Ending follow(const SimulateOptions& options, Orbit<Map>& orbit, double spin, Samples& samples, Sinks& sinks) {
+template <class T>
+Ending follow(const SimulateOptions& options, SceneOrbit<T>& orbit, double spin, Samples& samples, Sinks& sinks) {
     const std::int64_t limit = options.limit();
     const double until = options.time.value_or(std::numeric_limits<double>::infinity());
     Progress progress("simulate", options.time.value_or(static_cast<double>(limit)), options.output.quiet);
@@ -185,15 +185,13 @@ template <class T>
 Ending run_in(const SimulateOptions& options, Sinks& sinks) {
     const Scene<T> scene = options.scene.template scene<T>();
     const Start<T> start = options.start.template start<T>(scene);
-    return with_collision_map(scene, [&](const auto& map) {
-        return std::visit(
-            [&](const auto& s) {
-                Orbit orbit(map, s);
-                Samples samples(options, scene, s);
-                return follow(options, orbit, static_cast<double>(s.spin), samples, sinks);
-            },
-            start);
-    });
+    SceneOrbit<T> orbit(scene, start);
+    return std::visit(
+        [&](const auto& s) {
+            Samples samples(options, scene, s);
+            return follow(options, orbit, static_cast<double>(s.spin), samples, sinks);
+        },
+        start);
 }
 
 /// Finds bad starts before any output is begun.

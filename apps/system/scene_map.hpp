@@ -1,37 +1,93 @@
-// A scene's return map for solvers: sizes at run time, one parameter if asked for.
+// The return map of a scene as analysis/ wants to see a map: the one place where map/ and analysis/ meet.
 #pragma once
 
-#include "analysis/orbits/multi_shooting.hpp"
+#include "analysis/section_map.hpp"
+#include "apps/system/letter.hpp"
+#include "apps/system/section_coordinates.hpp"
 #include "map/derivative/parameter.hpp"
-#include "map/orbit/outcome.hpp"
+#include "map/orbit/laboratory.hpp"
+#include "map/orbit/return_map.hpp"
+#include "map/orbit/speed_limits.hpp"
+
+#include <memory>
+#include <utility>
 
 namespace swirl::apps {
 
-/// The return map of one scene, coordinates (ψ, χ, v_n, v_t, S) or the disk's four; the observable is S, its integral
-/// ∫S dt. Through sustained contact of up to 50 time units as SectionSystem. It also ends at an impact with
-/// u_n < 10⁻⁶, its `least_margin`: rest on the wall is no cycle of impacts. @throws std::invalid_argument for a scene
-/// out of range
-analysis::ShootingMap scene_map(const Scene<double>& scene);
+template <int D>
+struct SceneFunctions;
 
-/// The same with a parameter, whose value in `scene` is not used. The map ends where the parameter leaves its range.
-/// ∂F/∂p is exact for a flight, a central difference through contact. Friction is what `scene` has: μ = 0 in a scene
-/// with friction is the limit μ → 0.
-analysis::ShootingMap scene_map(const Scene<double>& scene, Parameter parameter);
+/// F with sustained contact, of dimension 5 (polygons) or 4 (disks), whatever the impact rule: what differs is compiled
+/// once for each, behind plain function pointers (scene_functions.hpp), so that analyses are compiled once a dimension.
+/// Its states are those that `simulate` iterates, bit for bit; coordinates are (ψ, χ, v_n, v_t, S), a disk's
+/// (ψ, v_n, v_t, S). It ends (`alive` false) where there is no next impact, and where speeds leave the numbers.
+/// The derivative, by the coordinates, is exact for a flight and made of differences through contact
+/// (map/orbit/return_derivative.hpp). Copies share what they are made of.
+template <int D>
+class SceneMap {
+public:
+    static constexpr int dimension = D;
+    static constexpr int integrated = D - 1;  ///< S: ∫S dt through contact, too
+    using State = PostImpactState<double>;
+    using Derivative = analysis::Matrix<D>;
 
-/// The scene's flights with the time of their impact as the last coordinate and the gap then as a constraint, for
-/// `analysis::solve_near_grazing`. No sustained contact.
-analysis::TimedMap timed_scene_map(const Scene<double>& scene);
+    ///   horizon  the map ends where contact lasts longer than that
+    /// @throws std::invalid_argument if the scene is out of range
+    explicit SceneMap(const Scene<double>& scene, double horizon = contact_horizon);
 
-/// A section point from its coordinates, and back.
-SectionPoint<double> section_point_of(const Eigen::VectorXd& z);
-Eigen::VectorXd state_of(const SectionPoint<double>& z, bool disk);
+    /// The same shape and impact rule with other numbers: friction stays, where μ is 0 too (its limit μ → 0).
+    SceneMap with(const Scene<double>& scene) const { return SceneMap(functions_, scene, horizon_); }
 
-/// A letter of a word: 6 · vertex step + contact mode; −1 less that where the way led through sustained contact.
-struct Letter {
-    int vertex_step = 0;
-    ContactMode mode = ContactMode::frictionless;
-    bool through_contact = false;
+    const Body<double>& body() const { return body_; }
+    /// What contact needs of the scene; only where ReturnMap has it.
+    const ContactScene& contact() const;
+
+    analysis::Advance<D, State> advance(const State& z) const;
+    analysis::Linearised<D, State> linearise(const State& z) const;
+    /// See analysis::follow. In place, and what repeats itself to the bit (ExactReturn) is not followed again.
+    std::int64_t follow(State& z, std::int64_t steps, const analysis::Stop& stop) const;
+
+    static analysis::Vector<D> coordinates(const State& z) { return coordinates_of<D>(section_point(z)); }
+    static State state_at(const analysis::Vector<D>& point) { return post_impact_state(section_point_of(point)); }
+    static double angle_period(int coordinate) { return coordinate < D - 3 ? 2 * pi<double>() : 0; }
+
+    /// The whole step from z, with what came before its impact or instead of one; `collision` is of a completed step
+    /// only.
+    ReturnStep<double> return_step(const State& z) const { return return_step(z, horizon_); }
+    ReturnStep<double> return_step(const State& z, double horizon, const ContactSink& sink = {}) const;
+    /// The first impact of a start. @throws std::invalid_argument if it is not inside the container
+    ReturnStep<double> first_impact(const LabStart<double>& start) const;
+    /// True if an orbit goes on from a step's end: there was an impact, and its speeds are within the numbers.
+    bool goes_on(const ReturnStep<double>& step) const {
+        return step.outcome == Outcome::completed && !has_come_to_rest(body_, step.collision.after) &&
+               !has_diverged(body_, step.collision.after);
+    }
+
+    /// DF at z where the step from there is known: a flight …
+    Derivative through_flight(const State& z, const ReturnStep<double>& known) const;
+    /// … with ∂F/∂p, p a parameter of the scene, beside it …
+    std::pair<Derivative, analysis::Vector<D>> through_flight(const State& z, const ReturnStep<double>& known,
+                                                              Parameter parameter) const;
+    /// … or one with contact.
+    Derivative through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known) const;
+
+private:
+    SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon);
+
+    const SceneFunctions<D>* functions_;
+    std::shared_ptr<const void> map_;
+    Body<double> body_;
+    double horizon_;
 };
-Letter letter_from(std::int64_t letter);
+
+extern template class SceneMap<disk_dimension>;
+extern template class SceneMap<polygon_dimension>;
+
+/// Calls `use(map)` with the scene's map: the one place where a scene's dimension is looked at.
+template <class Use>
+auto with_scene_map(const Scene<double>& scene, Use&& use, double horizon = contact_horizon) {
+    if (scene.is_disk()) return use(SceneMap<disk_dimension>(scene, horizon));
+    return use(SceneMap<polygon_dimension>(scene, horizon));
+}
 
 }  // namespace swirl::apps

@@ -54,20 +54,18 @@ public:
 
     /// `derivative` is meaningless unless a contact was found.
     LinearisedCollision<T, shape> linearise(const SectionPoint<T>& z) const {
+        const PostImpactState<T> post_impact = post_impact_state(z);
         LinearisedCollision<T, shape> result;
-        result.collision = map_.advance(post_impact_state(z));
+        result.collision = map_.advance(post_impact);
         if (result.collision.outcome == FirstContactOutcome::contact)
-            result.derivative = derivative_of(z, result.collision);
+            result.derivative = derivative_of(post_impact, result.collision);
         return result;
     }
 
-    /// DF(z) where the next collision is known already.
-    auto derivative_of(const SectionPoint<T>& z, const Collision<T>& known) const {
+    /// DF, by the section coordinates, where the next collision is known already.
+    auto derivative_of(const PostImpactState<T>& post_impact, const Collision<T>& known) const {
         decltype(LinearisedCollision<T, shape>::derivative) derivative;
-        const auto c = coordinates<shape>(z);
-        std::array<Jet, dimension> seeded;
-        for (int i = 0; i < dimension; ++i) seeded[i] = Jet(c[i], i);
-        const Flight<Jet> flight = flight_from(jet_map_.body(), post_impact_state(section_point<shape>(seeded)));
+        const Flight<Jet> flight = flight_from(jet_map_.body(), seeded<Jet, shape>(post_impact));
         const Collision<Jet> collision = strike_along(jet_map_, flight, known.flight_time, known.vertex_step);
         const auto next = coordinates<shape>(section_point(collision.after));
         for (int i = 0; i < dimension; ++i) derivative.row(i) = next[i].v.transpose();

@@ -30,6 +30,27 @@ inline SectionPoint<T> section_point(const std::array<T, section_dimension<shape
         return {c[0], c[1], c[2], c[3], c[4]};
 }
 
+/// A state in Jets, seeded with its derivatives by the section coordinates: at the bits of the state itself, since
+/// d cis ψ = (−sin ψ, cos ψ) dψ needs no angle. Jet components beyond the section's stay zero.
+template <class Jet, Shape shape, class T>
+inline PostImpactState<Jet> seeded(const PostImpactState<T>& z) {
+    int i = 0;
+    const auto angle = [&](const Vec2<T>& c) {
+        Vec2<Jet> jets{Jet(c.x), Jet(c.y)};
+        jets.x.v[i] = -c.y;
+        jets.y.v[i] = c.x;
+        ++i;
+        return jets;
+    };
+    PostImpactState<Jet> jets;
+    jets.psi = angle(z.psi);
+    jets.chi = shape == Shape::disk ? Vec2<Jet>{Jet(T(1)), Jet(T(0))} : angle(z.chi);
+    jets.vn = Jet(z.vn, i);
+    jets.vt = Jet(z.vt, i + 1);
+    jets.spin = Jet(z.spin, i + 2);
+    return jets;
+}
+
 /// F(z) with DF(z) (rows: the new coordinates; columns: the old).
 template <class T, Shape shape>
 struct LinearisedCollision {

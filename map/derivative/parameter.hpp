@@ -71,17 +71,14 @@ inline Scene<To> scene_in(const Scene<From>& s) {
 /// ∂F/∂z and ∂F/∂λ where the next collision is known, λ the parameter: one pass in Jets of dimension + 1. The uniform
 /// lamina's κ does not follow N, which stays. Cost: some six collisions.
 template <class T, Shape shape, ImpactRule rule>
-auto derivative_with_parameter(const Scene<T>& scene, Parameter parameter, const SectionPoint<T>& z,
+auto derivative_with_parameter(const Scene<T>& scene, Parameter parameter, const PostImpactState<T>& post_impact,
                                const Collision<T>& known) {
     constexpr int dimension = section_dimension<shape>;
     using Jet = ceres::Jet<T, dimension + 1>;
     Scene<Jet> jets = scene_in<Jet>(scene);
     number_of(jets, parameter).v[dimension] = T(1);
     const CollisionMap<Jet, shape, rule> map(jets);
-    const auto c = coordinates<shape>(z);
-    std::array<Jet, dimension> seeded;
-    for (int i = 0; i < dimension; ++i) seeded[i] = Jet(c[i], i);
-    const Flight<Jet> flight = flight_from(map.body(), post_impact_state(section_point<shape>(seeded)));
+    const Flight<Jet> flight = flight_from(map.body(), seeded<Jet, shape>(post_impact));
     const Collision<Jet> collision = strike_along(map, flight, known.flight_time, known.vertex_step);
     const auto next = coordinates<shape>(section_point(collision.after));
     std::pair<Eigen::Matrix<T, dimension, dimension>, Eigen::Matrix<T, dimension, 1>> result;

@@ -106,6 +106,7 @@ public:
     }
 
     const Map& map() const { return reduced_.map(); }
+    const Body<T>& body() const { return map().body(); }
     const Collision<T>& collision() const { return reduced_.collision(); }
     const PostImpactState<T>& post_impact() const { return reduced_.post_impact(); }
     const std::vector<ContactSegment>& contacts() const { return reduced_.contacts(); }

@@ -57,8 +57,9 @@ public:
 
     /// The segments of the return step that `orbit.advance` has just made; where it returned false, those of the
     /// contact that came after the last impact.
-    template <class Map>
-    const std::vector<TrajectorySegment>& passed(const Orbit<Map>& orbit, bool struck) {
+    ///   orbit  an Orbit, or what gives contacts() and lab() as it does
+    template <class AnyOrbit>
+    const std::vector<TrajectorySegment>& passed(const AnyOrbit& orbit, bool struck) {
         trajectory_.clear();
         add_contacts(orbit.contacts());
         if (struck) {

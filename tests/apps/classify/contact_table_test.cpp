@@ -1,7 +1,7 @@
 // What a disk with friction ends as (μ = 0.4): named, and with the mean spin of its pendulum in closed form.
 #include "apps/command_line/start_options.hpp"
 #include "apps/modes/name_mode.hpp"
-#include "apps/system/section_system.hpp"
+#include "apps/system/scene_map.hpp"
 #include "map/orbit/orbit.hpp"
 #include "map/sustained/rim_pendulum.hpp"
 
@@ -41,16 +41,14 @@ void count_landings(const Scene<double>& scene, const LabStart<double>& start, R
 /// The pendulum on which an orbit ends, or settles, from the classification's own last impact (before it, orbits that
 /// differ by rounding part).
 std::optional<RimPendulum> own_pendulum(const Scene<double>& scene, const std::vector<double>& end, Row& row) {
-    return with_collision_map(scene, [&](const auto& map) -> std::optional<RimPendulum> {
-        const SectionSystem system(map);
-        const auto last = Eigen::Map<const typename decltype(system)::State>(end.data()).eval();
-        const auto return_step =
-            system.return_map().advance(post_impact_state(system.point_of(last)), 10 * contact_horizon);
+    return with_scene_map(scene, [&]<int D>(const SceneMap<D>& map) -> std::optional<RimPendulum> {
+        const auto last = map.state_at(analysis::Vector<D>(end.data()));
+        const auto return_step = map.return_step(last, 10 * contact_horizon);
         if (return_step.outcome != Outcome::in_contact) return {};
         const auto rolls = std::find_if(return_step.contacts.rbegin(), return_step.contacts.rend(),
                                         [](const auto& segment) { return segment.motion == ContactMotion::sticking; });
         if (rolls == return_step.contacts.rend()) return {};
-        const ContactScene& contact = system.return_map().contact();
+        const ContactScene& contact = map.contact();
         const RimPendulum pendulum = rim_pendulum(contact, rolls->from);
         const auto settled = settled_pendulum(contact, pendulum);
         row.settling += settled && settled->turns() && settled->height != pendulum.height;

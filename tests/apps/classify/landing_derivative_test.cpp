@@ -1,7 +1,6 @@
 // The derivative where a cycle lands on the wall and leaves it again: against the orbit's own neighbours.
 #include "analysis/classification/tail.hpp"
 #include "apps/system/orbit_ending.hpp"
-#include "apps/system/section_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,27 +14,27 @@ namespace {
 
 /// Along one period from the impact after a release: all directions of F^k by differences and by the chain of
 /// DF.
-template <class System>
-void compare(const System& system, const typename System::State& start, int period, double tolerance) {
-    constexpr int dimension = System::dimension;
+template <int dimension>
+void compare(const SceneMap<dimension>& map, const analysis::Vector<dimension>& start, int period, double tolerance) {
     constexpr double h = 1e-7;
     analysis::Matrix<dimension> product = analysis::Matrix<dimension>::Identity(), differences;
-    auto z = start;
+    auto z = map.state_at(start);
     for (int i = 0; i < period; ++i) {
-        const auto step = system.linearise(z);
+        const auto step = map.linearise(z);
         product = (step.derivative * product).eval();
         z = step.state;
     }
-    ASSERT_LT(analysis::distance(system, z, start), 1e-9);
-    const auto image = [&](typename System::State from) {
-        for (int i = 0; i < period; ++i) from = system.advance(from).state;
-        return from;
+    ASSERT_LT(analysis::distance(map, map.coordinates(z), start), 1e-9);
+    const auto image = [&](const analysis::Vector<dimension>& from) {
+        auto state = map.state_at(from);
+        analysis::follow(map, state, period);
+        return map.coordinates(state);
     };
     for (int j = 0; j < dimension; ++j) {
         auto up = start, down = start;
         up[j] += h;
         down[j] -= h;
-        differences.col(j) = analysis::difference(system, image(up), image(down)) / (2 * h);
+        differences.col(j) = analysis::difference(map, image(up), image(down)) / (2 * h);
     }
     const double error = (product - differences).cwiseAbs().maxCoeff();
     std::printf("period %d: largest entry %.3g, error %.1e\n", period, product.cwiseAbs().maxCoeff(), error);
@@ -56,20 +55,17 @@ TEST(LandingDerivative, IsThatOfTheOrbitsNeighbours) {
     for (const auto& l : landings) {
         Scene<double> scene{l.sides, l.alpha, l.beta, l.mu, l.restitution};
         scene.inertia_factor = uniform_inertia_factor<double>(l.sides);
-        with_collision_map(scene, [&](const auto& map) {
-            const SectionSystem system(map);
-            SectionPoint<double> first{};
-            long long impacts = 0;
-            const Start<double> start = random_start(scene.beta, paper_speed, l.seed, 0);
-            ending_of(map, start, 1, first, impacts);
-            const auto tail = analysis::follow_tail(system, system.state_of(first), 5000, 2 * l.period);
+        with_scene_map(scene, [&](const auto& map) {
+            const auto begin = begin_orbit(map, random_start(scene.beta, paper_speed, l.seed, 0));
+            const auto tail = analysis::follow_tail(map, begin.state, 5000, 2 * l.period);
             ASSERT_FALSE(tail.ended);
             // The impact that follows a release, from where a small step stays small against the flights to the next
             // landing.
             std::size_t after = 0;
-            while (after < tail.states.size() && system.advance(tail.states[after]).letter >= 0) ++after;
-            ASSERT_LT(after + 1, tail.states.size()) << "no landing";
-            compare(system, tail.states[after + 1], l.period, 1e-4);
+            const auto lands = [&](const auto& point) { return map.advance(map.state_at(point)).letter < 0; };
+            while (after < tail.points.size() && !lands(tail.points[after])) ++after;
+            ASSERT_LT(after + 1, tail.points.size()) << "no landing";
+            compare(map, tail.points[after + 1], l.period, 1e-4);
         });
     }
 }

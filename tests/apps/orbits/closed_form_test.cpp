@@ -1,7 +1,7 @@
 // Steady modes at e = 1 against their closed form (map/README.md, "Steady modes"), worked out here on a grid of its
 // own.
 #include "analysis/continuation/continue_branch.hpp"
-#include "analysis/orbits/family.hpp"
+#include "analysis/cycles/family.hpp"
 #include "apps/branches/branches.hpp"
 #include "tests/apps/orbits/scene_cycles.hpp"
 #include "tests/map/random_scenes.hpp"
@@ -24,7 +24,7 @@ double vertices_on(const Scene<double>& scene, double tau) {
 
 /// Every steady mode: roots of vertices_on(τ) = j by bisection, kept where the map itself returns to them.
 std::vector<Eigen::VectorXd> steady_modes(const Scene<double>& scene, double longest) {
-    const auto map = apps::scene_map(scene);
+    const auto map = apps::shooting_map_of(scene);
     std::vector<Eigen::VectorXd> modes;
     constexpr double step = 0.0037;
     for (double begin = step; begin < longest; begin += step) {
@@ -36,7 +36,7 @@ std::vector<Eigen::VectorXd> steady_modes(const Scene<double>& scene, double lon
                 ((vertices_on(scene, middle) - j) * (a - j) > 0 ? low : high) = middle;
             }
             const double radius = scene.beta + 1 - scene.alpha, half = std::sin(0.5 * low);
-            const Eigen::VectorXd z = apps::state_of(
+            const Eigen::VectorXd z = apps::coordinates_of(
                 {0, 0, -2 * radius / low * half * half, radius * std::sin(low) / low, spin_at(scene, low)}, false);
             const auto image = map.step(z, 0);
             if (image.alive && map.distance(image.state, z) < 1e-9) modes.push_back(z);
@@ -52,7 +52,7 @@ TEST(ClosedForm, EverySteadyModeOfTenPolygonsIsFound) {
         const auto scene = tests::random_scene(random, 3 + i, random.between(0.1, 1), 1, Law::poisson);
         const auto modes = steady_modes(scene, 12);
         const auto cycles = tests::cycles_of(scene, 1);
-        const auto map = apps::scene_map(scene);
+        const auto map = apps::shooting_map_of(scene);
         for (const auto& z : modes) {
             double nearest = 1;
             for (const auto& cycle : cycles) nearest = std::min(nearest, tests::distance_to(map, cycle, z));
@@ -75,7 +75,7 @@ void expect_all_modes_isolated(double alpha) {
         for (const auto& m : cycle.multipliers) nearest = std::min(nearest, std::abs(m - 1.0));
         EXPECT_EQ(cycle.is_family(), nearest <= analysis::neutral_margin) << "S = " << cycle.points[0][4];
     }
-    const auto map = apps::scene_map(scene);
+    const auto map = apps::shooting_map_of(scene);
     const auto modes = steady_modes(scene, 3);
     std::size_t missing = 0;
     for (const auto& z : modes)
@@ -101,10 +101,10 @@ Scene<double> disk() {
 // [tests/references/README.md] τ = 1.33899: S = −1.6049495, |multipliers| 0.98723008 (a pair), 1, 0; τ
 // = 2.5: 1.0072349.
 TEST(ClosedForm, MembersOfTheDisksFamily) {
-    const auto map = apps::scene_map(disk());
+    const auto map = apps::shooting_map_of(disk());
     analysis::Cycle seed;
-    seed.points = {
-        apps::state_of({0, 0, -0.8 * std::pow(std::sin(0.5), 2) * 2, 0.8 * std::sin(1.0), spin_at(disk(), 1)}, true)};
+    seed.points = {apps::coordinates_of(
+        {0, 0, -0.8 * std::pow(std::sin(0.5), 2) * 2, 0.8 * std::sin(1.0), spin_at(disk(), 1)}, true)};
     ASSERT_TRUE(analysis::complete_cycle(map, 0, seed));
     ASSERT_EQ(seed.tangents.cols(), 1);
     const auto family = analysis::walk_family(map, 0, seed);
@@ -133,7 +133,7 @@ TEST(ClosedForm, TheDisksFamilyLosesItsStability) {
     const auto along = apps::parameter_range_from("tau=1:3", false, true);
     const auto scene = apps::scene_branches(disk(), along);
     const double tau = 2;
-    const analysis::CyclePoints member = {apps::state_of(
+    const analysis::CyclePoints member = {apps::coordinates_of(
         {0, 0, -2 * 0.8 / tau * std::pow(std::sin(0.5 * tau), 2), 0.8 * std::sin(tau) / tau, spin_at(disk(), tau)},
         true)};
     analysis::Branch branch;

@@ -1,5 +1,5 @@
 // Cycles whose impacts all but graze: solved with the impacts' times as unknowns, where DF grows without bound.
-#include "analysis/orbits/multi_shooting.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
 #include "tests/apps/orbits/scene_cycles.hpp"
 #include "tests/map/random_scenes.hpp"
 
@@ -15,8 +15,8 @@ TEST(TimedCollision, GivesTheMapsDerivativeOnceTheTimeIsEliminated) {
     const auto references = tests::read_reference("cycles.json");
     for (const auto& c : references["cycles"]) {
         const auto scene = tests::scene_from<double>(c);
-        const auto map = apps::scene_map(scene), timed = apps::timed_scene_map(scene).map;
-        const auto z = apps::state_of(tests::point_from<double>(c["point"]), scene.is_disk());
+        const auto map = apps::shooting_map_of(scene), timed = apps::timed_map_of(scene).map;
+        const auto z = apps::coordinates_of(tests::point_from<double>(c["point"]), scene.is_disk());
         const auto step = map.step(z, 0);
         Eigen::VectorXd y(timed.dimension);
         y << z, step.duration;
@@ -35,8 +35,8 @@ TEST(TimedCollision, GivesTheMapsDerivativeOnceTheTimeIsEliminated) {
 
 TEST(NearGrazing, CyclesAreReachedFromWhereTheMapsOwnSolverFails) {
     const Scene<double> scene{6, 0.4, 0.5, 0.5, 0.9, Law::poisson, uniform_inertia_factor<double>(6)};
-    const auto map = apps::scene_map(scene);
-    const auto timed = apps::timed_scene_map(scene);
+    const auto map = apps::shooting_map_of(scene);
+    const auto timed = apps::timed_map_of(scene);
     Eigen::VectorXd z(5);  // a 3-cycle with an impact at u_n = 0.02 and a multiplier of 8·10⁴
     z << -3.140464623458104, 0.0008869223756284513, -0.018611351111013124, 0.09296616479760035, -1.4824151997686588;
     auto points = analysis::orbit_from(map, z, 0, 3);

@@ -1,5 +1,5 @@
 // [cycles.json, steady_e1.json of tests/references] Every cycle is found, from its period alone and from nearby.
-#include "analysis/orbits/multi_shooting.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
 #include "tests/apps/orbits/scene_cycles.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ nlohmann::json listed(const std::string& file) {
 
 void expect_found(const nlohmann::json& c) {
     const auto scene = tests::scene_from<double>(c);
-    const auto map = apps::scene_map(scene);
-    const Eigen::VectorXd z = apps::state_of(tests::point_from<double>(c["point"]), false);
+    const auto map = apps::shooting_map_of(scene);
+    const Eigen::VectorXd z = apps::coordinates_of(tests::point_from<double>(c["point"]), false);
     const analysis::Cycle* nearest = nullptr;
     const auto cycles = tests::cycles_of(scene, c["period"]);
     for (const auto& cycle : cycles)
@@ -49,8 +49,8 @@ TEST(ReferenceCycles, AllAreReachedFromNearbyWithinTwentyIterations) {
     int most = 0;
     for (const char* file : {"cycles.json", "steady_e1.json"}) {
         for (const auto& c : listed(file)) {
-            const auto map = apps::scene_map(tests::scene_from<double>(c));
-            const Eigen::VectorXd z = apps::state_of(tests::point_from<double>(c["point"]), false);
+            const auto map = apps::shooting_map_of(tests::scene_from<double>(c));
+            const Eigen::VectorXd z = apps::coordinates_of(tests::point_from<double>(c["point"]), false);
             Eigen::VectorXd near = z;
             const double signs[] = {1, 0, -1, 1, 1};  // away from the wall: the point must leave it
             for (int i = 0; i < 5; ++i) near[i] += 1e-3 * signs[i];

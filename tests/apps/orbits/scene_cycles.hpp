@@ -1,9 +1,10 @@
 // What the tests of orbits share: a search as the command does it, and points of the references as states.
 #pragma once
 
-#include "analysis/orbits/find_cycles.hpp"
+#include "analysis/cycles/find_cycles.hpp"
 #include "apps/orbits/candidates.hpp"
-#include "apps/system/scene_map.hpp"
+#include "apps/system/section_coordinates.hpp"
+#include "apps/system/shooting_map.hpp"
 #include "tests/references/references.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace swirl::tests {
 
 inline std::vector<analysis::Cycle> cycles_of(const Scene<double>& scene, int period,
                                               const apps::CandidateOptions& options = {}) {
-    const auto map = apps::scene_map(scene);
+    const auto map = apps::shooting_map_of(scene);
     const auto trajectories = apps::trajectories_of(scene, options);
     analysis::SearchOptions search;
     search.period = period;

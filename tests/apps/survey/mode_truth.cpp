@@ -2,7 +2,6 @@
 
 #include "analysis/classification/classify.hpp"
 #include "apps/system/orbit_ending.hpp"
-#include "apps/system/section_system.hpp"
 
 #include <array>
 #include <cmath>
@@ -16,39 +15,40 @@ constexpr double shake = 1e-13;
 constexpr double apart = 1e-8;
 constexpr int blocks = 32;
 
-template <class System>
-std::int64_t period_of(const System& system, const analysis::Tail<System::dimension>& tail, double within) {
-    const auto n = static_cast<std::int64_t>(tail.states.size());
+template <class Map>
+std::int64_t period_of(const Map& map, const analysis::Tail<Map>& tail, double within) {
+    const auto n = static_cast<std::int64_t>(tail.points.size());
     for (std::int64_t k = 1; k <= n / 2; ++k)
-        if (analysis::classification_detail::return_distance(system, tail, k, std::max(k, n / 4), within) <= within)
+        if (analysis::classification_detail::return_distance(map, tail, k, std::max(k, n / 4), within) <= within)
             return k;
     return 0;
 }
 
 /// The period of the orbit that is shaken by 10⁻¹³ at every impact: what that destroys is an accident of rounding.
-template <class System>
-std::int64_t nearly_shaken(const System& system, const analysis::Tail<System::dimension>& tail) {
-    analysis::Tail<System::dimension> other;
-    auto z = tail.states.back();
-    for (std::size_t i = 0; i < tail.states.size(); ++i) {
-        for (int c = 0; c < System::dimension; ++c) z[c] += shake * std::cos(1.0 + c + 2.4 * static_cast<double>(i));
-        const auto step = system.advance(z);
+template <class Map>
+std::int64_t nearly_shaken(const Map& map, const analysis::Tail<Map>& tail) {
+    analysis::Tail<Map> other;
+    auto z = tail.points.back();
+    for (std::size_t i = 0; i < tail.points.size(); ++i) {
+        for (int c = 0; c < Map::dimension; ++c) z[c] += shake * std::cos(1.0 + c + 2.4 * static_cast<double>(i));
+        const auto step = map.advance(map.state_at(z));
         if (!step.alive) return 0;
-        other.states.push_back(z);
-        z = step.state;
+        other.points.push_back(z);
+        z = map.coordinates(step.state);
     }
-    return period_of(system, other, near_closure);
+    return period_of(map, other, near_closure);
 }
 
 /// ln of the separation's growth over one impact, and the neighbour drawn back to `apart`.
-template <class System, class State>
-double part(const System& system, State& orbit, State& neighbour, int direction) {
+template <class Map, class Point>
+double part(const Map& map, Point& orbit, Point& neighbour, int direction) {
     constexpr double rounding = 1e-15;
-    const auto next = system.advance(orbit);
-    const auto other = system.advance(neighbour);
-    const State gap = other.alive ? analysis::difference(system, other.state, next.state) : State::Zero();
+    const auto next = map.advance(map.state_at(orbit));
+    const auto other = map.advance(map.state_at(neighbour));
+    orbit = map.coordinates(next.state);
+    const Point gap = other.alive ? analysis::difference(map, map.coordinates(other.state), orbit) : Point::Zero();
     const double size = gap.norm();
-    orbit = neighbour = next.state;
+    neighbour = orbit;
     if (size > rounding)
         neighbour += gap * (apart / size);
     else
@@ -56,15 +56,15 @@ double part(const System& system, State& orbit, State& neighbour, int direction)
     return other.alive ? std::log(std::max(size, rounding) / apart) : 0;
 }
 
-template <class System, class State>
-void find_exponent(const System& system, const State& start, std::int64_t steps, Truth& truth) {
-    State orbit = start, neighbour = start;
+template <class Map, class Point>
+void find_exponent(const Map& map, const Point& start, std::int64_t steps, Truth& truth) {
+    Point orbit = start, neighbour = start;
     neighbour[0] += apart;
     std::array<double, blocks> sums{};
     const std::int64_t length = steps / blocks;
     for (std::int64_t i = 0; i < length * blocks; ++i)
         sums[static_cast<std::size_t>(i / length)] +=
-            part(system, orbit, neighbour, static_cast<int>(i % System::dimension)) / static_cast<double>(length);
+            part(map, orbit, neighbour, static_cast<int>(i % Map::dimension)) / static_cast<double>(length);
     double squares = 0;
     for (const double sum : sums) truth.exponent += sum / blocks;
     for (const double sum : sums) squares += (sum - truth.exponent) * (sum - truth.exponent);
@@ -74,29 +74,27 @@ void find_exponent(const System& system, const State& start, std::int64_t steps,
 }  // namespace
 
 Truth truth_of(const Scene<double>& scene, const Start<double>& start, const TruthOptions& options) {
-    return with_collision_map(scene, [&](const auto& map) {
+    return with_scene_map(scene, [&](const auto& map) {
         Truth truth;
-        SectionPoint<double> first{};
-        long long impacts = 0;
-        const SectionSystem system(map);
-        truth.ended = ending_of(map, start, 1, first, impacts) != Outcome::completed;
+        const auto begin = begin_orbit(map, start);
+        truth.ended = begin.outcome != Outcome::completed;
         if (truth.ended) return truth;
-        const auto tail = analysis::follow_tail(system, system.state_of(first), options.transient, options.tail);
+        const auto tail = analysis::follow_tail(map, begin.state, options.transient, options.tail);
         truth.ended = tail.ended;
         if (truth.ended) return truth;
-        truth.period = period_of(system, tail, closure);
+        truth.period = period_of(map, tail, closure);
         if (truth.period > 0) {
-            truth.nearly = period_of(system, tail, near_closure);
-            if (nearly_shaken(system, tail) == truth.nearly)
+            truth.nearly = period_of(map, tail, near_closure);
+            if (nearly_shaken(map, tail) == truth.nearly)
                 truth.mode = truth.period == 1 ? analysis::Mode::steady : analysis::Mode::quasi_steady;
             return truth;
         }
-        find_exponent(system, tail.states.front(), options.tail, truth);
+        find_exponent(map, tail.points.front(), options.tail, truth);
         if (truth.exponent > std::max(5 * truth.exponent_error, 20 / static_cast<double>(options.tail))) {
             truth.mode = analysis::Mode::chaotic;
         } else {
-            const auto rotation = analysis::classification_detail::rotation_of(system, tail);
-            const double change = analysis::classification_detail::spread_change(system, tail);
+            const auto rotation = analysis::classification_detail::rotation_of(map, tail);
+            const double change = analysis::classification_detail::spread_change(map, tail);
             const bool settled = std::abs(std::log(change)) <= std::log(analysis::ClassifyOptions{}.settled_spread);
             if (settled && rotation.outcome == analysis::RotationOutcome::quasi_periodic)
                 truth.mode = analysis::Mode::quasi_steady;

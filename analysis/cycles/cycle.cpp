@@ -1,0 +1,83 @@
+#include "analysis/cycles/cycle.hpp"
+
+#include "analysis/cycles/minimal_period.hpp"
+#include "analysis/cycles/null_space.hpp"
+#include "analysis/lyapunov/cycle_exponents.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <limits>
+
+namespace swirl::analysis {
+
+namespace {
+
+template <class Values>
+Eigen::Index ones_among(const Values& multipliers) {
+    return std::count_if(multipliers.begin(), multipliers.end(), &is_one);
+}
+
+std::vector<Eigen::MatrixXd> derivatives_of(const ShootingResidual& shooting) {
+    std::vector<Eigen::MatrixXd> derivatives;
+    for (const auto& step : shooting.steps) derivatives.push_back(step.by_state);
+    return derivatives;
+}
+
+/// How many multipliers are 1, `enough` or fewer: in double, and in 100 digits only where that finds too few.
+Eigen::Index ones_of(const ShootingResidual& shooting, Eigen::Index enough) {
+    const Eigen::VectorXcd quick = Eigen::EigenSolver<Eigen::MatrixXd>(monodromy(shooting), false).eigenvalues();
+    if (const Eigen::Index ones = ones_among(quick); ones >= enough) return enough;
+    return std::min(enough, ones_among(cycle_exponents(derivatives_of(shooting)).multipliers));
+}
+
+}  // namespace
+
+Eigen::MatrixXd family_directions(const ShootingResidual& shooting, int dimension) {
+    const Eigen::MatrixXd null = null_vectors(shooting.by_points);
+    Eigen::MatrixXd first = null.rightCols(null.cols() > 0 ? ones_of(shooting, null.cols()) : 0).topRows(dimension);
+    for (Eigen::Index j = 0; j < first.cols(); ++j) {
+        first.col(j).normalize();
+        Eigen::Index largest;
+        first.col(j).cwiseAbs().maxCoeff(&largest);
+        if (first(largest, j) < 0) first.col(j) *= -1;
+    }
+    return first;
+}
+
+bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle) {
+    const ShootingResidual shooting = shooting_residual(map, cycle.points, p);
+    if (!shooting.alive) return false;
+    const CycleExponents exponents = cycle_exponents(derivatives_of(shooting));
+    if (exponents.outcome != CycleOutcome::completed) return false;
+    cycle.residual = shooting.residual();
+    cycle.return_time = shooting.duration;
+    cycle.mean = shooting.integral / shooting.duration;
+    cycle.word = word_of(shooting);
+    cycle.multipliers = exponents.multipliers;
+    sort_multipliers(cycle.multipliers);
+    cycle.index = index_of(cycle.multipliers);
+    cycle.stability = stability_of(cycle.multipliers);
+    cycle.tangents = family_directions(shooting, map.dimension);
+    return true;
+}
+
+CyclePoints minimal_cycle(const ShootingMap& map, const CyclePoints& points, double closure) {
+    const std::size_t period = minimal_period(
+        points.size(), closure, [&](std::size_t i, std::size_t j) { return map.distance(points[i], points[j]); });
+    return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(period)};
+}
+
+double distance_between(const ShootingMap& map, const CyclePoints& a, const CyclePoints& b) {
+    double best = std::numeric_limits<double>::infinity();
+    if (a.size() != b.size()) return best;
+    for (std::size_t shift = 0; shift < a.size(); ++shift) {
+        double largest = 0;
+        for (std::size_t i = 0; i < a.size() && largest < best; ++i)
+            largest = std::max(largest, map.distance(a[i], b[(i + shift) % b.size()]));
+        best = std::min(best, largest);
+    }
+    return best;
+}
+
+}  // namespace swirl::analysis

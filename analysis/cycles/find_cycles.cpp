@@ -1,0 +1,78 @@
+#include "analysis/cycles/find_cycles.hpp"
+
+#include "analysis/cycles/known_cycles.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+namespace swirl::analysis {
+
+namespace {
+
+struct Solved {
+    CyclePoints points;  ///< empty: nothing converged
+    double residual = 0;
+};
+
+std::vector<Solved> solve_all(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
+                              const SearchOptions& options, SearchResult& result) {
+    std::vector<Solved> solved(candidates.size());
+    std::mutex mutex;
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
+            if (options.stop && options.stop()) return;
+            ShootingResult shot = solve_shooting(map, candidates[i], p, options.accept, options.shooting);
+            if (!shot.converged && options.timed != nullptr)
+                shot = solve_near_grazing(map, *options.timed, candidates[i], p, options.accept, options.shooting);
+            if (shot.converged) solved[i] = {minimal_cycle(map, shot.points, options.same), shot.residual};
+            const std::lock_guard lock(mutex);
+            ++result.tried;
+            if (options.progress) options.progress(static_cast<double>(result.tried));
+        });
+    });
+    return solved;
+}
+
+}  // namespace
+
+SearchResult find_cycles(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
+                         const SearchOptions& options) {
+    SearchResult result;
+    const std::vector<Solved> solved = solve_all(map, p, candidates, options, result);
+    KnownCycles known(map, p, options.same, options.one_per_family);
+    for (const Solved& found : solved) {
+        if (found.points.empty()) continue;
+        ++result.converged;
+        if (found.points.size() == static_cast<std::size_t>(options.period)) known.add(found.points, found.residual);
+    }
+    result.cycles = known.completed(options.threads);
+    result.stopped = options.stop && options.stop();
+    return result;
+}
+
+std::vector<CyclePoints> close_returns(const ShootingMap& map, const CyclePoints& trajectory, int k, int count,
+                                       double vicinity) {
+    const auto lag = static_cast<std::size_t>(k);
+    if (trajectory.size() < lag + 3) return {};
+    std::vector<double> returned;
+    for (std::size_t i = 0; i + lag < trajectory.size(); ++i)
+        returned.push_back((map.difference(trajectory[i + lag], trajectory[i])).norm());
+    std::vector<std::pair<double, std::size_t>> minima;
+    for (std::size_t i = 1; i + 1 < returned.size(); ++i)
+        if (returned[i] <= vicinity && returned[i] <= returned[i - 1] && returned[i] <= returned[i + 1])
+            minima.emplace_back(returned[i], i);
+    std::sort(minima.begin(), minima.end());
+    std::vector<CyclePoints> candidates;
+    for (std::size_t i = 0; i < minima.size() && i < static_cast<std::size_t>(count); ++i) {
+        const auto first = trajectory.begin() + static_cast<std::ptrdiff_t>(minima[i].second);
+        candidates.emplace_back(first, first + k);
+    }
+    return candidates;
+}
+
+}  // namespace swirl::analysis

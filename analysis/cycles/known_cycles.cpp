@@ -1,0 +1,70 @@
+#include "analysis/cycles/known_cycles.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace swirl::analysis {
+
+/// The mean of the first coordinate that is no angle; 0 if all are.
+double KnownCycles::mean_of(const CyclePoints& points) const {
+    const auto plain = std::find(map_.angle_periods.begin(), map_.angle_periods.end(), 0.0);
+    if (plain == map_.angle_periods.end()) return 0;
+    double sum = 0;
+    for (const auto& z : points) sum += z[plain - map_.angle_periods.begin()];
+    return sum / static_cast<double>(points.size());
+}
+
+bool KnownCycles::contains(const CyclePoints& points) const {
+    const double mean = mean_of(points);
+    const auto begin = by_mean_.lower_bound(mean - 2 * same_), end = by_mean_.upper_bound(mean + 2 * same_);
+    return std::any_of(begin, end, [&](const auto& entry) {
+        return distance_between(map_, cycles_[entry.second].points, points) <= same_;
+    });
+}
+
+bool KnownCycles::contains_family_of(const CyclePoints& points, Eigen::Index dimension) const {
+    for (std::size_t i = 0; i < cycles_.size(); ++i) {
+        const Cycle& other = cycles_[i];
+        if (!other.is_family() || other.period() != points.size()) continue;
+        if (!curves_[i].members.empty() && belongs_to(map_, curves_[i], points)) return true;
+        if (other.tangents.cols() > 1 && other.tangents.cols() == dimension &&
+            (is_reachable(map_, p_, other.points, points) || is_reachable(map_, p_, points, other.points)))
+            return true;
+    }
+    return false;
+}
+
+bool KnownCycles::add(const CyclePoints& points, double residual) {
+    if (contains(points)) return false;
+    const ShootingResidual shooting = shooting_residual(map_, points, p_);
+    if (!shooting.alive) return false;
+    const Eigen::MatrixXd tangents = family_directions(shooting, map_.dimension);
+    if (one_per_family_ && tangents.cols() > 0 && contains_family_of(points, tangents.cols())) return false;
+    Cycle cycle;
+    for (const auto& z : points) cycle.points.push_back(map_.normalised(z));
+    cycle.residual = residual;
+    cycle.tangents = tangents;
+    const bool curve = one_per_family_ && tangents.cols() == 1;
+    curves_.push_back(curve ? walk_family(map_, p_, cycle) : FamilyCurve{});
+    by_mean_.emplace(mean_of(points), cycles_.size());
+    cycles_.push_back(std::move(cycle));
+    return true;
+}
+
+std::vector<Cycle> KnownCycles::completed(int threads) const {
+    std::vector<Cycle> cycles = cycles_;
+    std::vector<char> done(cycles.size(), 0);
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, cycles.size(),
+                          [&](std::size_t i) { done[i] = complete_cycle(map_, p_, cycles[i]) ? 1 : 0; });
+    });
+    std::vector<Cycle> result;
+    for (std::size_t i = 0; i < cycles.size(); ++i)
+        if (done[i] != 0) result.push_back(std::move(cycles[i]));
+    return result;
+}
+
+}  // namespace swirl::analysis

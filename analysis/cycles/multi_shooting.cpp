@@ -1,0 +1,132 @@
+#include "analysis/cycles/multi_shooting.hpp"
+
+#include <ceres/cost_function.h>
+#include <ceres/iteration_callback.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swirl::analysis {
+
+namespace {
+
+/// F(z_i; p) − z_{i+1}; for k = 1 both are the same block. (Ceres asks for a class.)
+class StepResidual final : public ceres::CostFunction {
+public:
+    StepResidual(const ShootingMap& map, double p, bool closed) : map_(map), p_(p) {
+        set_num_residuals(map.dimension);
+        mutable_parameter_block_sizes()->push_back(map.dimension);
+        if (!closed) mutable_parameter_block_sizes()->push_back(map.dimension);
+    }
+
+    bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
+        const int d = map_.dimension;
+        const bool closed = parameter_block_sizes().size() == 1;
+        const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(blocks[0], d);
+        const Eigen::VectorXd next = Eigen::Map<const Eigen::VectorXd>(blocks[closed ? 0 : 1], d);
+        const ShootingStep step = map_.step(z, p_);
+        if (!step.alive) return false;
+        Eigen::Map<Eigen::VectorXd>(residuals, d) = map_.gap(step.state, next);
+        using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+        Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(d, d);
+        identity.diagonal().tail(map_.constraints).setZero();
+        if (jacobians != nullptr && jacobians[0] != nullptr) {
+            Eigen::Map<RowMajor> by_state(jacobians[0], d, d);
+            by_state = step.by_state;
+            if (closed) by_state -= identity;
+        }
+        if (!closed && jacobians != nullptr && jacobians[1] != nullptr)
+            Eigen::Map<RowMajor>(jacobians[1], d, d) = -identity;
+        return true;
+    }
+
+private:
+    const ShootingMap& map_;
+    double p_;
+};
+
+constexpr double same_time = 1e-6;  // another contact lies farther away, or the two can't be told apart
+
+/// Ends the solver where the polishing can take over, and where it gets nowhere.
+class StopWhenNear final : public ceres::IterationCallback {
+public:
+    explicit StopWhenNear(double residual) : cost_(0.5 * residual * residual) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+        return summary.cost <= cost_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    }
+
+private:
+    double cost_;
+};
+
+ceres::Solver::Options solver_options(const ShootingOptions& options, std::size_t unknowns) {
+    ceres::Solver::Options solver;
+    solver.linear_solver_type = unknowns <= 60 ? ceres::DENSE_QR : ceres::SPARSE_NORMAL_CHOLESKY;
+    solver.max_num_iterations = options.most_iterations;
+    solver.initial_trust_region_radius = options.radius;
+    solver.function_tolerance = 1e-12;  // relative fall of the cost: a local minimum that is no cycle
+    solver.gradient_tolerance = 0;
+    solver.parameter_tolerance = 1e-14;
+    solver.max_num_consecutive_invalid_steps = 10;
+    solver.num_threads = 1;
+    solver.logging_type = ceres::SILENT;
+    return solver;
+}
+
+}  // namespace
+
+ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, double p, double accept,
+                              const ShootingOptions& options) {
+    ShootingResult result;
+    result.points = guess;
+    result.residual = std::numeric_limits<double>::infinity();
+    if (!shooting_residual(map, guess, p).alive) return result;
+    const auto k = guess.size();
+    ceres::Problem problem;
+    for (std::size_t i = 0; i < k; ++i) {
+        double* here = result.points[i].data();
+        if (k == 1)
+            problem.AddResidualBlock(new StepResidual(map, p, true), nullptr, here);
+        else
+            problem.AddResidualBlock(new StepResidual(map, p, false), nullptr, here, result.points[(i + 1) % k].data());
+    }
+    auto solver = solver_options(options, k * static_cast<std::size_t>(map.dimension));
+    StopWhenNear stop(options.residual);
+    solver.callbacks.push_back(&stop);
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver, &problem, &summary);
+    result.iterations = static_cast<int>(summary.iterations.size());
+    if (!summary.IsSolutionUsable() || !(summary.final_cost < 1e-6)) return result;  // |G| ≈ 10⁻³: too far for Newton
+    result.residual = polish_cycle(map, result.points, p);
+    result.converged = result.residual <= accept || closes_to(shooting_residual(map, result.points, p), accept);
+    return result;
+}
+
+ShootingResult solve_near_grazing(const ShootingMap& map, const TimedMap& timed, const CyclePoints& guess, double p,
+                                  double accept, const ShootingOptions& options) {
+    ShootingResult result;
+    result.points = guess;
+    result.residual = std::numeric_limits<double>::infinity();
+    CyclePoints with_times;
+    for (std::size_t i = 0; i < guess.size(); ++i) {
+        Eigen::VectorXd extended(timed.map.dimension);
+        extended << guess[i], timed.time_between(guess[i], guess[(i + 1) % guess.size()]);
+        with_times.push_back(extended);
+    }
+    const ShootingResult shot = solve_shooting(timed.map, with_times, p, accept, options);
+    result.iterations = shot.iterations;
+    if (!shot.converged) return result;
+    for (std::size_t i = 0; i < guess.size(); ++i) result.points[i] = shot.points[i].head(map.dimension);
+    const ShootingResidual shooting = shooting_residual(map, result.points, p);
+    if (!shooting.alive) return result;
+    for (std::size_t i = 0; i < guess.size(); ++i)  // the map's first contact, and no other
+        if (std::abs(shooting.steps[i].duration - shot.points[i].tail(1)[0]) > same_time) return result;
+    result.residual = shooting.residual();
+    result.converged = closes_to(shooting, accept);
+    return result;
+}
+
+}  // namespace swirl::analysis

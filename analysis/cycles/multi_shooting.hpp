@@ -1,0 +1,45 @@
+// k-cycles by multi-shooting: the k points are unknowns of a least-squares problem that Ceres solves.
+#pragma once
+
+#include "analysis/cycles/shooting_residual.hpp"
+
+#include <functional>
+
+namespace swirl::analysis {
+
+struct ShootingOptions {
+    int most_iterations = 40;
+    double residual = 1e-8;  ///< |G| below which the polishing takes over
+    double radius = 1;       ///< of the first trust region, in units of the coordinates
+};
+
+struct ShootingResult {
+    bool converged = false;
+    int iterations = 0;   ///< Ceres' and the polishing's
+    double residual = 0;  ///< max-norm of G reached; +∞ if the map ends at the start
+    CyclePoints points;
+};
+
+/// Solves G(Z; p) = 0 from a guess by Levenberg–Marquardt with the exact Jacobian, then Newton to rounding. Where the
+/// map ends or jumps the step is refused and the trust region shrinks, so that a cycle is found only where all its
+/// steps are those of the map itself.
+///   accept  residual that counts as converged, after polishing
+/// Cost: some 10 to 40 iterations of k steps and one QR of (k D) unknowns.
+ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, double p, double accept,
+                              const ShootingOptions& options = {});
+
+/// A map whose points carry one more unknown, the time of their step, with one constraint
+/// (map/derivative/timed_collision.hpp).
+struct TimedMap {
+    ShootingMap map;
+    /// The time after z at which an impact would lead nearest to `next`, whether or not the wall is there then.
+    std::function<double(const Eigen::VectorXd& z, const Eigen::VectorXd& next)> time_between;
+};
+
+/// The same for cycles near grazing, where DF grows without bound and a guess may miss the wall: solved by `timed`,
+/// then closed by the map itself. Converged only if its steps are those of the map, to `accept` or to the rounding of z
+/// that DF leaves in G.
+ShootingResult solve_near_grazing(const ShootingMap& map, const TimedMap& timed, const CyclePoints& guess, double p,
+                                  double accept, const ShootingOptions& options = {});
+
+}  // namespace swirl::analysis

@@ -1,0 +1,23 @@
+// A scene's return map for solvers: sizes at run time, one parameter if asked for.
+#pragma once
+
+#include "analysis/cycles/multi_shooting.hpp"
+#include "map/derivative/parameter.hpp"
+
+namespace swirl::apps {
+
+/// The return map of one scene for solvers, by SceneMap's coordinates; the observable is S, its integral ∫S dt. Through
+/// sustained contact of up to 50 time units. It also ends at an impact with u_n < 10⁻⁶, its `least_margin`: rest on the
+/// wall is no cycle of impacts. @throws std::invalid_argument for a scene out of range
+analysis::ShootingMap shooting_map_of(const Scene<double>& scene);
+
+/// The same with a parameter, whose value in `scene` is not used. The map ends where the parameter leaves its range.
+/// ∂F/∂p is exact for a flight, a central difference through contact. Friction is what `scene` has: μ = 0 in a scene
+/// with friction is the limit μ → 0.
+analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter);
+
+/// The scene's flights with the time of their impact as the last coordinate and the gap then as a constraint, for
+/// `analysis::solve_near_grazing`. No sustained contact.
+analysis::TimedMap timed_map_of(const Scene<double>& scene);
+
+}  // namespace swirl::apps

@@ -1,0 +1,115 @@
+// A scene's map as analyses see it: the orbit that `simulate` follows, to the bit; its derivative; its letters.
+#include "apps/system/scene_map.hpp"
+#include "apps/command_line/documents.hpp"
+#include "apps/command_line/start_options.hpp"
+#include "apps/system/orbit_ending.hpp"
+#include "map/orbit/orbit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace swirl::apps {
+namespace {
+
+using State = PostImpactState<double>;
+
+Scene<double> scene_of(int sides, double alpha, double beta, double mu, double restitution, Law law = Law::poisson) {
+    return {sides, alpha, beta, mu, restitution, law, uniform_inertia_factor<double>(sides)};
+}
+
+/// Every shape and impact rule; chaos, cycles, chatter with sustained contact.
+const Scene<double> scenes[] = {scene_of(6, 0.3, 0.5, 0.5, 0.95),
+                                scene_of(6, 0.3, 0.5, 0.5, 0.9, Law::newton),
+                                scene_of(6, 0.3, 0.5, 0.5, 0.9, Law::stronge),
+                                scene_of(5, 0.4, 0.5, 0.0, 1.0),
+                                scene_of(6, 0.4, 0.5, 0.5, 0.9),
+                                scene_of(4, 0.3, 0.98, 0.46, 0.02),
+                                scene_of(disk_sides, 0.3, 0.1, 0.5, 1.0),
+                                scene_of(disk_sides, 0.3, 0.1, 0.0, 1.0)};
+
+bool same_bits(const State& a, const State& b) {
+    static_assert(sizeof(State) == 7 * sizeof(double), "no padding");
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+/// The first impacts of the orbit from random start 1, as `simulate` follows it; the last is where it ended.
+std::vector<State> simulated(const Scene<double>& scene, std::size_t most) {
+    return with_collision_map(scene, [&](const auto& map) {
+        Orbit orbit(map, random_start(scene.beta, paper_speed, 1, 0));
+        std::vector<State> states;
+        while (states.size() < most && orbit.advance()) states.push_back(orbit.post_impact());
+        return states;
+    });
+}
+
+TEST(SceneMap, FollowsTheOrbitOfSimulateBitForBit) {
+    for (const auto& scene : scenes) {
+        SCOPED_TRACE(describe(scene));
+        const std::vector<State> states = simulated(scene, 3000);
+        ASSERT_GT(states.size(), 20u);
+        with_scene_map(scene, [&](const auto& map) {
+            const OrbitBegin begin = begin_orbit(map, random_start(scene.beta, paper_speed, 1, 0));
+            ASSERT_EQ(begin.impacts, 1);
+            ASSERT_TRUE(same_bits(begin.state, states.front()));
+            State one_by_one = begin.state, with_derivatives = begin.state;
+            for (std::size_t i = 1; i < states.size(); ++i) {
+                const auto step = map.advance(one_by_one);
+                ASSERT_TRUE(step.alive && same_bits(step.state, states[i])) << "impact " << i + 1;
+                one_by_one = step.state;
+                if (i > 200) continue;
+                with_derivatives = map.linearise(with_derivatives).state;
+                ASSERT_TRUE(same_bits(with_derivatives, states[i])) << "impact " << i + 1;
+            }
+            // What repeats itself is left out, and what has no next impact ends: both without another bit.
+            State all_at_once = begin.state;
+            const auto steps = static_cast<std::int64_t>(states.size()) - 1;
+            EXPECT_EQ(map.follow(all_at_once, steps, {}), steps);
+            EXPECT_TRUE(same_bits(all_at_once, states.back()));
+            if (states.size() < 3000) {
+                EXPECT_EQ(map.follow(all_at_once, 10, {}), 0);
+            }
+        });
+    }
+}
+
+TEST(SceneMap, ItsCoordinatesLeadBackToTheStateToRounding) {
+    for (const auto& scene : scenes)
+        with_scene_map(scene, [&](const auto& map) {
+            for (const State& z : simulated(scene, 100)) {
+                const State back = map.state_at(map.coordinates(z));
+                EXPECT_NEAR(back.psi.x, z.psi.x, 4e-16);
+                EXPECT_NEAR(back.psi.y, z.psi.y, 4e-16);
+                EXPECT_NEAR(back.chi.x, z.chi.x, 4e-16);
+                EXPECT_NEAR(back.chi.y, z.chi.y, 4e-16);
+                EXPECT_EQ(back.vn, z.vn);
+                EXPECT_EQ(back.vt, z.vt);
+                EXPECT_EQ(back.spin, z.spin);
+            }
+        });
+}
+
+TEST(SceneMap, StopsWhenItIsTold) {
+    with_scene_map(scenes[0], [&](const auto& map) {
+        State z = begin_orbit(map, random_start(0.5, paper_speed, 1, 0)).state;
+        int asked = 0;
+        const auto steps = map.follow(z, 1'000'000'000, [&] { return ++asked == 3; });
+        EXPECT_GT(steps, 0);
+        EXPECT_LT(steps, 100'000);
+    });
+}
+
+TEST(Letter, IsOneNumber) {
+    for (const int vertex_step : {0, 1, 5, 200})
+        for (int mode = 0; mode < 6; ++mode)
+            for (const bool through_contact : {false, true}) {
+                const Letter back =
+                    letter_from(number_of(Letter{vertex_step, static_cast<ContactMode>(mode), through_contact}));
+                EXPECT_EQ(back.vertex_step, vertex_step);
+                EXPECT_EQ(static_cast<int>(back.mode), mode);
+                EXPECT_EQ(back.through_contact, through_contact);
+            }
+}
+
+}  // namespace
+}  // namespace swirl::apps

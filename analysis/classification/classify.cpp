@@ -69,7 +69,7 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
     const SignEvidence& e = findings.exponent;
     if (findings.exponent_outcome != LyapunovOutcome::completed) {
         result.evidence.push_back({"largest exponent", Classification::unknown, 0,
-                                   std::string(name(findings.exponent_outcome)), "positive: chaotic"});
+                                   std::string(name_of(findings.exponent_outcome)), "positive: chaotic"});
         return;
     }
     const double sigmas = options.sigmas;
@@ -78,7 +78,7 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
     const bool positive = e.sign == ExponentSign::positive;
     result.evidence.push_back(
         {"largest exponent", e.exponent, errors,
-         std::string(name(e.sign)) + " (threshold: " + in_words(sigmas) + " standard errors)",
+         std::string(name_of(e.sign)) + " (threshold: " + in_words(sigmas) + " standard errors)",
          positive ? "at or below " + in_words(errors) + ": not positive, " +
                         (findings.has_cycle ? "the cycle would stand"
                                             : "the rotation number would decide; a chaotic transient longer than what "
@@ -113,7 +113,7 @@ void describe_rotation(const Findings& findings, Classification& result) {
     const RotationNumber& rotation = findings.rotation;
     const bool torus = rotation.outcome == RotationOutcome::quasi_periodic;
     result.evidence.push_back({"rotation number", rotation.rotation, rotation.half_difference,
-                               std::string(name(rotation.outcome)) + " (threshold: difference of its halves)",
+                               std::string(name_of(rotation.outcome)) + " (threshold: difference of its halves)",
                                torus ? "halves that differ by more than " + in_words(std::pow(10, -limits.min_digits)) +
                                            " turns, or a fraction of denominator up to " +
                                            std::to_string(limits.max_denominator) + ": undecided"

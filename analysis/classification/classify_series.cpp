@@ -84,7 +84,7 @@ LineShare lines_of(std::span<const double> x, Classification& result) {
     const bool lines = share.verdict == SpectrumVerdict::lines;
     result.evidence.push_back(
         {"share of the variance in spectral lines", share.line_fraction, all,
-         std::string(name(share.verdict)) +
+         std::string(name_of(share.verdict)) +
              (share.steadiness_tested ? "" : " (too few segments to tell a line from a band)"),
          lines ? "below " + in_words(all) + ": not all lines, predictability would decide"
                : "at or above " + in_words(all) + ": all lines, quasi-steady if neighbours stay neighbours"});

@@ -7,7 +7,7 @@
 
 namespace swirl::analysis {
 
-std::string_view name(SpecialKind kind) {
+std::string_view name_of(SpecialKind kind) {
     switch (kind) {
         case SpecialKind::fold:
             return "fold";
@@ -23,7 +23,7 @@ std::string_view name(SpecialKind kind) {
     return "?";
 }
 
-std::string_view name(BranchEnd end) {
+std::string_view name_of(BranchEnd end) {
     switch (end) {
         case BranchEnd::range:
             return "range";

@@ -20,7 +20,7 @@ enum class SpecialKind {
     branch_point,    ///< another branch crosses
     border,          ///< a border of the map: named by the application
 };
-std::string_view name(SpecialKind kind);
+std::string_view name_of(SpecialKind kind);
 
 enum class BranchEnd {
     range,          ///< the parameter reached the end of its range
@@ -33,7 +33,7 @@ enum class BranchEnd {
     family,         ///< from there on the solutions are no curve over the parameter, but a family at one value of it
     stopped,        ///< interrupted
 };
-std::string_view name(BranchEnd end);
+std::string_view name_of(BranchEnd end);
 
 /// A cycle of the branch.
 struct BranchPoint {

@@ -1,13 +1,12 @@
 #include "analysis/continuation/multipliers.hpp"
 
 #include "analysis/cycles/cycle.hpp"
-
-#include <Eigen/Dense>
+#include "analysis/linear_algebra/dense.hpp"
 
 namespace swirl::analysis {
 
 std::vector<std::complex<double>> multipliers_at(const CurvePoint& point) {
-    const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(monodromy(point.shooting), false).eigenvalues();
+    const Eigen::VectorXcd values = eigenvalues_of(monodromy(point.shooting));
     std::vector<std::complex<double>> multipliers(values.data(), values.data() + values.size());
     sort_multipliers(multipliers);
     return multipliers;
@@ -27,7 +26,7 @@ double neimark_sacker_function(const std::vector<std::complex<double>>& multipli
 }
 
 double crossing_function(const ShootingMap& map, const CurvePoint& point) {
-    return bordered(map, point.shooting, point.tangent).partialPivLu().determinant();
+    return determinant_of(bordered(map, point.shooting, point.tangent));
 }
 
 }  // namespace swirl::analysis

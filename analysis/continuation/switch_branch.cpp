@@ -1,8 +1,7 @@
 #include "analysis/continuation/switch_branch.hpp"
 
 #include "analysis/cycles/cycle.hpp"
-
-#include <Eigen/SVD>
+#include "analysis/linear_algebra/dense.hpp"
 
 #include <cmath>
 
@@ -34,8 +33,8 @@ bool doubled(const ShootingMap& map, const SpecialPoint& flip, CurvePoint& base)
 bool crossing(const ShootingMap& map, const SpecialPoint& special, CurvePoint& base) {
     base = special.cycle.at;
     const Eigen::MatrixXd full = bordered(map, base.shooting, base.tangent);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(full.topRows(full.rows() - 1), Eigen::ComputeFullV);
-    const Eigen::MatrixXd plane = svd.matrixV().rightCols(2);
+    const SingularVectors svd = right_singular_vectors(full.topRows(full.rows() - 1));
+    const Eigen::MatrixXd plane = svd.right.rightCols(2);
     const Eigen::Vector2d known = plane.transpose() * base.tangent;
     base.tangent = plane * Eigen::Vector2d(-known[1], known[0]);
     return base.tangent.norm() > 0;

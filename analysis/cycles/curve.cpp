@@ -1,8 +1,7 @@
 #include "analysis/cycles/curve.hpp"
 
 #include "analysis/cycles/null_space.hpp"
-
-#include <Eigen/Dense>
+#include "analysis/linear_algebra/dense.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,7 @@ bool find_tangent(const ShootingMap& map, const ShootingResidual& shooting, cons
                   Eigen::VectorXd& tangent) {
     Eigen::VectorXd right = Eigen::VectorXd::Zero(shooting.gap.size() + 1);
     right[shooting.gap.size()] = 1;
-    tangent = bordered(map, shooting, along).colPivHouseholderQr().solve(right);
+    tangent = solve_by_qr(bordered(map, shooting, along), right);
     const double length = std::sqrt(curve_product(tangent, tangent, map.has_parameter, shooting.steps.size()));
     if (!std::isfinite(length) || length == 0) return false;
     tangent /= length;
@@ -48,8 +47,8 @@ bool find_tangent(const ShootingMap& map, const ShootingResidual& shooting, cons
 
 /// A direction that the curve has a part of: the null vector of the Jacobian's smallest singular value.
 Eigen::VectorXd null_direction(const ShootingMap& map, const ShootingResidual& shooting) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(map, shooting), Eigen::ComputeFullV);
-    Eigen::VectorXd direction = svd.matrixV().rightCols(1);
+    const SingularVectors svd = right_singular_vectors(jacobian(map, shooting));
+    Eigen::VectorXd direction = svd.right.rightCols(1);
     Eigen::Index lead = direction.size() - 1;
     if (!map.has_parameter || std::abs(direction[lead]) < 1e-6) direction.cwiseAbs().maxCoeff(&lead);
     if (direction[lead] < 0) direction *= -1;
@@ -74,9 +73,7 @@ Eigen::MatrixXd bordered(const ShootingMap& map, const ShootingResidual& shootin
 bool is_on_curve(const ShootingMap& map, const ShootingResidual& shooting) {
     Eigen::MatrixXd scaled = jacobian(map, shooting);
     equilibrate(scaled);
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver;
-    solver.setThreshold(null_margin);
-    return solver.compute(scaled).rank() == scaled.cols() - 1;
+    return rank_of(scaled, null_margin) == scaled.cols() - 1;
 }
 
 bool begin_curve(const ShootingMap& map, const CyclePoints& points, double p, const Eigen::VectorXd& previous,
@@ -116,7 +113,7 @@ Correction correct(const ShootingMap& map, const CurvePoint& base, double h, Cur
         Eigen::VectorXd right(size + 1);
         right.head(size) = -point.shooting.gap;
         right[size] = h - curve_product(base.tangent, y - origin, map.has_parameter, base.points.size());
-        const Eigen::VectorXd change = bordered(map, point.shooting, base.tangent).colPivHouseholderQr().solve(right);
+        const Eigen::VectorXd change = solve_by_qr(bordered(map, point.shooting, base.tangent), right);
         if (!change.allFinite()) return Correction::failed;
         y += change;
     }

@@ -2,8 +2,6 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "analysis/cycles/null_space.hpp"
 
-#include <Eigen/SVD>
+#include "analysis/linear_algebra/dense.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,11 +31,11 @@ Eigen::VectorXd equilibrate(Eigen::MatrixXd& matrix) {
 Eigen::MatrixXd null_vectors(const Eigen::MatrixXd& matrix) {
     Eigen::MatrixXd scaled = matrix;
     const Eigen::VectorXd columns = equilibrate(scaled);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullV);
-    const auto& values = svd.singularValues();
+    const SingularVectors svd = right_singular_vectors(scaled);
+    const Eigen::VectorXd& values = svd.values;
     Eigen::Index rank = values.size();
     while (rank > 0 && values[rank - 1] <= null_margin * values[0]) --rank;
-    return columns.asDiagonal() * svd.matrixV().rightCols(matrix.cols() - rank);
+    return columns.asDiagonal() * svd.right.rightCols(matrix.cols() - rank);
 }
 
 }  // namespace swirl::analysis

@@ -5,7 +5,7 @@
 
 namespace swirl::analysis {
 
-std::string_view name(Stability stability) {
+std::string_view name_of(Stability stability) {
     switch (stability) {
         case Stability::stable:
             return "stable";

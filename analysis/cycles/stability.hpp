@@ -18,7 +18,7 @@ enum class Stability {
     unstable,  ///< one outside
     neutral,   ///< none outside, some on it (to `neutral_margin`)
 };
-std::string_view name(Stability stability);
+std::string_view name_of(Stability stability);
 
 using Multipliers = std::span<const std::complex<double>>;
 

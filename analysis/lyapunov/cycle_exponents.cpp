@@ -1,12 +1,12 @@
 #include "analysis/lyapunov/cycle_exponents.hpp"
 
+#include "analysis/linear_algebra/dense.hpp"
 #include "analysis/lyapunov/generic_frame.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <limits>
 #include <stdexcept>
@@ -41,11 +41,11 @@ Eigen::Index lost_ranks(std::span<const Eigen::MatrixXd> derivatives, double ran
     std::vector<bool> lost(dimension, false);
     for (Eigen::Index round = 0; round < dimension; ++round) {
         for (const Eigen::MatrixXd& derivative : derivatives) {
-            const Eigen::HouseholderQR<Eigen::MatrixXd> qr(derivative * frame);
+            const OrthonormalFrame turned = orthonormal_frame(derivative * frame);
             for (Eigen::Index i = 0; i < dimension; ++i) {
-                if (std::abs(qr.matrixQR()(i, i)) <= rank_tolerance * derivative.norm()) lost[i] = true;
+                if (std::abs(turned.diagonal[i]) <= rank_tolerance * derivative.norm()) lost[i] = true;
             }
-            frame = qr.householderQ();
+            frame = turned.q;
         }
     }
     return std::count(lost.begin(), lost.end(), true);
@@ -73,7 +73,7 @@ std::vector<WideMultiplier> wide_multipliers(std::span<const Eigen::MatrixXd> de
 
 }  // namespace
 
-std::string_view name(CycleOutcome outcome) {
+std::string_view name_of(CycleOutcome outcome) {
     switch (outcome) {
         case CycleOutcome::completed:
             return "completed";

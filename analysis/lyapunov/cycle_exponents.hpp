@@ -21,7 +21,7 @@ enum class CycleOutcome {
     not_finite,
     unresolved,  ///< multipliers differ by more than 10⁸⁰: the smaller ones are NaN
 };
-std::string_view name(CycleOutcome outcome);
+std::string_view name_of(CycleOutcome outcome);
 
 /// By falling modulus, vectors of length D.
 struct CycleExponents {

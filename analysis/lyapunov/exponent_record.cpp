@@ -42,7 +42,7 @@ double ratio_error(const std::vector<double>& growth, const std::vector<double>&
 
 }  // namespace
 
-std::string_view name(LyapunovOutcome outcome) {
+std::string_view name_of(LyapunovOutcome outcome) {
     switch (outcome) {
         case LyapunovOutcome::completed:
             return "completed";

@@ -18,7 +18,7 @@ enum class LyapunovOutcome {
     ended_early,         ///< the map ended; the exponents are those of the `steps` reached
     not_finite,          ///< state or derivative overflowed; the same
 };
-std::string_view name(LyapunovOutcome outcome);
+std::string_view name_of(LyapunovOutcome outcome);
 
 enum class CheckpointSpacing { geometric, even };
 

@@ -53,7 +53,7 @@ double change_over_last_doubling(const LyapunovSpectrum& spectrum, std::size_t i
 
 }  // namespace
 
-std::string_view name(ExponentSign sign) {
+std::string_view name_of(ExponentSign sign) {
     switch (sign) {
         case ExponentSign::positive:
             return "positive";

@@ -17,7 +17,7 @@ enum class ExponentSign {
     neutral,    ///< zero: the summed growth stays bounded, or grows like its logarithm (a sheared family)
     undecided,  ///< within the error of zero, but the sum grows like a random walk: zero, or too small for this length
 };
-std::string_view name(ExponentSign sign);
+std::string_view name_of(ExponentSign sign);
 
 struct SignOptions {
     double sigmas = 5;               ///< standard errors from zero that make a sign

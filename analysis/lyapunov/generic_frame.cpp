@@ -1,6 +1,6 @@
 #include "analysis/lyapunov/generic_frame.hpp"
 
-#include <Eigen/QR>
+#include "analysis/linear_algebra/dense.hpp"
 
 #include <cmath>
 
@@ -12,7 +12,7 @@ Eigen::MatrixXd generic_frame(int dimension) {
     for (int i = 0; i < dimension; ++i) {
         for (int j = 0; j < dimension; ++j) seed(i, j) += std::sin(1.0 + 2.3 * i + 3.7 * j + 1.9 * i * j);
     }
-    return Eigen::HouseholderQR<Eigen::MatrixXd>(seed).householderQ();
+    return orthonormal_frame(seed).q;
 }
 
 }  // namespace swirl::analysis

@@ -95,7 +95,7 @@ bool is_constant(std::span<const double> samples) {
 
 }  // namespace
 
-std::string_view name(RotationOutcome outcome) {
+std::string_view name_of(RotationOutcome outcome) {
     switch (outcome) {
         case RotationOutcome::quasi_periodic:
             return "quasi-periodic";

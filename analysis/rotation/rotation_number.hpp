@@ -17,7 +17,7 @@ enum class RotationOutcome {
     constant,        ///< no variation beyond rounding
     too_short,       ///< fewer than `RotationOptions::min_samples`
 };
-std::string_view name(RotationOutcome outcome);
+std::string_view name_of(RotationOutcome outcome);
 
 struct RotationOptions {
     std::size_t min_samples = 256;

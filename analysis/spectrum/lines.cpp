@@ -143,7 +143,7 @@ std::vector<SpectralPeak> find_peaks(const PowerSpectrum& spectrum, const LineOp
     return peaks_above(spectrum, noise_floor(spectrum, half_width(spectrum, options)), options);
 }
 
-std::string_view name(SpectrumVerdict verdict) {
+std::string_view name_of(SpectrumVerdict verdict) {
     switch (verdict) {
         case SpectrumVerdict::constant:
             return "constant";

@@ -50,7 +50,7 @@ enum class SpectrumVerdict {
     nonstationary,  ///< the halves of the series differ too much in variance: a transient
     undecided,      ///< no spectrum
 };
-std::string_view name(SpectrumVerdict verdict);
+std::string_view name_of(SpectrumVerdict verdict);
 
 /// Lines against continuum, with what decided it.
 struct LineShare {

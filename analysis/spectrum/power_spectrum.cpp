@@ -230,7 +230,7 @@ bool only_small_factors(std::size_t n) {
 
 }  // namespace
 
-std::string_view name(Detrend detrend) {
+std::string_view name_of(Detrend detrend) {
     switch (detrend) {
         case Detrend::none:
             return "none";
@@ -244,12 +244,12 @@ std::string_view name(Detrend detrend) {
 
 Detrend detrend_from_name(std::string_view word) {
     for (const Detrend detrend : {Detrend::none, Detrend::mean, Detrend::linear}) {
-        if (name(detrend) == word) return detrend;
+        if (name_of(detrend) == word) return detrend;
     }
     throw std::invalid_argument("detrend = " + std::string(word) + ": must be none, mean or linear");
 }
 
-std::string_view name(SpectrumOutcome outcome) {
+std::string_view name_of(SpectrumOutcome outcome) {
     switch (outcome) {
         case SpectrumOutcome::completed:
             return "completed";

@@ -17,7 +17,7 @@ enum class Detrend {
     mean,    ///< the mean of the whole series is subtracted
     linear,  ///< its least-squares line is subtracted
 };
-std::string_view name(Detrend detrend);
+std::string_view name_of(Detrend detrend);
 Detrend detrend_from_name(std::string_view word);  ///< throws std::invalid_argument for another word
 
 struct SpectrumOptions {
@@ -36,7 +36,7 @@ enum class SpectrumOutcome {
     too_short,            ///< fewer than 8 samples, or than one segment
     no_complete_segment,  ///< every segment touches a gap
 };
-std::string_view name(SpectrumOutcome outcome);
+std::string_view name_of(SpectrumOutcome outcome);
 
 struct PowerSpectrum {
     SpectrumOutcome outcome = SpectrumOutcome::too_short;

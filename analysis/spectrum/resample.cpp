@@ -65,7 +65,7 @@ double value_at(const Samples& in, std::size_t i, double t, Interpolation interp
 
 }  // namespace
 
-std::string_view name(Interpolation interpolation) {
+std::string_view name_of(Interpolation interpolation) {
     return interpolation == Interpolation::linear ? "linear" : "hold";
 }
 

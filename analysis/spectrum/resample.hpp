@@ -13,7 +13,7 @@ enum class Interpolation {
     linear,  ///< straight lines between samples
     hold,    ///< each sample stays until the next: exact for a signal that changes only at the samples
 };
-std::string_view name(Interpolation interpolation);
+std::string_view name_of(Interpolation interpolation);
 /// "linear" or "hold"; throws std::invalid_argument otherwise.
 Interpolation interpolation_from_name(std::string_view word);
 

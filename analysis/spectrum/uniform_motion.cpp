@@ -24,7 +24,7 @@ double spherical_bessel_1(double x) {
 
 }  // namespace
 
-std::string_view name(Frame frame) {
+std::string_view name_of(Frame frame) {
     switch (frame) {
         case Frame::laboratory:
             return "laboratory";
@@ -38,7 +38,7 @@ std::string_view name(Frame frame) {
 
 Frame frame_from_name(std::string_view word) {
     for (const Frame frame : {Frame::laboratory, Frame::container, Frame::corotating}) {
-        if (name(frame) == word) return frame;
+        if (name_of(frame) == word) return frame;
     }
     throw std::invalid_argument("frame = " + std::string(word) + ": must be laboratory, container or corotating");
 }

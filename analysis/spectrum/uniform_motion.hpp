@@ -13,7 +13,7 @@ enum class Frame {
     container,   ///< z − β e^{it}: axes parallel to the laboratory's, origin on the swirl
     corotating,  ///< z e^{−it}: origin at the swirl's centre, the swirl at rest at β
 };
-std::string_view name(Frame frame);
+std::string_view name_of(Frame frame);
 Frame frame_from_name(
     std::string_view word);  ///< "laboratory", "container", "corotating"; throws std::invalid_argument
 

@@ -47,7 +47,7 @@ std::complex<double> dirichlet(std::size_t n, double x) {
 
 }  // namespace
 
-std::string_view name(Window window) {
+std::string_view name_of(Window window) {
     switch (window) {
         case Window::rectangular:
             return "rectangular";
@@ -66,8 +66,8 @@ std::string_view name(Window window) {
 Window window_from_name(std::string_view word) {
     std::string allowed;
     for (const Window window : all_windows) {
-        if (name(window) == word) return window;
-        allowed += (allowed.empty() ? "" : ", ") + std::string(name(window));
+        if (name_of(window) == word) return window;
+        allowed += (allowed.empty() ? "" : ", ") + std::string(name_of(window));
     }
     throw std::invalid_argument("window = " + std::string(word) + ": must be one of " + allowed);
 }

@@ -15,8 +15,8 @@ enum class Window {
     blackman_harris,  ///< 4 terms, −92 dB side lobes (Harris 1978)
     flat_top,         ///< 5 terms (D'Antona & Ferrero 2006): amplitude right to 0.01 dB without interpolation
 };
-std::string_view name(Window window);
-/// The inverse of name(), e.g. "blackman-harris". Throws std::invalid_argument for any other word, listing these.
+std::string_view name_of(Window window);
+/// The inverse of name_of(), e.g. "blackman-harris". Throws std::invalid_argument for any other word, listing these.
 Window window_from_name(std::string_view word);
 
 std::vector<double> window_values(Window window, std::size_t n);

@@ -53,7 +53,7 @@ void write_cycle(JsonWriter& json, const SceneBranches& scene, const analysis::B
     json.member("return_time", point.at.shooting.duration);
     write_multipliers(json, point.multipliers);
     json.member("index", std::int64_t{point.index});
-    json.member("stability", analysis::name(point.stability));
+    json.member("stability", analysis::name_of(point.stability));
     json.member("residual", point.at.shooting.residual());
 }
 
@@ -96,8 +96,8 @@ void write_branches(JsonWriter& json, const SceneBranches& scene, const std::vec
     for (const auto& branch : branches) {
         json.begin_object(JsonLayout::rows);
         json.member("period", static_cast<std::int64_t>(branch.period()));
-        json.member("begins", analysis::name(branch.begin));
-        json.member("ends", analysis::name(branch.end));
+        json.member("begins", analysis::name_of(branch.begin));
+        json.member("ends", analysis::name_of(branch.end));
         if (branch.parent >= 0) {
             json.member("switched_from", std::int64_t{branch.parent});
             json.member("switched_at", std::int64_t{branch.parent_special});
@@ -128,8 +128,8 @@ void print_branches(const SceneBranches& scene, const ParameterRange& along,
             return analysis::parameter_of(scene.options, scene.map.has_parameter, point.at);
         };
         fmt::print("branch {}, period {}: {} points, {} from {:.10g} ({}) to {:.10g} ({})", b, branch.period(),
-                   branch.points.size(), along.name, value(branch.points.front()), analysis::name(branch.begin),
-                   value(branch.points.back()), analysis::name(branch.end));
+                   branch.points.size(), along.name, value(branch.points.front()), analysis::name_of(branch.begin),
+                   value(branch.points.back()), analysis::name_of(branch.end));
         if (branch.parent >= 0) fmt::print(", switched from branch {}", branch.parent);
         fmt::print("\n");
         for (const auto& special : branch.special) {

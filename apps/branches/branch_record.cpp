@@ -112,8 +112,8 @@ void write_ends(const RecordGroup& root, const std::vector<analysis::Branch>& br
         period.push_back(static_cast<std::int64_t>(branch.period()));
         parent.push_back(branch.parent);
         parent_special.push_back(branch.parent_special);
-        begins.emplace_back(analysis::name(branch.begin));
-        ends.emplace_back(analysis::name(branch.end));
+        begins.emplace_back(analysis::name_of(branch.begin));
+        ends.emplace_back(analysis::name_of(branch.end));
         word.push_back(text_of(analysis::word_of(branch.points.front().at.shooting)));
     }
     const RecordGroup group = root.group("branch_ends");

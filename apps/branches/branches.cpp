@@ -42,7 +42,8 @@ SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& a
 }
 
 std::string kind_of(const analysis::SpecialPoint& special) {
-    return special.kind == analysis::SpecialKind::border ? special.border : std::string(analysis::name(special.kind));
+    return special.kind == analysis::SpecialKind::border ? special.border
+                                                         : std::string(analysis::name_of(special.kind));
 }
 
 void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth) {

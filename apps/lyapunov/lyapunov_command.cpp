@@ -62,7 +62,7 @@ void write_exponents(JsonWriter& json, const OrbitSpectrum& s) {
     write_list(json, "weighted_means", spectrum.weighted_exponents);
     json.key("signs");
     json.begin_array();
-    for (const auto& sign : s.signs) json.value(analysis::name(sign.sign));
+    for (const auto& sign : s.signs) json.value(analysis::name_of(sign.sign));
     json.end_array();
 }
 
@@ -118,7 +118,7 @@ void print_table(const Scene<double>& scene, const OrbitSpectrum& s) {
     fmt::print("  {:>16} {:>12} {:>16} {:>16}\n", "per collision", "std. error", "per time", "plain mean");
     for (std::size_t i = 0; i < s.signs.size(); ++i)
         fmt::print("  {:>16.9g} {:>12.2g} {:>16.9g} {:>16.9g}  {}\n", s.exponents[i], s.spectrum.standard_errors[i],
-                   s.per_time[i], s.spectrum.exponents[i], analysis::name(s.signs[i].sign));
+                   s.per_time[i], s.spectrum.exponents[i], analysis::name_of(s.signs[i].sign));
     fmt::print("  sum {:.9g}\n", s.sum);
     if (std::isfinite(s.jacobi_residual))
         fmt::print("  J is conserved: its gradient is carried along to {:.1e}\n", s.jacobi_residual);

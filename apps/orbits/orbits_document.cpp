@@ -47,7 +47,7 @@ void write_cycle(JsonWriter& json, const analysis::ShootingMap& map, const analy
     json.member("mean_S_per_impact", mean_spin_per_impact(cycle));
     write_multipliers(json, cycle.multipliers);
     json.member("index", std::int64_t{cycle.index});
-    json.member("stability", analysis::name(cycle.stability));
+    json.member("stability", analysis::name_of(cycle.stability));
     json.member("residual", cycle.residual);
     write_word(json, "word", cycle.word);
     write_family(json, map, cycle);
@@ -120,7 +120,7 @@ void print_orbits(const Scene<double>& scene, const FoundOrbits& found) {
     for (const auto& c : found.cycles)
         fmt::print("  {:>6} {:>16.12f} {:>16.12f} {:>14.10f} {:>9.1e} {:>14.10f}  {}{}\n", c.period(),
                    c.points.front().tail(1)[0], c.mean, c.return_time, c.residual, std::abs(c.multipliers.front()),
-                   analysis::name(c.stability),
+                   analysis::name_of(c.stability),
                    c.is_family() ? fmt::format(", a family of {}", c.tangents.cols()) : "");
 }
 
@@ -151,7 +151,7 @@ void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, con
             spin.push_back(c.mean);
             time.push_back(c.return_time);
             residual.push_back(c.residual);
-            stability.emplace_back(analysis::name(c.stability));
+            stability.emplace_back(analysis::name_of(c.stability));
             for (const auto& m : c.multipliers) {
                 re.push_back(m.real());
                 im.push_back(m.imag());

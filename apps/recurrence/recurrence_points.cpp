@@ -55,7 +55,7 @@ RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& optio
         const auto even = analysis::resample(series.times, values, how);
         values = even.series.values;
         result.resampled = {{"spacing", how.spacing},
-                            {"interpolation", std::string(name(how.interpolation))},
+                            {"interpolation", std::string(name_of(how.interpolation))},
                             {"gap_factor", how.gap_factor},
                             {"gaps", static_cast<std::int64_t>(even.gaps)},
                             {"missing_fraction", even.missing_fraction},

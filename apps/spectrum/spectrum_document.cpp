@@ -46,13 +46,13 @@ Settings settings_of(const SpectrumReport& report) {
 
 Settings result_of(const SpectrumReport& report) {
     const auto& s = report.spectrum;
-    const std::string state = report.signal.enough ? std::string(name(s.outcome)) : "too-short";
+    const std::string state = report.signal.enough ? std::string(name_of(s.outcome)) : "too-short";
     return {{"spectrum_outcome", state},
             {"two_sided", s.two_sided},
             {"frequency_step", s.frequency_step},
             {"variance", s.variance},
             {"entropy", report.entropy},
-            {"verdict", std::string(name(report.share.verdict))},
+            {"verdict", std::string(name_of(report.share.verdict))},
             {"line_fraction", report.share.line_fraction},
             {"nonstationarity", s.nonstationarity},
             {"segments", static_cast<std::int64_t>(s.segments)},
@@ -140,7 +140,7 @@ void print_table(const SpectrumReport& report) {
     const auto& s = report.spectrum;
     fmt::print("{} samples at {:g}, {} segments of {}; variance {:.8g}, entropy {:.4f}, {} ({:.1f} % in lines)\n",
                s.samples, report.signal.spacing, s.segments, s.segment_length, s.variance, report.entropy,
-               name(report.share.verdict), 100 * report.share.line_fraction);
+               name_of(report.share.verdict), 100 * report.share.line_fraction);
     constexpr std::size_t most = 20;
     if (!report.peaks.empty())
         fmt::print("{:>16} {:>14} {:>14} {:>12}\n", "peak: frequency", "power", "amplitude", "prominence");

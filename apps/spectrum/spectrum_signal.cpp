@@ -179,7 +179,7 @@ SpectrumSignal signal_of_series(const SpectrumOptions& options) {
     signal.spacing = even.series.spacing;
     signal.values = even.series.values;
     signal.resampled = {{"spacing", signal.spacing},
-                        {"interpolation", std::string(name(how.interpolation))},
+                        {"interpolation", std::string(name_of(how.interpolation))},
                         {"gap_factor", how.gap_factor},
                         {"gaps", static_cast<std::int64_t>(even.gaps)},
                         {"missing_fraction", even.missing_fraction},

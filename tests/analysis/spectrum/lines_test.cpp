@@ -54,10 +54,10 @@ TEST(Lines, AnIrrationalSineIsFoundBetweenTheBins) {
             const double frequency = (870 + detune + std::sqrt(2.0) * 1e-3) / 4096;
             const auto spectrum = power_spectrum(sine(4096, frequency, 1.7), 1, one_segment(window));
             const auto peaks = find_peaks(spectrum);
-            ASSERT_FALSE(peaks.empty()) << name(window);
+            ASSERT_FALSE(peaks.empty()) << name_of(window);
             const double bins = window == Window::rectangular ? 1e-3 : 1e-4;
-            EXPECT_NEAR(peaks[0].frequency * 4096, frequency * 4096, bins) << name(window) << " " << detune;
-            EXPECT_NEAR(peaks[0].amplitude, 1.7, 1.7e-3) << name(window) << " " << detune;
+            EXPECT_NEAR(peaks[0].frequency * 4096, frequency * 4096, bins) << name_of(window) << " " << detune;
+            EXPECT_NEAR(peaks[0].amplitude, 1.7, 1.7e-3) << name_of(window) << " " << detune;
             EXPECT_NEAR(peaks[0].power, 1.7 * 1.7 / 2, 2 * 1.7e-3 * 1.7);
         }
     }
@@ -191,7 +191,7 @@ TEST(Lines, APeriodOfTwoSamplesIsALineAtHalfTheSamplingFrequency) {
         const auto spectrum = power_spectrum(series, 1, options);
         ASSERT_EQ(spectrum.segment_length % 2, 0u);
         const auto peaks = find_peaks(spectrum);
-        ASSERT_EQ(peaks.size(), 1u) << name(window);
+        ASSERT_EQ(peaks.size(), 1u) << name_of(window);
         EXPECT_EQ(peaks[0].frequency, 0.5);
         EXPECT_NEAR(peaks[0].power, 0.49, 1e-12);
         EXPECT_EQ(line_share(spectrum).verdict, SpectrumVerdict::lines);

@@ -21,7 +21,7 @@ TEST(UniformMotion, TheIntegralIsThatOfThePosition) {
             };
             const Complex exact(part([](Complex z) { return z.real(); }), part([](Complex z) { return z.imag(); }));
             const Complex found = position_integral(motion, a, a + length, frame, 0.6);
-            EXPECT_LT(std::abs(found - exact), 1e-14 * length * 4) << name(frame) << " " << length;
+            EXPECT_LT(std::abs(found - exact), 1e-14 * length * 4) << name_of(frame) << " " << length;
         }
     }
 }

@@ -23,7 +23,7 @@ TEST(Window, TheClosedFormTransformIsTheSum) {
             for (std::size_t j = 0; j < n; ++j) {
                 sum += w[j] * std::polar(1.0, -2 * std::numbers::pi * x * static_cast<double>(j) / n);
             }
-            EXPECT_NEAR(window_transform(window, n, x), std::abs(sum), 1e-12 * n) << name(window) << " at " << x;
+            EXPECT_NEAR(window_transform(window, n, x), std::abs(sum), 1e-12 * n) << name_of(window) << " at " << x;
         }
     }
 }
@@ -32,8 +32,8 @@ TEST(Window, TheMainLobeEndsWhereItIsSaidTo) {
     constexpr std::size_t n = 512;
     for (const Window window : all_windows) {
         const double edge = main_lobe_half_width(window);
-        EXPECT_LT(window_transform(window, n, edge), 1e-12 * n) << name(window);
-        EXPECT_GT(window_transform(window, n, edge - 0.5), 1e-5 * n) << name(window);
+        EXPECT_LT(window_transform(window, n, edge), 1e-12 * n) << name_of(window);
+        EXPECT_GT(window_transform(window, n, edge - 0.5), 1e-5 * n) << name_of(window);
     }
 }
 
@@ -55,7 +55,7 @@ TEST(Window, EquivalentNoiseBandwidthsAreHarris) {
 }
 
 TEST(Window, NamesComeBack) {
-    for (const Window window : all_windows) EXPECT_EQ(window_from_name(name(window)), window);
+    for (const Window window : all_windows) EXPECT_EQ(window_from_name(name_of(window)), window);
     EXPECT_THROW(window_from_name("welch"), std::invalid_argument);
 }
 

@@ -188,43 +188,40 @@ TEST(Branches, PointsAreCyclesOfTheirScenes) {
     const auto c = tests::read_reference("cycles.json")["cycles"][4];
     for (const char* along :
          {"alpha=0.4:0.6", "beta=0.4:0.6", "mu=0.5:0.7", "restitution=0.8:1", "inertia-factor=0.3:0.45"}) {
-        const auto c = tests::read_reference("cycles.json")["cycles"][4];
-        for (const char* along :
-             {"alpha=0.4:0.6", "beta=0.4:0.6", "mu=0.5:0.7", "restitution=0.8:1", "inertia-factor=0.3:0.45"}) {
-            const auto followed = follow(c, along);
-            const auto parameter = apps::parameter_range_from(along, false, true).parameter.value();
-            ASSERT_GT(followed.branch.points.size(), 5U) << along;
-            for (std::size_t i = 0; i < followed.branch.points.size(); i += 7) {
-                const auto& point = followed.branch.points[i];
-                const auto map = apps::shooting_map_of(with_parameter(followed.scene, parameter, point.at.p));
-                const auto shooting = analysis::shooting_residual(map, point.at.points, 0);
-                ASSERT_TRUE(shooting.alive) << along;
-                EXPECT_LE(shooting.residual(), 1e-12) << along << " = " << point.at.p;
-            }
+        const auto followed = follow(c, along);
+        const auto parameter = apps::parameter_range_from(along, false, true).parameter.value();
+        ASSERT_GT(followed.branch.points.size(), 5U) << along;
+        for (std::size_t i = 0; i < followed.branch.points.size(); i += 7) {
+            const auto& point = followed.branch.points[i];
+            const auto map = apps::shooting_map_of(with_parameter(followed.scene, parameter, point.at.p));
+            const auto shooting = analysis::shooting_residual(map, point.at.points, 0);
+            ASSERT_TRUE(shooting.alive) << along;
+            EXPECT_LE(shooting.residual(), 1e-12) << along << " = " << point.at.p;
         }
     }
+}
 
-    // ∂F/∂p by Jets against central differences of F.
-    TEST(Branches, TheDerivativeAlongEveryParameter) {
-        for (const auto& c : listed("cycles.json")) {
-            const auto scene = tests::scene_from<double>(c);
-            const auto z = apps::coordinates_of(tests::point_from<double>(c["point"]), false);
-            for (const Parameter parameter : all_parameters) {
-                const auto map = apps::shooting_map_of(scene, parameter);
-                Scene<double> copy = scene;
-                const double p = number_of(copy, parameter);
-                constexpr double h = 1e-6;
-                const auto step = map.step(z, p);
-                const auto above = map.step(z, p + h), below = map.step(z, p - h);
-                ASSERT_TRUE(step.alive && above.alive && below.alive);
-                if (above.letter != below.letter) continue;
-                const Eigen::VectorXd quotient = map.difference(above.state, below.state) / (2 * h);
-                // h² of the third derivative and ε/h.
-                EXPECT_LE((quotient - step.by_parameter).norm(), 1e-7 * (1 + step.by_parameter.norm()))
-                    << name_of(parameter);
-            }
+// ∂F/∂p by Jets against central differences of F.
+TEST(Branches, TheDerivativeAlongEveryParameter) {
+    for (const auto& c : listed("cycles.json")) {
+        const auto scene = tests::scene_from<double>(c);
+        const auto z = apps::coordinates_of(tests::point_from<double>(c["point"]), false);
+        for (const Parameter parameter : all_parameters) {
+            const auto map = apps::shooting_map_of(scene, parameter);
+            Scene<double> copy = scene;
+            const double p = number_of(copy, parameter);
+            constexpr double h = 1e-6;
+            const auto step = map.step(z, p);
+            const auto above = map.step(z, p + h), below = map.step(z, p - h);
+            ASSERT_TRUE(step.alive && above.alive && below.alive);
+            if (above.letter != below.letter) continue;
+            const Eigen::VectorXd quotient = map.difference(above.state, below.state) / (2 * h);
+            // h² of the third derivative and ε/h.
+            EXPECT_LE((quotient - step.by_parameter).norm(), 1e-7 * (1 + step.by_parameter.norm()))
+                << name_of(parameter);
         }
     }
+}
 
 }  // namespace
 }  // namespace swirl

@@ -20,9 +20,9 @@ template <int D, class State = Vector<D>>
 struct Advance {
     State state;              ///< z′; meaningless unless `alive`
     double duration = 1;      ///< time that the step took (1 for a map without a flow)
-    std::int64_t letter = 0;  ///< which smooth branch of the map was taken: one letter of the orbit's word
+    std::int64_t letter = 0;  ///< which smooth branch of the map was taken; their sequence is the itinerary (word)
     bool alive = true;        ///< false: the map ends here (no next impact, sustained contact, escape)
-    double integral = 0;      ///< of an observable over the step's duration, for maps that have one
+    double integral = 0;      ///< ∫ of the observable over the step's duration, for maps that have one
 };
 
 /// The same with the derivative DF(z), by the coordinates.
@@ -87,9 +87,9 @@ State<M> state_at(const M& map, const Vector<M::dimension>& point) {
 ///   map.advance(z)         F(z)
 ///   map.linearise(z)       F(z) and DF(z), by the coordinates; the same F bit for bit
 ///   map.angle_period(i)    the period of coordinate i if it is an angle (2π), 0 if it is a plain number
-///   M::integrated          if it is there: the coordinate whose integral over a step is `integral`; others, and those
-///                          of a map without it, are held from step to step
-///   map.follow(z, n, stop) if it is there: see `follow`
+///   M::integrated          optional: the coordinate whose integral over a step is `integral`; all others (all, without
+///                          it) count as constant over a step
+///   map.follow(z, n, stop) optional: see `follow`
 template <class M>
 concept SectionMap = requires(const M& map, const State<M>& z, const Vector<M::dimension>& point, int i) {
     { M::dimension } -> std::convertible_to<int>;

@@ -4,10 +4,12 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# A compiler cache where there is one; -DCMAKE_CXX_COMPILER_LAUNCHER= does without it.
+# A compiler cache where there is one; -DSWIRL_CCACHE=OFF does without it. Paths below the checkout count from there, so
+# that two checkouts share what they compile.
 find_program(SWIRL_CCACHE ccache)
-if(SWIRL_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${SWIRL_CCACHE} CACHE STRING "What runs the compiler")
+if(SWIRL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    ${SWIRL_CCACHE})
 endif()
 
 add_library(swirl_options INTERFACE)

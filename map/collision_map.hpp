@@ -19,7 +19,7 @@ struct Collision {
     T jacobi_restitution{};    ///< −p ū_n
     T jacobi_friction{};       ///< q (ū_t − 1)
     bool simultaneous = false;
-    int steps = 0;  ///< moments looked at by the search for the contact
+    int steps = 0;  ///< moments at which the search evaluated the flight
 };
 
 /// The map of one scene, specialised once: shape and impact rule are template parameters, so that a disk carries no
@@ -38,20 +38,13 @@ public:
     const Body<T>& body() const { return body_; }
 
     /// F, from just after an impact. Cost: one certified search for the contact, one impact.
-    Collision<T> advance(const PostImpactState<T>& post_impact) const {
-        return advance(flight_from(body_, post_impact));
-    }
+    Collision<T> advance(const PostImpactState<T>& post_impact) const;
 
     /// The first impact of any flight.
-    Collision<T> advance(const Flight<T>& flight) const {
-        Collision<T> collision;
-        advance(flight, collision);
-        return collision;
-    }
+    Collision<T> advance(const Flight<T>& flight) const;
 
-    /// The same into a collision that is there: `post-impact state` may be its own `after`. For long orbits: nothing is
-    /// copied between two impacts, and the copy of a struct whose members have just been written costs more than they
-    /// did.
+    /// The same, written into an existing collision; `post_impact` may be its own `after`. For long orbits: no copy is
+    /// made between two impacts (copying a struct just after its members were written is slow).
     [[gnu::always_inline]] void advance(const PostImpactState<T>& post_impact, Collision<T>& collision) const {
         advance(flight_from(body_, post_impact), collision);
     }
@@ -67,7 +60,7 @@ public:
     [[gnu::always_inline]] void strike(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm,
                                        Collision<T>& collision) const {
         const Vec2<T> x = shape == Shape::disk ? body_.per_inner * at.centre : at.centre + arm;
-        const T longer = missing_length(x);  // a contact: of length 1 already, but for rounding
+        const T longer = missing_length(x);  // at a contact |x| = 1 but for rounding
         const Vec2<T> velocity = seen_from(x, flight.velocity);
         PostImpactState<T>& after = collision.after;
         after.psi = renormalised(seen_from(at.phase, x));  // ψ = arg n − arg w
@@ -93,13 +86,8 @@ public:
     }
 
 private:
-    /// For the flights that the direct path leaves over.
-    [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const {
-        const FirstContact<T> contact = detail::certain_contact<shape>(body_, flight);
-        if (contact.outcome == FirstContactOutcome::contact) return arrive(flight, contact, collision);
-        collision.outcome = contact.outcome;
-        collision.steps = contact.steps;
-    }
+    /// For the flights that the direct search leaves undecided: conservative advancement.
+    [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const;
 
     [[gnu::always_inline]] void arrive(const Flight<T>& flight, const FirstContact<T>& contact,
                                        Collision<T>& collision) const {
@@ -153,8 +141,8 @@ private:
     Body<T> body_;
 };
 
-/// Calls `use(map)` with the map specialised for the scene: the one place where a scene's choices are looked at.
-/// The disk's three laws coincide (B₃ = 0), so it has one rule with friction.
+/// Calls `use(map)` with the map specialised for the scene: the one place where a scene's options are branched on. The
+/// disk's three laws coincide (B₃ = 0), so it has one rule with friction.
 template <class T, class Use>
 auto with_collision_map(const Scene<T>& scene, Use&& use) {
     const bool frictionless = scene.mu == T(0);
@@ -173,5 +161,46 @@ auto with_collision_map(const Scene<T>& scene, Use&& use) {
     }
     return use(CollisionMap<T, Shape::polygon, ImpactRule::poisson>(scene));
 }
+
+template <class T, Shape shape_, ImpactRule rule_>
+auto CollisionMap<T, shape_, rule_>::advance(const PostImpactState<T>& post_impact) const -> Collision<T> {
+    return advance(flight_from(body_, post_impact));
+}
+
+template <class T, Shape shape_, ImpactRule rule_>
+auto CollisionMap<T, shape_, rule_>::advance(const Flight<T>& flight) const -> Collision<T> {
+    Collision<T> collision;
+    advance(flight, collision);
+    return collision;
+}
+
+template <class T, Shape shape_, ImpactRule rule_>
+auto CollisionMap<T, shape_, rule_>::advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const
+    -> void {
+    const FirstContact<T> contact = detail::certain_contact<shape>(body_, flight);
+    if (contact.outcome == FirstContactOutcome::contact) return arrive(flight, contact, collision);
+    collision.outcome = contact.outcome;
+    collision.steps = contact.steps;
+}
+
+// Compiled once, in maps_in_*.cpp: the first contact takes a second to compile for each map.
+extern template class CollisionMap<double, Shape::disk, ImpactRule::frictionless>;
+extern template class CollisionMap<double, Shape::disk, ImpactRule::poisson>;
+extern template class CollisionMap<double, Shape::polygon, ImpactRule::frictionless>;
+extern template class CollisionMap<double, Shape::polygon, ImpactRule::poisson>;
+extern template class CollisionMap<double, Shape::polygon, ImpactRule::newton>;
+extern template class CollisionMap<double, Shape::polygon, ImpactRule::stronge>;
+extern template class CollisionMap<long double, Shape::disk, ImpactRule::frictionless>;
+extern template class CollisionMap<long double, Shape::disk, ImpactRule::poisson>;
+extern template class CollisionMap<long double, Shape::polygon, ImpactRule::frictionless>;
+extern template class CollisionMap<long double, Shape::polygon, ImpactRule::poisson>;
+extern template class CollisionMap<long double, Shape::polygon, ImpactRule::newton>;
+extern template class CollisionMap<long double, Shape::polygon, ImpactRule::stronge>;
+extern template class CollisionMap<Quad, Shape::disk, ImpactRule::frictionless>;
+extern template class CollisionMap<Quad, Shape::disk, ImpactRule::poisson>;
+extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::frictionless>;
+extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::poisson>;
+extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::newton>;
+extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::stronge>;
 
 }  // namespace swirl

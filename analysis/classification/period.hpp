@@ -6,10 +6,9 @@
 #include "analysis/cycles/minimal_period.hpp"
 #include "analysis/cycles/newton.hpp"
 #include "analysis/cycles/stability.hpp"
+#include "analysis/linear_algebra/decompositions.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>

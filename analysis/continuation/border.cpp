@@ -11,8 +11,8 @@ namespace swirl::analysis {
 
 namespace {
 
-/// F is continuous across a border, and so is the time of each step: where another impact has slipped in or one has
-/// been left out it jumps. Near grazing the time moves by up to 1/margin per length, hence the factor.
+/// F is continuous across a border, and so is the time of each step, unless an impact is gained or lost: then it jumps.
+/// Near grazing the time changes by up to 1/margin per unit of length, hence the factor.
 bool is_continuous(const ShootingResidual& behind, const ShootingResidual& last, double h) {
     const double tolerated = 1e-6 + std::min(1e3 * h, 1e-2);
     for (std::size_t i = 0; i < last.steps.size(); ++i)
@@ -20,8 +20,8 @@ bool is_continuous(const ShootingResidual& behind, const ShootingResidual& last,
     return true;
 }
 
-/// Steps from `base` until a cycle with another word than that of `last` is met; F is continuous across, so that it is
-/// as near as the step was long.
+/// Steps from `base` until a cycle with another itinerary than that of `last` is met; F is continuous across, so that
+/// it is as near as the step was long.
 bool step_behind(const ShootingMap& map, const CurvePoint& base, const ShootingResidual& last, double sign,
                  CurvePoint& behind) {
     CorrectorOptions any;
@@ -37,7 +37,7 @@ bool step_behind(const ShootingMap& map, const CurvePoint& base, const ShootingR
     return false;
 }
 
-/// The base as the other side sees it: derivative and tangent of a point aside that has another word.
+/// The base with the derivative and tangent of the other side, from a nearby point with another itinerary.
 bool seen_from(const ShootingMap& map, const CurvePoint& last, Eigen::Index coordinate, double shift,
                CurvePoint& base) {
     Eigen::VectorXd z = stacked(last.points);

@@ -1,15 +1,15 @@
-// What lies behind a border of the map.
+// The continuation of a branch behind a border of the map.
 #pragma once
 
 #include "analysis/cycles/curve.hpp"
 
 namespace swirl::analysis {
 
-/// Looks behind the border that `last`, the last cycle with its word, lies on to rounding. F is continuous across most
-/// borders and DF jumps, so another smooth branch of cycles may begin there, straight on or turned back. Its tangent is
-/// worked out from the derivative at points a little aside that have another word.
-///   word_after  the word found behind; empty if the map ends all around
-/// False if no cycle begins there. One whose steps take another time than those of `last` has nothing to do with it.
+/// Searches behind the border on which `last`, the last cycle with its itinerary, lies to rounding. F is continuous
+/// across most borders and DF jumps, so another smooth branch of cycles may begin there, straight on or turned back.
+/// Its tangent follows from the derivative at nearby points with another itinerary.
+///   word_after  the itinerary found behind; empty if the map ends at all points tried
+/// False if no cycle continues there. A cycle whose steps take another time than those of `last` is not a continuation.
 bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std::int64_t>& word_after,
                  CurvePoint& behind);
 

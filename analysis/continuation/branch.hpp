@@ -28,9 +28,9 @@ enum class BranchEnd {
     border,         ///< a border of the map behind which no cycle was found to go on
     not_converged,  ///< no cycle was found to go on, though the map does
     most_points,    ///< as many points as were asked for
-    halved,         ///< it met the flip of a cycle of half its period, behind which it comes again
+    halved,         ///< it met the flip of a cycle of half its period, behind which it repeats itself
     switched,       ///< it begins at a special point of another branch
-    family,         ///< solutions are no curve over the parameter from there on, but a family at one value of it
+    family,         ///< from there on the solutions are no curve over the parameter, but a family at one value of it
     stopped,        ///< interrupted
 };
 std::string_view name(BranchEnd end);
@@ -44,7 +44,7 @@ struct BranchPoint {
     double mean = 0;  ///< time mean of the observable
 };
 
-/// A point at which something happens, located on the branch.
+/// A special point (SpecialKind), located on the branch.
 struct SpecialPoint {
     SpecialKind kind = SpecialKind::fold;
     std::string border;  ///< its name, for a border

@@ -115,15 +115,16 @@ private:
         end(BranchEnd::range);
     }
 
-    /// At the end of a parameter's range the rule itself may change (μ → 0) and cycles become families (β = 0): test
-    /// functions say nothing there.
+    /// At the end of a parameter's range the impact rule may change (μ → 0) or cycles become families (β = 0): test
+    /// functions are not meaningful there.
     bool is_smooth_to(const CurvePoint& last) const {
         const Eigen::MatrixXd& before = here().shooting.by_points;
         return word_of(last.shooting) == word_of(here().shooting) && is_on_curve(map_, last.shooting) &&
                (last.shooting.by_points - before).norm() <= 1e-3 * before.norm();
     }
 
-    /// Did the two halves of the cycle change places on the way? Then it went through a cycle of half the period.
+    /// True if the two halves of the cycle were exchanged on the way: the branch then passed a cycle of half the
+    /// period.
     bool is_halved(const CurvePoint& next) const {
         const std::size_t k = next.points.size();
         double product = 0;
@@ -133,8 +134,8 @@ private:
         return product < 0;
     }
 
-    /// Do the solutions from here on fill more than a curve, or a curve at one value of the parameter? Branches cross
-    /// in a point and turn back in one: two successive points tell.
+    /// True if the solutions from here on form more than a curve, or a curve at one value of the parameter. Branch
+    /// points and folds are isolated, so two successive points decide.
     bool joins_family(const CurvePoint& next) {
         if (!map_.has_parameter) return false;
         constexpr double level = 1e-9;
@@ -144,7 +145,7 @@ private:
         return is_level || (!was_on_curve && !on_curve_);
     }
 
-    /// Back where it began, after it had been away.
+    /// True if the branch is back at its first point after having left its neighbourhood.
     bool has_closed() {
         const double away =
             std::max(std::abs(here().p - start_.p), distance_between(map_, here().points, start_.points));
@@ -152,7 +153,7 @@ private:
         return has_left_ && away < options_.longest_step && has_start_direction();
     }
 
-    /// The tangents agree, whichever of the cycle's points is called the first.
+    /// True if the tangents agree up to a cyclic shift of the cycle's points.
     bool has_start_direction() const {
         const std::size_t k = start_.points.size();
         const Eigen::Index d = map_.dimension, size = here().shooting.gap.size();
@@ -175,14 +176,15 @@ private:
         return std::min(std::abs(p - options_.low), std::abs(p - options_.high)) < 1e-9 * (1 + std::abs(p));
     }
 
-    /// Does the branch leave the range from its end, or run along it?
+    /// True if the branch leaves the range at its end, or runs along it.
     bool leads_out() const {
         if (!map_.has_parameter) return false;
         const bool low = std::abs(here().p - options_.low) < std::abs(here().p - options_.high);
         return (low ? 1 : -1) * here().parameter_slope() < 1e-9;
     }
 
-    /// No cycle with this word goes on: names the border, and goes on behind it if a cycle with another word does.
+    /// No cycle with this itinerary follows: names the border, and continues behind it if a cycle with another
+    /// itinerary does.
     void meet_border() {
         if (is_at_range()) return finish_at_range();
         SpecialPoint special;
@@ -212,7 +214,7 @@ private:
     int successes_ = 0;
     Correction failure_ = Correction::converged;  ///< how the last step failed
     bool has_left_ = false;
-    bool on_curve_ = true;  ///< was the last point that was tried on one?
+    bool on_curve_ = true;  ///< whether the last point that was tried was on a curve
     bool ended_ = false;
 };
 

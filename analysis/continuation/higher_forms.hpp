@@ -16,8 +16,8 @@ struct HigherForms {
     std::function<std::optional<Eigen::MatrixXd>(const Eigen::VectorXd& u, const Eigen::VectorXd& v)> second;
 };
 
-/// Central differences in the number type T, good to h² and l² relative to the next derivatives but for T's rounding
-/// over h and l²: with 113 bits and h = 10⁻¹⁰, l = 10⁻⁸ both are below 10⁻¹⁵.
+/// Central differences in the number type T, with errors O(h²) and O(l²) relative to the next derivatives, plus T's
+/// rounding over h and l²: with 113 bits and h = 10⁻¹⁰, l = 10⁻⁸ both are below 10⁻¹⁵.
 ///   derivative  A(z; p) in T; false where the map ends
 template <class T>
 HigherForms difference_forms(std::function<bool(const Eigen::Matrix<T, Eigen::Dynamic, 1>&, const T&,

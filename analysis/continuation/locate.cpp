@@ -69,7 +69,7 @@ bool locate(const ShootingMap& map, const CurvePoint& base, double h, double f0,
     const auto guarded = [&](double s) {
         const double f = at(s);
         failed = failed || !std::isfinite(f);
-        return failed ? 0.0 : f;  // ends the search; told by `failed`
+        return failed ? 0.0 : f;  // 0 ends the search; `failed` is checked after it
     };
     std::tie(low, high) =
         boost::math::tools::toms748_solve(guarded, 0.0, h, f0, f1, boost::math::tools::eps_tolerance<double>(52), most);

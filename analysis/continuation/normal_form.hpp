@@ -19,7 +19,8 @@ struct NormalForm {
     std::complex<double> parameter;  ///< a
     std::complex<double> nonlinear;  ///< b
     double angle = 0;                ///< θ, of a Neimark–Sacker point
-    /// flip: b > 0; Neimark–Sacker: Re b < 0: what is born is stable where the cycle is not (other multipliers apart).
+    /// flip: b > 0; Neimark–Sacker: Re b < 0. What is born is then stable where the cycle is not, if the other
+    /// multipliers lie inside the unit circle.
     bool supercritical = false;
 };
 

@@ -2,9 +2,8 @@
 
 #include "analysis/cycles/minimal_period.hpp"
 #include "analysis/cycles/null_space.hpp"
+#include "analysis/linear_algebra/decompositions.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "analysis/cycles/newton.hpp"
 
-#include <Eigen/QR>
+#include "analysis/linear_algebra/decompositions.hpp"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 #include "analysis/cycles/null_space.hpp"
 
-#include <Eigen/SVD>
+#include "analysis/linear_algebra/decompositions.hpp"
 
 #include <algorithm>
 #include <cmath>

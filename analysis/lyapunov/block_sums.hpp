@@ -27,15 +27,15 @@ private:
     std::vector<std::vector<double>> sums_;  ///< [channel][block]
 };
 
-/// Standard error of the mean of block values, with the correlation that is left between neighbouring blocks.
+/// Standard error of the mean of block values, with the remaining correlation of neighbouring blocks.
 struct BlockError {
     double standard_error = 0;    ///< of the mean of `values`; NaN below 4 blocks
     double effective_blocks = 0;  ///< B (1 − r)/(1 + r), at most B; r: lag-1 correlation of the blocks
 };
 BlockError block_error(const std::vector<double>& values);
 
-/// How the sum of a series wanders: the root mean square of its sums over blocks of 1, 2, 4, … steps.
-/// Memory O(log steps), cost O(1) per step on average.
+/// The growth of the sum of a series: the root mean square of its sums over blocks of 1, 2, 4, … steps. Memory O(log
+/// steps), cost O(1) per step on average.
 class DyadicSquares {
 public:
     void add(double value);

@@ -33,8 +33,8 @@ void require_square(std::span<const Eigen::MatrixXd> derivatives) {
     }
 }
 
-/// How many directions the cycle annihilates: a frame in general position is carried round D times, for a nilpotent
-/// part of size D needs D applications.
+/// The dimension of the generalised null space of DFᵏ: a frame in general position is carried round D times, since a
+/// nilpotent part of size D vanishes at the Dth power.
 Eigen::Index lost_ranks(std::span<const Eigen::MatrixXd> derivatives, double rank_tolerance) {
     const Eigen::Index dimension = derivatives[0].rows();
     Eigen::MatrixXd frame = generic_frame(static_cast<int>(dimension));

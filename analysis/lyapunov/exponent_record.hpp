@@ -48,7 +48,7 @@ struct LyapunovSpectrum {
     std::vector<double> standard_errors;           ///< per step; NaN for −∞ and below 4 blocks
     std::vector<double> per_time_standard_errors;  ///< per unit of time (ratio estimator)
     std::vector<double> effective_blocks;
-    /// p of how far Σ ln growth wanders over ℓ steps, ∝ ℓ^p: ≈ 0 bounded (neutral), ½ a random walk, 1 a drift.
+    /// p in RMS(Σ ln growth over ℓ steps) ∝ ℓ^p: ≈ 0 bounded (neutral), ½ a random walk, 1 a drift.
     std::vector<double> growth_orders;
     /// Weighted Birkhoff means, per step: on periodic and quasi-periodic orbits they converge faster than any power of
     /// 1/steps, where the plain means are off by O(1/steps). NaN unless completed.

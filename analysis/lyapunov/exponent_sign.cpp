@@ -37,7 +37,7 @@ void measure_octaves(SignEvidence& evidence, const std::vector<double>& sums) {
         std::min({evidence.octave_before, std::accumulate(middle, last, 0.0), std::accumulate(last, sums.end(), 0.0)});
 }
 
-/// Σ ln growth goes on and on in one direction.
+/// True if Σ ln growth drifts in one direction.
 bool drifts(const SignEvidence& evidence, double total, const SignOptions& options) {
     return std::abs(total) > options.drift && evidence.last_octave * total > options.drift_share * total * total;
 }
@@ -114,7 +114,7 @@ Settling judge_settling(const LyapunovSpectrum& spectrum, std::size_t index, dou
     result.early = mean_of(sums, 0, quarter) / length;
     result.late = mean_of(sums, half, sums.size()) / length;
     const BlockError late = block_error({sums.begin() + half, sums.end()});
-    // The early mean has a scatter of its own, from fewer blocks of the same kind.
+    // The early mean scatters, too: the same variance per block, but fewer blocks.
     const double inflation = 1 + static_cast<double>(sums.size() - half) / static_cast<double>(quarter);
     result.error = late.standard_error / length * std::sqrt(inflation);
     result.last_change = change_over_last_doubling(spectrum, index);

@@ -15,7 +15,7 @@ enum class ExponentSign {
     positive,
     negative,
     neutral,    ///< zero: the summed growth stays bounded, or grows like its logarithm (a sheared family)
-    undecided,  ///< within the error of zero, but the sum wanders: zero or too small for this length
+    undecided,  ///< within the error of zero, but the sum grows like a random walk: zero, or too small for this length
 };
 std::string_view name(ExponentSign sign);
 
@@ -27,7 +27,7 @@ struct SignOptions {
     double shear_ratio = 1.5;        ///< … by as much as in the octave before (a drift: by twice as much)
     double neutral_weighted = 1e-7;  ///< or: a weighted mean that is, with its half difference, below this
     double burst_sigmas = 3;         ///< standard errors that are enough where growth goes on in every quarter
-    double drift = 20;               ///< Σ ln growth beyond this is none that a bounded sum or a shear leaves, if …
+    double drift = 20;               ///< Σ ln growth beyond this excludes a bounded sum and a shear, if …
     double drift_share = 0.25;       ///< … so much of it comes in the last half (a drift: ½, a shear: 0.07)
 };
 
@@ -47,15 +47,15 @@ struct SignEvidence {
 
 /// Judges exponent `index` (0: the largest). −∞ is negative. Neutral if its weighted mean is zero to
 /// `neutral_weighted`, or if it is within the shrinking bound and Σ ln growth is bounded (`neutral_growth`) or grows
-/// like ln n (`shear_octave`, `shear_ratio`; for a Jordan block of size 2). Not neutral is a sum that drifts: beyond
+/// like ln n (`shear_octave`, `shear_ratio`; for a Jordan block of size 2). A sum that drifts is not neutral: beyond
 /// `drift`, with at least `drift_share` of it in the last half. Otherwise signed if it is `sigmas` standard errors from
 /// zero, else undecided; undecided too where there are too few steps for the evidence. Positive beyond `burst_sigmas`
 /// already (the error is large where growth comes in bursts) if each of the last three quarters has grown by more than
-/// neutral_scale (1 + ln n): no product of a regular orbit's derivatives does, it grows like a power of n.
-/// Throws std::invalid_argument for an index out of range.
+/// neutral_scale (1 + ln n): on a regular orbit the product of derivatives grows at most like a power of n. Throws
+/// std::invalid_argument for an index out of range.
 SignEvidence judge_sign(const LyapunovSpectrum& spectrum, std::size_t index, const SignOptions& options = {});
 
-/// Has the running mean settled, or is the orbit still a transient?
+/// Whether the running mean has converged, or the orbit is still a transient.
 struct Settling {
     bool settled = false;
     double early = 0;        ///< mean over the first quarter of the blocks, per step
@@ -64,12 +64,12 @@ struct Settling {
     double last_change = 0;  ///< |λ(n) − λ(n/2)| from the record
 };
 
-/// Settled if |late − early| ≤ max(sigmas · error, tolerance). A transient has grown or shrunk differently at first.
-/// −∞ is settled. NaN and not settled below 32 blocks. `tolerance` is per step. Throws for an index out of range.
+/// Settled if |late − early| ≤ max(sigmas · error, tolerance): during a transient the growth rate differs. −∞ is
+/// settled. NaN and not settled below 32 blocks. `tolerance` is per step. Throws for an index out of range.
 Settling judge_settling(const LyapunovSpectrum& spectrum, std::size_t index, double tolerance = 1e-3,
                         double sigmas = 5);
 
-/// Is the gradient field g of a conserved quantity carried along, g(F(z)) DF(z) = g(z)? Then one direction is neutral.
+/// Tests whether g is the gradient of a conserved quantity, g(F(z)) DF(z) = g(z); one direction is then neutral.
 struct GradientInvariance {
     LyapunovOutcome outcome = LyapunovOutcome::completed;
     std::int64_t steps = 0;

@@ -20,7 +20,8 @@ inline double log_growth(double r, double norm, double rank_tolerance) {
     return std::abs(r) <= rank_tolerance * norm ? -infinity : std::log(std::abs(r));
 }
 
-/// The last part of the transient is followed with the frame, so that it has turned into the orbit's own directions.
+/// The last part of the transient is followed with the frame, so that the frame has converged to the orbit's Lyapunov
+/// directions.
 inline std::int64_t frame_transient(std::int64_t transient) {
     return transient - transient / 2;
 }
@@ -31,11 +32,10 @@ inline std::int64_t frame_transient(std::int64_t transient) {
 /// orthonormal to rounding even where DF is singular).
 ///   state    start, on the section; `options.transient` steps come first, the second half of them with the frame
 /// A step on which R_ii is zero to rounding has annihilated direction i: that exponent is −∞ from then on, the others
-/// go on in the new frame. −∞ sorts last. The transient does not count losses.
-/// A pair of complex or a neutral, sheared direction converges only as (ln n)/n in the plain mean; see
-/// `weighted_exponents` and `judge_sign`. Outcomes: LyapunovOutcome. Cost O(D³) per step besides DF.
-/// Source: Benettin, Galgani, Giorgilli & Strelcyn, Meccanica 15 (1980) 9; Geist, Parlitz & Lauterborn,
-/// Prog. Theor. Phys. 83 (1990) 875.
+/// continue in the new frame. −∞ sorts last. The transient does not count losses. A pair of complex or a neutral,
+/// sheared direction converges only as (ln n)/n in the plain mean; see `weighted_exponents` and `judge_sign`. Outcomes:
+/// LyapunovOutcome. Cost O(D³) per step besides DF. Source: Benettin, Galgani, Giorgilli & Strelcyn, Meccanica 15
+/// (1980) 9; Geist, Parlitz & Lauterborn, Prog. Theor. Phys. 83 (1990) 875.
 template <SectionMap M>
 LyapunovSpectrum lyapunov_spectrum(const M& map, State<M> state, const LyapunovOptions& options = {}) {
     constexpr int D = M::dimension;

@@ -1,6 +1,6 @@
 // Counts the lines of a matrix whose columns come one at a time as bits, in blocks of columns on several threads.
 //
-// Bits are placed so that a diagonal keeps its bit from one column to the next (line_kernels.hpp, Frame). Lines of one
+// Bits are placed so that a diagonal keeps its bit from one column to the next (line_frame.hpp). Lines of one
 // or two points, most of them when RR is small, are then counted 64 at a time by population counts; longer ones are
 // entered when they begin and tallied when they end. Lines that cross from one block into the next are joined later.
 // Of a symmetric matrix only the diagonals below the main one are followed.

@@ -58,7 +58,7 @@ void judge(RotationNumber& result, bool converged, const RotationOptions& option
     result.outcome = result.denominator > 0 ? RotationOutcome::periodic : RotationOutcome::quasi_periodic;
 }
 
-/// How fast the halves come together between n/4 and n samples.
+/// The order p of the halves' difference, ∝ n^(−p), between n/4 and n samples.
 double convergence_order(std::span<const double> advances, double half_difference) {
     const double early = weighted_birkhoff_average(advances.first(advances.size() / 4)).half_difference;
     if (early < rounding_turns) return 0;

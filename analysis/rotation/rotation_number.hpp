@@ -1,4 +1,4 @@
-// The rotation number of an angle, and the fundamental frequency of any observable: is the orbit a torus?
+// The rotation number of an angle, and the fundamental frequency of any observable: whether an orbit lies on a torus.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct RotationOptions {
     std::int64_t max_denominator = 256;  ///< longest period that counts as locked
     double rational_tolerance = 1e-9;    ///< turns; a fraction within max(this, 10 half differences) is locking
     int max_lines = 6;                   ///< lines examined in `rotation_of_observable`
-    double min_line_share = 1e-6;        ///< lines that carry a smaller share of the variance are left alone
+    double min_line_share = 1e-6;        ///< lines with a smaller share of the variance are ignored
     double max_line_error = 1e-3;        ///< of a line, half_difference · n: chaos shows 0.1 to 1
     double max_residual = 0.5;           ///< share of the variance that the lines of a torus may leave unexplained
     double min_angular_gap = 0.05;       ///< turns; part of the circle that the advances must leave free
@@ -58,9 +58,10 @@ struct RotationNumber {
 ///   angles   n samples on one orbit, in the unit of `period`, not unwrapped
 ///   period   2π for radians, 1 for turns, > 0
 /// Each advance is only known modulo `period`: the branch is cut in the middle of the widest arc that no advance
-/// visits. If no arc wider than `min_angular_gap` is free, no branch is right and the outcome is `not_a_rotation`.
-/// Throws std::invalid_argument for a period that is not positive and finite, or samples that are not finite.
-/// Cost O(n log n). Source: Das et al., Nonlinearity 30 (2017) 4111; Sander & Meiss, Physica D 411 (2020) 132569.
+/// visits. If no arc wider than `min_angular_gap` is free, the branch is not defined and the outcome is
+/// `not_a_rotation`. Throws std::invalid_argument for a period that is not positive and finite, or samples that are not
+/// finite. Cost O(n log n). Source: Das et al., Nonlinearity 30 (2017) 4111; Sander & Meiss, Physica D 411 (2020)
+/// 132569.
 RotationNumber rotation_number_of_angle(std::span<const double> angles, double period,
                                         const RotationOptions& options = {});
 
@@ -89,7 +90,7 @@ std::vector<FrequencyLine> fundamental_frequencies(std::span<const double> sampl
 
 /// Rotation number of a torus from any observable: the strongest converged line that is not locked. When every line
 /// that was examined is a fraction: `periodic`. When the strongest has not converged, the delay angle is tried.
-/// The result is ρ up to the torus' own ambiguity m ρ + k (which line is strongest depends on the observable).
+/// The result is ρ up to m ρ + k with integers m, k: which line is strongest depends on the observable.
 RotationNumber rotation_of_observable(std::span<const double> samples, const RotationOptions& options = {});
 
 }  // namespace swirl::analysis

@@ -11,11 +11,11 @@ namespace swirl::analysis {
 
 /// Accumulates x̄_k = (1/Δ) ∫_{kΔ}^{(k+1)Δ} x(start + t) dt for a signal that arrives in consecutive pieces.
 ///   Value   double, or std::complex<double> for a point x + iy of the plane
-/// Averaging before sampling is what keeps a jump of S(t) from aliasing: it is the ideal hold's own low-pass,
-/// sinc²(fΔ) in power. A constant piece is exact to rounding; any other piece is as exact as the integral given for it.
-/// With `max_bins` > 0 the number of bins is bounded: when they are full, neighbours are merged and Δ doubles (still
-/// exact, for the halves have equal length), so an orbit of unknown length needs O(max_bins) memory.
-/// Cost O(pieces + bins). The last, incomplete bin is not part of averages().
+/// Averaging before sampling reduces the aliasing of jumps of S(t): it is a low-pass, sinc²(fΔ) in power. A constant
+/// piece is exact to rounding; any other piece is as exact as the integral given for it. With `max_bins` > 0 the number
+/// of bins is bounded: when they are full, neighbours are merged and Δ doubles (still exact, for the halves have equal
+/// length), so an orbit of unknown length needs O(max_bins) memory. Cost O(pieces + bins). The last, incomplete bin is
+/// not part of averages().
 template <class Value>
 class BinAverager {
 public:

@@ -284,21 +284,4 @@ PowerSpectrum power_spectrum(std::span<const Complex> series, double spacing, co
     return estimate(series, spacing, options);
 }
 
-double spectral_entropy(const PowerSpectrum& spectrum) {
-    double total = 0;
-    double count = 0;
-    for (std::size_t k = 0; k < spectrum.power.size(); ++k) {
-        if (spectrum.frequency[k] == 0) continue;
-        total += spectrum.power[k];
-        count += 1;
-    }
-    if (!(total > 0)) return std::numeric_limits<double>::quiet_NaN();
-    double entropy = 0;
-    for (std::size_t k = 0; k < spectrum.power.size(); ++k) {
-        const double share = spectrum.power[k] / total;
-        if (spectrum.frequency[k] != 0 && share > 0) entropy -= share * std::log(share);
-    }
-    return entropy / std::log(count);
-}
-
 }  // namespace swirl::analysis

@@ -77,8 +77,4 @@ PowerSpectrum power_spectrum(std::span<const double> series, double spacing, con
 PowerSpectrum power_spectrum(std::span<const std::complex<double>> series, double spacing,
                              const SpectrumOptions& options = {});
 
-/// −Σ p ln p / ln m with p = power/Σ power over the m frequencies other than 0: 0 for one line, 1 for white. NaN if
-/// there is no power.
-double spectral_entropy(const PowerSpectrum& spectrum);
-
 }  // namespace swirl::analysis

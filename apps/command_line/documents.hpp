@@ -1,4 +1,4 @@
-// What every JSON document and every record says about the work behind it: version, scene, start, units.
+// What every JSON document and every record states about its origin: version, scene, start, units.
 #pragma once
 
 #include "apps/command_line/scene_options.hpp"

@@ -1,4 +1,4 @@
-// How a command ends other than well. Exit codes: docs/command-line.md, "Exit codes".
+// The errors with which a command ends. Exit codes: docs/command-line.md, "Exit codes".
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// How results leave: a table, JSON, a record; and how quietly.
+// The form of the results (table, JSON, record), and how much is printed beside them.
 #pragma once
 
 #include "apps/command_line/errors.hpp"

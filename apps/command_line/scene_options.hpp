@@ -12,7 +12,7 @@
 
 namespace swirl::apps {
 
-/// What physical numbers were given in: lengths in R_c, times in 1/ω_s, masses in m.
+/// The units of physical input: lengths in R_c, times in 1/ω_s, masses in m.
 struct Units {
     double length = 1;
     double time = 1;

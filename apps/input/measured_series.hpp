@@ -35,7 +35,7 @@ inline constexpr double even_within = 0.04;
 /// or time (a unit may follow: "time [s]"), or without a header the first of two or more. The values are the column
 /// that `column` names, by default S or spin, or else the last that isn't the times. A missing value is kept as NaN.
 /// Values are 0 or within a scene's bounds (10⁻⁷⁵ … 10⁷⁵), so that their fourth powers can be held; smaller ones are
-/// fine beside one that is within.
+/// allowed if at least one value is within them.
 /// @throws BadInput naming file, line, its text and what is allowed: see delimited_file.hpp; a missing, repeated or
 /// falling time; a value or time that is too large, values that are all too small; fewer than two values
 MeasuredSeries read_series(const SeriesChoice& choice);

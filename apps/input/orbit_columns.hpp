@@ -18,7 +18,7 @@ struct ImpactRange {
     std::int64_t collisions = -1;
 };
 
-/// The way from one impact to the next where it led through contact.
+/// The motion from one impact to the next where it includes sustained contact.
 struct ContactWay {
     std::size_t after = 0;  ///< index, among those kept, of the impact before it
     std::vector<TrajectorySegment> trajectory;

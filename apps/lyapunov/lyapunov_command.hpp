@@ -39,7 +39,8 @@ struct OrbitSpectrum {
     long long impacts = 0;
 };
 
-/// Halves of an orbit that agree on a weighted mean so well are those of a regular orbit.
+/// If the halves of an orbit agree on a weighted mean to this, the orbit counts as regular (periodic or
+/// quasi-periodic).
 inline constexpr double regular_agreement = 1e-8;
 
 /// The spectrum of one orbit. A pure function of its arguments.

@@ -12,7 +12,7 @@
 
 namespace swirl::apps {
 
-/// The journal was begun by other work.
+/// The journal belongs to a computation with another header.
 class JournalMismatch : public RecordError {
 public:
     using RecordError::RecordError;

@@ -1,4 +1,4 @@
-// The recurrence conventions as words.
+// The names of the recurrence conventions.
 #pragma once
 
 #include "analysis/recurrence/settings.hpp"

@@ -1,4 +1,4 @@
-// From what was given to the points that recur.
+// The points of an orbit, a record or a series whose recurrences are counted.
 #pragma once
 
 #include "analysis/recurrence/metric.hpp"

@@ -1,4 +1,4 @@
-// Where impacts go as they come: a table, JSON, a record. Nothing is kept.
+// Outputs that take impacts one at a time: a table, JSON, a record. Impacts are written at once, not stored.
 #pragma once
 
 #include "apps/command_line/documents.hpp"
@@ -9,8 +9,7 @@
 
 namespace swirl::apps::simulate {
 
-/// Writes "collisions": [...] into an open JSON object.
-/// and then "contacts": [...]; those are kept until then.
+/// Writes "collisions": [...] into an open JSON object, then "contacts": [...], which are stored until then.
 class JsonImpacts {
 public:
     JsonImpacts(JsonWriter& json, bool disk);

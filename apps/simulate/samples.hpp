@@ -17,7 +17,7 @@ struct SampleRow {
     bool in_contact = false;
 };
 
-/// The shortest time between samples: 10⁹ time units of them can be counted.
+/// The shortest time between samples: the samples of 10⁹ time units can be counted.
 inline constexpr double least_sample_step = 1e-9;
 
 /// Samples at the multiples of a time step; at an impact, just before it.
@@ -25,8 +25,7 @@ class Sampler {
 public:
     explicit Sampler(double step) : step_(step) {}
 
-    /// Hands on the samples of these segments (the first ones, or those that follow the last ones taken) up to
-    /// `until`.
+    /// Passes on the samples of these segments up to `until`; successive calls take successive segments.
     template <class Use>
     void take(const ContactScene& scene, std::span<const TrajectorySegment> trajectory, double until, const Use& use) {
         for (const TrajectorySegment& segment : trajectory)

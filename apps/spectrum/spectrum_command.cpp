@@ -1,6 +1,7 @@
 #include "apps/spectrum/spectrum_command.hpp"
 
 #include "analysis/spectrum/power_spectrum.hpp"
+#include "analysis/spectrum/spectral_entropy.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/spectrum/spectrum_document.hpp"
 

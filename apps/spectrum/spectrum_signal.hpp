@@ -1,4 +1,4 @@
-// From what was given to an equally spaced signal.
+// The equally spaced signal of an orbit, a record or a series.
 #pragma once
 
 #include "apps/spectrum/spectrum_command.hpp"
@@ -23,7 +23,7 @@ struct SpectrumSignal {
     Settings resampled;  ///< empty: the samples are as measured
 };
 
-/// An orbit: S(t), constant in flight and smooth in contact, or the body's places, averaged exactly over equal bins,
+/// An orbit: S(t), constant in flight and smooth in contact, or the body's positions, averaged exactly over equal bins,
 /// from the first impact kept to the last. A series: its samples, resampled where their times are uneven. @throws
 /// BadInput
 SpectrumSignal signal_of(SpectrumOptions& options);

@@ -31,9 +31,10 @@ Collision<J> strike_along(const CollisionMap<J, shape, rule>& map, const Flight<
     // g′ = 2 x·x′; the disk's rim does not move against its centre's gap.
     Vec2<J> rate = nominal.drift;
     if constexpr (shape == Shape::polygon) rate = rate + flight.spin * quarter_turned(arm);
-    // dτ = −dg/g′: only g is differentiated. Its value, all rounding, over g′² would spoil flights that graze.
+    // dτ = −dg/g′: only g is differentiated. Differentiating g/g′ would add g/g′² times dg′, where g is rounding only:
+    // large for flights that graze.
     J shift = J(Plain<J>(-1) / (2 * plain(dot(x, rate)))) * dot(x, x);
-    shift.a = Plain<J>(0);  // the time itself is known to rounding
+    shift.a = Plain<J>(0);  // the value of the time is exact to rounding: only its derivative is used
     const Instant<J> at = instant_at<shape>(flight, J(time) + shift);
     Collision<J> collision;
     map.strike(flight, at, arm_at(at), collision);

@@ -22,7 +22,7 @@ struct TimedCollision {
 namespace detail {
 
 /// A touch at u_n = 0 is no impact: a body at rest in the laboratory that the wall touches once a turn solves all
-/// equations. As g is known to ε, u_n is to the root of that; this is well above it.
+/// equations. Near such a double root g is known to ε and u_n therefore to √ε; this bound is well above √ε.
 inline constexpr double least_impact_speed = 1e-6;
 
 /// The vertex nearest to the wall at a moment; the disk has one.

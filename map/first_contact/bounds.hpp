@@ -1,5 +1,5 @@
 // The first contact of a flight, certified: no root is passed, however close to another or to a double root.
-// The derivation of the bounds, and why two vertices are enough whatever N is, stand in map/README.md.
+// Derivation of the bounds, and of why two vertices are enough for every N: map/README.md, "First contact".
 #pragma once
 
 #include "map/first_contact/conservative_advancement.hpp"
@@ -15,7 +15,7 @@ enum class FirstContactOutcome {
     contact,     ///< found
     no_contact,  ///< proven that there will be none
     sustained,   ///< the vertex that began the flight does not leave the wall: g = 0, g′ = 0, g″ ≥ 0
-    unresolved   ///< the step limit was reached first (a body all but at rest that the swirl keeps just missing)
+    unresolved   ///< the step limit was reached first (a slow body that the moving wall passes closely many times)
 };
 
 /// A contact: when, which vertex (counted from the reference vertex), and everything known of that moment.
@@ -26,7 +26,7 @@ struct FirstContact {
     Vec2<T> arm;                ///< a of the vertex that touches (disk: along the contact's normal)
     int vertex = 0;             ///< its number from the reference vertex, 0 … N − 1; the disk has one, 0
     bool simultaneous = false;  ///< another vertex touches within rounding of the same time
-    int steps = 0;              ///< moments looked at
+    int steps = 0;              ///< moments at which the flight was evaluated
 };
 
 namespace detail {
@@ -76,8 +76,8 @@ inline FlightBounds<T> bounds_of(const Body<T>& body, const Flight<T>& flight) {
     return bounds;
 }
 
-/// What it means that there is no finite step: an infinite one proves that nothing ever touches; what is no number
-/// proves nothing.
+/// The outcome where the safe step is not finite: +∞ proves that no contact follows; NaN (an overflow) leaves the
+/// search unresolved.
 template <class T>
 inline FirstContactOutcome without_step(const T& step) {
     return step > T(0) ? FirstContactOutcome::no_contact : FirstContactOutcome::unresolved;
@@ -89,8 +89,9 @@ inline bool is_last(const Gap<T>& gap, const T& third, const T& step, const T& t
     return gap.rate > 0 && third * step * step * step <= T(0.001) * epsilon<T>() * gap.rate * (time + step);
 }
 
-/// A moment found just beyond its contact, by the rounding of the gap there: the time to go back by. Without this the
-/// contacts that a step happens to hit from beyond are late and those from before exact, a bias that adds up in J.
+/// The time by which a moment lies beyond its contact, g/g′ where rounding left g > 0: the search goes back by it.
+/// Otherwise contacts reached from beyond would be late and those reached from before exact, a bias that accumulates in
+/// J.
 template <class T>
 inline T overshoot(const Gap<T>& gap, const T& time) {
     if (!(gap.value > 0 && gap.rate > 0)) return T(0);
@@ -114,9 +115,10 @@ inline T sheltered_time(const Body<T>& body, const Flight<T>& flight, const Inst
     return outward > 0 ? T(-depth / (outward + root)) : T((root - outward) / speed2);
 }
 
-/// A centre at rest meets the same container again after every turn: what did not happen until the body looks the same
-/// to it again never will. A disk always does; a polygon after q turns if q S N is whole (q ≤ 64 are asked for: another
-/// S brings every orientation to every phase in the end), and in a container that rests as well after its own 1/N turn.
+/// Recurrence for a centre at rest: gaps are then periodic in time if orientation and swirl are commensurate, and a
+/// whole period without contact proves that none follows. The period is one turn of the swirl for a disk, q turns for a
+/// polygon if qSN is an integer (q ≤ 64 are tried; otherwise orientation and phase come arbitrarily close to every pair
+/// of values), and 1/N turn of the body if β = 0.
 template <Shape shape, class T>
 inline bool has_recurred(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
     using std::fabs;
@@ -133,7 +135,7 @@ inline bool has_recurred(const Body<T>& body, const Flight<T>& flight, const Ins
     return false;
 }
 
-/// The rounding of g′ at a start on the wall: below this a normal velocity can't be told from zero.
+/// The rounding of g′ at a start on the wall: a normal velocity below it counts as zero.
 template <class T>
 inline T rate_rounding(const Body<T>& body, const Flight<T>& flight) {
     using std::fabs;
@@ -141,8 +143,7 @@ inline T rate_rounding(const Body<T>& body, const Flight<T>& flight) {
     return T(16) * epsilon<T>() * (speed + body.beta + fabs(flight.spin) * body.alpha);
 }
 
-/// Is a vertex that starts on the wall held there? Its normal velocity is zero within rounding, and the wall does not
-/// fall away.
+/// True if a vertex that starts on the wall stays there: normal velocity zero within rounding, and g″ ≥ 0.
 template <class T>
 inline bool stays(const Body<T>& body, const Flight<T>& flight, Gap<T>& gap) {
     const T rounding = rate_rounding(body, flight);

@@ -16,8 +16,8 @@ template <class T>
     contact.arm = (body.alpha / body.inner) * contact.at.centre;
 }
 
-/// The usual flight from wall to wall: the root is sought without care, then proven to be the first. False if either
-/// fails; the advance below then decides.
+/// The usual flight from wall to wall: a root is sought without guarantee, then proven to be the first. False if either
+/// fails; conservative advancement, below, then decides.
 template <class T>
 [[gnu::always_inline]] inline bool direct_contact_disk(const Body<T>& body, const Flight<T>& flight,
                                                        FirstContact<T>& contact) {
@@ -70,7 +70,7 @@ void advance_to_contact_disk(const Body<T>& body, const Flight<T>& flight, const
     contact.outcome = FirstContactOutcome::unresolved;
 }
 
-/// The first contact of a disk by safe steps alone: slower, and never in doubt.
+/// The first contact of a disk by conservative advancement alone: slower, and certified at every step.
 template <class T>
 [[gnu::noinline]] FirstContact<T> certain_contact_disk(const Body<T>& body, const Flight<T>& flight) {
     const auto bounds = bounds_of<Shape::disk>(body, flight);

@@ -33,7 +33,7 @@ inline NextStep<T> step_among_vertices(const Body<T>& body, const Flight<T>& fli
     return {step, gap.value < 0 && is_last(gap, bounds.vertex_third, step, at.time)};
 }
 
-/// Takes a contact that was met from beyond back to its time.
+/// Sets a contact that was reached from beyond back to its time.
 template <class T>
 inline void step_back(const Body<T>& body, const Flight<T>& flight, const NearestTwo<T>& pair,
                       FirstContact<T>& contact) {
@@ -81,7 +81,7 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
     contact.outcome = FirstContactOutcome::unresolved;
 }
 
-/// From a start on the wall: true if a vertex stays there or touches at once, which `contact` then tells; else the
+/// From a start on the wall: true if a vertex stays there or touches at once, with the outcome in `contact`; else the
 /// first safe step away is taken.
 template <class T>
 bool begins_in_contact(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
@@ -109,7 +109,7 @@ bool begins_in_contact(const Body<T>& body, const Flight<T>& flight, const Fligh
     return false;
 }
 
-/// The first contact of a polygon by safe steps alone: slower, and never in doubt.
+/// The first contact of a polygon by conservative advancement alone: slower, and certified at every step.
 template <class T>
 [[gnu::noinline]] FirstContact<T> certain_contact_polygon(const Body<T>& body, const Flight<T>& flight) {
     const auto bounds = bounds_of<Shape::polygon>(body, flight);

@@ -3,8 +3,8 @@
 // On [0, h] let H be the quintic that shares g, g′, g″ with a gap at both ends. With |g⁽⁶⁾| ≤ M,
 // |g − H| ≤ M s³(h − s)³/720, and s³(h − s)³ ≤ h⁶ (B₂ + B₃)/20 with B₂, B₃ the middle Bernstein polynomials of degree
 // five on [0, h]. Hence g ≤ Σ cₖ Bₖ with H's Bernstein coefficients and M h⁶/14400 added to c₂ and c₃: if no
-// coefficient is positive, no contact is between. No square root, no search, and it leaves the critical path free.
-// M holds on all of [0, h] and not only while nothing is outside: it rests on |P| ≤ outer + β, and P, the centre seen
+// coefficient is positive, no contact is between. No square root, no search; no later operation waits for the result. M
+// holds on all of [0, h] and not only while nothing is outside: it rests on |P| ≤ outer + β, and P, the centre seen
 // from the swirl's, is linear in time and within that at both ends.
 #pragma once
 
@@ -70,13 +70,13 @@ template <class T>
             to.value - fraction<T>(1, 5) * h * to.rate};
 }
 
-/// True if the gap certainly stays closed to the wall by no more than rounding (4ε) between `from` and `to`, h later.
-/// (False says nothing.)
+/// True if g ≤ 4ε (rounding) is proven between `from` and `to`, h later. False: not proven, a contact may or may not
+/// exist.
 template <class T>
 [[gnu::always_inline]] inline bool clear_between(const Gap<T>& from, const Gap<T>& to, const T& h, const T& sixth) {
     const T rounding = T(4) * epsilon<T>();
     const auto c = inner_coefficients(from, to, h, sixth);
-    // One by one: a remainder that is no number (M beyond the numbers, h⁶ below) proves nothing.
+    // Each comparison is false for a NaN remainder (M overflowed, h⁶ underflowed): it proves nothing.
     return c.first <= rounding && c.second <= rounding && c.third <= rounding && c.fourth <= rounding &&
            from.value <= rounding && to.value <= rounding;
 }
@@ -91,9 +91,9 @@ inline T fourth_root_of_epsilon() {
     }
 }
 
-/// True if after a correction d of fourth order what is left is below rounding: d⁴ against ε in the scales g′/g″ and
-/// √(g′/g‴), and the next derivative's term, |g⁗| ≤ M. The gap itself must be as small as the correction says: far from
-/// a root the correction can vanish too (½gg″ = g′²).
+/// True if after a correction of fourth order, d, the remaining error is below rounding: d⁴ against ε in the scales
+/// g′/g″ and √(g′/g‴), and the next derivative's term, |g⁗| ≤ M. The gap itself must be as small as the correction
+/// says: far from a root the correction can vanish too (½gg″ = g′²).
 template <class T>
 [[gnu::always_inline]] inline bool is_converged(const Gap<T>& gap, const T& correction, const T& time,
                                                 const T& fourth) {
@@ -106,8 +106,8 @@ template <class T>
            fourth * (square * square) <= epsilon<T>() * gap.rate * time && fabs(gap.value) <= T(2) * gap.rate * size;
 }
 
-/// True if a gap is closed for a time t, by |g‴| ≤ M: up to t it is at most g + g′s + ½b s² with b = (g″ + M t/3)⁺, and
-/// that is convex. Backwards in time g′ changes sign.
+/// True if g ≤ 0 for a time t, by |g‴| ≤ M: up to t the gap is at most g + g′s + ½b s² with b = (g″ + M t/3)⁺, which is
+/// convex. Backwards in time g′ changes sign.
 template <class T>
 [[gnu::always_inline]] inline bool stays_closed(const T& value, const T& rate, const T& bend, const T& t,
                                                 const T& third) {
@@ -115,8 +115,8 @@ template <class T>
     return value <= 0 && value + t * (rate + T(0.5) * b * t) <= 0;
 }
 
-/// A gap that is open by a little at one end or both and closed in between: until `out` after the one end and from
-/// `in` before the other it may be open, no longer.
+/// A gap that may be slightly positive at the ends of an interval and is ≤ 0 in between: positive at most until `out`
+/// after the first end and from `in` before the second.
 template <class T>
 struct ClosedBetween {
     bool proven = false;

@@ -56,14 +56,14 @@ template <class T>
     const T& s = at.turn.y;
     const T a = path.a0 + path.a1 * at.time;
     const T b = path.b0 + path.b1 * at.time;
-    // The tabled moments are few, and a rounded 1 + c would err the same way whenever one comes up again.
+    // Few moments are tabled, so the rounding error of 1 + c would be the same at each use and accumulate.
     const T along = a + (a * c + b * s);                      // P·w
     const T across = b + (b * c - a * s);                     // P·(i w)
     const T v_along = path.a1 + (path.a1 * c + path.b1 * s);  // V·w
     const T v_across = path.b1 + (path.b1 * c - path.a1 * s);
     const T twice = path.speed2 * at.time;
     GapSeries<T> g;
-    // What the table leaves out is too small for the large terms; it is added to the small difference.
+    // The table's rounding error is below the last digit of the large terms; it is added to the small difference.
     g.c[0] = (at.time * (path.slope + twice) - T(2) * (a * c + b * s)) - T(2) * (a * at.rest.x + b * at.rest.y);
     g.c[1] = (path.slope + (twice + twice)) - T(2) * ((path.a1 * c + path.b1 * s) + across);
     g.c[2] = path.speed2 + (along - T(2) * v_across);
@@ -78,9 +78,9 @@ template <class T>
     return g;
 }
 
-/// Where a gap that is closed and opens at the start closes again: the parabola's root s = n/d, then one Newton step on
-/// the Taylor polynomial of fifth degree (divided by τ, since g = 0 at the start), written as one quotient. Not
-/// positive if the parabola has no root.
+/// The time at which a gap with g = 0, g′ < 0 at the start returns to zero: the parabola's root s = n/d, then one
+/// Newton step on the Taylor polynomial of fifth degree (divided by τ, since g = 0 at the start), written as one
+/// quotient. Not positive if the parabola has no root.
 template <class T>
 [[gnu::always_inline]] inline T return_guess(const CircleGap<T>& start) {
     const T n = -start.rate;
@@ -99,8 +99,8 @@ template <class T>
 }
 
 /// A guess without the start's derivatives, for long or curved flights of double: the gap is sampled at tabled moments,
-/// first 1/32, from ¼ on four times per radian, and the line through the two samples where it closes gives the time. −1
-/// if it stays open.
+/// first 1/32, from ¼ on four times per radian, and the line through the two samples between which g changes its sign
+/// gives the time. −1 if g stays negative.
 template <class T>
 [[gnu::noinline]] inline T sampled_guess(const CirclePath<T>& path) {
     if constexpr (std::is_same_v<T, double>) {

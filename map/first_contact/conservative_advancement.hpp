@@ -2,8 +2,8 @@
 //
 // With |g‴| ≤ M on the way, g(h) ≤ P(h) = g + g′h + ½g″h² + M h³/6, so no contact lies before P's first positive root.
 // And for every H, P(h) ≤ g + g′h + ½(g″ + MH/3)h² on [0, H]: the smaller of H and that parabola's first root is safe,
-// whatever H is; the closer H is to P's root the less is given away. Near a transversal contact what is left after a
-// step h is of order M h³/g′: the advance converges cubically, and from below.
+// whatever H is; the closer H is to P's root the longer is the step. Near a transversal contact the error after a step
+// h is O(M h³/g′): the advance converges cubically, from below.
 #pragma once
 
 #include "map/model/flight.hpp"
@@ -38,7 +38,7 @@ inline T root_bound(const Gap<T>& gap, const T& third) {
     return T(2) * bound;
 }
 
-/// A safe step from an open gap, g < 0.
+/// A safe step from inside, g < 0.
 template <class T>
 inline T safe_step(const Gap<T>& gap, const T& third) {
     T reach = first_root(gap.value, gap.rate, gap.bend);
@@ -52,8 +52,7 @@ inline T safe_step(const Gap<T>& gap, const T& third) {
     return std::max(step, std::min(nearer, first_root(gap.value, gap.rate, tighter)));
 }
 
-/// A safe step from a gap that is closed and opening, g = 0 and g′ < 0 (or g′ = 0, g″ < 0): here P/h is a parabola,
-/// and its root is exact.
+/// A safe step off the wall, g = 0 and g′ < 0 (or g′ = 0, g″ < 0): here P/h is a parabola, and its root is exact.
 template <class T>
 inline T safe_step_off_the_wall(const Gap<T>& gap, const T& third) {
     using std::sqrt;

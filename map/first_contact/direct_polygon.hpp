@@ -1,4 +1,5 @@
-// The usual flight of a polygon from wall to wall: a root sought without care, then the proof that it is the first.
+// The usual flight of a polygon from wall to wall: a root sought without guarantee, then the proof that it is the
+// first.
 #pragma once
 
 #include "map/first_contact/bounds.hpp"
@@ -10,9 +11,9 @@ namespace swirl {
 
 namespace detail {
 
-/// Polygons with no more sides have every vertex looked at where the two nearest are not enough.
+/// Up to this many sides every vertex is examined where the two nearest are not enough.
 inline constexpr int few_sides = 8;
-/// Beyond this a correction from the guess is not to be trusted; radians of swirl.
+/// Corrections of the guess beyond this are rejected; radians of swirl.
 inline constexpr double longest_step = 0.125;
 
 /// The moment `later` after one whose rotations are known, that of the body by `spun`.
@@ -105,8 +106,8 @@ template <class T>
 }
 
 /// Proves that nothing touched between the start and a contact `correction` after `at`, where `nearest` strikes.
-/// Between the ends the circumscribed circle stays clear of the wall but for two short times, and for these one vertex
-/// is alone at the wall. False says nothing.
+/// Between the ends the circumscribed circle stays clear of the wall but for two short times, and during these only one
+/// vertex can be at the wall. False: not proven.
 template <class T>
 [[gnu::always_inline]] inline bool clear_by_circumcircle(const Body<T>& body, const Flight<T>& flight,
                                                          const Gap<T>& leaving, const Gap<T>& struck,
@@ -117,8 +118,8 @@ template <class T>
     const ClosedBetween<T> ring = closed_between(leaving, centre_gap(body, flight, at), at.time, bounds.centre_sixth);
     const T shift = fabs(correction);
     const T in = ring.in + shift;
-    // At the contact itself. `slack`: what `touch_together` would call the same time, and the way between `at` and
-    // there.
+    // At the contact itself. `slack`: the gap within which `touch_together` calls two times the same, and the motion
+    // between `at` and the contact.
     const T rate = nearest.gap.rate - shift * (fabs(nearest.gap.bend) + bounds.third * shift);
     const T bend = nearest.gap.bend + bounds.third * shift;
     const T fastest = T(2) * (bounds.drift + body.alpha * fabs(flight.spin));  // |g′| of any vertex
@@ -153,7 +154,7 @@ inline bool clear_by_pairs(const Body<T>& body, const Flight<T>& flight, const I
            stays_closed(neighbour.value, T(-neighbour.rate), neighbour.bend, ring.in, bounds.third);
 }
 
-/// Every vertex clear between two moments, or between each and the moment half-way.
+/// Proves every vertex clear between two moments, or on either half of that interval.
 template <class T>
 bool every_vertex_clear(const Body<T>& body, const Flight<T>& flight, const Instant<T>& from, const Instant<T>& to,
                         int striking, int halvings) {
@@ -172,8 +173,8 @@ bool every_vertex_clear(const Body<T>& body, const Flight<T>& flight, const Inst
            every_vertex_clear(body, flight, half_way, to, striking, halvings - 1);
 }
 
-/// What is left when a glance is not enough. False, too, if the neighbour touches at the same time: which of the two it
-/// is, `choose` tells.
+/// The further proofs, tried where `clear_by_circumcircle` fails: both vertices' own derivatives, then the quintics of
+/// all vertices. False, too, if the neighbour touches within rounding of the same time: `choose` then decides.
 template <class T>
 [[gnu::noinline]] bool clear_on_inspection(const Body<T>& body, const Flight<T>& flight, const Gap<T>& leaving,
                                            const Gap<T>& struck, const Instant<T>& at, const Candidate<T>& nearest,

@@ -1,4 +1,5 @@
-// The first contact of any flight: the direct path for the usual one from wall to wall, the advance for what is left.
+// The first contact of any flight: the direct search for the usual one from wall to wall, conservative advancement for
+// the others.
 #pragma once
 
 #include "map/first_contact/certain_disk.hpp"
@@ -9,8 +10,8 @@ namespace swirl {
 
 namespace detail {
 
-/// True if the direct path found and proved a contact. `contact` is local to the caller and nothing takes its address,
-/// so that it stays in registers.
+/// True if the direct search found a contact and proved it the first. `contact` is local to the caller and nothing
+/// takes its address, so that it stays in registers.
 template <Shape shape, class T>
 [[gnu::always_inline]] inline bool direct_contact(const Body<T>& body, const Flight<T>& flight,
                                                   FirstContact<T>& contact) {

@@ -1,8 +1,8 @@
 // A gap as its Taylor polynomial of tenth degree about one moment, and the root of that near the moment.
 //
-// One evaluation of the flight, if it is a few hundredths away from the contact, thus tells the contact's time to
-// rounding: the next term is below M d¹¹/11!, with |g⁽¹¹⁾| ≤ M. Two corrections, of fifth and of third order, solve the
-// polynomial; only their two divisions are on the critical path.
+// One evaluation of the flight a few hundredths of a radian d away from the contact thus gives the contact's time to
+// rounding: the truncation error is below M d¹¹/11!, |g⁽¹¹⁾| ≤ M. Two corrections, of fifth and of third order, solve
+// the polynomial; only their two divisions are on the critical path.
 #pragma once
 
 #include "map/model/flight.hpp"
@@ -83,9 +83,9 @@ inline T cube_root_of_epsilon() {
     }
 }
 
-/// True if what the root leaves out is far below rounding, so that it adds up to nothing either: of the polynomial
-/// d³ after the second correction d (scale g′/g″), of the flight the eleventh derivative's term, |g⁽¹¹⁾| ≤ `eleventh`.
-/// The gap must be as small as the correction says: far from a root the correction can vanish too.
+/// True if both errors of the root are far below rounding, so that they do not accumulate either: O(d³) of the
+/// polynomial's root after the second correction d (scale g′/g″), and the truncated term of the flight, |g⁽¹¹⁾| ≤
+/// `eleventh`. The gap must be as small as the correction says: far from a root the correction can vanish too.
 template <class T>
 [[gnu::always_inline]] inline bool is_converged(const SeriesRoot<T>& root, const T& time, const T& eleventh) {
     using std::fabs;

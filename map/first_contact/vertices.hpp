@@ -96,8 +96,8 @@ inline void look_around(const Body<T>& body, const Flight<T>& flight, const Inst
     pair.second.gap = gap_of(body, flight, at, pair.second);
 }
 
-/// How long the third nearest vertex stays out of it: it is at least 2π/N away from the centre's direction and would
-/// have to come within π/N to be first. The direction turns by less than 2|W|/|X| while |X| halves at most.
+/// A time for which no third vertex can be the nearest to the wall: it is at least 2π/N away from the centre's
+/// direction and would have to come within π/N. The direction turns at a rate below 2|W|/|X| while |X| at most halves.
 template <class T>
 inline T two_are_enough(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
                         const T& distance) {
@@ -118,8 +118,8 @@ inline bool touches(const Candidate<T>& candidate) {
     return candidate.gap.value >= 0 && candidate.gap.rate >= 0;
 }
 
-/// The neighbour that touches where a flight begins on the wall. One that has no normal velocity but for `rounding`
-/// only does if the wall does not fall away from it: two vertices may leave together.
+/// The neighbour that touches where a flight begins on the wall. A neighbour whose normal velocity is zero within
+/// `rounding` touches only if g″ ≥ 0: two vertices may leave together.
 template <class T>
 inline const Candidate<T>* touching_neighbour(const NearestTwo<T>& pair, const T& rounding) {
     const Candidate<T>& other = pair.second.vertex == 0 ? pair.first : pair.second;
@@ -145,7 +145,7 @@ inline bool touch_together(const Gap<T>& first, const Gap<T>& second, const T& t
     return apart <= T(16) * epsilon<T>() * (std::max(first.rate, second.rate) + first.rate * second.rate * time);
 }
 
-/// Settles which of the two it is: the earlier; on an exact tie the larger u_n, then the lower number.
+/// Decides which of the two strikes: the earlier; on an exact tie the larger u_n, then the lower number.
 template <class T>
 inline void choose(const NearestTwo<T>& pair, FirstContact<T>& contact) {
     const T first = time_left(pair.first.gap);

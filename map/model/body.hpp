@@ -42,8 +42,8 @@ struct Body {
         if (vertices.empty()) return times(v, direction_by_formula(k));
         return times(v, vertices[static_cast<std::size_t>(k)]);
     }
-    /// What that leaves out because the table is rounded: some 10⁻¹⁷ of v, always the same way for the same k. Too
-    /// small to be added to the vector, it is added to the vertex's gap, where it keeps J from drifting.
+    /// The rounding error of the tabled rotation, some 10⁻¹⁷ of v and the same for the same k. It is below the last
+    /// digit of the vector and is added to the vertex's gap, so that J does not drift.
     Vec2<T> rest_of_vertex(const Vec2<T>& v, int k) const {
         if (rests.empty()) return {T(0), T(0)};
         return times(v, rests[static_cast<std::size_t>(k)]);
@@ -59,7 +59,7 @@ struct Body {
     }
 };
 
-/// How fast any point of the body moves, to a factor: the largest of |V|'s components and α|S|.
+/// The speed of the body's points to within a constant factor: the largest of |V|'s components and α|S|.
 template <class T>
 inline T speed_of(const Body<T>& body, const T& vx, const T& vy, const T& spin) {
     using std::fabs;

@@ -4,8 +4,8 @@
 // Axes are those of the start: along n and t of the impact that began the flight, or the laboratory's. With
 // E(τ) = cis τ − 1, w = O(t) the swirl's arm and a the arm from the centre to a vertex,
 //     X(τ) = X₀ + V τ − w₀ E(τ),   w(τ) = w₀ (1 + E(τ)),   a(τ) = a₀ (1 + E(Sτ)),
-// X the body's centre and x = X + a the vertex, both from the container's centre. Steps compose: what has moved is
-// summed apart from where it began, so that nothing is lost on flights that are short.
+// X the body's centre and x = X + a the vertex, both from the container's centre. Steps compose: displacements are
+// summed apart from the starting position, so that short flights keep their relative accuracy.
 #pragma once
 
 #include "map/model/body.hpp"
@@ -31,9 +31,9 @@ template <class T>
 struct Instant {
     T time{};           ///< τ
     Vec2<T> phase;      ///< cis(φ₀ + τ)
-    Vec2<T> arm;        ///< a of the reference vertex; not kept for the disk
+    Vec2<T> arm;        ///< a of the reference vertex; not set for the disk
     Vec2<T> moved;      ///< X − X₀
-    Vec2<T> arm_moved;  ///< a − a₀; not kept for the disk
+    Vec2<T> arm_moved;  ///< a − a₀; not set for the disk
     Vec2<T> centre;     ///< X
     Vec2<T> swirl;      ///< w; the centre's acceleration in the container's frame, X″ = w
     Vec2<T> drift;      ///< W = X′ = V − i w

@@ -15,7 +15,7 @@
 
 namespace swirl {
 
-/// What happens at contact, chosen once per scene. Without friction no friction code runs.
+/// The law of the contact, chosen once per scene. Without friction no friction code runs.
 enum class ImpactRule { frictionless, poisson, newton, stronge };
 
 /// The five contact modes of Wang & Mason, and the sixth without friction. C-: slip stopped during compression;
@@ -99,7 +99,7 @@ T end_at_work(const NormalVelocityPath<T>& path, const T& compression_end, const
     }
     const T straight = compression_end + restitution * compression_end;
     if (!path.has_kink || plain(straight) <= plain(path.kink)) return straight;
-    // ½C₀²e²/first is to be done; the first piece does ½C_k²/first of it, the second ½(C_f² − C_k²)/second.
+    // Work of restitution ½C₀²e²/first: ½C_k²/first on the first piece, ½(C_f² − C_k²)/second on the second.
     const T level = restitution * path.start;
     const T left = (level * level - at_kink * at_kink) * (path.second / path.first);
     return path.kink + left / (path.second * (at_kink + sqrt(at_kink * at_kink + left)));

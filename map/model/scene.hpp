@@ -81,7 +81,8 @@ inline void require_finite(const char* name, const T& value) {
         out_of_range(name, value, "any finite number up to 1e75");
 }
 
-/// @throws std::invalid_argument for a start that is all but at rest; a single component may be as small as it likes
+/// @throws std::invalid_argument for a start whose speed is neither 0 nor within 10⁻⁷⁵ … 10⁷⁵; a single component may
+/// be arbitrarily small
 template <class T>
 inline void require_speed(const T& speed) {
     if (!is_holdable(speed)) out_of_range("speed", speed, "0 (at rest), or 1e-75 to 1e75");
@@ -89,9 +90,10 @@ inline void require_speed(const T& speed) {
 
 }  // namespace detail
 
-/// True if every impact takes for ever: with e < 1, without friction, J (ΔJ = −½(1 − e) p u_n); in a container at rest
-/// the energy, which friction takes, too, but a polygon's under Newton's law. Both are bounded from below, so impacts
-/// must fade: no cycle and no attractor has any (map/README.md, "Energy in the swirling frame").
+/// True if the scene is dissipative without drive: every impact lowers a quantity that is constant in flight and
+/// bounded from below. For e < 1 and μ = 0 that is J (ΔJ = −½(1 − e) p u_n); for e < 1 and β = 0 it is the energy,
+/// except for a polygon with friction under Newton's law. Impacts then die out, and no cycle or attractor has any
+/// (map/README.md, "Energy in the swirling frame").
 template <class T>
 inline bool is_dissipative_without_drive(const Scene<T>& scene) {
     if (!(scene.restitution < T(1))) return false;

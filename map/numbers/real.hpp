@@ -1,4 +1,4 @@
-// The number types that the map is written for, and the little that differs between them.
+// The number types that the map is written for, and the functions that differ between them.
 #pragma once
 
 #include <boost/math/constants/constants.hpp>

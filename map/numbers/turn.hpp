@@ -1,4 +1,4 @@
-// Rotations kept as cis δ − 1, so that a turn by a tiny angle loses no digits.
+// Rotations kept as cis δ − 1, so that a rotation by a small angle keeps all its digits.
 #pragma once
 
 #include "map/numbers/real.hpp"

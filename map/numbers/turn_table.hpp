@@ -1,4 +1,5 @@
-// Moments at which the swirl's rotation is tabled: a search may choose where it looks, so it looks there.
+// Moments at which the swirl's rotation is tabled: a search is free to choose where it evaluates the flight, and
+// chooses these.
 #pragma once
 
 #include "map/numbers/turn.hpp"

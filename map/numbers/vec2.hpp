@@ -50,8 +50,8 @@ template <class T>
 constexpr Vec2<T> conjugate(const Vec2<T>& a) {
     return {a.x, -a.y};
 }
-/// ½(1 − |a|²) of a vector that is a unit vector but for rounding: what it lacks in length. Formed as ½ − x² + ½ − y²,
-/// of which one difference is exact and the other no larger than ½.
+/// ½(1 − |a|²) of a vector that is a unit vector but for rounding: the shortfall of |a| from 1, to first order. Formed
+/// as ½ − x² + ½ − y², of which one difference is exact and the other no larger than ½.
 template <class T>
 constexpr T missing_length(const Vec2<T>& a) {
     return T(0.5) * ((T(0.5) - a.x * a.x) + (T(0.5) - a.y * a.y));
@@ -59,7 +59,7 @@ constexpr T missing_length(const Vec2<T>& a) {
 /// A vector that is a unit vector but for rounding, brought back by one Newton step for 1/√|a|²: the error d of |a|
 /// becomes 1.5 d², so that products of rotations do not drift in length however many are taken. The correction is
 /// added: multiplying by a factor near 1 instead would shorten more often than lengthen, since doubles are twice as
-/// dense below 1 as above, and that is a bias that adds up.
+/// dense below 1 as above, and this bias would accumulate.
 template <class T>
 constexpr Vec2<T> renormalised(const Vec2<T>& a) {
     const T missing = missing_length(a);

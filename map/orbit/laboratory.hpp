@@ -44,7 +44,7 @@ Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
 template <class T>
 struct WoundAngle {
     T phase{};
-    T turns{};  ///< a whole number: an orbit that dies away (β = 0, e < 1) outlives any integer type
+    T turns{};  ///< an integer, held in T: the times of a decaying orbit (β = 0, e < 1) exceed every integer type
 
     void add(const T& change) {
         using std::fmod;
@@ -67,7 +67,7 @@ struct LabFrame {
     int vertex = 0;       ///< the vertex that struck last
     T direction{};        ///< of the axes that the next flight begins in: arg n of the last contact
 
-    /// A time whose rounding is a thousand times that of an angle.
+    /// Flights longer than this: rounding of t is a thousand times that of an angle.
     static T long_flight() { return T(1024); }
 
     /// A start in flight.
@@ -83,14 +83,14 @@ struct LabFrame {
         return frame;
     }
 
-    /// Takes note of a collision; `turned` is ∫S dt since the one before.
+    /// Advances to a collision; `turned` is ∫S dt since the one before.
     template <class Map>
     void follow(const Map& map, const Collision<T>& collision, const T& turned) {
         using std::atan2;
         const SectionPoint<T> z = section_point(collision.after);
         time.add(collision.flight_time);
         if (collision.flight_time > long_flight()) {
-            // So long a time no longer tells the swirl's phase; the new contact's ψ = arg n − t does.
+            // The rounding of so long a time spoils the swirl's phase: it is taken from the new contact, ψ = arg n − t.
             const T phase = direction + atan2(collision.normal.y, collision.normal.x) - z.psi;
             time.add(wrapped_angle(T(phase - time.phase)));
         }
@@ -98,7 +98,7 @@ struct LabFrame {
         angle.add(turned);
         if constexpr (Map::shape == Shape::polygon) {
             vertex = map.body().vertex_number(static_cast<long long>(vertex) + collision.vertex_step);
-            // arg r − 2πk/N is vertex 0's direction too, and free of the rounding that the sum gathers.
+            // arg r − 2πk/N is vertex 0's direction too, and free of the sum's accumulated rounding.
             const T measured = time.phase + z.psi + z.chi - map.body().spacing * T(vertex);
             angle.add(wrapped_angle(T(measured - angle.phase)));
         }

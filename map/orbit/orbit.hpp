@@ -48,8 +48,8 @@ public:
         return_step_.collision.after = post_impact_state(z);
     }
 
-    /// To just after the next impact. False if there is none: `outcome()` says why; `contacts()` then tells what came
-    /// after the last impact.
+    /// To just after the next impact. False if there is none: `outcome()` is the reason, and `contacts()` then holds
+    /// the contact after the last impact.
     ///   horizon  for how long contact without an impact is followed
     bool advance(double horizon = contact_horizon, const ContactSink& sink = {}) {
         if (outcome_ != Outcome::completed) return false;

@@ -8,10 +8,10 @@ namespace swirl {
 enum class Outcome {
     completed,   ///< everything that was asked for
     no_contact,  ///< the body never meets the wall (again): proven
-    in_contact,  ///< the body has come to stay on the wall: no impact for a long time (`contact_horizon`)
+    in_contact,  ///< the body stays in contact: no impact for the time `contact_horizon`
     resting,     ///< e = 1, a disk or no friction: starts on the wall without normal velocity and is held there;
-                 ///< β = 0: motion has died away
-    diverged,    ///< faster than 1e75: Newton's law with friction creates energy without end
+                 ///< β = 0: the motion has decayed to rest
+    diverged,    ///< faster than 1e75: Newton's law with friction can create energy at every impact
     unresolved   ///< a flight outlasted the step limit of the search, or no contact motion was consistent
 };
 

@@ -1,12 +1,12 @@
-// The derivative of the return map where the way leads through sustained contact.
+// The derivative of the return map where a return step leads through sustained contact.
 //
-// An impact that ends in contact leaves with a normal velocity that may be as small as 10⁻⁸: differences over more than
-// that would compare with flights. So DF = B A is taken apart at the landing. A is the derivative of the state in
-// contact, in which the removal of u_n, with its friction, is smooth whatever the sign of u_n (`landed_like`); B that
-// of the way from there to the next impact. Both are central differences of order h². Where neighbours on one side only
-// go the way of the orbit itself (`same_way`) theirs stands, one-sided, of the same order; where none does the column
-// is zero. A singular value of B that is no more than rounding belongs to a direction that contact has lost: it is
-// zero, too.
+// An impact that ends in contact leaves with a normal velocity that may be as small as 10⁻⁸, so differences over larger
+// h would reach states that begin a flight. DF is therefore the product B A, divided at the landing: A is the
+// derivative of the state in contact, where the removal of u_n with its friction is smooth for either sign of u_n
+// (`landed_like`), B that of the motion from there to the next impact. Both are central differences with error O(h²).
+// If only neighbours on one side pass through the same events as the orbit (`same_way`), B's column is a one-sided
+// difference, with error O(h²) from two neighbours and O(h) from one; if none does, the column is zero. A singular
+// value of B within rounding belongs to a direction that contact removes, and is set to zero.
 #pragma once
 
 #include "map/derivative/linearised_collision.hpp"
@@ -23,11 +23,11 @@ namespace swirl {
 namespace detail {
 
 constexpr double difference_step = 1e-5;
-/// Contact is integrated to some 10⁻¹⁴: over 2 h that is 10⁻⁹.
+/// Contact is integrated with an error of some 10⁻¹⁴: in a difference over 2 h that is 10⁻⁹.
 constexpr double difference_rounding = 1e-8;
 
 /// The coordinates in which a state in contact can differ: a disk has no χ; a moving edge turns as one piece, S = u_t;
-/// one at rest can only lie elsewhere.
+/// an edge at rest has ψ only.
 inline int contact_freedom(const ContactScene& scene, const ChatterCompletion& completion) {
     if (completion.support == Support::rim) return 3;
     if (completion.support == Support::vertex) return 4;
@@ -53,7 +53,8 @@ inline double wrapped(double angle) {
     return std::remainder(angle, 2 * pi<double>());
 }
 
-/// A vertex whose neighbour comes to rest at once stands on their edge: the rocking between is over within rounding.
+/// A landing on a vertex whose neighbour comes to rest at once counts as one on their edge: the rocking between ends
+/// within rounding.
 inline ChatterCompletion lasting_completion(ChatterCompletion completion, const std::vector<ContactSegment>& contacts) {
     if (contacts.size() < 2 || completion.support != Support::vertex) return completion;
     const ContactSegment& first = contacts[0];
@@ -62,8 +63,8 @@ inline ChatterCompletion lasting_completion(ChatterCompletion completion, const 
     return {true, Support::edge, second.from, second.vertex_step, completion.error, completion.jacobi};
 }
 
-/// The same supports one after the other, to the same end and the same impact. (A slip that friction ends at once does
-/// not count: it comes with every neighbour of a body that sticks.)
+/// True if two return steps have the same sequence of supports, the same last event and the same impact. (A slip of no
+/// duration does not count: every neighbour of a sticking state has one.)
 inline bool same_way(const ReturnStep<double>& a, const ReturnStep<double>& b) {
     if (a.outcome != Outcome::completed || a.contacts.empty() || b.contacts.empty()) return false;
     const auto supports = [](const ReturnStep<double>& return_step) {
@@ -89,7 +90,7 @@ Eigen::Matrix<double, section_dimension<shape>, 1> section_difference(const Post
     return d;
 }
 
-/// A: the state in contact by the post-impact state.
+/// A: ∂(state in contact)/∂(post-impact state).
 template <Shape shape>
 auto landing_derivative(const ContactScene& scene, const SectionPoint<double>& z, const ChatterCompletion& completion) {
     constexpr int dimension = section_dimension<shape>;
@@ -111,7 +112,8 @@ auto landing_derivative(const ContactScene& scene, const SectionPoint<double>& z
     return Eigen::Matrix<double, 4, dimension>(a / (2 * h));
 }
 
-/// One column of B: `end(s)` is F at s along the coordinate, nothing where it goes another way.
+/// One column of B: `end(s)` is the state after the next impact from s along the coordinate, empty if the events
+/// differ.
 template <Shape shape, class End>
 Eigen::Matrix<double, section_dimension<shape>, 1> column_of(const PostImpactState<double>& after, const End& end,
                                                              double h) {

@@ -24,10 +24,10 @@ struct ReturnStep {
 /// swings very fast: `most_contact_steps`).
 inline constexpr double contact_horizon = 1000;
 
-/// F with sustained contact. For e = 1 it is the collision map itself, but for one thing: where friction holds a
+/// F with sustained contact. For e = 1 it is the collision map itself, with one exception: where friction holds a
 /// polygon's vertex its normal velocity may fall with every impact (Poisson, Stronge: B₃ couples it to friction), and
-/// from the impact at which it is lost in rounding the orbit goes on in contact. A disk and a frictionless body at e =
-/// 1 keep |u_n|, and need none of it. Contact is integrated in double, whatever T is.
+/// once it is below rounding the orbit goes on in contact. For a disk or a frictionless body |u_n| is conserved at e =
+/// 1, so that there is no contact. Contact is integrated in double, whatever T is.
 template <class Map>
 class ReturnMap {
 public:
@@ -54,79 +54,33 @@ public:
     const ContactScene& contact() const { return *contact_; }
 
     /// The first impact of a flight in the laboratory.
-    ReturnStep<T> advance(const Flight<T>& flight) const {
-        ReturnStep<T> return_step;
-        map_.advance(flight, return_step.collision);
-        return_step.turned = flight.spin * return_step.collision.flight_time;
-        return_step.outcome = outcome_of(return_step.collision.outcome);
-        return return_step;
-    }
+    ReturnStep<T> advance(const Flight<T>& flight) const;
 
     /// From just after an impact.
     ///   horizon  for how long contact without an impact is followed
-    ///   sink     looks at contact on its way
+    ///   sink     is called with the motion in contact
     ReturnStep<T> advance(const PostImpactState<T>& post_impact, double horizon = contact_horizon,
-                          const ContactSink& sink = {}) const {
-        if (sums_chatter_ && may_chatter(*contact_, state_in_double(post_impact)))
-            if (const ChatterCompletion completion = chatter_completion(*contact_, state_in_double(post_impact));
-                completion.in_contact || completion.struck)
-                return advance_in_contact(post_impact, completion, horizon, sink);
-        ReturnStep<T> return_step = advance(flight_from(map_.body(), post_impact));
-        if (contact_ && return_step.collision.outcome == FirstContactOutcome::sustained)
-            return advance_in_contact(post_impact, held(post_impact), horizon, sink);
-        if (return_step.outcome == Outcome::completed && changes_nothing(return_step.collision))
-            return_step.outcome = Outcome::unresolved;
-        return return_step;
-    }
+                          const ContactSink& sink = {}) const;
 
-    /// The same from the end of a return step, in place: for long orbits, where a copy of what has just been written
-    /// costs more than many a calculation. Unless `completed`, only `contacts` changes, to those after its impact.
-    Outcome advance(ReturnStep<T>& return_step, double horizon = contact_horizon, const ContactSink& sink = {}) const {
-        Collision<T>& collision = return_step.collision;
-        if (!sums_chatter_ || !may_chatter(*contact_, state_in_double(collision.after))) [[likely]] {
-            const T spin = collision.after.spin;
-            map_.advance(collision.after, collision);
-            if (collision.outcome == FirstContactOutcome::contact && !changes_nothing(collision)) [[likely]] {
-                return_step.turned = spin * collision.flight_time;
-                return_step.contact_work = T(0);
-                return_step.contacts.clear();
-                return return_step.outcome = Outcome::completed;
-            }
-        }
-        const PostImpactState<T> post_impact = collision.after;  // unless there was a contact it is what it was
-        ReturnStep<T> next = advance(post_impact, horizon, sink);
-        if (next.outcome != Outcome::completed) {
-            return_step.contacts = std::move(next.contacts);
-            return next.outcome;
-        }
-        return_step = std::move(next);
-        return Outcome::completed;
-    }
+    /// The same from the end of a return step, in place: for long orbits, without a copy per impact. If the outcome is
+    /// not `completed`, only `contacts` changes, to those after its impact.
+    Outcome advance(ReturnStep<T>& return_step, double horizon = contact_horizon, const ContactSink& sink = {}) const;
 
-    /// How the body stands just after an impact from which `advance` led through contact.
-    ChatterCompletion completion(const PostImpactState<T>& post_impact) const {
-        if (!sums_chatter_) return held(post_impact);
-        const ChatterCompletion completion = chatter_completion(*contact_, state_in_double(post_impact));
-        return completion.in_contact ? completion : held(post_impact);
-    }
+    /// The chatter completion (support and state) just after an impact from which `advance` led through contact.
+    ChatterCompletion completion(const PostImpactState<T>& post_impact) const;
 
-    /// From a landing on, `post-impact state` being the impact before it.
+    /// The return step from a landing on; `post_impact` is the state after the impact before it.
     ReturnStep<T> advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion& completion,
-                                     double horizon = contact_horizon, const ContactSink& sink = {}) const {
-        const ContactPhase phase = completion.struck ? struck_at_once(*contact_, state_in_double(post_impact))
-                                                     : follow_contact(*contact_, completion, horizon, sink);
-        ReturnStep<T> return_step = after_contact(post_impact, phase);
-        return_step.contact_work = T(phase.sums.work + completion.jacobi);
-        return return_step;
-    }
+                                     double horizon = contact_horizon, const ContactSink& sink = {}) const;
 
 private:
-    /// An impact without time and without impulse would come again for ever.
+    /// A step of no duration and no impulse: iterating F would repeat it without end.
     bool changes_nothing(const Collision<T>& c) const {
         return contact_ && c.flight_time == T(0) && c.impulse.normal == T(0);
     }
 
-    /// The search found the body held that `chatter_completion` saw leave: on the border between the two.
+    /// The contact state where the search found `sustained` but `chatter_completion` did not: both within rounding of
+    /// the border between leaving and staying.
     ChatterCompletion held(const PostImpactState<T>& post_impact) const {
         ChatterCompletion completion;
         completion.support = shape == Shape::disk ? Support::rim : Support::vertex;
@@ -138,8 +92,7 @@ private:
         const auto d = [](const T& x) { return static_cast<double>(x); };
         return {{d(l.psi.x), d(l.psi.y)}, {d(l.chi.x), d(l.chi.y)}, d(l.vn), d(l.vt), d(l.spin)};
     }
-    /// Contact ends in double's digits; the directions are of length 1 in T's, so that the body touches in these
-    /// too.
+    /// Contact ends in double precision; the directions are normalised in T, so that the body touches to T's rounding.
     static PostImpactState<T> state_from_double(const PostImpactState<double>& l) {
         return {renormalised(Vec2<T>{T(l.psi.x), T(l.psi.y)}), renormalised(Vec2<T>{T(l.chi.x), T(l.chi.y)}), T(l.vn),
                 T(l.vt), T(l.spin)};
@@ -159,61 +112,152 @@ private:
     }
 
     /// The first impact after a release.
-    Collision<T> fly_off(const Flight<T>& flight) const {
-        const auto contact = contact_after_release<shape>(map_.body(), flight);
-        if (!contact) return map_.advance(flight);
-        Collision<T> collision;
-        if (contact->outcome == FirstContactOutcome::contact) map_.strike(flight, contact->at, contact->arm, collision);
-        collision.outcome = contact->outcome;
-        collision.steps = contact->steps;
-        collision.vertex_step = contact->vertex;
-        collision.simultaneous = contact->simultaneous;
-        return collision;
-    }
+    Collision<T> fly_off(const Flight<T>& flight) const;
 
-    ReturnStep<T> after_contact(const PostImpactState<T>& post_impact, const ContactPhase& phase) const {
-        ReturnStep<T> return_step;
-        const PostImpactState<T> end = state_from_double(phase.strike.after);
-        Collision<T>& collision = return_step.collision;
-        T flight_time{}, flight_turned{};
-        Vec2<T> flight_normal{T(1), T(0)};
-        if (!phase.resolved) {
-            return_step.outcome = Outcome::unresolved;
-        } else if (phase.finish == ContactEvent::horizon) {
-            return_step.outcome = Outcome::in_contact;
-        } else if (phase.finish == ContactEvent::release) {
-            PostImpactState<T> leaving = end;  // a release has u_n = 0, in T's digits too
-            leaving.vn = leaving.vn - contact_kinematics(map_.body(), leaving).un;
-            const Flight<T> flight = flight_from(map_.body(), leaving);
-            collision = fly_off(flight);
-            flight_time = collision.flight_time;
-            flight_turned = flight.spin * flight_time;
-            flight_normal = collision.normal;
-            return_step.outcome = outcome_of(collision.outcome);
-        } else {
-            collision.outcome = FirstContactOutcome::contact;
-            const Impulse<double>& j = phase.strike.impulse;
-            collision.impulse = {T(j.normal), T(j.tangential), j.mode};
-            collision.jacobi_restitution = T(phase.strike.jacobi_restitution);
-            collision.jacobi_friction = T(phase.strike.jacobi_friction);
-        }
-        if (phase.finish != ContactEvent::release) collision.after = end;
-        // The whole return step: arg n has gone on by Δψ + t in contact, and by the flight's own turn after it.
-        const T duration(phase.sums.time);
-        const Vec2<T> advance = times(seen_from(post_impact.psi, end.psi), cis(duration));
-        collision.normal = times(advance, flight_normal);
-        collision.flight_time = duration + flight_time;
-        if constexpr (shape == Shape::polygon)
-            collision.vertex_step =
-                map_.body().vertex_number(static_cast<long long>(collision.vertex_step) + phase.vertex_step);
-        return_step.turned = T(phase.sums.turned) + flight_turned;
-        return_step.contacts = phase.segments;
-        return return_step;
-    }
+    ReturnStep<T> after_contact(const PostImpactState<T>& post_impact, const ContactPhase& phase) const;
 
     const Map& map_;
     std::optional<ContactScene> contact_;
     bool sums_chatter_ = false;  ///< e < 1: chatter is looked for after every impact
 };
+
+template <class Map>
+auto ReturnMap<Map>::advance(const Flight<T>& flight) const -> ReturnStep<T> {
+    ReturnStep<T> return_step;
+    map_.advance(flight, return_step.collision);
+    return_step.turned = flight.spin * return_step.collision.flight_time;
+    return_step.outcome = outcome_of(return_step.collision.outcome);
+    return return_step;
+}
+
+template <class Map>
+auto ReturnMap<Map>::advance(const PostImpactState<T>& post_impact, double horizon, const ContactSink& sink) const
+    -> ReturnStep<T> {
+    if (sums_chatter_ && may_chatter(*contact_, state_in_double(post_impact)))
+        if (const ChatterCompletion completion = chatter_completion(*contact_, state_in_double(post_impact));
+            completion.in_contact || completion.struck)
+            return advance_in_contact(post_impact, completion, horizon, sink);
+    ReturnStep<T> return_step = advance(flight_from(map_.body(), post_impact));
+    if (contact_ && return_step.collision.outcome == FirstContactOutcome::sustained)
+        return advance_in_contact(post_impact, held(post_impact), horizon, sink);
+    if (return_step.outcome == Outcome::completed && changes_nothing(return_step.collision))
+        return_step.outcome = Outcome::unresolved;
+    return return_step;
+}
+
+template <class Map>
+auto ReturnMap<Map>::advance(ReturnStep<T>& return_step, double horizon, const ContactSink& sink) const -> Outcome {
+    Collision<T>& collision = return_step.collision;
+    if (!sums_chatter_ || !may_chatter(*contact_, state_in_double(collision.after))) [[likely]] {
+        const T spin = collision.after.spin;
+        map_.advance(collision.after, collision);
+        if (collision.outcome == FirstContactOutcome::contact && !changes_nothing(collision)) [[likely]] {
+            return_step.turned = spin * collision.flight_time;
+            return_step.contact_work = T(0);
+            return_step.contacts.clear();
+            return return_step.outcome = Outcome::completed;
+        }
+    }
+    const PostImpactState<T> post_impact = collision.after;  // unchanged by map_.advance if it found no contact
+    ReturnStep<T> next = advance(post_impact, horizon, sink);
+    if (next.outcome != Outcome::completed) {
+        return_step.contacts = std::move(next.contacts);
+        return next.outcome;
+    }
+    return_step = std::move(next);
+    return Outcome::completed;
+}
+
+template <class Map>
+auto ReturnMap<Map>::completion(const PostImpactState<T>& post_impact) const -> ChatterCompletion {
+    if (!sums_chatter_) return held(post_impact);
+    const ChatterCompletion completion = chatter_completion(*contact_, state_in_double(post_impact));
+    return completion.in_contact ? completion : held(post_impact);
+}
+
+template <class Map>
+auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion& completion,
+                                        double horizon, const ContactSink& sink) const -> ReturnStep<T> {
+    const ContactPhase phase = completion.struck ? struck_at_once(*contact_, state_in_double(post_impact))
+                                                 : follow_contact(*contact_, completion, horizon, sink);
+    ReturnStep<T> return_step = after_contact(post_impact, phase);
+    return_step.contact_work = T(phase.sums.work + completion.jacobi);
+    return return_step;
+}
+
+template <class Map>
+auto ReturnMap<Map>::fly_off(const Flight<T>& flight) const -> Collision<T> {
+    const auto contact = contact_after_release<shape>(map_.body(), flight);
+    if (!contact) return map_.advance(flight);
+    Collision<T> collision;
+    if (contact->outcome == FirstContactOutcome::contact) map_.strike(flight, contact->at, contact->arm, collision);
+    collision.outcome = contact->outcome;
+    collision.steps = contact->steps;
+    collision.vertex_step = contact->vertex;
+    collision.simultaneous = contact->simultaneous;
+    return collision;
+}
+
+template <class Map>
+auto ReturnMap<Map>::after_contact(const PostImpactState<T>& post_impact, const ContactPhase& phase) const
+    -> ReturnStep<T> {
+    ReturnStep<T> return_step;
+    const PostImpactState<T> end = state_from_double(phase.strike.after);
+    Collision<T>& collision = return_step.collision;
+    T flight_time{}, flight_turned{};
+    Vec2<T> flight_normal{T(1), T(0)};
+    if (!phase.resolved) {
+        return_step.outcome = Outcome::unresolved;
+    } else if (phase.finish == ContactEvent::horizon) {
+        return_step.outcome = Outcome::in_contact;
+    } else if (phase.finish == ContactEvent::release) {
+        PostImpactState<T> leaving = end;  // a release has u_n = 0, in T's digits too
+        leaving.vn = leaving.vn - contact_kinematics(map_.body(), leaving).un;
+        const Flight<T> flight = flight_from(map_.body(), leaving);
+        collision = fly_off(flight);
+        flight_time = collision.flight_time;
+        flight_turned = flight.spin * flight_time;
+        flight_normal = collision.normal;
+        return_step.outcome = outcome_of(collision.outcome);
+    } else {
+        collision.outcome = FirstContactOutcome::contact;
+        const Impulse<double>& j = phase.strike.impulse;
+        collision.impulse = {T(j.normal), T(j.tangential), j.mode};
+        collision.jacobi_restitution = T(phase.strike.jacobi_restitution);
+        collision.jacobi_friction = T(phase.strike.jacobi_friction);
+    }
+    if (phase.finish != ContactEvent::release) collision.after = end;
+    // The whole return step: arg n has gone on by Δψ + t in contact, and by the flight's own turn after it.
+    const T duration(phase.sums.time);
+    const Vec2<T> advance = times(seen_from(post_impact.psi, end.psi), cis(duration));
+    collision.normal = times(advance, flight_normal);
+    collision.flight_time = duration + flight_time;
+    if constexpr (shape == Shape::polygon)
+        collision.vertex_step =
+            map_.body().vertex_number(static_cast<long long>(collision.vertex_step) + phase.vertex_step);
+    return_step.turned = T(phase.sums.turned) + flight_turned;
+    return_step.contacts = phase.segments;
+    return return_step;
+}
+
+// Compiled once, in return_map_in_*.cpp.
+extern template class ReturnMap<CollisionMap<double, Shape::disk, ImpactRule::frictionless>>;
+extern template class ReturnMap<CollisionMap<double, Shape::disk, ImpactRule::poisson>>;
+extern template class ReturnMap<CollisionMap<double, Shape::polygon, ImpactRule::frictionless>>;
+extern template class ReturnMap<CollisionMap<double, Shape::polygon, ImpactRule::poisson>>;
+extern template class ReturnMap<CollisionMap<double, Shape::polygon, ImpactRule::newton>>;
+extern template class ReturnMap<CollisionMap<double, Shape::polygon, ImpactRule::stronge>>;
+extern template class ReturnMap<CollisionMap<long double, Shape::disk, ImpactRule::frictionless>>;
+extern template class ReturnMap<CollisionMap<long double, Shape::disk, ImpactRule::poisson>>;
+extern template class ReturnMap<CollisionMap<long double, Shape::polygon, ImpactRule::frictionless>>;
+extern template class ReturnMap<CollisionMap<long double, Shape::polygon, ImpactRule::poisson>>;
+extern template class ReturnMap<CollisionMap<long double, Shape::polygon, ImpactRule::newton>>;
+extern template class ReturnMap<CollisionMap<long double, Shape::polygon, ImpactRule::stronge>>;
+extern template class ReturnMap<CollisionMap<Quad, Shape::disk, ImpactRule::frictionless>>;
+extern template class ReturnMap<CollisionMap<Quad, Shape::disk, ImpactRule::poisson>>;
+extern template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::frictionless>>;
+extern template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::poisson>>;
+extern template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::newton>>;
+extern template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::stronge>>;
 
 }  // namespace swirl

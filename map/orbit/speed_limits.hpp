@@ -1,12 +1,12 @@
-// Orbits whose speeds leave the numbers: those that die away in a container at rest, and those that grow without end.
+// Orbits whose speeds leave the range of numbers: decaying ones in a container at rest, and diverging ones.
 #pragma once
 
 #include "map/model/section.hpp"
 
 namespace swirl {
 
-/// True if a body in a container at rest (β = 0) has slowed down so far that its squares will soon not be held: it dies
-/// away geometrically and is called resting. (A body all at rest is left to the search, which proves it.)
+/// True if β = 0 and the speed is below 10⁻⁷⁵, where its powers underflow: it decays geometrically, and the orbit ends
+/// as `resting`. (For a speed of exactly zero the search proves that no contact follows.)
 template <class T>
 bool has_come_to_rest(const Body<T>& body, const PostImpactState<T>& post_impact) {
     if (body.beta != T(0)) return false;
@@ -14,8 +14,7 @@ bool has_come_to_rest(const Body<T>& body, const PostImpactState<T>& post_impact
     return speed != T(0) && speed < T(detail::smallest_magnitude);
 }
 
-/// True if a body has become so fast, or spins so fast, that its squares will soon not be held (Newton's law with
-/// friction creates energy).
+/// True if a speed or the spin exceeds 10⁷⁵, where its powers overflow (Newton's law with friction can create energy).
 template <class T>
 bool has_diverged(const Body<T>& body, const PostImpactState<T>& post_impact) {
     using std::fabs;

@@ -6,7 +6,7 @@ namespace swirl {
 
 namespace {
 
-/// The body's centre while it stands on the wall: β w + n − α r, of a disk β w + (1 − α) n.
+/// The body's centre in contact: β w + n − α r, of a disk β w + (1 − α) n.
 Vec2<double> centre_on_wall(const ContactScene& scene, const ContactState& state, double t) {
     const Vec2<double> swirl = cis(t);
     const Vec2<double> n = times(swirl, cis(state.psi));

@@ -22,7 +22,7 @@ struct TrajectorySegment {
     ContactState state;  ///< at the start
 };
 
-/// What can be seen of the body at a time.
+/// Position and orientation of the body at a time.
 struct Moment {
     Vec2<double> centre;  ///< laboratory, R_c
     double angle = 0;     ///< vertex 0's direction, unwound
@@ -65,7 +65,7 @@ public:
         if (struck) {
             const auto lab = orbit.lab();
             add_flight(number(lab.t), {number(lab.x), number(lab.y)});
-            angle_ = number(lab.angle);  // free of what the sum has gathered
+            angle_ = number(lab.angle);  // free of the sum's accumulated rounding
             spin_ = number(lab.spin);
         }
         looks_.clear();

@@ -22,8 +22,8 @@ double free_acceleration(const ContactScene& scene, const PostImpactState<double
 }
 
 struct Touch {
-    bool rests;    ///< no normal velocity but rounding and the end of chatter
-    bool pressed;  ///< free flight would take it into the wall
+    bool rests;    ///< the normal velocity is zero within rounding, or chatter has ended
+    bool pressed;  ///< in free flight it would accelerate into the wall
     double error;
 };
 
@@ -36,7 +36,8 @@ Touch touch_of(const ContactScene& scene, const PostImpactState<double>& post_im
     return {u.un < 0 && error.moved <= chatter_tolerance, acceleration > 0, error.estimate};
 }
 
-/// How friction goes with a normal impulse: −1 and 1 by the sign of u_t while it slides, 0 while it sticks.
+/// The direction of slip, which decides the friction of a normal impulse: −1 and 1 by the sign of u_t while it slides,
+/// 0 while it sticks.
 struct Slip {
     bool slides;
     double sign;
@@ -47,7 +48,8 @@ Slip slip_of(const ContactScene& scene, const PostImpactState<double>& post_impa
     return {scene.mu > 0 && std::abs(ut) > velocity_rounding(scene, post_impact), ut > 0 ? 1.0 : -1.0};
 }
 
-/// Takes v out by the impulse that contact would have needed less of: p = u_n/c < 0, friction with it.
+/// Removes v by the normal impulse p = u_n/c < 0, the difference of chatter's from contact's, with the friction that
+/// goes with it.
 ContactState without_normal_velocity(const ContactScene& scene, const PostImpactState<double>& post_impact,
                                      const Slip& slip, double& jacobi) {
     const ContactKinematics<double> u = contact_kinematics(scene.body, post_impact);
@@ -69,7 +71,8 @@ ContactState landed(const ContactScene& scene, const PostImpactState<double>& po
     return state;
 }
 
-/// How fast an edge turns about the container's centre once its rocking has died: normal impulses point to there.
+/// The rate at which an edge turns about the container's centre once its rocking has ended: the angular momentum about
+/// that centre is conserved, since normal impulses point at it.
 double edge_rate(const ContactScene& scene, const PostImpactState<double>& post_impact) {
     const Body<double>& body = scene.body;
     const Vec2<double> place{1 - body.alpha * post_impact.chi.x, -(body.alpha * post_impact.chi.y)};
@@ -78,8 +81,8 @@ double edge_rate(const ContactScene& scene, const PostImpactState<double>& post_
     return (cross(place, velocity) + body.inertia * post_impact.spin) / (dot(place, place) + body.inertia);
 }
 
-/// How far an edge that lands slides on, if friction then holds it; infinite if that does not. Where no sliding is
-/// consistent it jams at once.
+/// The distance an edge slides after landing until friction holds it; infinite if friction does not. Where no sliding
+/// is consistent the edge jams at once.
 double slide_of(const ContactScene& scene, const ContactState& landed) {
     ContactState z = landed;
     z.ut = z.spin = 0;
@@ -94,9 +97,9 @@ double slide_of(const ContactScene& scene, const ContactState& landed) {
     return slowing > 0 ? landed.ut * landed.ut / (2 * slowing) : std::numeric_limits<double>::infinity();
 }
 
-/// Puts χ at ±χ_m if it is that close: the neighbour touches, too. An ulp inside it would fall by an ulp, which gives
-/// it a velocity of 10⁻⁸ that it did not have: where the two vertices strike in turn it would be taken and given for
-/// ever.
+/// Sets χ to ±χ_m if it is within `tolerance` of it: the neighbour touches, too. Left an ulp inside, the neighbour
+/// would fall by an ulp and gain a velocity of order √ε = 10⁻⁸ that it did not have: where two vertices strike in turn,
+/// this gain balances the loss at each strike and the alternation does not end.
 void keep_neighbour_at_wall(const ContactScene& scene, double tolerance, ContactState& state) {
     if (scene.is_disk() || std::abs(std::abs(state.chi) - scene.widest_chi) > tolerance) return;
     state.chi = std::copysign(scene.widest_chi, state.chi);
@@ -166,7 +169,7 @@ ChatterCompletion chatter_completion(const ContactScene& scene, const PostImpact
                       std::max(here.error, there.error),
                       0};
         completion.state.chi = -scene.widest_chi;
-        // The slip of one vertex is also what is left of rocking on the other.
+        // The slip of one vertex includes the remaining rocking on the other.
         const bool still = scene.mu > 0 && (std::abs(completion.state.ut) <= velocity_rounding(scene, post_impact) ||
                                             slide_of(scene, completion.state) <= chatter_tolerance);
         completion.state.ut = completion.state.spin = still ? 0 : completion.state.ut;
@@ -179,7 +182,7 @@ ChatterCompletion chatter_completion(const ContactScene& scene, const PostImpact
     } else if (there_rests && there.pressed) {
         completion = {true, Support::vertex, {}, step, there.error, 0};
         completion.state = landed(scene, neighbour, completion.jacobi);
-        keep_neighbour_at_wall(scene, neighbour_tolerance, completion.state);  // as exact as its rebound is small
+        keep_neighbour_at_wall(scene, neighbour_tolerance, completion.state);  // known only to its rebound
     } else {
         completion.struck = here.rests && there_approaches;
     }

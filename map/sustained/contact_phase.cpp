@@ -9,14 +9,14 @@ namespace swirl {
 
 namespace {
 
-/// More pieces than this without time passing, and contact is called unresolved.
+/// After more consecutive pieces of zero duration contact is called unresolved.
 constexpr int most_idle_pieces = 50;
 
-/// Contact is given up, as at its horizon, after so many pieces.
+/// After so many pieces contact ends as at its horizon.
 constexpr std::size_t most_pieces = 100'000;
 
-/// The neighbour's chatter on a standing vertex has come to its end: its next rebound would lift it by less than
-/// rounding before it came back (standing.hpp), with L|χ″| its acceleration towards the wall.
+/// True if the neighbour's chatter, while a vertex is in contact, has ended: its remaining rebounds move it by less
+/// than rounding (vT as in chatter_completion.hpp), with L|χ″| its acceleration towards the wall.
 bool ends_second_chatter(const ContactScene& scene, ContactMotion motion, const ContactState& z) {
     const Reaction r = reaction_of(scene, Support::vertex, motion, z);
     const double side = z.chi > 0 ? -1 : 1;
@@ -31,7 +31,7 @@ struct Follower {
     const ContactScene& scene;
     const ContactSink& sink;
     ContactPhase phase;
-    double settled_jacobi = 0;  ///< what a neighbour that came to rest added to J: part of the next piece's landing
+    double settled_jacobi = 0;  ///< change of J when a neighbour came to rest: part of the next piece's landing
 
     void finish(ContactEvent event, const PostImpactState<double>& post_impact, int vertex_step) {
         phase.finish = event;
@@ -54,7 +54,8 @@ struct Follower {
         finish(ContactEvent::strike, phase.strike.after, segment.vertex_step + (z.chi > 0 ? -1 : 1));
     }
 
-    /// A neighbour that is on the wall without approaching: its rebound is lost in rounding. It rests there, no impact.
+    /// A neighbour on the wall that does not approach, its rebound being below rounding: it rests there, without an
+    /// impact.
     std::optional<MotionChoice> settled_neighbour(const ContactSegment& segment) {
         ContactState z = segment.to;
         z.chi = std::copysign(scene.widest_chi, z.chi);

@@ -12,24 +12,24 @@ namespace swirl {
 /// One piece of sustained contact. Times and vertices count from the impact before it.
 struct ContactSegment {
     double start = 0, end = 0;
-    int vertex_step = 0;  ///< the vertex it stands on; an edge's clockwise one
+    int vertex_step = 0;  ///< the vertex in contact; an edge's clockwise one
     Support support = Support::vertex;
     ContactMotion motion = ContactMotion::sticking;
     ContactEvent begin = ContactEvent::landing;
     ContactEvent finish = ContactEvent::horizon;
     ContactState from, to;
     double turned = 0;          ///< ∫ S dt
-    double work = 0;            ///< ∫ f (u_t − 1) dt: what friction added to J
-    double landing_jacobi = 0;  ///< what the end of chatter before it (a landing's, a neighbour's) added to J
-    double error = 0;           ///< of a landing: what ending chatter there does to place and velocities (an estimate)
-    long steps = 0;             ///< power series that it took
+    double work = 0;            ///< ∫ f (u_t − 1) dt: change of J by friction
+    double landing_jacobi = 0;  ///< change of J by the end of chatter before it (a landing's, a neighbour's)
+    double error = 0;  ///< of a landing: estimated error of place and velocities by replacing the rest of chatter
+    long steps = 0;    ///< number of power series
 };
 
 struct ContactPhase {
     ContactEvent finish = ContactEvent::horizon;  ///< horizon, release, strike or jam
     bool resolved = true;                         ///< false: no motion is consistent with the wall and friction
     Strike strike;  ///< `after` is the post-impact state at the end: leaving, or just after the impact (strike, jam)
-    int vertex_step = 0;  ///< the vertex of that post-impact state, from the one that had struck
+    int vertex_step = 0;  ///< the vertex of that post-impact state, counted from the one that struck before
     ContactSums sums;
     std::vector<ContactSegment> segments;
 };
@@ -38,8 +38,8 @@ struct ContactPhase {
 ContactPhase follow_contact(const ContactScene& scene, const ChatterCompletion& completion, double horizon,
                             const ContactSink& sink = {});
 
-/// Where two vertices strike in turn and flights shrink to rounding (`ChatterCompletion::struck`): the neighbour
-/// strikes before the body has left the wall, after no time.
+/// Where two vertices strike in turn and flights shrink to rounding (`ChatterCompletion::struck`): the strike of the
+/// neighbour, at the same time.
 ContactPhase struck_at_once(const ContactScene& scene, const PostImpactState<double>& post_impact);
 
 }  // namespace swirl

@@ -12,14 +12,14 @@ namespace {
 using contact_detail::Condition, contact_detail::Failure, contact_detail::Problem, contact_detail::State,
     contact_detail::Step;
 
-/// A step whose looks are short against the swirl and the body's own motion (a disk's spin moves nothing).
+/// A step whose sixteen parts are short against the swirl and the body's own motion (a disk's spin moves no contact).
 double longest_step(const ContactScene& scene, Support support, const ContactState& z) {
     const double spin = support == Support::rim ? 0 : std::abs(z.spin);
     return 1 / (1 + spin + std::abs(normal_rate(scene, support, z)));
 }
 
-/// Of the last terms of a step; what is left out after them is smaller by the step's ratio to the distance of the
-/// nearest singularity.
+/// Bound of the last terms of a step; the truncation error is smaller by a factor (step)/(distance to the nearest
+/// singularity).
 constexpr double local_error = 1e-16;
 
 /// Shows a step to a sink, in parts short enough to interpolate between.
@@ -32,8 +32,8 @@ void show(const Problem& problem, const Step& step, double time, double h, const
     }
 }
 
-/// A disk's pendulum is advanced in closed form if that spares so many steps' time, and if the contact holds by more
-/// than this of its forces' scale wherever the pendulum comes: then nothing can end it.
+/// A disk's pendulum is advanced in closed form if that saves so many steps, and if contact and friction hold with more
+/// than this margin, relative to the scale of the forces, all along the pendulum's orbit: then no event can end it.
 constexpr double long_contact = 20;
 constexpr double certain_hold = 1e-9;
 

@@ -19,7 +19,7 @@ constexpr Series inverses() {
     for (int k = 1; k <= order; ++k) table[k] = 1.0 / k;
     return table;
 }
-/// 1/k: the recurrences wait for each division.
+/// 1/k, tabled: the recurrences would wait for each division.
 constexpr Series per = inverses();
 
 /// Σ a[i] b[k − i] for i from 0 to k: in four sums, as each addition waits for the one before it, and the newest
@@ -57,7 +57,7 @@ struct Turn {
     Series sine{}, cosine{};
     Series rate{};  ///< (k + 1) θₖ₊₁
 
-    /// `rest` is what the rounding of the angle has left out: after many turns that is more than its sine's own.
+    /// `rest` is the rounding error of the angle: after many turns it exceeds the rounding of its sine.
     void begin(double angle, double rest = 0) {
         const double s = std::sin(angle), c = std::cos(angle);
         sine[0] = s + rest * c;

@@ -2,8 +2,8 @@
 //
 // Every equation of motion (reaction.hpp) is made of sums, products, sine and cosine and at most one quotient, so the
 // coefficients follow from one another by recurrence: one product of series costs k operations for the k-th, all of
-// them together a few microseconds. A step is then a polynomial: any moment of it costs no further force, and what the
-// forces do on the whole of it can be bounded.
+// them together a few microseconds. A step is then a polynomial: the state at any moment of it costs no further
+// evaluation of forces, and the forces can be bounded on the whole of it.
 // Source: À. Jorba, M. Zou, A software package for the numerical integration of ODEs by means of high-order Taylor
 // methods, Exp. Math. 14 (2005) 99.
 #pragma once
@@ -20,7 +20,7 @@ inline constexpr int series_order = 24;
 
 using Series = std::array<double, series_order + 1>;
 
-/// Coefficients of tᵏ. What a motion has not is zero.
+/// Coefficients of tᵏ. Quantities that a motion does not have are zero.
 struct ContactSeries {
     Series psi{}, chi{}, ut{}, spin{};
     Series turned{};     ///< ∫ S dt, from 0
@@ -32,11 +32,11 @@ struct ContactSeries {
 };
 
 /// The motion from a state on.
-///   psi_rest  what rounding has left out of ψ
+///   psi_rest  the rounding error of ψ, to be added to it
 ContactSeries contact_series(const ContactScene& scene, Support support, ContactMotion motion,
                              const ContactState& start, double psi_rest = 0);
 
-/// Σ cₖ tᵏ over k ≥ 1: what changes by time t.
+/// Σ cₖ tᵏ over k ≥ 1: the change until time t.
 double change_at(const Series& series, double t);
 
 /// Σ cₖ tᵏ, and its derivative.

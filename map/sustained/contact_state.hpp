@@ -3,17 +3,17 @@
 //
 // The section's coordinates serve here too, with u_n = 0: ψ = arg n − t, χ = arg r − arg n (a vertex), the slip
 // velocity u_t and S. The container does not rotate, so a vertex that touches moves along the wall at u_t = dν/dt, ν =
-// arg n. An edge stands on its clockwise vertex, χ = −χ_m; a disk has χ = 0.
+// arg n. An edge's state is that of its clockwise vertex, χ = −χ_m; a disk has χ = 0.
 #pragma once
 
 #include "map/model/section.hpp"
 
 namespace swirl {
 
-/// What the body stands on.
+/// The part of the body in contact.
 enum class Support { rim, vertex, edge };
 
-/// How it moves there. Without friction there is only `sliding_forward`, whatever the sign of u_t.
+/// How it moves in contact. Without friction there is only `sliding_forward`, whatever the sign of u_t.
 enum class ContactMotion { sliding_forward, sliding_backward, sticking };
 
 inline std::string_view name_of(Support support, ContactMotion motion) {

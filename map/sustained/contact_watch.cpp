@@ -15,7 +15,8 @@ namespace {
 
 constexpr Condition always{1, ContactEvent::horizon};
 
-/// A contact is released where λ is just negative, so that the flight begins away from the wall beyond doubt.
+/// A contact is released where λ is below zero by this margin, so that the flight certainly accelerates away from the
+/// wall.
 constexpr double release_margin = 1e-13;
 /// Where B₂ − sμB₃ is below this the normal force is called unbounded.
 constexpr double painleve_margin = 1e-9;
@@ -25,7 +26,7 @@ double locate(const Problem& problem, const Step& step, double from, double to, 
     const auto value = [&](double t) { return conditions_of(problem, step.at(t))[k].value; };
     double before = value(from);
     const double after = value(to);
-    for (int halving = 1; !(before > 0); ++halving) {  // it may begin at its border, rise, and fall again
+    for (int halving = 1; !(before > 0); ++halving) {  // it may start at zero, rise, and fall again
         if (halving > 30) return from;
         const double nearer = from + std::ldexp(to - from, -halving);
         before = value(nearer);
@@ -38,15 +39,15 @@ double locate(const Problem& problem, const Step& step, double from, double to, 
         .second;
 }
 
-/// How often a step is looked at where its series does not prove that nothing ends the motion.
+/// Number of parts in which a step is examined whose series does not prove that no event ends the motion.
 constexpr int looks_per_step = 16;
 
-/// A condition's series a − |b|, as far as bounds do not prove that it holds all along a step.
+/// An open condition: a series a − |b| that bounds do not prove to hold all along a step.
 struct OpenCondition {
     const Series* falls = nullptr;    ///< a
-    const Series* against = nullptr;  ///< b, nothing if there is none
+    const Series* against = nullptr;  ///< b, null if there is none
     double factor = 1, border = 0;    ///< factor a − |b| − border > 0 while the condition holds
-    double rounding = 0;              ///< below this rounding decides
+    double rounding = 0;              ///< values below this are rounding
     double bend = 0;                  ///< bounds its second derivative from above, on the step
 
     double at(double t) const {
@@ -76,8 +77,8 @@ private:
         }
     };
 
-    /// The second derivative bounds how far the condition falls between two moments, and tells where it only rises or
-    /// only falls; what is left is halved.
+    /// The bound of the second derivative limits the fall of the condition between two moments and excludes a minimum
+    /// where the first derivative does not change its sign; the other intervals are halved.
     void seek(double from, double to, double before, double after, int halvings, Lowest& lowest) const {
         const double width = to - from;
         if (std::min(before, after) - 0.125 * bend * width * width > lowest.value) return;
@@ -107,7 +108,7 @@ struct OpenConditions {
     std::size_t count = 0;
     bool all = false;  ///< the forces of an edge at rest are not unique and have no series
 
-    /// Keeps the condition unless no series reaches from its first term to where it would fail within h.
+    /// Keeps the condition as open unless the bounds of its series prove that it holds for a time h.
     void unless_proven(OpenCondition condition, double h) {
         const double held =
             condition.factor * (*condition.falls)[0] - (condition.against ? std::abs((*condition.against)[0]) : 0);
@@ -134,7 +135,7 @@ struct OpenConditions {
         return !all;
     }
 
-    /// Moments to look at between two others: where a condition may fail for a time that is over at the second.
+    /// Moments to examine between two others: where a condition may fail and hold again at the second.
     std::vector<double> dips(double from, double to, const Values& before, const Values& after) const {
         std::vector<double> moments;
         for (std::size_t i = 0; i < count; ++i)
@@ -162,7 +163,8 @@ OpenConditions open_conditions(const Problem& problem, const ContactSeries& z, d
     return conditions;
 }
 
-/// Does the neighbour, at the wall already, go on outwards? Its strike may be over before the first look.
+/// True if the neighbour, already at the wall, moves outwards: it might be back inside before the first moment
+/// examined.
 bool strikes_at_once(const Problem& problem, const Step& step) {
     if (problem.support != Support::vertex) return false;
     const State start = step.at(0);

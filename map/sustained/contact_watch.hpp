@@ -6,7 +6,7 @@
 
 namespace swirl::contact_detail {
 
-/// A condition that holds along the motion, and what ends it when it no longer does.
+/// A condition that holds along the motion, and the event when it no longer does.
 struct Condition {
     double value;  ///< ≥ 0 while it holds
     ContactEvent event;
@@ -26,10 +26,9 @@ struct Failure {
     bool found = false;
 };
 
-/// Looks at a step's parts in turn, where it is not proven that nothing ends the motion: at the series, also where a
-/// condition is lowest between two looks, and at the forces themselves where it is close. A condition that begins at
-/// its border (λ = 0 after a release that did not happen, |χ| = χ_m after a strike) and moves inwards holds: only a
-/// negative value fails.
+/// Examines the parts of a step on which an event is not excluded: the series, also where a condition is lowest between
+/// two moments, and the forces themselves where a condition is close to zero. A condition that starts at zero (λ = 0
+/// after a release that did not happen, |χ| = χ_m after a strike) and increases holds: only a negative value fails.
 Failure first_failure(const Problem& problem, const Step& step, double h);
 
 }  // namespace swirl::contact_detail

@@ -21,7 +21,8 @@ std::optional<ContactMotion> consistent_motion(const ContactScene& scene, Suppor
     const Reaction held = reaction_of(scene, support, sticking, z);
     const double margin = stick_margin(scene, z);
     if (!broken && held.reserve >= -0.5 * margin && (support == Support::edge || held.normal >= 0)) return sticking;
-    // Where friction has just let go, slip against it still has all but the forces of sticking.
+    // Where friction has just ceased to hold, the forces of slip against it differ from those of sticking by rounding
+    // only.
     const double rounding = broken ? margin : 0;
     const ContactMotion against = held.friction < 0 ? sliding_forward : sliding_backward;
     const ContactMotion along = held.friction < 0 ? sliding_backward : sliding_forward;
@@ -38,7 +39,7 @@ ContactState other_end(const ContactScene& scene, const ContactState& z) {
     return {z.psi + 2 * scene.half_chord, scene.widest_chi, z.ut, z.spin};
 }
 
-/// An edge that stands up on one of its vertices: the other must leave the wall.
+/// An edge lifts one of its vertices: contact goes on at the other, and the lifted one must leave the wall.
 std::optional<MotionChoice> stand_up(const ContactScene& scene, const ContactState& edge, int vertex_step) {
     for (const int step : {0, 1}) {
         const ContactState z = step == 0 ? edge : other_end(scene, edge);

@@ -7,7 +7,7 @@
 
 namespace swirl {
 
-/// How the body moves from here on, or what ends its contact at once.
+/// The contact motion that begins, or the event that ends contact at once.
 struct MotionChoice {
     bool stays = false;
     Support support = Support::vertex;
@@ -17,8 +17,8 @@ struct MotionChoice {
     ContactEvent ends = ContactEvent::release;  ///< if it does not stay: release or jam
 };
 
-/// Sliding where u_t ≠ 0; from rest sticking where friction can hold it, else the slip that its own forces drive. An
-/// edge that can do none of it stands up on one of its vertices.
+/// Sliding where u_t ≠ 0; from rest sticking where friction can hold it, else the slip that its own forces drive. Where
+/// none is consistent an edge lifts one of its vertices.
 ///   broken  friction has just stopped holding: not sticking
 MotionChoice choose_motion(const ContactScene& scene, Support support, const ContactState& state, int vertex_step,
                            bool broken = false);

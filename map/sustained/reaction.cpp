@@ -82,7 +82,7 @@ Reaction on_edge(const ContactScene& scene, ContactMotion motion, const ContactS
         r.friction = -d * wt;
         const double difference = (-wt - r.friction * c) / s;
         r.reserve = edge_reserve(scene, r.friction, difference, wn);
-        // One of the possible pairs, without strain along the edge: f₁ = f₂.
+        // One of the possible pairs, the one without tension along the edge: f₁ = f₂.
         r.normal = 0.5 * (wn / c + difference);
         r.second = 0.5 * (wn / c - difference);
         return r;

@@ -1,4 +1,4 @@
-// The wall's force on a body in contact, and the accelerations it leaves.
+// The wall's force on a body in contact, and the resulting accelerations.
 //
 // With w the swirl's arm (w_n = β cos ψ, w_t = −β sin ψ), r the lever arm and the force −λ n + f t, in the container's
 // frame
@@ -27,7 +27,8 @@ struct Reaction {
 
 Reaction reaction_of(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& state);
 
-/// Friction is said to hold a little beyond its limit, so that the slip that follows has a direction beyond doubt.
+/// A margin beyond its limit within which friction still counts as holding, so that the direction of the slip that
+/// follows is not decided by rounding.
 double stick_margin(const ContactScene& scene, const ContactState& state);
 
 /// dν/dt of the contact's normal.

@@ -11,9 +11,9 @@ namespace swirl {
 
 namespace detail {
 
-/// How long a gap that is (all but) closed and at rest certainly stays inside: with g = g′ = 0 and g″ < 0 by the
-/// advance off the wall; with g″ ≤ 0 and g‴ < 0 for τ₀ = 2|g‴|/M, |g⁗| ≤ M, where g ≤ τ³(g‴ + Mτ/4)/6 < 0. The longer
-/// of the two: a g″ that is rounding, magnified by large friction, would not take it far. 0 if neither.
+/// A time for which a vertex with g = g′ = 0 (within rounding) is proven to stay inside: if g″ < 0 by the advance off
+/// the wall; if g″ ≤ 0 and g‴ < 0 for τ₀ = 2|g‴|/M, |g⁗| ≤ M, where g ≤ τ³(g‴ + Mτ/4)/6 < 0. The longer of the two,
+/// since a g″ that is only rounding (magnified by large friction) gives a short one. 0 if neither holds.
 template <class T>
 inline T leaving_time(const Gap<T>& gap, const T& third, const T& fourth, const T& rounding) {
     T time(0);
@@ -22,7 +22,7 @@ inline T leaving_time(const Gap<T>& gap, const T& third, const T& fourth, const 
     return time;
 }
 
-/// Goes on for a time in which nothing can touch; false (and still at the start) if none lifts the gaps out of
+/// Advances by a time in which nothing can touch; false (still at the start) if no such time makes the gaps larger than
 /// rounding.
 template <Shape shape, class T>
 bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, Instant<T>& at) {
@@ -56,10 +56,10 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
 
 }  // namespace detail
 
-/// The first contact of a flight that begins with a release: the gap of what leaves the wall is as small as τ² or τ³
-/// and drowns in rounding at first (both vertices of an edge may leave at once). So the search begins where nothing can
-/// have touched before, however soon that is: the gap of the vertex (disk) that is released is known from what it has
-/// moved, to rounding of its own size. Nothing if no such time lifts the gaps out of rounding.
+/// The first contact of a flight that begins with a release: the gap of what leaves the wall is O(τ²) or O(τ³) and at
+/// first below rounding (both vertices of an edge may leave at once). So the search begins at a later moment before
+/// which a contact is excluded, however short that time is: the gap of the released vertex (disk) is computed from its
+/// displacement, to relative rounding. Empty if no such time makes the gaps larger than rounding.
 template <Shape shape, class T>
 std::optional<FirstContact<T>> contact_after_release(const Body<T>& body, const Flight<T>& flight) {
     FirstContact<T> contact;

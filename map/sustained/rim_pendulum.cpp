@@ -32,7 +32,7 @@ double hold_at(const ContactScene& scene, const RimPendulum& p, double psi, doub
     return scene.mu * normal - kappa / (1 + kappa) * body.beta * std::abs(std::sin(psi));
 }
 
-/// The least over ψ from 0 to `widest` (it is even in ψ): the best of equal parts, refined.
+/// The minimum over ψ from 0 to `widest` (it is even in ψ): the least of equally spaced values, refined.
 double least_of_way(const ContactScene& scene, const RimPendulum& p, double widest, double direction) {
     constexpr int parts = 32;
     const auto hold = [&](double psi) { return hold_at(scene, p, psi, direction); };

@@ -2,11 +2,11 @@
 //
 //     ψ″ = −k sin ψ,  k = β/(ρ(1 + κ)) rolling, β/ρ without friction;  ρ = 1 − α
 //
-// ψ′²/2 + k(1 − cos ψ) = h is conserved: it rests (h = 0), swings about ψ = 0 (h < 2k) or turns on and on. With
-// m = h/2k, ω = √k and Jacobi's functions of modulus √m (swinging) or 1/√m (turning)
+// ψ′²/2 + k(1 − cos ψ) = h is conserved: it rests (h = 0), librates about ψ = 0 (h < 2k) or circulates. With m = h/2k,
+// ω = √k and Jacobi's functions of modulus √m (librating) or 1/√m (circulating)
 //
-//     swinging  sin ψ/2 = √m sn(ωt)    ψ′ = 2ω√m cn(ωt)     period 4K(√m)/ω
-//     turning   sin ψ/2 = sn(ω√m t)    ψ′ = 2ω√m dn(ω√m t)  period 2K(1/√m)/(ω√m)
+//     librating    sin ψ/2 = √m sn(ωt)    ψ′ = 2ω√m cn(ωt)     period 4K(√m)/ω
+//     circulating  sin ψ/2 = sn(ω√m t)    ψ′ = 2ω√m dn(ω√m t)  period 2K(1/√m)/(ω√m)
 //
 // Source: Landau, Lifshitz, Mechanics, § 11; derived in map/sustained/README.md.
 #pragma once
@@ -32,22 +32,22 @@ RimPendulum rim_pendulum(const ContactScene& scene, const ContactState& state);
 /// Time from ψ and ψ′ back to both, in 1/ω_s (ψ modulo 2π): of small swings 2π/√k, infinite on the separatrix.
 double period_of(const RimPendulum& pendulum);
 
-/// The time mean of S over a period, rolling: −(ρ/α)(1 + mean ψ′), where ψ′ has the mean 0 (swinging) or ±2π/period.
+/// The time mean of S over a period, rolling: −(ρ/α)(1 + mean ψ′), where ψ′ has the mean 0 (librating) or ±2π/period.
 double mean_rolling_spin(const ContactScene& scene, const RimPendulum& pendulum);
 
-/// By how much the contact holds where it holds least, over a whole period: μλ − |f| rolling, λ without friction, with
-/// λ = β cos ψ + ρ(1 + ψ′)² and |f| = κβ|sin ψ|/(1 + κ). Above zero it lasts for ever. Cost: some microseconds.
+/// The margin of the contact, its minimum over a whole period: μλ − |f| rolling, λ without friction, with λ = β cos ψ +
+/// ρ(1 + ψ′)² and |f| = κβ|sin ψ|/(1 + κ). If it is positive the contact never ends. Cost: some microseconds.
 double least_hold(const ContactScene& scene, const RimPendulum& pendulum);
 
-/// What a disk settles on that slips a little in each period. The slips towards either side of ψ = 0 cancel in first
-/// order; what is left takes energy, the less the nearer it comes to the pendulum on which friction just holds,
-/// `least_hold` = 0: in n periods like 1/n.
+/// The limit of a disk that slips a little in each period. With x the share of friction that is missing, the slips on
+/// either side of ψ = 0 change ψ′ by O(x^{3/2}) each and cancel to that order; a period changes x by O(−x²). So the
+/// distance to the pendulum on which friction just holds, `least_hold` = 0, falls like 1/n in n periods.
 /// @return the pendulum of the same kind, of the energy nearest below on which friction just holds; the pendulum itself
 ///         if friction holds; none if there is none
 std::optional<RimPendulum> settled_pendulum(const ContactScene& scene, const RimPendulum& pendulum);
 
-/// The state of a rolling or frictionless disk a time later, if the contact lasts for ever; ψ is unwound. Error: some ε
-/// times the turns of ψ.
+/// The state of a rolling or frictionless disk a time later, if nothing ends the contact before; ψ is unwound. Error:
+/// some ε times the turns of ψ.
 ContactState advance_rim(const ContactScene& scene, const ContactState& state, double time);
 
 }  // namespace swirl

@@ -1,4 +1,4 @@
-// A vertex strikes while its neighbour stands on the wall: repeated impulses, to rest or separation.
+// A vertex strikes while its neighbour is in contact: alternating impulses, until both are at rest or separate.
 #pragma once
 
 #include "map/sustained/contact_state.hpp"
@@ -7,7 +7,7 @@ namespace swirl {
 
 struct Strike {
     PostImpactState<double> after;  ///< on the vertex that struck
-    Impulse<double> impulse;        ///< what it received in all, and the mode of the first impulse
+    Impulse<double> impulse;        ///< its total impulse, and the mode of the first one
     double jacobi_restitution = 0;  ///< Σ −p ū_n over all impulses, the neighbour's too
     double jacobi_friction = 0;     ///< Σ q (ū_t − 1)
     bool resolved = false;          ///< false: the impulses did not come to an end
@@ -18,16 +18,17 @@ struct Strike {
 Impulse<double> strike_once(const ContactScene& scene, PostImpactState<double>& post_impact, double restitution,
                             Strike& strike);
 
-/// The impulse without approach of a vertex that slides where B₂ − sμB₃ ≤ 0: it presses until the slip has stopped,
-/// then restitution follows by the scene's law. Motions come to that border where the numerator of λ vanishes with it
-/// (Génot & Brogliato, Eur. J. Mech. A/Solids 18 (1999) 653), and are stopped before it by as little as 10⁻⁹: a
-/// positive rest of B₂ − sμB₃ is taken for zero.
+/// The impulse at zero normal velocity (jam) of a vertex that slides where B₂ − sμB₃ ≤ 0: compression lasts until the
+/// slip has stopped, then restitution follows by the scene's law. A motion reaches that border only where the numerator
+/// of λ vanishes with it (Génot & Brogliato, Eur. J. Mech. A/Solids 18 (1999) 653), and the integration stops up to
+/// 10⁻⁹ before it: a positive remainder of B₂ − sμB₃ is taken for zero.
 Impulse<double> jam_once(const ContactScene& scene, PostImpactState<double>& post_impact, Strike& strike);
 
-/// The neighbour of a vertex that stands (u_n = 0, |χ| = χ_m) strikes. Impulses alternate between the two, each by the
-/// scene's law, as long as one approaches. None creates energy under Poisson's and Stronge's law, so the whole does
-/// not. With e < 1 an endless alternation shrinks geometrically; it is ended where both are at rest to rounding.
-///   plastic  the striking vertex' own chatter has come to its end: e = 0
+/// The neighbour of a vertex in contact (u_n = 0, |χ| = χ_m) strikes. Impulses alternate between the two, each by the
+/// scene's law, as long as one approaches. None creates energy under Poisson's and Stronge's law, hence neither does
+/// their sum. With e < 1 an infinite alternation decreases geometrically; it is ended where both are at rest within
+/// rounding.
+///   plastic  the striking vertex' own chatter has ended: e = 0
 Strike strike_in_contact(const ContactScene& scene, const PostImpactState<double>& completion, bool plastic);
 
 }  // namespace swirl

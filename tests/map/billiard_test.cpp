@@ -80,7 +80,7 @@ TEST(CircularBilliard, RestitutionShrinksTheNormalVelocityGeometrically) {
 }
 
 /// With friction and e = 1: |v_n| and v_t − κα S are conserved, |u_t| never grows, and once slip has stopped
-/// v_t = −αS = (v_t − κα S)₀/(1 + κ) for ever.
+/// v_t = −αS = (v_t − κα S)₀/(1 + κ) from then on.
 TEST(CircularBilliard, FrictionConservesAngularMomentumAboutTheWallAndEndsInRolling) {
     Random random(13);
     const long orbits = tests::sample_count(500);

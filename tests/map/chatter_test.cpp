@@ -1,4 +1,4 @@
-// The end of chatter against the impacts themselves, one by one in 113 bits.
+// The chatter completion against the sequence of impacts, followed one by one in 113 bits.
 #include "map/orbit/orbit.hpp"
 #include "map/sustained/chatter_completion.hpp"
 #include "map/sustained/motion_choice.hpp"
@@ -17,7 +17,7 @@
 namespace swirl {
 namespace {
 
-/// Where a sequence of impacts ends, once what is left is below 10⁻²⁰.
+/// The limit of a sequence of impacts, followed until its remainder is below 10⁻²⁰.
 struct Accumulation {
     bool found = false;
     double time = 0, psi = 0, chi = 0, ut = 0, spin = 0;
@@ -76,7 +76,7 @@ std::vector<double> shares_of_estimate(int sides, Law law, double v) {
         if (std::abs(z.chi) > 0.9 * scene.widest_chi && sides != disk_sides) continue;
         const PostImpactState<double> post_impact = post_impact_state(z);
         const ChatterError error = chatter_error(scene, post_impact);
-        // Long against the swirl is no end of chatter, and a slip that stops on the way no smooth one.
+        // Left out: chatter that is not short against the swirl, and slips that stop during it (not smooth).
         if (!(error.moved <= 0.01 * v) || std::abs(contact_kinematics(scene.body, post_impact).ut) < 0.05) continue;
         const Accumulation end = impact_by_impact(s, z);
         if (!end.found) continue;

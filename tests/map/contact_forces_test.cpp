@@ -1,4 +1,4 @@
-// Forces of contact against geometry, strikes while standing, and what jams.
+// Forces of contact against the geometry of the motion, strikes of a neighbour in contact, and jams.
 #include "map/sustained/contact_phase.hpp"
 #include "map/sustained/contact_run.hpp"
 #include "tests/map/contact_scenes.hpp"
@@ -132,11 +132,11 @@ TEST(Jam, WhereTheNormalForceIsNotUniqueStopsTheSlip) {
     const ContactKinematics<double> after = contact_kinematics(scene.body, phase.strike.after);
     EXPECT_NEAR(after.ut, 0, 1e-15);
     EXPECT_LE(after.un, 0);
-    EXPECT_GE(after.un, -1e-8);  // Newton's law: nothing approached; the border is taken 1e-9 early
+    EXPECT_GE(after.un, -1e-8);  // u_n was 0, so that Newton's law gives 0; the border is taken 1e-9 early
 }
 
 TEST(Slip, ThatTurnsAgainstItsOwnDirectionEndsAtOnce) {
-    // Told to slip one way while the forces drive it the other: on its first part, not at the end of a step.
+    // A slip set against the direction in which the forces drive it: found on the first part of a step, not at its end.
     const auto scene = contact_of(scene_of(disk_sides, 0.4, 0.5, 0.2, 0.5));
     for (const double side : {1.0, -1.0}) {
         const auto motion = side > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;

@@ -1,4 +1,4 @@
-// An independent witness in long double: is any vertex outside at a moment, or between two moments of a flight?
+// An independent check in long double: is any vertex outside at a moment, or between two moments of a flight?
 //
 // Between moments a and b of a flight with |g″| ≤ M while inside (map/README.md, "Flight"), every gap stays below the
 // chord of its ends by no more than M (b − a)²/8; so the interval is clear if the larger end plus that is within the

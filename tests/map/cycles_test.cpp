@@ -1,14 +1,7 @@
-<<<<<<< HEAD
-// The cycles of tests/references/cycles.json and the steady modes of tests/references/steady_e1.json: points and multipliers.
-#include "map/derivative/derivative.hpp"
-#include "map/derivative/saltation.hpp"
-#include "tests/map/oracle.hpp"
-=======
 // The cycles of tests/references/cycles.json and the steady modes of steady_e1.json there: points and multipliers.
 #include "map/derivative/derivative.hpp"
 #include "map/derivative/saltation.hpp"
 #include "tests/references/references.hpp"
->>>>>>> e50de5b696095eb3ef35e8c16286e8945f7e71f2
 
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
@@ -88,21 +81,18 @@ void check_all(const char* file, int wanted, double tolerance = 1e-9) {
     EXPECT_EQ(count, wanted);
 }
 
-<<<<<<< HEAD
-TEST(Cycles, OracleCyclesCloseWithTheirMultipliers) {
+TEST(Cycles, ReferenceCyclesCloseWithTheirMultipliers) {
     check_all("cycles.json", 20);
 }
-TEST(Cycles, OracleSteadyModesCloseWithTheirMultipliers) {
+TEST(Cycles, ReferenceSteadyModesCloseWithTheirMultipliers) {
     check_all("steady_e1.json", 10);
 }
-=======
-TEST(Cycles, ReferenceCyclesCloseWithTheirMultipliers) { check_all("cycles.json", 20); }
-TEST(Cycles, ReferenceSteadyModesCloseWithTheirMultipliers) { check_all("steady_e1.json", 10); }
->>>>>>> e50de5b696095eb3ef35e8c16286e8945f7e71f2
 
 // Two of them strike so softly (u_n = 4e-4) that a multiplier is 4e4: rounding their points to double alone moves it by
 // 2e-10 of itself.
-TEST(Cycles, ReferenceFixedPointsOfAHexagonCloseWithTheirMultipliers) { check_all("fixed_points.json", 31, 1e-8); }
+TEST(Cycles, ReferenceFixedPointsOfAHexagonCloseWithTheirMultipliers) {
+    check_all("fixed_points.json", 31, 1e-8);
+}
 
 }  // namespace
 }  // namespace swirl

@@ -1,4 +1,4 @@
-// As e → 1 the statistics of orbits that do not chatter join those of e = 1.
+// As e → 1 the statistics of orbits without chattering tend to those at e = 1.
 #include "analysis/recurrence/rates.hpp"
 #include "map/orbit/orbit.hpp"
 #include "tests/map/contact_scenes.hpp"
@@ -46,7 +46,8 @@ Means statistics_of(const Scene<double>& scene, tests::Random& random, long impa
             chi += std::abs(std::atan2(orbit.post_impact().chi.y, orbit.post_impact().chi.x));
         }
         const double n = static_cast<double>(impacts);
-        // Of S just after impacts, Sun 2019's threshold and a wide one. Its diagonal, 1/n, says nothing of the orbit.
+        // Of S just after impacts, at Sun 2019's threshold and a wide one, without the diagonal, which adds 1/n for
+        // every orbit.
         const auto rates =
             analysis::recurrence::recurrence_rates(analysis::recurrence::embed_series(spins), std::array{1e-2, 1e-6});
         return Means{turned / time, std::sqrt(square / n),       time / n,
@@ -91,8 +92,8 @@ TEST(ElasticLimit, IsJoinedContinuouslyByTheStatistics) {
         }
         std::printf("\n");
     }
-    // The limit is no other branch: at 0.99 nothing is farther than a few per cent of the speeds and times, and four
-    // standard errors (which decide where a sanitizer's build takes a shorter sample).
+    // The limit is the same branch: at 0.99 speeds and times differ by at most a few per cent and four standard errors
+    // (the larger part in a sanitizer's build, whose sample is shorter).
     for (const std::size_t k : {0, 1, 2})
         EXPECT_NEAR(far.mean[k], elastic.mean[k],
                     0.05 * std::abs(elastic.mean[k]) + 4 * std::hypot(far.error[k], elastic.error[k]))

@@ -1,4 +1,5 @@
-// No missed contact: random flights against an independent scan, with what is hard over-represented.
+// No missed contact: random flights against an independent scan, with near-grazing and near-simultaneous contacts
+// over-represented.
 #include "map/orbit/laboratory.hpp"
 #include "tests/map/container_scan.hpp"
 #include "tests/map/random_scenes.hpp"
@@ -79,7 +80,7 @@ Case struck_case(Random& random, Kind kind) {
     return c;
 }
 
-/// In flight, and aimed: `t` later vertex 0 would be where it grazes (u_n = 0, or a hair from it), or where it and its
+/// In flight, and aimed: `t` later vertex 0 would be where it grazes (u_n = 0, or close to it), or where it and its
 /// neighbour arrive together; laid back in time from there. Nothing if the body would not begin inside.
 std::optional<Case> aimed_case(Random& random, Kind kind) {
     Case c;
@@ -186,7 +187,7 @@ TEST(FirstContactNightly, NoneIsMissedOnAMillionScannedFlights) {
     check_flights(2, tests::sample_count(1'000'000), 1);
 }
 
-/// The scan itself must be able to fail: a wall passed for an instant is seen.
+/// The scan itself must be able to fail: it finds an excursion through the wall however short.
 TEST(ContainerScan, SeesAShortExcursion) {
     // A disk at rest in the laboratory, β = 0.2: the wall comes nearest at t = π, to 10⁻⁹ beyond the disk.
     const Real beta = 0.2L, alpha = 0.5L;

@@ -1,4 +1,4 @@
-// The closed forms of the impact against integration in p, its energies, and when B₂ − sμB₃ can be negative.
+// The closed forms of the impact against integration in p, the change of energy, and when B₂ − sμB₃ can be negative.
 #include "map/model/impact.hpp"
 #include "tests/map/impulse_integration.hpp"
 #include "tests/map/random_scenes.hpp"
@@ -129,7 +129,7 @@ TEST(Impact, StrongeIsTheIntegralAndCreatesNoEnergy) {
     EXPECT_LE(compare_all<ImpactRule::stronge>(Law::stronge).largest_gain, 1e-13);
 }
 
-/// Newton's law is known to create energy with friction; the test reports by how much, and that it does.
+/// Newton's law is known to create energy with friction; the test requires that it does, and prints by how much.
 TEST(Impact, NewtonIsTheIntegralAndCanCreateEnergy) {
     EXPECT_GT(compare_all<ImpactRule::newton>(Law::newton).largest_gain, 0);
 }
@@ -195,7 +195,7 @@ TEST(Impact, FirstSlopeTurnsNegativeAtTheThresholdOfFriction) {
         }
 }
 
-/// Where the first slope is negative, slip stops before compression ends: no impulse is unbounded.
+/// Where the first slope is negative slip stops before compression ends, so that every impulse is finite.
 TEST(Impact, ANegativeFirstSlopeAlwaysMeansAKinkInCompression) {
     Random random(23);
     long count = 0;

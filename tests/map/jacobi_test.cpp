@@ -109,8 +109,7 @@ double jacobi_before(const Body<double>& body, const Collision<double>& c) {
     return jacobi_of(body, before);
 }
 
-/// The sizes of what is added up in J: where velocities are large J cannot be read off a state to better than ε of
-/// them.
+/// The sizes of J's terms: where velocities are large J cannot be read off a state to better than ε of them.
 double terms_of_jacobi(const Body<double>& body, const PostImpactState<double>& z) {
     const double speed2 = z.vn * z.vn + z.vt * z.vt;
     return 0.5 * speed2 + (body.outer + body.beta) * std::sqrt(speed2) +

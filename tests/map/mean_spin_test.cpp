@@ -59,7 +59,7 @@ void check_mean(int sides, double alpha, double beta, const SectionPoint<double>
     std::printf("N %d: time-mean S = %.5f +- %.5f (mean per impact %.5f)\n", sides, mean.value, mean.standard_error,
                 mean.per_impact);
     EXPECT_NEAR(mean.value, 1, 3 * mean.standard_error);
-    // The error has to be small enough for the mean to say something; it falls with the root of the length.
+    // The standard error must be small enough for a meaningful test; it falls as (length)^(−1/2).
     EXPECT_LE(mean.standard_error, 0.05 * std::sqrt(static_cast<double>(full) / static_cast<double>(impacts)));
 }
 

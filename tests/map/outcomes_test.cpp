@@ -39,7 +39,8 @@ TEST(Outcome, ABodyAtRestThatTheSwirlReachesIsStruck) {
 }
 
 TEST(Outcome, ARestingPolygonWithAWholeNumberOfTurnsPerTurnRecurs) {
-    // Outside the shelter |P| < 1 − α − β, so that only recurrence proves that nothing will touch: an edge passes.
+    // Outside the shelter |P| < 1 − α − β, so that only the periodicity of body and swirl proves that nothing will
+    // touch: an edge passes.
     long none = 0, struck = 0;
     for (const int spin : {-3, -2, -1, 0, 1, 2, 3})
         for (int i = 0; i < 60; ++i) {
@@ -133,7 +134,7 @@ TEST(Outcome, TwoVerticesHeadOnAreFlaggedSimultaneous) {
     // An exact tie, in numbers that are mirror images to the last bit: equal u_n, so the lower number.
     const auto tie = first_impact(square, {0, 0, 0.3, 0, M_PI / 4, 0});
     EXPECT_EQ(tie.vertex_step, 0);
-    // A hair's breadth from symmetry it is one vertex only.
+    // Slightly off symmetry only one vertex strikes.
     EXPECT_FALSE(first_impact(square, {0, 0, 0.3, 0, M_PI / 4 + 1e-6, 0}).simultaneous);
 }
 
@@ -146,8 +147,8 @@ TEST(Outcome, VerySlowBodiesComeToAnEnd) {
                     const auto collision =
                         first_impact(scene_of(sides, 0.4, beta), {0.9 * beta, 0, speed, 0, 0.2, spin});
                     most = std::max(most, collision.steps);
-                    // Away from the wall by an open distance the body must meet it in the end; unless the number of
-                    // moments that may be looked at runs out first, which is said.
+                    // Away from the wall by an open distance the body must meet it in the end; unless the step limit is
+                    // reached first, which gives `unresolved`.
                     EXPECT_TRUE(collision.outcome == FirstContactOutcome::contact ||
                                 collision.outcome == FirstContactOutcome::unresolved)
                         << "N " << sides << " beta " << beta << " speed " << speed << " outcome "
@@ -159,7 +160,8 @@ TEST(Outcome, VerySlowBodiesComeToAnEnd) {
     std::printf("most moments looked at: %d\n", most);
 }
 
-// e = 0 leaves u_n = 0 but for rounding, of either sign: its states are starts, and lead where the orbit leads.
+// e = 0 leaves u_n = 0 within rounding of either sign: such states are valid starts, and orbits from them follow the
+// original orbit.
 TEST(Outcome, AStateOfAnOrbitIsAStart) {
     tests::Random random(17);
     int above = 0, compared = 0;

@@ -1,4 +1,5 @@
-// Scenes drawn over all that a scene may be: every orbit ends with a name, none stalls, none is dear.
+// Random scenes over the whole range: every orbit ends with a named outcome, none stalls, and none costs much more than
+// the median.
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/follow_contact.hpp"
 #include "tests/sample_count.hpp"
@@ -32,7 +33,7 @@ struct RandomScene {
     double seconds = 0;
 
     double events() const { return static_cast<double>(tally.impacts + tally.pieces); }
-    /// A unit of time counts as an event, too: a body that lies still has few.
+    /// A unit of time counts as an event, too: a body at rest has few.
     double per_event(double cost) const { return cost / (events() + until); }
     bool stalled() const { return tally.outcome == Outcome::completed && tally.time < until; }
 };
@@ -64,7 +65,7 @@ std::vector<RandomScene> draw(int count, bool with_thousand) {
 /// them, some 20/ln(1/e). A polygon that rocks on an edge keeps the share r = (κ + cos 2π/N)/(κ + 1) of its turn at
 /// each strike even if e = 0 (its angular momentum about the striking vertex stays: Housner, Bull. Seismol. Soc. Am. 53
 /// (1963) 403), r + e(1 − r) between that and e = 1. An impact and up to three pieces of contact (slip, stick, lift)
-/// make four events. Without loss (e = 1) nothing bounds them but how flat the orbit runs along the wall.
+/// make four events. For e = 1 their number is bounded only by how close to tangential the orbit runs along the wall.
 double most_events(const Scene<double>& scene, const Tally& tally) {
     const double kappa = scene.inertia_factor;
     const double rocking =
@@ -87,7 +88,7 @@ void follow(RandomScene& c) {
     c.seconds = thread_seconds() - began;
 }
 
-/// Times the orbit alone, without what this test looks at on the way.
+/// Times the orbit alone, without the checks of this test.
 void time_alone(RandomScene& c) {
     const double began = thread_seconds();
     tests::follow(c.scene, c.start, until, most_impacts, false);
@@ -119,12 +120,12 @@ std::vector<double> costs_of(const std::vector<RandomScene>& cases, const Cost& 
 double seconds_of(const RandomScene& c) {
     return c.seconds;
 }
-/// Looks of the searches for contact, and series of motions in contact.
+/// Evaluations of flights by the searches for contact, and power series of motions in contact.
 double work_of(const RandomScene& c) {
     return static_cast<double>(c.tally.moments + c.tally.steps);
 }
 
-/// What seems dear is timed twice more, one after the other: the machine has other things to do.
+/// Orbits that seem expensive are timed twice more, one after the other: other processes disturb a measurement.
 void time_again(std::vector<RandomScene>& cases) {
     const double typical = median(costs_of(cases, seconds_of));
     for (auto& c : cases)

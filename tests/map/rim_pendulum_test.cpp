@@ -39,7 +39,7 @@ TEST(DiskInContact, IsAPendulumForAHundredPeriods) {
             const auto scene = contact_of(scene_of(disk_sides, 0.4, 0.05, mu, 0.5));
             const double rho = 0.6, kappa = 0.5;
             const double omega = std::sqrt(0.05 / (rho * (mu > 0 ? 1 + kappa : 1)));
-            // Going round with ψ′ > 0 the wall presses all the time.
+            // Circulating with ψ′ > 0, λ > 0 all the time.
             ContactState z{0, 0, 0, mu > 0 ? 0 : 0.7};
             const double rate = 2 * omega * k;
             if (mu > 0)
@@ -92,7 +92,7 @@ TEST(DiskInContact, IsReleasedWhereTheNormalForceVanishes) {
         if (mu == 0) z.ut = rho * (1 + start_rate);
         const auto motion = mu > 0 ? ContactMotion::sticking : ContactMotion::sliding_forward;
         const auto end = run_contact(scene, Support::rim, motion, z, 100);
-        if (mu > 0) {  // friction lets go just before: μλ = |f|
+        if (mu > 0) {  // friction ceases to hold just before: μλ = |f|
             EXPECT_EQ(end.event, ContactEvent::slip);
             continue;
         }
@@ -132,7 +132,7 @@ TEST(RimPendulum, InClosedFormIsWhatIntegrationFinds) {
                    told = run_contact(scene, Support::rim, motion, z, time);
         ASSERT_EQ(seen.event, ContactEvent::horizon);
         EXPECT_EQ(told.steps, 1);
-        // An error of ψ grows along the orbit with dψ/dh t: by the swings seen, and more near the separatrix.
+        // An error of ψ grows along the orbit with dψ/dh t: with the number of swings, and faster near the separatrix.
         const double near = std::abs(pendulum.height / (2 * pendulum.strength) - 1);
         const double scale = (1 + std::sqrt(pendulum.height) * time) / std::min(1.0, near);
         const double difference = std::max(
@@ -168,8 +168,8 @@ TEST(RimPendulum, HasTheMeanSpinThatIntegrationFinds) {
     EXPECT_LE(worst, 1e-13);
 }
 
-/// Slips towards either side cancel in first order; what is left brings the energy down to where friction just holds,
-/// in n periods like 1/n.
+/// The slips on either side of ψ = 0 cancel to leading order, O(x^{3/2}) in the missing share x of friction; the rest,
+/// O(x²) per period, lowers the energy to where friction just holds, like 1/n in n periods.
 TEST(RimPendulum, IsSettledOnWhereFrictionJustHolds) {
     for (const double alpha : {0.1, 0.15, 0.35, 0.62}) {
         const auto scene = contact_of(scene_of(disk_sides, alpha, 0.05, 0.4, 0));

@@ -1,4 +1,4 @@
-// Scenes and starts: what is refused, and how the refusal reads.
+// Scenes and starts: which are invalid, and the error's text.
 #include "map/orbit/laboratory.hpp"
 
 #include <gtest/gtest.h>

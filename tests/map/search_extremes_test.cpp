@@ -1,4 +1,4 @@
-// The search for the first contact where its numbers are at their ends: very fast, very small, many sides, wider types.
+// The search for the first contact at the limits of its range: very fast, very small, many sides, wider number types.
 #include "map/collision_map.hpp"
 #include "map/orbit/orbit.hpp"
 #include "tests/map/random_scenes.hpp"
@@ -37,7 +37,7 @@ Flight<double> scaled_flight(const Map& map, SectionPoint<double> z, double scal
     return flight_from(map.body(), post_impact_state(z));
 }
 
-// At these speeds S⁶ is no number any more: the proof must fall away, not hold.
+// At these speeds S⁶ overflows: the proof must fail, not succeed.
 TEST(SearchAtExtremes, NoProofFromNumbersThatOverflow) {
     Random random(41);
     long direct = 0, later = 0;
@@ -120,8 +120,8 @@ T worst_gap(int sides) {
     return worst;
 }
 
-// What the direct search finds is a contact to the rounding of its own type: its constants are, too. 8 ε a way gone, as
-// the issue of missed contacts allows.
+// The direct search finds a contact to the rounding of its number type, whose precision its constants must have: 8 ε of
+// the way gone is allowed.
 TEST(SearchAtExtremes, ContactsAreExactInEveryNumberType) {
     for (const int sides : {disk_sides, 6}) {
         const double in_double = worst_gap<double>(sides);
@@ -135,8 +135,8 @@ TEST(SearchAtExtremes, ContactsAreExactInEveryNumberType) {
     }
 }
 
-// Poisson's law and friction that holds the vertex take normal velocity too: e = 1, and yet every impact is 0.35 of the
-// one before. The orbit goes on in contact, and with it the impacts.
+// Under Poisson's law friction that holds the vertex lowers the normal velocity: at e = 1 every u_n is 0.35 of the one
+// before. The orbit must go on in contact, to further impacts.
 TEST(SearchAtExtremes, AnElasticPolygonThatFrictionHoldsGoesOnInContact) {
     const Scene<double> scene = scene_of(3, 0.60411159285897598, 1.0766343219893793, 1.1370511546409519, 1);
     const CollisionMap<double, Shape::polygon, ImpactRule::poisson> map(scene);

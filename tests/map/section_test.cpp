@@ -94,7 +94,7 @@ void check_orbit(const Map& map, const SectionPoint<double>& z, long& impacts) {
         const auto step = map.advance(post_impact);
         if (step.outcome != FirstContactOutcome::contact || step.simultaneous) return;
         const double norm = DifferentiatedMap(map).linearise(section_point(post_impact)).derivative.norm();
-        if (norm > 1e3) return;  // rounding of the restart would be multiplied by it
+        if (norm > 1e3) return;  // the restart's rounding is multiplied by it
         const LabState<double> state = lab_state(map.body(), frame, post_impact);
         const LabStart<double> start = half_way(state, frame, step.flight_time / 2);
         const auto again = map.advance(flight_from(map.body(), start));

@@ -1,4 +1,4 @@
-// Where scales are extreme: two vertices at once, orbits that die away, speeds far from the swirl's.
+// Extreme scales: two vertices at once, decaying orbits, speeds far from the swirl's.
 #include "map/orbit/orbit.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ Scene<double> scene_of(int sides, double alpha, double beta, double mu, double e
     return {sides, alpha, beta, mu, e, law, uniform_inertia_factor<double>(sides)};
 }
 
-/// The states just after the first impacts, and how the orbit stands then.
+/// The states just after the first impacts, and the orbit's outcome then.
 struct Followed {
     std::vector<LabState<double>> states;
     std::vector<bool> simultaneous;

@@ -1,4 +1,5 @@
-// Sustained contact, whole orbits: energy balances, nothing leaves the container, and every orbit ends with a name.
+// Sustained contact, whole orbits: energy balances, nothing leaves the container, and every orbit ends with a named
+// outcome.
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/follow_contact.hpp"
 
@@ -59,7 +60,7 @@ TEST(PlasticPolygonsNightly, GoOnWithoutAStallForAHundredThousandTimeUnits) {
     check_plastic_polygons(1e5, 20);
 }
 
-/// How an orbit ends, and what its contacts ended with on the way.
+/// An orbit's outcome, and the last events of its contacts.
 Tally follow_scene(const Scene<double>& scene, double vx, double vy, double angle, double until) {
     return tests::follow(scene, {scene.beta, 0, vx, vy, angle, 0}, until, 1'000'000);
 }
@@ -70,7 +71,7 @@ void expect_goes_on(const Tally& tally) {
 }
 
 TEST(Neighbours, ThatMoveOutwardsFromTheWallStrikeAtOnce) {
-    // They would be back inside before the first look, 1e-13 outside meanwhile.
+    // They are outside by 1e-13 and would be back inside before the first moment examined.
     const auto scene =
         scene_of(4, 0.12258780038963203, 0.17039617652250127, 1.4930782370778422, 0.28325069853683554, Law::stronge);
     const Tally tally = follow_scene(scene, 0.013145127895567769, 0.14225107689545022, 3.156319074828724, 1000);
@@ -107,7 +108,8 @@ TEST(Neighbours, ReboundsBelowTheRoundingOfChiComeToAnEnd) {
 }
 
 TEST(Neighbours, StrikingInTurnOnAVertexThatRestsComeToAnEnd) {
-    // An ulp of chi is a fall that gives back what the strikes take: 7e7 impacts a unit of time, for ever.
+    // Falling by one ulp of chi would restore the energy that the strikes dissipate: 7e7 impacts per unit of time
+    // without end.
     for (const auto& [scene, vx, vy, angle] : {std::tuple{scene_of(3, 0.2305, 0.8881, 0, 0.9), 0.13253878162171626,
                                                           -0.053306984828792633, 1.8834260572510948},
                                                std::tuple{scene_of(3, 0.2645, 1.1694, 0.02, 0.95), 0.088817989841380604,
@@ -119,7 +121,7 @@ TEST(Neighbours, StrikingInTurnOnAVertexThatRestsComeToAnEnd) {
 }
 
 TEST(Neighbours, WhoseFlightsShrinkToNothingStrikeAtOnce) {
-    // e = 0: two vertices strike in turn, 6e-5, 3e-9, 0 apart; neither stands, as both would leave.
+    // e = 0: two vertices strike in turn, after 6e-5, 3e-9, 0; neither stays in contact, as both would leave.
     const auto scene = scene_of(3, 0.16461011689074043, 0.25485641651225677, 0, 0, Law::stronge);
     const Tally tally = follow_scene(scene, -0.018940639782931395, -0.14159595838130182, 5.6101918097274952, 60);
     expect_goes_on(tally);
@@ -127,7 +129,8 @@ TEST(Neighbours, WhoseFlightsShrinkToNothingStrikeAtOnce) {
 }
 
 TEST(Release, AtLargeFrictionIsResolved) {
-    // What rounding leaves of the gap's second derivative is magnified by mu: the third takes it off the wall.
+    // The rounding of the gap's second derivative (zero here) is multiplied by mu: the third one makes it leave the
+    // wall.
     const auto scene = scene_of(5, 0.58729167534569859, 1.1549464061924219, 707.61110839153741, 0);
     const Tally tally = follow_scene(scene, 0.10732384401654826, -0.094285501381801765, 1.5706488779670016, 60);
     expect_goes_on(tally);
@@ -149,7 +152,7 @@ TEST(Release, FiveMillionthsBeforeAStrikeOfTheNeighbourIsResolved) {
 }
 
 TEST(Rocking, ThatFrictionStopsEndsAtRest) {
-    // On this edge no sliding is consistent: what rocking leaves of slip must not end the contact.
+    // On this edge no sliding is consistent: the slip that remains of rocking must not end the contact.
     const auto scene = scene_of(4, 0.13418721697544064, 0.28448658488686412, 1.9592219650602412, 0, Law::newton);
     const Tally tally = follow_scene(scene, -0.11763498469767016, -0.081056607630007757, 5.9218009112310632, 300);
     expect_goes_on(tally);

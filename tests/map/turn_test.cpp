@@ -63,7 +63,7 @@ TEST(Turn, RoughAnglesNumberVertices) {
     EXPECT_LE(worst, 3e-6);
 }
 
-/// sin about a moment: the series finds its root to rounding, and says so while |d|¹¹/11! lets it.
+/// sin about a moment: the series gives its root to rounding, and is accepted while |d|¹¹/11! is below it.
 TEST(GapSeries, FindsTheRootNearItsMoment) {
     for (const double away : {-0.2, -0.09, -0.02, -1e-3, 0.0, 1e-6, 0.05, 0.09, 0.2}) {
         detail::GapSeries<double> g;

@@ -55,7 +55,8 @@ TEST(Classify, AnIrrationalRotationIsQuasiPeriodic) {
     EXPECT_NEAR(rotation, maps::golden_mean - std::floor(maps::golden_mean), 1e-9);
 }
 
-/// r = 3: the multiplier is −1 and the approach falls off as n^(−1/2); it has not arrived, and no cycle attracts.
+/// r = 3: the multiplier is −1 and the approach falls off as n^(−1/2); after any finite number of steps it is not on
+/// the cycle, and no cycle attracts exponentially.
 TEST(Classify, AnAlgebraicTransientIsNotGivenAName) {
     ClassifyOptions options;
     options.transient = 1000;
@@ -65,8 +66,8 @@ TEST(Classify, AnAlgebraicTransientIsNotGivenAName) {
     EXPECT_EQ(verdict.kind, Kind::transient);
 }
 
-/// Multiplier −0.999: after 1,200 steps the orbit is still 10⁻² … 10⁻¹ of its start away; Newton's method sees
-/// where to.
+/// Multiplier −0.999: after 1,200 steps the orbit is still 10⁻² … 10⁻¹ of its start away; Newton's method finds the
+/// fixed point.
 TEST(Classify, AnOrbitStillApproachingIsNamedAfterTheCycleItApproaches) {
     ClassifyOptions options;
     options.transient = 600;
@@ -80,7 +81,8 @@ TEST(Classify, AnOrbitStillApproachingIsNamedAfterTheCycleItApproaches) {
     EXPECT_NEAR(verdict.mean, 1 - 1 / r, 1e-12);
 }
 
-/// A rotation that forgets: from [0, w) it starts again at 0.3. Every orbit is periodic from then on.
+/// A rotation whose derivative vanishes on [0, w), which it maps to 0.3: the cycle is superstable (DFᵏ = 0), and every
+/// orbit is periodic once it has been there.
 struct Superstable {
     static constexpr int dimension = 1;
     static constexpr double width = 7e-5;
@@ -94,7 +96,7 @@ struct Superstable {
     static double angle_period(int) { return 0; }
 };
 
-/// Its period may be longer than half the tail: what comes back once has come back for ever.
+/// Its period may be longer than half the tail: the map is deterministic, so one exact return proves periodicity.
 TEST(Classify, ASuperstableOrbitNeedsOneReturn) {
     const Superstable map;
     Vector<1> z{0.3};
@@ -129,8 +131,8 @@ struct FocusInsideCircles {
     static double angle_period(int) { return 0; }
 };
 
-/// The whole circle is within what counts as near a return, and Newton's method leads to the focus, which attracts: but
-/// the orbit does not come nearer to it.
+/// The whole circle lies within the distance that counts as a near return, and Newton's method converges to the focus,
+/// which attracts; but the orbit on the circle does not approach it.
 TEST(Classify, ATorusRoundAnAttractingFocusIsNotTheFocus) {
     const FocusInsideCircles map;
     const auto circle = classify(map, Vector<2>(0.005, 0), 0);

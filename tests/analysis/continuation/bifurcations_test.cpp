@@ -1,4 +1,4 @@
-// Published bifurcation values, found by continuation.
+// Published bifurcation values, reproduced by continuation.
 #include "analysis/continuation/switch_branch.hpp"
 #include "tests/analysis/continuation/families.hpp"
 
@@ -16,8 +16,8 @@ const SpecialPoint* first_of(const Branch& branch, SpecialKind kind) {
     return nullptr;
 }
 
-// [Feigenbaum, J. Stat. Phys. 19 (1978) 25; docs/tests/references/README.md] Period doublings of the logistic map,
-// through five switches.
+// [Feigenbaum, J. Stat. Phys. 19 (1978) 25; tests/references/README.md] Period doublings of the logistic map, through
+// five switches.
 TEST(Continue, LogisticCascadeThroughFiveSwitches) {
     constexpr double published[] = {
         3, 3.449489742783178, 3.544090359551923, 3.564407266095433, 3.568759419543826, 3.569691609801397};

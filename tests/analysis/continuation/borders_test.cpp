@@ -40,7 +40,7 @@ ShootingMap border_collision(double a, double b, double longer_on_the_right = 0)
 
 using Word = std::vector<std::int64_t>;
 
-// From either side: the words are in the order of the branch, which is that of growing p.
+// From either side: the itineraries are in the order of the branch, which is that of growing p.
 TEST(Borders, ABranchGoesOnAcrossAKink) {
     const ShootingMap map = border_collision(0.5, -0.5);
     for (const double p : {-0.4, 0.4}) {

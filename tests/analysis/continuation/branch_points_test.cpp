@@ -61,7 +61,7 @@ TEST(BranchPoints, OfATranscriticalBifurcation) {
     for (const auto& point : other.points) EXPECT_NEAR(point.at.points[0][0], 0, 1e-12);
 }
 
-// A branch that ends though its map does not is not said to have met a border.
+// A branch that ends where its map does not must not report a border.
 TEST(BranchEnds, WithoutACycleToGoOnAreNotCalledBorders) {
     ShootingMap map = maps::logistic_family();
     map.step = [](const Eigen::VectorXd& z, double p) {

@@ -1,4 +1,4 @@
-// Families are told from isolated cycles whatever the units of the coordinates are.
+// Families are distinguished from isolated cycles in every choice of the coordinates' units.
 #include "analysis/cycles/null_space.hpp"
 #include "analysis/cycles/cycle.hpp"
 

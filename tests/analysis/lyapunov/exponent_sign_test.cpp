@@ -131,7 +131,7 @@ TEST(ExponentSign, ARandomWalkIsUndecided) {
 }
 
 TEST(ExponentSign, AWeakDriftUnderABoundedSumIsPositive) {
-    // Σ = 25 over 10,000 steps beneath swings of ±½, within what a neutral direction may leave. Without it: neutral.
+    // Σ = 25 over 10,000 steps beneath swings of ±½, within the bound for a neutral direction. Without it: neutral.
     const SignEvidence weak = judge_sign(lyapunov_spectrum(SlowDrift{0.0025}, Vector<1>{0.3}, of_length(10'000)), 0);
     EXPECT_LE(weak.exponent, weak.shrinking_bound);
     EXPECT_EQ(weak.sign, ExponentSign::positive);

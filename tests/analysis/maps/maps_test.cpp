@@ -1,5 +1,5 @@
-// The test maps are what the literature says they are: derivatives, fixed points, cycles and bifurcation values.
-// Published values from tests/references/README.md, "Maps".
+// The test maps against the literature: derivatives, fixed points, cycles and bifurcation values. Published values from
+// tests/references/README.md, "Maps".
 #include "analysis/lyapunov/cycle_exponents.hpp"
 #include "tests/analysis/maps/bouncing_ball.hpp"
 #include "tests/analysis/maps/circle_map.hpp"

@@ -1,4 +1,4 @@
-// One oracle per regime: what recurrence quantification must say of motions that are known exactly.
+// One oracle per regime: recurrence quantification of motions that are known exactly.
 #include "analysis/recurrence/measures.hpp"
 #include "analysis/recurrence/rates.hpp"
 
@@ -113,8 +113,9 @@ TEST(Regime, ChaoticLogisticMapHasTheRateOfItsInvariantDensity) {
     EXPECT_LT(standard_error, 0.01 * expected);
 }
 
-// Lines of a chaotic orbit die at the rate of its entropy: with nearby points separating by a factor 2 per step on
-// average, lines of l points are about exp(-l ln 2) frequent. (Thiel et al., Chaos 14 (2004) 234.)
+// The number of diagonal lines of a chaotic orbit falls with their length at the rate of its entropy: with nearby
+// points separating by a factor 2 per step on average, lines of l points are about exp(-l ln 2) frequent. (Thiel et
+// al., Chaos 14 (2004) 234.)
 TEST(Regime, ChaoticLogisticMapLosesHalfOfItsLinesPerStep) {
     const LineHistograms lines = count_lines(embed_series(logistic(8000)), 1e-3);
     double longer_4 = 0, longer_9 = 0;  // lines of at least 4, at least 9 points

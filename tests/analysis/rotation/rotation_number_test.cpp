@@ -185,7 +185,7 @@ TEST(RotationNumber, OfChaoticObservablesDoesNotConverge) {
 }
 
 TEST(RotationNumber, OfATransientDoesNotConverge) {
-    // A spiral into a focus: the rotation is there, but dies out; what is left is no torus.
+    // A spiral into a focus: it rotates, but its amplitude decays; the limit is no torus.
     std::vector<double> series;
     for (int j = 0; j < 4000; ++j) series.push_back(std::pow(0.99, j) * std::cos(two_pi * golden_mean * j));
     EXPECT_EQ(rotation_of_observable(series).outcome, RotationOutcome::not_converged);

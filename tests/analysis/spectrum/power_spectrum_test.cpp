@@ -1,4 +1,5 @@
 #include "analysis/spectrum/power_spectrum.hpp"
+#include "analysis/spectrum/spectral_entropy.hpp"
 
 #include "analysis/spectrum/bin_average.hpp"
 #include "analysis/spectrum/fft.hpp"

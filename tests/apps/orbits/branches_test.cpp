@@ -185,15 +185,9 @@ TEST(Branches, WhereImpactsVanishIsLocated) {
 }
 
 TEST(Branches, PointsAreCyclesOfTheirScenes) {
-<<<<<<< HEAD
-    const auto c = tests::read_oracle("cycles.json")["cycles"][4];
-    for (const char* along :
-         {"alpha=0.4:0.6", "beta=0.4:0.6", "mu=0.5:0.7", "restitution=0.8:1", "inertia-factor=0.3:0.45"}) {
-=======
     const auto c = tests::read_reference("cycles.json")["cycles"][4];
     for (const char* along :
          {"alpha=0.4:0.6", "beta=0.4:0.6", "mu=0.5:0.7", "restitution=0.8:1", "inertia-factor=0.3:0.45"}) {
->>>>>>> e50de5b696095eb3ef35e8c16286e8945f7e71f2
         const auto followed = follow(c, along);
         const auto parameter = apps::parameter_range_from(along, false, true).parameter.value();
         ASSERT_GT(followed.branch.points.size(), 5U) << along;

@@ -3,48 +3,43 @@
 
 #include "analysis/cycles/find_cycles.hpp"
 #include "apps/orbits/candidates.hpp"
-<<<<<<< HEAD
 #include "apps/system/section_coordinates.hpp"
 #include "apps/system/shooting_map.hpp"
-#include "tests/map/oracle.hpp"
-    =======
 #include "tests/references/references.hpp"
-    >>>>>>> e50de5b696095eb3ef35e8c16286e8945f7e71f2
 
 #include <algorithm>
 #include <complex>
 #include <vector>
 
-    namespace swirl::tests {
+namespace swirl::tests {
 
-    inline std::vector<analysis::Cycle> cycles_of(const Scene<double>& scene, int period,
-                                                  const apps::CandidateOptions& options = {}) {
-        const auto map = apps::shooting_map_of(scene);
-        const auto trajectories = apps::trajectories_of(scene, options);
-        analysis::SearchOptions search;
-        search.period = period;
-        return analysis::find_cycles(map, 0, apps::candidates_for(scene, map, period, trajectories, options), search)
-            .cycles;
-    }
+inline std::vector<analysis::Cycle> cycles_of(const Scene<double>& scene, int period,
+                                              const apps::CandidateOptions& options = {}) {
+    const auto map = apps::shooting_map_of(scene);
+    const auto trajectories = apps::trajectories_of(scene, options);
+    analysis::SearchOptions search;
+    search.period = period;
+    return analysis::find_cycles(map, 0, apps::candidates_for(scene, map, period, trajectories, options), search)
+        .cycles;
+}
 
-    /// The distance of a listed point from the nearest point of a cycle.
-    inline double distance_to(const analysis::ShootingMap& map, const analysis::Cycle& cycle,
-                              const Eigen::VectorXd& z) {
+/// The distance of a listed point from the nearest point of a cycle.
+inline double distance_to(const analysis::ShootingMap& map, const analysis::Cycle& cycle, const Eigen::VectorXd& z) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& point : cycle.points) nearest = std::min(nearest, map.distance(point, z));
+    return nearest;
+}
+
+/// The largest difference of multipliers, relative for those above 1, each against the nearest of the listed ones.
+inline double multiplier_error(const analysis::Cycle& cycle, const nlohmann::json& listed) {
+    double largest = 0;
+    for (const auto& pair : listed) {
+        const std::complex<double> m(pair[0].get<double>(), pair[1].get<double>());
         double nearest = std::numeric_limits<double>::infinity();
-        for (const auto& point : cycle.points) nearest = std::min(nearest, map.distance(point, z));
-        return nearest;
+        for (const auto& found : cycle.multipliers) nearest = std::min(nearest, std::abs(found - m));
+        largest = std::max(largest, nearest / std::max(1.0, std::abs(m)));
     }
-
-    /// The largest difference of multipliers, relative for those above 1, each against the nearest of the listed ones.
-    inline double multiplier_error(const analysis::Cycle& cycle, const nlohmann::json& listed) {
-        double largest = 0;
-        for (const auto& pair : listed) {
-            const std::complex<double> m(pair[0].get<double>(), pair[1].get<double>());
-            double nearest = std::numeric_limits<double>::infinity();
-            for (const auto& found : cycle.multipliers) nearest = std::min(nearest, std::abs(found - m));
-            largest = std::max(largest, nearest / std::max(1.0, std::abs(m)));
-        }
-        return largest;
-    }
+    return largest;
+}
 
 }  // namespace swirl::tests

@@ -1,0 +1,12 @@
+#include "map/collision_map.hpp"
+
+namespace swirl {
+
+template class CollisionMap<long double, Shape::disk, ImpactRule::frictionless>;
+template class CollisionMap<long double, Shape::disk, ImpactRule::poisson>;
+template class CollisionMap<long double, Shape::polygon, ImpactRule::frictionless>;
+template class CollisionMap<long double, Shape::polygon, ImpactRule::poisson>;
+template class CollisionMap<long double, Shape::polygon, ImpactRule::newton>;
+template class CollisionMap<long double, Shape::polygon, ImpactRule::stronge>;
+
+}  // namespace swirl

@@ -1,0 +1,12 @@
+#include "map/orbit/return_map.hpp"
+
+namespace swirl {
+
+template class ReturnMap<CollisionMap<Quad, Shape::disk, ImpactRule::frictionless>>;
+template class ReturnMap<CollisionMap<Quad, Shape::disk, ImpactRule::poisson>>;
+template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::frictionless>>;
+template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::poisson>>;
+template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::newton>>;
+template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::stronge>>;
+
+}  // namespace swirl

@@ -6,7 +6,7 @@
 #include "analysis/cycles/minimal_period.hpp"
 #include "analysis/cycles/newton.hpp"
 #include "analysis/cycles/stability.hpp"
-#include "analysis/linear_algebra/decompositions.hpp"
+#include "analysis/linear_algebra/dense.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
 
@@ -161,7 +161,7 @@ template <SectionMap M>
 std::vector<std::complex<double>> clear_multipliers(const M& map, State<M> z, std::int64_t k) {
     Matrix<M::dimension> derivative;
     if (!iterate(map, z, derivative, k) || !(derivative.norm() < 100)) return {};
-    const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(derivative, false).eigenvalues();
+    const Eigen::VectorXcd values = eigenvalues_of(derivative);
     if (!(values.cwiseAbs().maxCoeff() < 0.99)) return {};
     return {values.data(), values.data() + values.size()};
 }

@@ -2,7 +2,7 @@
 
 #include "analysis/cycles/minimal_period.hpp"
 #include "analysis/cycles/null_space.hpp"
-#include "analysis/linear_algebra/decompositions.hpp"
+#include "analysis/linear_algebra/dense.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::vector<Eigen::MatrixXd> derivatives_of(const ShootingResidual& shooting) {
 
 /// How many multipliers are 1, `enough` or fewer: in double, and in 100 digits only where that finds too few.
 Eigen::Index ones_of(const ShootingResidual& shooting, Eigen::Index enough) {
-    const Eigen::VectorXcd quick = Eigen::EigenSolver<Eigen::MatrixXd>(monodromy(shooting), false).eigenvalues();
+    const Eigen::VectorXcd quick = eigenvalues_of(monodromy(shooting));
     if (const Eigen::Index ones = ones_among(quick); ones >= enough) return enough;
     return std::min(enough, ones_among(cycle_exponents(derivatives_of(shooting)).multipliers));
 }

@@ -1,6 +1,6 @@
 #include "analysis/cycles/newton.hpp"
 
-#include "analysis/linear_algebra/decompositions.hpp"
+#include "analysis/linear_algebra/dense.hpp"
 
 #include <limits>
 
@@ -20,10 +20,7 @@ double newton(const Equation& equation, Eigen::VectorXd& x, const NewtonOptions&
             kept = x;
         }
         if (best <= options.goal || (!better && i > options.patience)) break;
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-        solver.setThreshold(small);
-        solver.compute(derivative);
-        x = x - solver.solve(gap);
+        x -= minimum_norm_solution(derivative, gap, small);
     }
     x = kept;
     return best;

@@ -1,6 +1,6 @@
 #include "analysis/cycles/null_space.hpp"
 
-#include "analysis/linear_algebra/decompositions.hpp"
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>

@@ -110,7 +110,7 @@ def main():
     parser.add_argument("--cache", type=Path)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("files", nargs="*", type=Path)
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     arguments.build = arguments.build.resolve()
     known = commands(arguments.build)
     known.update(headers(known))

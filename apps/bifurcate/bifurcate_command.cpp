@@ -95,9 +95,8 @@ int bifurcate(BifurcateOptions& options) {
     diagram.along = parameter_range_from(options.along, true, false);
     check(options, diagram.along);
     for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}});
-    std::optional<RecordWriter> record;
-    if (!options.output.record.empty())
-        record.emplace(open_record(options.output.record, "Attractors of a swirled polygon over one parameter"));
+    std::optional<RecordWriter> record =
+        open_record(options.output.record, "Attractors of a swirled polygon over one parameter");
     note_interruptions();
     const auto begin = std::chrono::steady_clock::now();
     sample_columns(options, diagram);

@@ -1,54 +1,136 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 
-#include "apps/modes/kind_document.hpp"
+#include "apps/modes/mode_fields.hpp"
+#include "apps/output/write_table.hpp"
 
 #include <map>
+#include <span>
 
 namespace swirl::apps::bifurcate {
 
 namespace {
 
-constexpr const char* origins[] = {"random", "up", "down"};
+std::string_view word_for(Origin origin) {
+    constexpr std::string_view words[] = {"random", "up", "down"};
+    return words[static_cast<int>(origin)];
+}
 
-void write_values(JsonWriter& json, std::string_view key, const Attractor& attractor, Eigen::Index place) {
-    if (!key.empty()) json.key(key);
+/// What one start of a column settled on, or one of its samples.
+struct AttractorRow {
+    const DiagramColumn* column;
+    std::size_t number;  ///< the column's
+    const Attractor* attractor;
+    const Eigen::VectorXd* state = nullptr;
+};
+
+std::vector<AttractorRow> attractors_of(const DiagramColumn& column, std::size_t number) {
+    std::vector<AttractorRow> rows;
+    for (const auto& attractor : column.attractors) rows.push_back({&column, number, &attractor});
+    return rows;
+}
+
+double coordinate_of(const Eigen::VectorXd& state, const std::string& observable) {
+    return state[place_of(observable, state.size())];
+}
+
+void write_samples(JsonWriter& json, const Attractor& attractor, const std::string& observable) {
     json.begin_array();
-    for (const auto& z : attractor.states) json.value(z[place]);
+    for (const auto& z : attractor.states) json.value(coordinate_of(z, observable));
     json.end_array();
 }
 
-void write_attractor(JsonWriter& json, const BifurcateOptions& options, const Attractor& attractor) {
-    json.begin_object();
-    json.member("origin", origins[static_cast<int>(attractor.origin)]);
-    json.member("start", attractor.start);
-    json.member("outcome", name_of(attractor.outcome));
-    json.member("mode", name_of(attractor.mode));
-    write_kind(json, attractor.kind);
-    write_period(json, attractor.period);
-    json.member("mean_S", attractor.mean_spin);
-    const Eigen::Index size = attractor.states.empty() ? 1 : attractor.states.front().size();
-    write_values(json, "S", attractor, size - 1);
-    if (options.observable != "S") write_values(json, "values", attractor, place_of(options.observable, size));
-    json.end_object();
+/// What attractors and samples have alike.
+std::vector<Field<AttractorRow>> place_fields(const Diagram& diagram) {
+    using Row = AttractorRow;
+    using F = Field<Row>;
+    return {F{"parameter", [](const Row& row) { return row.column->parameter; }, "1", "parameter " + diagram.along.name}
+                .record_only(),
+            F{"column", &Row::number, "1", "column"}.record_only(),
+            F{"origin", [](const Row& row) { return static_cast<std::int64_t>(row.attractor->origin); }, "1",
+              "0 random start, 1 followed up, 2 followed down"}
+                .json_as([](const Row& row) { return word_for(row.attractor->origin); }),
+            {"start", [](const Row& row) { return row.attractor->start; }, "1", "number of the random start"}};
 }
 
-void write_column(JsonWriter& json, const BifurcateOptions& options, const DiagramColumn& column) {
-    const Attractor& usual = typical(column);
-    json.begin_object();
-    json.member("parameter", column.parameter);
-    json.key("S");
-    json.begin_array();
-    for (const auto& attractor : column.attractors)
-        for (const auto& z : attractor.states) json.value(z[z.size() - 1]);
-    json.end_array();
-    json.member("mode", name_of(usual.mode));
-    write_period(json, usual.period);
-    if (!column.complete) json.member("interrupted", true);
-    json.key("attractors");
-    json.begin_array();
-    for (const auto& attractor : column.attractors) write_attractor(json, options, attractor);
-    json.end_array();
-    json.end_object();
+/// A table of attractors or samples: the fields that both have, and its own.
+Table<AttractorRow> table_of(const std::string& rows, const Diagram& diagram,
+                             const std::vector<Field<AttractorRow>>& own, std::vector<std::string> first_in_record) {
+    Table<AttractorRow> table{{rows}, place_fields(diagram), std::move(first_in_record)};
+    table.fields.insert(table.fields.end(), own.begin(), own.end());
+    return table;
+}
+
+/// What each orbit settled on, samples or not.
+Table<AttractorRow> attractor_table(const BifurcateOptions& options, const Diagram& diagram) {
+    using Row = AttractorRow;
+    using F = Field<Row>;
+    const auto of = [](auto member) { return [member](const Row& row) { return row.attractor->*member; }; };
+    const auto samples = [](const std::string& name) {
+        return [name](JsonWriter& json, const Row& row) { write_samples(json, *row.attractor, name); };
+    };
+    const auto count = [](const Row& row) { return row.attractor->states.size(); };
+    return table_of("attractor", diagram,
+                    {{"outcome", of(&Attractor::outcome)},
+                     {"mode", of(&Attractor::mode)},
+                     kind_field<Row>(of(&Attractor::kind)),
+                     period_field<Row>(of(&Attractor::period), "0: none"),
+                     {"mean_S", of(&Attractor::mean_spin), "omega_s", "time mean of S"},
+                     F{"samples", count, "1", "how many follow in the group samples, in this order"}.record_only(),
+                     {"S", samples("S")},
+                     F{"values", samples(options.observable)}.when(options.observable != "S")},
+                    {"parameter", "mean_S", "column", "start", "origin", "period", "samples", "mode", "kind"});
+}
+
+Table<AttractorRow> sample_table(const BifurcateOptions& options, const Diagram& diagram) {
+    using F = Field<AttractorRow>;
+    const auto coordinate = [](const std::string& name) {
+        return [name](const AttractorRow& row) { return coordinate_of(*row.state, name); };
+    };
+    const std::string& observable = options.observable;
+    return table_of("sample", diagram,
+                    {{"S", coordinate("S"), "omega_s", "S just after an impact"},
+                     F{"value", coordinate(observable), "1", "observable " + observable}.when(observable != "S")},
+                    {"parameter", "S", "value", "column", "start"});
+}
+
+/// The columns, with the attractors of each in JSON.
+Table<DiagramColumn> column_table(const BifurcateOptions& options, const Diagram& diagram) {
+    using Row = DiagramColumn;
+    using F = Field<Row>;
+    const auto of_usual = [](auto member) { return [member](const Row& column) { return typical(column).*member; }; };
+    const auto samples = [](JsonWriter& json, const Row& column) {
+        json.begin_array();
+        for (const auto& attractor : column.attractors)
+            for (const auto& z : attractor.states) json.value(coordinate_of(z, "S"));
+        json.end_array();
+    };
+    const auto attractors = [table = attractor_table(options, diagram)](JsonWriter& json, const Row& column) {
+        write_rows(json, table, attractors_of(column, 0), JsonLayout::line);
+    };
+    return {{"column"},
+            {F{"parameter", &Row::parameter, "1", "parameter " + diagram.along.name}.shown(diagram.along.name,
+                                                                                           "  {:>14.10g}"),
+             {"S", samples},
+             F{"mode", of_usual(&Attractor::mode)}.shown("mode", " {:>14}"),
+             period_field<Row>(of_usual(&Attractor::period), "of most starts; 0: none")
+                 .shown("period", dash_for_zero(" {:>7}")),
+             F{"mean_S", of_usual(&Attractor::mean_spin)}.table_only().shown("mean S", " {:>15.10f}"),
+             F{"interrupted", [](const Row&) { return true; }}.json_only().json_if(
+                 [](const Row& column) { return !column.complete; }),
+             {"attractors", attractors}},
+            {"parameter", "period"}};
+}
+
+Settings agreement_of(const Agreement& agreement) {
+    return {{"compared", agreement.compared},
+            {"largest_difference_of_S", agreement.largest},
+            {"largest_distance_of_orbit", agreement.distance},
+            {"without_branch", agreement.without},
+            {"in_families", agreement.in_families}};
+}
+
+SceneBranches branches_of(const BifurcateOptions& options, const Diagram& diagram) {
+    return scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along);
 }
 
 }  // namespace
@@ -77,57 +159,55 @@ Settings diagram_scene(const BifurcateOptions& options, const Diagram& diagram) 
 }
 
 void write_diagram_document(const BifurcateOptions& options, const Diagram& diagram) {
-    JsonWriter json(stdout);
-    json.begin_object(JsonLayout::rows);
-    write_json(json, "scene", diagram_scene(options, diagram));
-    if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
-    json.member("along", diagram.along.name);
-    json.key("columns");
-    json.begin_array(JsonLayout::rows);
-    for (const auto& column : diagram.columns) write_column(json, options, column);
-    json.end_array();
-    if (options.branches) {
-        const auto scene = scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along);
-        write_branches(json, scene, diagram.branches);
-        json.key("agreement");
-        json.begin_object();
-        json.member("compared", diagram.agreement.compared);
-        json.member("largest_difference_of_S", diagram.agreement.largest);
-        json.member("largest_distance_of_orbit", diagram.agreement.distance);
-        json.member("without_branch", diagram.agreement.without);
-        json.member("in_families", diagram.agreement.in_families);
-        json.end_object();
-    }
-    json.member("outcome", diagram.interrupted ? "interrupted" : "completed");
-    write_json(json, "settings", diagram_settings(options, diagram));
-    json.member("swirl_version", std::string_view(version()));
-    json.end_object();
-    json.finish();
+    print_document([&](JsonWriter& json) {
+        write_json(json, "scene", diagram_scene(options, diagram));
+        if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
+        json.member("along", diagram.along.name);
+        write_json(json, "columns", column_table(options, diagram), diagram.columns);
+        if (options.branches) {
+            write_branches(json, branches_of(options, diagram), diagram.branches);
+            write_json(json, "agreement", agreement_of(diagram.agreement));
+        }
+        json.member("outcome", diagram.interrupted ? "interrupted" : "completed");
+        write_json(json, "settings", diagram_settings(options, diagram));
+    });
+}
+
+void write_diagram_record(RecordWriter& record, const BifurcateOptions& options, const Diagram& diagram) {
+    const RecordGroup root = record.root();
+    write_attributes(root.group("scene"), diagram_scene(options, diagram));
+    write_attributes(root.group("settings"), diagram_settings(options, diagram));
+    std::vector<AttractorRow> attractors, samples;
+    for (std::size_t c = 0; c < diagram.columns.size(); ++c)
+        for (AttractorRow row : attractors_of(diagram.columns[c], c)) {
+            attractors.push_back(row);
+            for (const auto& z : row.attractor->states) samples.push_back({row.column, row.number, row.attractor, &z});
+        }
+    if (!diagram.columns.empty()) write_record(root.group("columns"), column_table(options, diagram), diagram.columns);
+    if (!attractors.empty()) write_record(root.group("attractors"), attractor_table(options, diagram), attractors);
+    if (!samples.empty()) write_record(root.group("samples"), sample_table(options, diagram), samples);
+    if (options.branches) write_branches(root, branches_of(options, diagram), diagram.branches, options.observable);
+    record.finish();
 }
 
 void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
+    constexpr std::size_t most_lines = 100;
     std::map<std::string, std::int64_t> counts;
     std::int64_t all = 0;
-    std::string last;
-    fmt::print("  {:>14} {:>14} {:>7} {:>15}\n", diagram.along.name, "mode", "period", "mean S");
-    for (const auto& column : diagram.columns) {
-        const Attractor& usual = typical(column);
-        if (diagram.columns.size() <= 100)
-            fmt::print("  {:>14.10g} {:>14} {:>7} {:>15.10f}\n", column.parameter, name_of(usual.mode),
-                       usual.period > 0 ? fmt::format("{}", usual.period) : "-", usual.mean_spin);
+    for (const auto& column : diagram.columns)
         for (const auto& attractor : column.attractors) {
             ++counts[std::string(name_of(attractor.mode))];
             ++all;
         }
-    }
+    const std::size_t lines = diagram.columns.size() <= most_lines ? diagram.columns.size() : 0;
+    print_table(column_table(options, diagram), std::span(diagram.columns).first(lines));
     std::string shares;
     for (const auto& [mode, count] : counts)
         shares += fmt::format("{}{} {:.2f} %", shares.empty() ? "" : ", ", mode,
                               100.0 * static_cast<double>(count) / static_cast<double>(all));
     fmt::print("{} columns, {} orbits: {}\n", diagram.columns.size(), all, shares);
     if (!options.branches) return;
-    print_branches(scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along),
-                   diagram.along, diagram.branches);
+    print_branches(branches_of(options, diagram), diagram.along, diagram.branches);
     fmt::print(
         "{} cycles on stable branches (|multiplier| < 0.99): S differs by {:.1e} at most, the orbits' own last "
         "states by {:.1e}; {} on no branch, {} members of families\n",

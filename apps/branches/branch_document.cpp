@@ -1,123 +1,231 @@
 #include "apps/branches/branches.hpp"
+#include "apps/output/write_table.hpp"
 #include "apps/system/letter.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swirl::apps {
 
-void write_point(JsonWriter& json, std::string_view key, const Eigen::VectorXd& z) {
-    constexpr const char* polygon[] = {"psi", "chi", "vn", "vt", "S"};
-    constexpr const char* disk[] = {"psi", "vn", "vt", "S"};
-    if (!key.empty()) json.key(key);
-    json.begin_object();
-    for (Eigen::Index i = 0; i < z.size(); ++i) json.member(z.size() == 4 ? disk[i] : polygon[i], z[i]);
-    json.end_object();
-}
-
-void write_multipliers(JsonWriter& json, const std::vector<std::complex<double>>& multipliers) {
-    json.key("multipliers");
-    json.begin_array();
-    for (const auto& m : multipliers) {
-        json.begin_array();
-        json.value(m.real());
-        json.value(m.imag());
-        json.end_array();
-    }
-    json.end_array();
-}
-
-void write_word(JsonWriter& json, std::string_view key, const std::vector<std::int64_t>& word) {
-    json.key(key);
-    json.begin_array();
-    for (const std::int64_t letter : word) {
-        const Letter l = letter_from(letter);
-        json.begin_object();
-        json.member("vertex_step", std::int64_t{l.vertex_step});
-        json.member("contact_mode", name_of(l.mode));
-        if (l.through_contact) json.member("through_contact", true);
-        json.end_object();
-    }
-    json.end_array();
-}
+using analysis::Branch;
+using analysis::NormalForm;
+using analysis::SpecialKind;
 
 namespace {
 
-void write_cycle(JsonWriter& json, const SceneBranches& scene, const analysis::BranchPoint& point) {
-    json.member("parameter", analysis::parameter_of(scene.options, scene.map.has_parameter, point.at));
-    write_point(json, "point", point.at.points.front());
-    json.key("S");
-    json.begin_array();
-    for (const auto& z : point.at.points) json.value(z[z.size() - 1]);
-    json.end_array();
-    json.member("mean_S", point.mean);
-    json.member("return_time", point.at.shooting.duration);
-    write_multipliers(json, point.multipliers);
-    json.member("index", std::int64_t{point.index});
-    json.member("stability", analysis::name_of(point.stability));
-    json.member("residual", point.at.shooting.residual());
+/// A cycle of a branch, or one of its special points.
+struct PointRow {
+    std::size_t branch;
+    const analysis::BranchPoint* cycle;
+    const analysis::SpecialPoint* special = nullptr;
+};
+
+std::vector<PointRow> points_of(const Branch& branch, std::size_t number) {
+    std::vector<PointRow> rows;
+    for (const auto& point : branch.points) rows.push_back({number, &point});
+    return rows;
 }
 
-void write_complex(JsonWriter& json, std::string_view key, std::complex<double> value) {
-    json.key(key);
-    json.begin_array();
-    json.value(value.real());
-    json.value(value.imag());
-    json.end_array();
+std::vector<PointRow> special_of(const Branch& branch, std::size_t number) {
+    std::vector<PointRow> rows;
+    for (const auto& special : branch.special) rows.push_back({number, &special.cycle, &special});
+    return rows;
 }
 
-void write_special(JsonWriter& json, const SceneBranches& scene, const analysis::SpecialPoint& special) {
+/// A coordinate of each point of a cycle.
+std::vector<double> coordinates_of(const PointRow& row, const std::string& observable) {
+    std::vector<double> values;
+    for (const auto& z : row.cycle->at.points) values.push_back(z[place_of(observable, z.size())]);
+    return values;
+}
+
+/// A word as text: vertex step and contact mode of each letter, "+1 sliding, +2 c-sticking"; empty if the map ends.
+std::string in_words(const std::vector<std::int64_t>& word) {
+    std::string text;
+    for (const std::int64_t letter : word) {
+        const Letter l = letter_from(letter);
+        text += fmt::format("{}{:+d} {}{}", text.empty() ? "" : ", ", l.vertex_step, name_of(l.mode),
+                            l.through_contact ? " through contact" : "");
+    }
+    return text;
+}
+
+/// The cycles of branches along dimension `rows`. `longest`: the longest period, to which lists are filled up.
+Table<PointRow> cycle_table(const SceneBranches& scene, const std::string& rows, const std::string& observable,
+                            std::size_t longest) {
+    using Row = PointRow;
+    using F = Field<Row>;
+    const auto of = [](auto member) { return [member](const Row& row) { return row.cycle->*member; }; };
+    const auto parameter = [&scene](const Row& row) {
+        return analysis::parameter_of(scene.options, scene.map.has_parameter, row.cycle->at);
+    };
+    using Point = analysis::BranchPoint;
+    return {
+        {rows},
+        {F{"branch", &Row::branch, "1", "number of the branch"}.record_only(),
+         F{"period", [](const Row& row) { return row.cycle->at.points.size(); }, "1", "k"}.record_only(),
+         {"parameter", parameter, "1", "value of the parameter named by settings: along"},
+         {"point", [](JsonWriter& json, const Row& row) { write_point(json, row.cycle->at.points.front()); }},
+         F{"S", [](const Row& row) { return coordinates_of(row, "S"); }, "omega_s",
+           "S after each impact of the cycle; NaN beyond it"}
+             .along({"phase"}, longest),
+         F{"value", [=](const Row& row) { return coordinates_of(row, observable); }, "1", "observable " + observable}
+             .along({"phase"}, longest)
+             .record_only()
+             .when(observable != "S"),
+         {"mean_S", of(&Point::mean), "omega_s", "time mean of S"},
+         {"return_time", [](const Row& row) { return row.cycle->at.shooting.duration; }, "1/omega_s",
+          "sum of the flights"},
+         {"multipliers", [](JsonWriter& json, const Row& row) { json.array(row.cycle->multipliers); }},
+         F{"largest_multiplier", [](const Row& row) { return std::abs(row.cycle->multipliers.front()); }, "1",
+           "modulus"}
+             .record_only(),
+         {"index", of(&Point::index), "1", "multipliers outside the unit circle"},
+         F{"stability", of(&Point::stability)}.json_only(),
+         F{"stable", [](const Row& row) { return row.cycle->stability != analysis::Stability::unstable; }, "1",
+           "1: no multiplier outside the unit circle"}
+             .stored_as(ElementType::int64)
+             .record_only(),
+         {"residual", [](const Row& row) { return row.cycle->at.shooting.residual(); }, "1",
+          "largest |F(z_i) - z_(i+1)|"}},
+        {"branch", "period", "stable", "index", "parameter", "mean_S", "return_time", "largest_multiplier", "residual",
+         "S"}};
+}
+
+void write_normal_form(JsonWriter& json, const PointRow& row) {
+    const NormalForm& form = *row.special->normal_form;
     json.begin_object();
-    json.member("kind", kind_of(special));
-    write_cycle(json, scene, special.cycle);
-    if (!special.located) json.member("located", false);
-    if (special.normal_form) {
-        const auto& form = *special.normal_form;
-        json.key("normal_form");
-        json.begin_object();
-        write_complex(json, "parameter", form.parameter);
-        write_complex(json, "nonlinear", form.nonlinear);
-        if (special.kind == analysis::SpecialKind::neimark_sacker) json.member("angle", form.angle);
-        if (special.kind != analysis::SpecialKind::fold) json.member("supercritical", form.supercritical);
-        json.end_object();
-    }
-    if (special.kind == analysis::SpecialKind::border) {
-        write_word(json, "word_before", special.word_before);
-        write_word(json, "word_after", special.word_after);
-        json.member("goes_on", special.goes_on);
-    }
+    json.member("parameter", form.parameter);
+    json.member("nonlinear", form.nonlinear);
+    if (row.special->kind == SpecialKind::neimark_sacker) json.member("angle", form.angle);
+    if (row.special->kind != SpecialKind::fold) json.member("supercritical", form.supercritical);
     json.end_object();
+}
+
+/// 1 yes, 0 no, -1 does not apply.
+std::int64_t supercritical(const PointRow& row) {
+    if (!row.special->normal_form || row.special->kind == SpecialKind::fold) return -1;
+    return row.special->normal_form->supercritical ? 1 : 0;
+}
+
+/// What special points have beyond a cycle's fields. NaN: no normal form.
+std::vector<Field<PointRow>> special_fields() {
+    using Row = PointRow;
+    using F = Field<Row>;
+    using Special = analysis::SpecialPoint;
+    const auto border = [](const Row& row) { return row.special->kind == SpecialKind::border; };
+    const auto has_form = [](const Row& row) { return row.special->normal_form.has_value(); };
+    const auto of = [](auto member) { return [member](const Row& row) { return row.special->*member; }; };
+    const auto word = [border](const char* name, std::vector<std::int64_t> Special::*member) {
+        return F{name, [=](const Row& row) { return border(row) ? in_words(row.special->*member) : ""; }}
+            .json_written([=](JsonWriter& json, const Row& row) { write_word(json, row.special->*member); })
+            .json_if(border);
+    };
+    const auto form = [](const char* name, auto part, const char* units, const char* long_name) {
+        const auto value = [part](const Row& row) {
+            return row.special->normal_form ? part(*row.special) : std::numeric_limits<double>::quiet_NaN();
+        };
+        return F{name, value, units, long_name}.record_only();
+    };
+    const auto angle = [](const Special& s) {
+        return s.kind == SpecialKind::neimark_sacker ? s.normal_form->angle : std::numeric_limits<double>::quiet_NaN();
+    };
+    return {F{"located", of(&Special::located), "1", "0: known only to lie between two points"}
+                .stored_as(ElementType::int64)
+                .json_if([](const Row& row) { return !row.special->located; }),
+            F{"normal_form", write_normal_form}.json_if(has_form),
+            word("word_before", &Special::word_before),
+            word("word_after", &Special::word_after),
+            F{"goes_on", of(&Special::goes_on), "1", "0: no cycle was found behind the border"}
+                .stored_as(ElementType::int64)
+                .json_if(border),
+            F{"supercritical", supercritical, "1", "1 yes, 0 no, -1 does not apply"}.record_only(),
+            form(
+                "form_parameter_re", [](const Special& s) { return s.normal_form->parameter.real(); }, "1",
+                "normal form: a"),
+            form(
+                "form_parameter_im", [](const Special& s) { return s.normal_form->parameter.imag(); }, "1",
+                "normal form: a"),
+            form(
+                "form_nonlinear_re", [](const Special& s) { return s.normal_form->nonlinear.real(); }, "1",
+                "normal form: b"),
+            form(
+                "form_nonlinear_im", [](const Special& s) { return s.normal_form->nonlinear.imag(); }, "1",
+                "normal form: b"),
+            form("form_angle", angle, "rad", "normal form: theta")};
+}
+
+Table<PointRow> special_table(const SceneBranches& scene, const std::string& observable, std::size_t longest) {
+    Table<PointRow> table = cycle_table(scene, "special_point", observable, longest);
+    table.fields.insert(table.fields.begin(), {"kind", [](const PointRow& row) { return kind_of(*row.special); }});
+    const auto more = special_fields();
+    table.fields.insert(table.fields.end(), more.begin(), more.end());
+    table.first_in_record.insert(table.first_in_record.end(), {"value", "kind", "word_before", "word_after"});
+    return table;
+}
+
+/// The branches, with their points and special points in JSON.
+Table<Branch> branch_table(const SceneBranches& scene) {
+    using F = Field<Branch>;
+    const auto is_switched = [](const Branch& branch) { return branch.parent >= 0; };
+    const auto word = [](const Branch& branch) { return analysis::word_of(branch.points.front().at.shooting); };
+    const auto points = [&](JsonWriter& json, const Branch& branch) {
+        write_rows(json, cycle_table(scene, "", "S", 1), points_of(branch, 0));
+    };
+    const auto special = [&](JsonWriter& json, const Branch& branch) {
+        write_rows(json, special_table(scene, "S", 1), special_of(branch, 0));
+    };
+    return {
+        {"branch"},
+        {{"period", &Branch::period, "1", "k"},
+         {"begins", &Branch::begin},
+         {"ends", &Branch::end},
+         F{"switched_from", &Branch::parent, "1", "a branch; -1: none"}.json_if(is_switched),
+         F{"switched_at", &Branch::parent_special, "1", "that branch's special point; -1: none"}.json_if(is_switched),
+         F{"word", [word](const Branch& b) { return in_words(word(b)); }}.json_written(
+             [word](JsonWriter& json, const Branch& b) { write_word(json, word(b)); }),
+         {"points", points},
+         {"special", special}},
+        {"period", "begins", "ends", "word"}};
+}
+
+void write_points(const RecordGroup& group, const Table<PointRow>& table, const std::vector<PointRow>& rows,
+                  std::size_t longest) {
+    group.dimension(table.dimensions.front(), rows.size());
+    group.dimension("phase", longest);
+    write_columns(group, table, rows);
 }
 
 }  // namespace
 
-void write_branches(JsonWriter& json, const SceneBranches& scene, const std::vector<analysis::Branch>& branches) {
+void write_branches(JsonWriter& json, const SceneBranches& scene, const std::vector<Branch>& branches) {
     json.key("branches");
     json.begin_array(JsonLayout::rows);
+    const auto table = branch_table(scene);
     for (const auto& branch : branches) {
         json.begin_object(JsonLayout::rows);
-        json.member("period", static_cast<std::int64_t>(branch.period()));
-        json.member("begins", analysis::name_of(branch.begin));
-        json.member("ends", analysis::name_of(branch.end));
-        if (branch.parent >= 0) {
-            json.member("switched_from", std::int64_t{branch.parent});
-            json.member("switched_at", std::int64_t{branch.parent_special});
-        }
-        write_word(json, "word", analysis::word_of(branch.points.front().at.shooting));
-        json.key("points");
-        json.begin_array(JsonLayout::rows);
-        for (const auto& point : branch.points) {
-            json.begin_object();
-            write_cycle(json, scene, point);
-            json.end_object();
-        }
-        json.end_array();
-        json.key("special");
-        json.begin_array(JsonLayout::rows);
-        for (const auto& special : branch.special) write_special(json, scene, special);
-        json.end_array();
+        write_members(json, table, branch);
         json.end_object();
     }
     json.end_array();
+}
+
+void write_branches(const RecordGroup& root, const SceneBranches& scene, const std::vector<Branch>& branches,
+                    const std::string& observable) {
+    std::size_t longest = 1;
+    std::vector<PointRow> points, special;
+    for (std::size_t b = 0; b < branches.size(); ++b) {
+        longest = std::max(longest, branches[b].period());
+        for (const auto& row : points_of(branches[b], b)) points.push_back(row);
+        for (const auto& row : special_of(branches[b], b)) special.push_back(row);
+    }
+    if (!points.empty()) {
+        write_points(root.group("branches"), cycle_table(scene, "point", observable, longest), points, longest);
+        write_record(root.group("branch_ends"), branch_table(scene), branches);
+    }
+    if (!special.empty())
+        write_points(root.group("special"), special_table(scene, observable, longest), special, longest);
 }
 
 void print_branches(const SceneBranches& scene, const ParameterRange& along,

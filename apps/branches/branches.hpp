@@ -49,11 +49,11 @@ void print_branches(const SceneBranches& scene, const ParameterRange& along,
 /// Follows switches of flips and branch points, `depth` times one after another. `branches` grows.
 void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth);
 
-/// A section point as JSON.
-void write_point(JsonWriter& json, std::string_view key, const Eigen::VectorXd& z);
-/// Multipliers as [re, im] pairs.
-void write_multipliers(JsonWriter& json, const std::vector<std::complex<double>>& multipliers);
+/// A section point as a JSON object.
+void write_point(JsonWriter& json, const Eigen::VectorXd& z);
 /// A word as a list of {vertex_step, contact_mode}.
-void write_word(JsonWriter& json, std::string_view key, const std::vector<std::int64_t>& word);
+void write_word(JsonWriter& json, const std::vector<std::int64_t>& word);
+/// The names of a section point's coordinates; a disk's has four.
+std::vector<std::string> coordinate_names(Eigen::Index size);
 
 }  // namespace swirl::apps

@@ -22,6 +22,7 @@ struct RunVerdict {
     double mean_spin = 0, mean_spin_per_impact = 0;
     double recurrence_rate = 0;
     double largest_exponent = 0, largest_exponent_error = 0;
+    std::int64_t attractor = 0;  ///< its place among those of all runs
 };
 
 /// A set of runs with one verdict, and what they have in common.

@@ -54,29 +54,21 @@ void ClassifyCommandOptions::add_to(CLI::App& command) {
 namespace {
 
 int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene) {
-    const auto units = options.scene.units();
     const Start<double> start = options.start.start<double>(scene);
-    std::optional<RecordWriter> record;
-    if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Mode of a swirled polygon"));
+    std::optional<RecordWriter> record = open_record(options.output.record, "Mode of a swirled polygon");
     exit_when_interrupted();
     const NamedMode named = name_mode(scene, start, options.settings);
     if (record) {
         const RecordGroup root = record->root();
-        write_attributes(root.group("scene"), scene_settings(scene));
-        write_attributes(root.group("start"), start_settings(options.start, scene));
+        write_scene(root, scene, &options.start);
         write_verdict(root.group("mode"), named, options.settings);
         record->finish();
     }
     if (options.output.json) {
-        JsonWriter json(stdout);
-        json.begin_object(JsonLayout::rows);
-        write_json(json, "scene", scene_settings(scene));
-        write_json(json, "start", start_settings(options.start, scene));
-        if (units) write_json(json, "units", unit_settings(*units));
-        write_verdict(json, named, options.settings);
-        json.member("swirl_version", std::string_view(version()));
-        json.end_object();
-        json.finish();
+        print_document([&](JsonWriter& json) {
+            write_scene(json, scene, options.scene, &options.start);
+            write_verdict(json, named, options.settings);
+        });
     } else {
         fmt::print("{}\n{}", describe(scene), table_of(named));
     }

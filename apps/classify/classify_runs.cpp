@@ -66,20 +66,22 @@ RunVerdict classify_run(const Scene<double>& scene, double speed, std::uint64_t 
             v.mean_per_step,
             v.recurrence_rate,
             v.largest_exponent,
-            v.largest_exponent_error};
+            v.largest_exponent_error,
+            0};
 }
 
 int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene) {
     check(options);
-    std::optional<RecordWriter> record;
-    if (!options.output.record.empty())
-        record.emplace(open_record(options.output.record, "Modes of a swirled polygon from several starts"));
+    std::optional<RecordWriter> record =
+        open_record(options.output.record, "Modes of a swirled polygon from several starts");
     note_interruptions();
     RunsFound found;
     found.runs = follow_all(options, scene);
     const bool interrupted = found.runs.size() < static_cast<std::size_t>(options.runs);
     if (!found.runs.empty()) {
         found.attractors = attractors_of(found.runs);
+        for (std::size_t a = 0; a < found.attractors.size(); ++a)
+            for (const std::size_t r : found.attractors[a].runs) found.runs[r].attractor = static_cast<std::int64_t>(a);
         // Verdicts with all their evidence are not kept, run by run: this one is made again.
         const std::uint64_t seed = found.runs[found.attractors.front().runs.front()].seed;
         found.first = name_mode(scene, random_start(scene.beta, options.start.speed(), seed, 0), options.settings);

@@ -2,8 +2,9 @@
 
 #include "analysis/classification/classify_series.hpp"
 #include "apps/input/input_options.hpp"
-#include "apps/modes/evidence_document.hpp"
-#include "apps/modes/kind_document.hpp"
+#include "apps/modes/mode_fields.hpp"
+#include "apps/modes/verdict_document.hpp"
+#include "apps/output/write_table.hpp"
 #include "apps/record/record_reader.hpp"
 
 #include <algorithm>
@@ -46,20 +47,32 @@ struct SeriesVerdict {
     analysis::Classification verdict;
 };
 
-std::vector<std::pair<const char*, double>> numbers_of(const SeriesVerdict& v) {
-    const double none = analysis::Classification::unknown;
+Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
+    using Verdict = analysis::Classification;
+    const double none = Verdict::unknown, spacing = v.used.spacing;
     const bool flow = v.options.sampled_flow;
-    const double exponent = v.verdict.largest_exponent, error = v.verdict.largest_exponent_error;
-    return {{"mean_S", flow                  ? v.verdict.mean
-                       : v.used.time.empty() ? none
-                                             : time_mean(v.used)},
-            {"mean_S_per_impact", flow ? none : v.verdict.mean_per_step},
-            {"recurrence_rate", v.verdict.recurrence_rate},
-            {"recurrence_rate_without_diagonal", v.verdict.recurrence_rate_without_diagonal},
-            {"largest_exponent", flow ? none : exponent},
-            {"largest_exponent_error", flow ? none : error},
-            {"largest_exponent_per_time", flow ? exponent / v.used.spacing : none},
-            {"largest_exponent_per_time_error", flow ? error / v.used.spacing : none}};
+    const auto of = [](auto member) { return [member](const SeriesVerdict& row) { return row.verdict.*member; }; };
+    const auto per_time = [&](double Verdict::*member) {
+        return [=](const SeriesVerdict& row) { return flow ? row.verdict.*member / spacing : none; };
+    };
+    const auto per_impact = [&](double Verdict::*member) {
+        return [=](const SeriesVerdict& row) { return flow ? none : row.verdict.*member; };
+    };
+    return {{},
+            {{"mode", of(&Verdict::mode)},
+             kind_field<SeriesVerdict>(of(&Verdict::kind)),
+             period_field<SeriesVerdict>(of(&Verdict::period)),
+             {"mean_S",
+              [=](const SeriesVerdict& row) {
+                  return flow ? row.verdict.mean : row.used.time.empty() ? none : time_mean(row.used);
+              }},
+             {"mean_S_per_impact", per_impact(&Verdict::mean_per_step)},
+             {"recurrence_rate", of(&Verdict::recurrence_rate)},
+             {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal)},
+             {"largest_exponent", per_impact(&Verdict::largest_exponent)},
+             {"largest_exponent_error", per_impact(&Verdict::largest_exponent_error)},
+             {"largest_exponent_per_time", per_time(&Verdict::largest_exponent)},
+             {"largest_exponent_per_time_error", per_time(&Verdict::largest_exponent_error)}}};
 }
 
 Settings settings_of(const SeriesVerdict& v) {
@@ -73,38 +86,25 @@ Settings settings_of(const SeriesVerdict& v) {
 }
 
 void write_document(const SeriesVerdict& v) {
-    JsonWriter json(stdout);
-    json.begin_object(JsonLayout::rows);
-    write_json(json, "series", series_settings(v.whole));
-    json.member("mode", name_of(v.verdict.mode));
-    write_kind(json, v.verdict.kind);
-    write_period(json, v.verdict.period);
-    for (const auto& [name, value] : numbers_of(v)) json.member(name, value);
-    write_evidence(json, v.verdict.evidence);
-    write_json(json, "settings", settings_of(v));
-    json.member("swirl_version", std::string_view(version()));
-    json.end_object();
-    json.finish();
+    print_document([&](JsonWriter& json) {
+        write_json(json, "series", series_settings(v.whole));
+        write_members(json, verdict_table(v), v);
+        write_evidence(json, v.verdict.evidence);
+        write_json(json, "settings", settings_of(v));
+    });
 }
 
 void write_to_record(const RecordGroup& root, const SeriesVerdict& v) {
     write_series(root, v.whole);
     const RecordGroup group = root.group("mode");
-    group.attribute("mode", std::string(name_of(v.verdict.mode)));
-    group.attribute("kind", std::string(name_of(v.verdict.kind)));
-    group.attribute("period", v.verdict.period);
-    for (const auto& [name, value] : numbers_of(v)) group.attribute(name, value);
+    write_attributes(group, verdict_table(v), v);
     write_attributes(group.group("settings"), settings_of(v));
     write_evidence(group, v.verdict.evidence);
 }
 
-void print_table(const SeriesVerdict& v) {
-    fmt::print("series of {} samples\n  mode {}{}{}\n", v.used.values.size(), name_of(v.verdict.mode),
-               v.verdict.kind == analysis::Kind::none ? "" : fmt::format(" ({})", name_of(v.verdict.kind)),
-               v.verdict.period > 0 ? fmt::format(", period {}", v.verdict.period) : "");
-    for (const auto& [name, value] : numbers_of(v))
-        if (std::isfinite(value)) fmt::print("  {:<33} {:>16.8g}\n", name, value);
-    fmt::print("{}", table_of(v.verdict.evidence));
+void print_verdict(const SeriesVerdict& v) {
+    fmt::print("series of {} samples\n  {}\n{}{}", v.used.values.size(), mode_in_words(v.verdict),
+               lines_of(verdict_table(v), v), table_of(v.verdict.evidence));
 }
 
 bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {
@@ -176,8 +176,7 @@ int classify_measured(const ClassifyInput& input, const OutputOptions& output) {
     v.options.sampled_flow = is_sampled_flow(input, v.used);
     if (input.threshold_->count() > 0) v.options.recurrence_threshold = input.threshold_->as<double>();
     if (input.max_period_->count() > 0) v.options.max_period = input.max_period_->as<int>();
-    std::optional<RecordWriter> record;
-    if (!output.record.empty()) record.emplace(open_record(output.record, "Mode of a measured series"));
+    std::optional<RecordWriter> record = open_record(output.record, "Mode of a measured series");
     v.verdict = analysis::classify_series(v.used.values, v.options);
     if (record) {
         write_to_record(record->root(), v);
@@ -186,7 +185,7 @@ int classify_measured(const ClassifyInput& input, const OutputOptions& output) {
     if (output.json)
         write_document(v);
     else if (!output.quiet)
-        print_table(v);
+        print_verdict(v);
     return exit_done;
 }
 

@@ -1,8 +1,8 @@
 #include "apps/command_line/documents.hpp"
 
-#include <fmt/format.h>
+#include "apps/output/value.hpp"
 
-#include <type_traits>
+#include <fmt/format.h>
 
 namespace swirl::apps {
 
@@ -56,34 +56,37 @@ Settings unit_settings(const Units& units) {
     return {{"length", units.length}, {"time", units.time}, {"mass", units.mass}};
 }
 
+void write_members(JsonWriter& json, const Settings& settings) {
+    for (const auto& [name, content] : settings) {
+        json.key(name);
+        write_value(json, content);
+    }
+}
+
 void write_json(JsonWriter& json, std::string_view key, const Settings& settings) {
     json.key(key);
     json.begin_object();
-    for (const auto& [name, content] : settings) {
-        json.key(name);
-        std::visit(
-            [&](const auto& value) {
-                using Value = std::decay_t<decltype(value)>;
-                if constexpr (std::is_arithmetic_v<Value>) {
-                    json.value(value);
-                } else if constexpr (std::is_same_v<Value, std::string>) {
-                    json.value(std::string_view(value));
-                } else {
-                    json.begin_array();
-                    for (const auto& item : value) json.value(item);
-                    json.end_array();
-                }
-            },
-            content);
-    }
+    write_members(json, settings);
     json.end_object();
+}
+
+void write_scene(JsonWriter& json, const Scene<double>& scene, const SceneOptions& options, const StartOptions* start) {
+    write_json(json, "scene", scene_settings(scene));
+    if (start != nullptr) write_json(json, "start", start_settings(*start, scene));
+    if (const auto units = options.units()) write_json(json, "units", unit_settings(*units));
+}
+
+void write_scene(const RecordGroup& root, const Scene<double>& scene, const StartOptions* start) {
+    write_attributes(root.group("scene"), scene_settings(scene));
+    if (start != nullptr) write_attributes(root.group("start"), start_settings(*start, scene));
 }
 
 void write_attributes(const RecordGroup& group, const Settings& settings) {
     for (const auto& [name, value] : settings) group.attribute(name, value);
 }
 
-RecordWriter open_record(const std::string& path, const std::string& title) {
+std::optional<RecordWriter> open_record(const std::string& path, const std::string& title) {
+    if (path.empty()) return std::nullopt;
     try {
         return RecordWriter(path, {title, version(), instruction_set()});
     } catch (const RecordError& error) {

@@ -13,6 +13,10 @@
 
 namespace swirl::apps {
 
+/// The version and the instruction set that equal bits are promised for.
+std::string version();
+std::string instruction_set();
+
 /// Named settings of a run, in the order in which they are written.
 using Settings = std::vector<std::pair<std::string, AttributeValue>>;
 
@@ -23,14 +27,28 @@ Settings start_settings(const StartOptions& options, const Scene<double>& scene)
 Settings unit_settings(const Units& units);
 
 void write_json(JsonWriter& json, std::string_view key, const Settings& settings);
+/// The same as members of an open object.
+void write_members(JsonWriter& json, const Settings& settings);
+/// Members scene, start if there is one, and units if the scene was given in physical units.
+void write_scene(JsonWriter& json, const Scene<double>& scene, const SceneOptions& options,
+                 const StartOptions* start = nullptr);
 void write_attributes(const RecordGroup& group, const Settings& settings);
+/// Groups scene, and start if there is one.
+void write_scene(const RecordGroup& root, const Scene<double>& scene, const StartOptions* start = nullptr);
 
-/// A record to be written, opened before any work. @throws BadInput if it can't be created
-RecordWriter open_record(const std::string& path, const std::string& title);
+/// One JSON document on standard output, its members written by a function; the version comes last.
+template <class WriteMembers>
+void print_document(const WriteMembers& write_all) {
+    JsonWriter json(stdout);
+    json.begin_object(JsonLayout::rows);
+    write_all(json);
+    json.member("swirl_version", version());
+    json.end_object();
+    json.finish();
+}
 
-/// The version and the instruction set that equal bits are promised for.
-std::string version();
-std::string instruction_set();
+/// A record to be written, opened before any work; none for an empty path. @throws BadInput if it can't be created
+std::optional<RecordWriter> open_record(const std::string& path, const std::string& title);
 
 /// "hexagon α = 0.4 …" in one line, for tables and titles.
 std::string describe(const Scene<double>& scene);

@@ -80,15 +80,11 @@ Settings settings_of(const ContinueOptions& options) {
 
 void write_document(const ContinueOptions& options, const Scene<double>& scene, const SceneBranches& system,
                     const std::vector<analysis::Branch>& branches) {
-    JsonWriter json(stdout);
-    json.begin_object(JsonLayout::rows);
-    write_json(json, "scene", scene_settings(scene));
-    if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
-    write_branches(json, system, branches);
-    write_json(json, "settings", settings_of(options));
-    json.member("swirl_version", std::string_view(version()));
-    json.end_object();
-    json.finish();
+    print_document([&](JsonWriter& json) {
+        write_scene(json, scene, options.scene);
+        write_branches(json, system, branches);
+        write_json(json, "settings", settings_of(options));
+    });
 }
 
 }  // namespace
@@ -117,9 +113,7 @@ int continue_orbit(ContinueOptions& options) {
                                    : "not a member of a family of one parameter: --along a parameter of the scene");
         cycle.clear();
     }
-    std::optional<RecordWriter> record;
-    if (!options.output.record.empty())
-        record.emplace(open_record(options.output.record, "Branches of cycles of a swirled polygon"));
+    std::optional<RecordWriter> record = open_record(options.output.record, "Branches of cycles of a swirled polygon");
     note_interruptions();
     std::vector<analysis::Branch> branches(1);
     Progress progress("continue", along.high - along.low, options.output.quiet);

@@ -118,6 +118,13 @@ void JsonWriter::value(std::string_view text) {
     quoted(text);
 }
 
+void JsonWriter::value(std::complex<double> number) {
+    begin_array();
+    value(number.real());
+    value(number.imag());
+    end_array();
+}
+
 void JsonWriter::null() {
     before_value();
     buffer_ += "null";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -46,12 +47,27 @@ public:
     /// UTF-8; what is not valid UTF-8 becomes U+FFFD.
     void value(std::string_view text);
     void value(const char* text) { value(std::string_view(text)); }
+    /// [re, im]
+    void value(std::complex<double> number);
     void null();
 
     template <class Value>
     void member(std::string_view name, const Value& content) {
         key(name);
         value(content);
+    }
+
+    /// An array of what value() takes.
+    template <class Values>
+    void array(const Values& contents, JsonLayout layout = JsonLayout::line) {
+        begin_array(layout);
+        for (const auto& content : contents) value(content);
+        end_array();
+    }
+    template <class Values>
+    void list(std::string_view name, const Values& contents, JsonLayout layout = JsonLayout::line) {
+        key(name);
+        array(contents, layout);
     }
 
     /// Ends the document with a newline and flushes it. JsonError if any of it could not be written; a long document

@@ -2,6 +2,7 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>
 
@@ -44,26 +45,34 @@ Settings result_of(const OrbitSpectrum& s) {
             {"jacobi_residual", s.jacobi_residual}};
 }
 
-void write_list(JsonWriter& json, std::string_view key, const std::vector<double>& values) {
-    json.key(key);
-    json.begin_array();
-    for (const double value : values) json.value(value);
-    json.end_array();
+/// The exponents, by falling size.
+Table<std::size_t> exponent_table(const OrbitSpectrum& s) {
+    using F = Field<std::size_t>;
+    const auto from = [](const std::vector<double>& values) { return [&values](std::size_t i) { return values[i]; }; };
+    const auto& means = s.spectrum;
+    const Look sign{"", look_of("  {}").text};
+    return {{"exponent"},
+            {F{"exponents", from(s.exponents), "1", "per collision"}.shown("per collision", "  {:>16.9g}"),
+             F{"exponents_per_time", from(s.per_time), "omega_s", "per unit of time"}.shown("per time", " {:>16.9g}"),
+             F{"standard_errors", from(means.standard_errors), "1", "per collision"}.shown("std. error", " {:>12.2g}"),
+             F{"standard_errors_per_time", from(means.per_time_standard_errors)}.json_only(),
+             F{"plain_means", from(means.exponents)}.json_only().shown("plain mean", " {:>16.9g}"),
+             F{"weighted_means", from(means.weighted_exponents)}.json_only(),
+             F{"signs", [&s](std::size_t i) { return s.signs[i].sign; }}.json_only().shown("", sign)},
+            {},
+            {"exponents", "standard_errors"}};
 }
 
-void write_exponents(JsonWriter& json, const OrbitSpectrum& s) {
-    write_list(json, "exponents", s.exponents);
-    write_list(json, "exponents_per_time", s.per_time);
-    const analysis::LyapunovSpectrum nothing;
-    const auto& spectrum = s.exponents.empty() ? nothing : s.spectrum;  // that of no step is a NaN for each direction
-    write_list(json, "standard_errors", spectrum.standard_errors);
-    write_list(json, "standard_errors_per_time", spectrum.per_time_standard_errors);
-    write_list(json, "plain_means", spectrum.exponents);
-    write_list(json, "weighted_means", spectrum.weighted_exponents);
-    json.key("signs");
-    json.begin_array();
-    for (const auto& sign : s.signs) json.value(analysis::name_of(sign.sign));
-    json.end_array();
+/// How the running means converged.
+Table<analysis::Checkpoint> convergence_table(std::size_t exponents) {
+    using Row = analysis::Checkpoint;
+    using F = Field<Row>;
+    return {{"checkpoint"},
+            {F{"collisions", &Row::step, "1", "collisions counted so far"}.coordinate(),
+             F{"time", &Row::time}.json_only(), F{"exponents", &Row::exponents}.json_only(),
+             F{"convergence", &Row::exponents, "1", "running means per collision"}
+                 .along({"exponent"}, exponents)
+                 .record_only()}};
 }
 
 /// Why an exponent may be zero, as far as the scene tells.
@@ -74,81 +83,53 @@ std::string_view reason_of(const Scene<double>& scene) {
     return "the summed growth stays bounded";
 }
 
-void write_document(const LyapunovCommandOptions& options, const Scene<double>& scene, const Settings& settings,
-                    const OrbitSpectrum& s) {
-    JsonWriter json(stdout);
-    json.begin_object(JsonLayout::rows);
-    write_json(json, "scene", scene_settings(scene));
-    write_json(json, "start", start_settings(options.start, scene));
-    if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
-    write_exponents(json, s);
-    json.key("neutral");
-    json.begin_array(JsonLayout::rows);
-    for (std::size_t i = 0; i < s.signs.size(); ++i) {
-        if (s.signs[i].sign != analysis::ExponentSign::neutral) continue;
-        json.begin_object();
-        json.member("index", static_cast<std::int64_t>(i));
-        json.member("growth_order", s.signs[i].growth_order);
-        json.member("reason", reason_of(scene));
-        json.end_object();
-    }
-    json.end_array();
-    json.key("convergence");
-    json.begin_array(JsonLayout::rows);
-    for (const auto& point : s.spectrum.record) {
-        json.begin_object();
-        json.member("collisions", point.step);
-        json.member("time", point.time);
-        write_list(json, "exponents", point.exponents);
-        json.end_object();
-    }
-    json.end_array();
-    json.member("outcome", name_of(s.outcome));
-    write_json(json, "result", result_of(s));
-    write_json(json, "settings", settings);
-    json.member("swirl_version", std::string_view(version()));
-    json.end_object();
-    json.finish();
+/// Those of the exponents that are zero.
+Table<std::size_t> neutral_table(const Scene<double>& scene, const OrbitSpectrum& s) {
+    return {{"neutral"},
+            {{"index", [](std::size_t i) { return i; }},
+             {"growth_order", [&s](std::size_t i) { return s.signs[i].growth_order; }},
+             {"reason", [&scene](std::size_t) { return reason_of(scene); }}}};
 }
 
-void print_table(const Scene<double>& scene, const OrbitSpectrum& s) {
+std::vector<std::size_t> places_of(const OrbitSpectrum& s, bool only_neutral) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < s.signs.size(); ++i)
+        if (!only_neutral || s.signs[i].sign == analysis::ExponentSign::neutral) places.push_back(i);
+    return places;
+}
+
+void write_document(const LyapunovCommandOptions& options, const Scene<double>& scene, const Settings& settings,
+                    const OrbitSpectrum& s) {
+    print_document([&](JsonWriter& json) {
+        write_scene(json, scene, options.scene, &options.start);
+        write_lists(json, exponent_table(s), places_of(s, false));
+        write_json(json, "neutral", neutral_table(scene, s), places_of(s, true));
+        write_json(json, "convergence", convergence_table(s.exponents.size()), s.spectrum.record);
+        json.member("outcome", name_of(s.outcome));
+        write_json(json, "result", result_of(s));
+        write_json(json, "settings", settings);
+    });
+}
+
+void print_spectrum(const Scene<double>& scene, const OrbitSpectrum& s) {
     fmt::print("{}\n  outcome {}; {} collisions counted, time {:.6g}\n", describe(scene), name_of(s.outcome),
                s.spectrum.steps, s.spectrum.time);
     if (s.signs.empty()) return;
-    fmt::print("  {:>16} {:>12} {:>16} {:>16}\n", "per collision", "std. error", "per time", "plain mean");
-    for (std::size_t i = 0; i < s.signs.size(); ++i)
-        fmt::print("  {:>16.9g} {:>12.2g} {:>16.9g} {:>16.9g}  {}\n", s.exponents[i], s.spectrum.standard_errors[i],
-                   s.per_time[i], s.spectrum.exponents[i], analysis::name_of(s.signs[i].sign));
+    print_table(exponent_table(s), places_of(s, false));
     fmt::print("  sum {:.9g}\n", s.sum);
     if (std::isfinite(s.jacobi_residual))
         fmt::print("  J is conserved: its gradient is carried along to {:.1e}\n", s.jacobi_residual);
 }
 
-void write_record(RecordWriter& record, const LyapunovCommandOptions& options, const Scene<double>& scene,
-                  const Settings& settings, const OrbitSpectrum& s) {
-    const RecordGroup root = record.root();
-    write_attributes(root.group("scene"), scene_settings(scene));
-    write_attributes(root.group("start"), start_settings(options.start, scene));
+void write_spectrum(const RecordGroup& root, const LyapunovCommandOptions& options, const Scene<double>& scene,
+                    const Settings& settings, const OrbitSpectrum& s) {
+    write_scene(root, scene, &options.start);
     write_attributes(root.group("settings"), settings);
     write_attributes(root.group("result"), result_of(s));
-    if (!s.exponents.empty()) {
-        const RecordGroup group = root.group("lyapunov");
-        const std::vector<std::string> along{"exponent"}, both{"checkpoint", "exponent"};
-        group.dimension("exponent", s.exponents.size());
-        group.dimension("checkpoint", s.spectrum.record.size());
-        group.write<double>("exponents", along, s.exponents, {"1", "per collision", {}});
-        group.write<double>("exponents_per_time", along, s.per_time, {"omega_s", "per unit of time", {}});
-        group.write<double>("standard_errors", along, s.spectrum.standard_errors, {"1", "per collision", {}});
-        std::vector<std::int64_t> steps;
-        std::vector<double> values;
-        for (const auto& point : s.spectrum.record) {
-            steps.push_back(point.step);
-            values.insert(values.end(), point.exponents.begin(), point.exponents.end());
-        }
-        group.write<std::int64_t>("checkpoint", {"checkpoint"}, steps, {"1", "collisions counted so far", {}});
-        group.write<double>("convergence", both, values, {"1", "running means per collision", {}});
-    }
-    record.finish();
+    if (s.exponents.empty()) return;
+    const RecordGroup group = root.group("lyapunov");
+    write_record(group, exponent_table(s), places_of(s, false));
+    write_record(group, convergence_table(s.exponents.size()), s.spectrum.record);
 }
 
 }  // namespace
@@ -159,19 +140,20 @@ int lyapunov(LyapunovCommandOptions& options) {
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: lyapunov works in double", options.output.accuracy_name));
     const Start<double> start = options.start.start<double>(scene);
-    std::optional<RecordWriter> record;
-    if (!options.output.record.empty())
-        record.emplace(open_record(options.output.record, "Lyapunov spectrum of a swirled polygon"));
+    std::optional<RecordWriter> record = open_record(options.output.record, "Lyapunov spectrum of a swirled polygon");
     exit_when_interrupted();
     const OrbitSpectrum s = spectrum_of(scene, start, options.transient, options.collisions);
     const Settings settings = {{"transient", options.transient},
                                {"collisions", options.collisions},
                                {"accuracy", options.output.accuracy_name}};
-    if (record) write_record(*record, options, scene, settings, s);
+    if (record) {
+        write_spectrum(record->root(), options, scene, settings, s);
+        record->finish();
+    }
     if (options.output.json)
         write_document(options, scene, settings, s);
     else if (!options.output.quiet)
-        print_table(scene, s);
+        print_spectrum(scene, s);
     return s.outcome == Outcome::completed ? exit_done : exit_numerical_ending;
 }
 

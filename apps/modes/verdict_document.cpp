@@ -1,13 +1,7 @@
 #include "apps/modes/verdict_document.hpp"
 
-#include "apps/modes/evidence_document.hpp"
-#include "apps/modes/kind_document.hpp"
-
-#include <fmt/format.h>
-
-#include <cmath>
-#include <iterator>
-#include <limits>
+#include "apps/modes/mode_fields.hpp"
+#include "apps/output/write_table.hpp"
 
 namespace swirl::apps {
 
@@ -25,71 +19,76 @@ Settings settings_of(const analysis::ClassifyOptions& s) {
             {"neutral", analysis::neutral_margin}};
 }
 
-struct NamedNumber {
-    const char* name;
-    double value;
-};
+Table<NamedMode> verdict_table() {
+    using Verdict = analysis::Classification;
+    const auto of = [](auto member) { return [member](const NamedMode& named) { return named.verdict.*member; }; };
+    return {{},
+            {{"mode", of(&Verdict::mode)},
+             kind_field<NamedMode>(of(&Verdict::kind)),
+             period_field<NamedMode>(of(&Verdict::period)),
+             {"mean_S", of(&Verdict::mean)},
+             {"mean_S_per_impact", of(&Verdict::mean_per_step)},
+             {"recurrence_rate", of(&Verdict::recurrence_rate)},
+             {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal)},
+             {"largest_exponent", of(&Verdict::largest_exponent)},
+             {"largest_exponent_error", of(&Verdict::largest_exponent_error)},
+             {"rotation_number", of(&Verdict::rotation)},
+             {"outcome", &NamedMode::outcome},
+             {"impacts", &NamedMode::impacts},
+             {"point", of(&Verdict::point)},
+             {"multipliers", [](JsonWriter& json, const NamedMode& named) { json.array(named.verdict.multipliers); }}},
+            {"mode", "kind", "period", "outcome", "impacts"}};
+}
 
-std::vector<NamedNumber> numbers_of(const analysis::Classification& v) {
-    return {{"mean_S", v.mean},
-            {"mean_S_per_impact", v.mean_per_step},
-            {"recurrence_rate", v.recurrence_rate},
-            {"recurrence_rate_without_diagonal", v.recurrence_rate_without_diagonal},
-            {"largest_exponent", v.largest_exponent},
-            {"largest_exponent_error", v.largest_exponent_error},
-            {"rotation_number", v.rotation}};
+Table<analysis::Evidence> evidence_table() {
+    using analysis::Evidence;
+    return {{"evidence"},
+            {Field<Evidence>{"name", &Evidence::name}.coordinate(),
+             {"value", &Evidence::value},
+             {"threshold", &Evidence::threshold},
+             {"says", &Evidence::says},
+             {"changes_if", &Evidence::changes_if}}};
 }
 
 }  // namespace
 
 void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings) {
-    const auto& v = named.verdict;
-    json.member("mode", name_of(v.mode));
-    write_kind(json, v.kind);
-    write_period(json, v.period);
-    for (const auto& number : numbers_of(v)) json.member(number.name, number.value);
-    json.member("outcome", name_of(named.outcome));
-    json.member("impacts", named.impacts);
-    json.key("point");
-    json.begin_array();
-    for (const double c : v.point) json.value(c);
-    json.end_array();
-    json.key("multipliers");
-    json.begin_array();
-    for (const auto& m : v.multipliers) {
-        json.begin_array();
-        json.value(m.real());
-        json.value(m.imag());
-        json.end_array();
-    }
-    json.end_array();
-    write_evidence(json, v.evidence);
+    write_members(json, verdict_table(), named);
+    write_evidence(json, named.verdict.evidence);
     write_json(json, "settings", settings_of(settings));
 }
 
 void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings) {
-    const auto& v = named.verdict;
-    group.attribute("mode", std::string(name_of(v.mode)));
-    group.attribute("kind", std::string(name_of(v.kind)));
-    group.attribute("period", v.period);
-    group.attribute("outcome", std::string(name_of(named.outcome)));
-    group.attribute("impacts", std::int64_t{named.impacts});
-    for (const auto& number : numbers_of(v)) group.attribute(number.name, number.value);
-    if (!v.point.empty()) group.attribute("point", v.point);
+    write_attributes(group, verdict_table(), named);
     write_attributes(group.group("settings"), settings_of(settings));
-    write_evidence(group, v.evidence);
+    write_evidence(group, named.verdict.evidence);
 }
 
 std::string table_of(const NamedMode& named) {
-    const auto& v = named.verdict;
+    return fmt::format("  {}; outcome {} after {} impacts\n{}{}", mode_in_words(named.verdict), name_of(named.outcome),
+                       named.impacts, lines_of(verdict_table(), named), table_of(named.verdict.evidence));
+}
+
+void write_evidence(JsonWriter& json, const std::vector<analysis::Evidence>& evidence) {
+    write_json(json, "evidence", evidence_table(), evidence);
+}
+
+void write_evidence(const RecordGroup& group, const std::vector<analysis::Evidence>& evidence) {
+    if (!evidence.empty()) write_record(group, evidence_table(), evidence);
+}
+
+std::string table_of(const std::vector<analysis::Evidence>& evidence) {
     std::string text;
-    const auto add = [&](const std::string& line) { text += line + "\n"; };
-    add(fmt::format("  mode {}{}{}; outcome {} after {} impacts", name_of(v.mode),
-                    v.kind == analysis::Kind::none ? "" : fmt::format(" ({})", name_of(v.kind)),
-                    v.period > 0 ? fmt::format(", period {}", v.period) : "", name_of(named.outcome), named.impacts));
-    for (const auto& number : numbers_of(v))
-        if (std::isfinite(number.value)) add(fmt::format("  {:<33} {:>16.8g}", number.name, number.value));
-    return text + table_of(v.evidence);
+    for (const auto& e : evidence)
+        text += fmt::format("  evidence: {:<40} {:>12.4g}  against {:>10.4g}  {}\n            changes if: {}\n", e.name,
+                            e.value, e.threshold, e.says, e.changes_if);
+    return text;
+}
+
+std::string mode_in_words(const analysis::Classification& verdict) {
+    return fmt::format("mode {}{}{}", name_of(verdict.mode),
+                       verdict.kind == analysis::Kind::none ? "" : fmt::format(" ({})", name_of(verdict.kind)),
+                       verdict.period > 0 ? fmt::format(", period {}", verdict.period) : "");
 }
 
 }  // namespace swirl::apps

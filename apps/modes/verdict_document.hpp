@@ -17,4 +17,14 @@ void write_verdict(const RecordGroup& group, const NamedMode& named, const analy
 /// Several lines, the last ends with a newline.
 std::string table_of(const NamedMode& named);
 
+/// Member `evidence`: name, value, threshold, says, changes_if.
+void write_evidence(JsonWriter& json, const std::vector<analysis::Evidence>& evidence);
+/// The same along dimension `evidence`; nothing if there is none.
+void write_evidence(const RecordGroup& group, const std::vector<analysis::Evidence>& evidence);
+/// Two lines each.
+std::string table_of(const std::vector<analysis::Evidence>& evidence);
+
+/// "mode quasi-steady (cycle), period 4"
+std::string mode_in_words(const analysis::Classification& verdict);
+
 }  // namespace swirl::apps

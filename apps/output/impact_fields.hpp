@@ -12,24 +12,25 @@ struct ImpactField {
     double ImpactRow::*member;
     const char* units;
     const char* long_name;
+    const char* heading = "";  ///< in the table for people, which lists those that have one
 };
 
 inline constexpr std::array<ImpactField, 17> impact_fields = {{
-    {"t", &ImpactRow::t, "1/omega_s", "time"},
+    {"t", &ImpactRow::t, "1/omega_s", "time", "t"},
     {"x", &ImpactRow::x, "R_c", "centre of the body, from the swirl's centre"},
     {"y", &ImpactRow::y, "R_c", "centre of the body, from the swirl's centre"},
     {"vx", &ImpactRow::vx, "R_c omega_s", "velocity of the centre just after the impact"},
     {"vy", &ImpactRow::vy, "R_c omega_s", "velocity of the centre just after the impact"},
     {"angle", &ImpactRow::angle, "rad", "direction of vertex 0, unwound"},
-    {"spin", &ImpactRow::spin, "omega_s", "S just after the impact"},
-    {"psi", &ImpactRow::psi, "rad", "section coordinate psi = arg n - t"},
-    {"chi", &ImpactRow::chi, "rad", "section coordinate chi = arg r - arg n"},
-    {"vn", &ImpactRow::vn, "R_c omega_s", "velocity of the centre along n"},
-    {"vt", &ImpactRow::vt, "R_c omega_s", "velocity of the centre along t"},
+    {"spin", &ImpactRow::spin, "omega_s", "S just after the impact", "S"},
+    {"psi", &ImpactRow::psi, "rad", "section coordinate psi = arg n - t", "psi"},
+    {"chi", &ImpactRow::chi, "rad", "section coordinate chi = arg r - arg n", "chi"},
+    {"vn", &ImpactRow::vn, "R_c omega_s", "velocity of the centre along n", "vn"},
+    {"vt", &ImpactRow::vt, "R_c omega_s", "velocity of the centre along t", "vt"},
     {"flight_time", &ImpactRow::flight_time, "1/omega_s", "duration of the flight before the impact"},
-    {"impulse_normal", &ImpactRow::impulse_normal, "m R_c omega_s", "p, the impulse is -p n + q t"},
-    {"impulse_tangential", &ImpactRow::impulse_tangential, "m R_c omega_s", "q"},
-    {"jacobi", &ImpactRow::jacobi, "m R_c^2 omega_s^2", "J, energy in the swirling frame"},
+    {"impulse_normal", &ImpactRow::impulse_normal, "m R_c omega_s", "p, the impulse is -p n + q t", "p"},
+    {"impulse_tangential", &ImpactRow::impulse_tangential, "m R_c omega_s", "q", "q"},
+    {"jacobi", &ImpactRow::jacobi, "m R_c^2 omega_s^2", "J, energy in the swirling frame", "J"},
     {"jacobi_restitution", &ImpactRow::jacobi_restitution, "m R_c^2 omega_s^2", "change of J by restitution, -p u_n"},
     {"jacobi_friction", &ImpactRow::jacobi_friction, "m R_c^2 omega_s^2", "change of J by friction, q (u_t - 1)"},
 }};

@@ -58,6 +58,7 @@ struct ContactRow {
     double mean_spin = 0, jacobi_friction = 0;
     double landing_jacobi = 0;  ///< what summing up chatter before it added to J
     double landing_error = 0;   ///< what summing up chatter did to place and velocities before it (an estimate)
+    std::int64_t number = 0;    ///< 1, 2, … of those that are listed
 
     double turned() const { return mean_spin * (t_end - t_start); }
 };
@@ -78,7 +79,8 @@ std::vector<ContactRow> contact_rows(const SceneOrbit<T>& orbit, double t, int v
                        piece.end > piece.start ? piece.turned / (piece.end - piece.start) : piece.from.spin,
                        piece.work,
                        piece.landing_jacobi,
-                       piece.error};
+                       piece.error,
+                       0};
         if (piece.support != Support::rim) row.vertices[0] = body.vertex_number(vertex + piece.vertex_step);
         if (piece.support == Support::edge) row.vertices.push_back(body.vertex_number(row.vertices[0] + 1));
         rows.push_back(row);

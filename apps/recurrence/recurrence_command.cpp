@@ -49,14 +49,14 @@ Quantification quantify(const RecurrenceOptions& options, const RecurrencePoints
     recurrence::Settings paper;  // RC is always with <=
     paper.norm = result.conventions.norm;
     for (std::size_t k = 0; k < deltas.size(); ++k) {
-        result.measures.push_back(recurrence::measures(result.lines[k], result.conventions));
         recurrence::RecurrenceRate rate;
         if (!cross && result.conventions.strict)
             rate = recurrence::recurrence_rate(points.points, deltas[k], paper);
         else if (!cross)
             rate = {result.lines[k].points, points.points.count, points.points.count};
-        result.rc.push_back(cross ? std::nan("") : rate.with_diagonal());
-        result.rc_without_diagonal.push_back(cross ? std::nan("") : rate.without_diagonal());
+        result.results.push_back({deltas[k], recurrence::measures(result.lines[k], result.conventions),
+                                  cross ? std::nan("") : rate.with_diagonal(),
+                                  cross ? std::nan("") : rate.without_diagonal()});
     }
     if (options.image > 0)
         result.image =
@@ -125,8 +125,7 @@ void RecurrenceOptions::add_to(CLI::App& command) {
 
 int quantify_recurrence(RecurrenceOptions& options) {
     check_flags(options);
-    std::optional<RecordWriter> record;
-    if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Recurrence quantification"));
+    std::optional<RecordWriter> record = open_record(options.output.record, "Recurrence quantification");
     const RecurrencePoints points = main_points(options);
     if (points.orbit && points.orbit->outcome == "interrupted" && is_interrupted()) return exit_interrupted;
     const std::optional<RecurrencePoints> cross = cross_points(options);

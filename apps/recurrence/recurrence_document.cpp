@@ -1,9 +1,11 @@
 #include "apps/recurrence/recurrence_document.hpp"
 
+#include "apps/output/write_table.hpp"
 #include "apps/recurrence/convention_names.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace swirl::apps::recurrence {
 
@@ -12,43 +14,29 @@ using analysis::recurrence::Measures;
 
 namespace {
 
-struct MeasureName {
-    const char* name;
-    double Measures::*member;
-    const char* long_name;
-};
-
-constexpr std::array<MeasureName, 13> measure_names = {{
-    {"RR", &Measures::RR, "recurrence rate"},
-    {"DET", &Measures::DET, "determinism: share of the points in diagonal lines"},
-    {"L", &Measures::L, "mean length of diagonal lines"},
-    {"Lmax", &Measures::Lmax, "longest diagonal line"},
-    {"DIV", &Measures::DIV, "divergence, 1 / Lmax"},
-    {"ENTR", &Measures::ENTR, "entropy of the lengths of diagonal lines"},
-    {"LAM", &Measures::LAM, "laminarity: share of the points in vertical lines"},
-    {"TT", &Measures::TT, "trapping time: mean length of vertical lines"},
-    {"Vmax", &Measures::Vmax, "longest vertical line"},
-    {"VENTR", &Measures::VENTR, "entropy of the lengths of vertical lines"},
-    {"MRT", &Measures::MRT, "mean recurrence time"},
-    {"RTE", &Measures::RTE, "entropy of the recurrence times"},
-    {"TREND", &Measures::TREND, "slope of the recurrence rate away from the main diagonal, per 1000 points"},
-}};
-
-struct NamedList {
-    std::string name;
-    std::vector<double> values;  ///< one a threshold
-    std::string long_name;
-};
-
-std::vector<NamedList> lists_of(const Quantification& result) {
-    std::vector<NamedList> lists;
-    for (const auto& measure : measure_names) {
-        lists.push_back({measure.name, {}, measure.long_name});
-        for (const auto& m : result.measures) lists.back().values.push_back(m.*measure.member);
-    }
-    lists.push_back({"RC", result.rc, "the paper's recurrence rate, main diagonal counted"});
-    lists.push_back({"RC_without_diagonal", result.rc_without_diagonal, "the same over pairs of different points"});
-    return lists;
+/// The measures, a row a threshold.
+Table<ThresholdResult> measure_table() {
+    using F = Field<ThresholdResult>;
+    const auto of = [](auto member) { return [member](const ThresholdResult& row) { return row.measures.*member; }; };
+    return {{"threshold"},
+            {F{"threshold", &ThresholdResult::delta, "1", "distance within which points recur"}.record_only(),
+             {"RR", of(&Measures::RR), "1", "recurrence rate"},
+             {"DET", of(&Measures::DET), "1", "determinism: share of the points in diagonal lines"},
+             {"L", of(&Measures::L), "1", "mean length of diagonal lines"},
+             {"Lmax", of(&Measures::Lmax), "1", "longest diagonal line"},
+             {"DIV", of(&Measures::DIV), "1", "divergence, 1 / Lmax"},
+             {"ENTR", of(&Measures::ENTR), "1", "entropy of the lengths of diagonal lines"},
+             {"LAM", of(&Measures::LAM), "1", "laminarity: share of the points in vertical lines"},
+             {"TT", of(&Measures::TT), "1", "trapping time: mean length of vertical lines"},
+             {"Vmax", of(&Measures::Vmax), "1", "longest vertical line"},
+             {"VENTR", of(&Measures::VENTR), "1", "entropy of the lengths of vertical lines"},
+             {"MRT", of(&Measures::MRT), "1", "mean recurrence time"},
+             {"RTE", of(&Measures::RTE), "1", "entropy of the recurrence times"},
+             {"TREND", of(&Measures::TREND), "1",
+              "slope of the recurrence rate away from the main diagonal, per 1000 points"},
+             {"RC", &ThresholdResult::rc, "1", "the paper's recurrence rate, main diagonal counted"},
+             {"RC_without_diagonal", &ThresholdResult::rc_without_diagonal, "1",
+              "the same over pairs of different points"}}};
 }
 
 Settings settings_of(const RecurrenceReport& report) {
@@ -111,11 +99,8 @@ std::vector<std::string> notes_of(const RecurrenceReport& report) {
 void write_image(JsonWriter& json, const analysis::recurrence::Image& image) {
     json.key("image");
     json.begin_array(JsonLayout::rows);
-    for (std::size_t a = 0; a < image.pixels; ++a) {
-        json.begin_array();
-        for (std::size_t b = 0; b < image.pixels; ++b) json.value(image.density[a * image.pixels + b]);
-        json.end_array();
-    }
+    for (std::size_t a = 0; a < image.pixels; ++a)
+        json.array(std::span(image.density).subspan(a * image.pixels, image.pixels));
     json.end_array();
 }
 
@@ -138,38 +123,25 @@ void write_counts(const RecordGroup& group, const char* name, const char* dimens
 
 void write_json(const RecurrenceReport& report) {
     const auto& result = report.result;
-    JsonWriter json(stdout);
-    json.begin_object(JsonLayout::rows);
-    if (report.points.orbit) write_orbit(json, *report.points.orbit);
-    if (report.points.series) write_json(json, "series", series_settings(*report.points.series));
-    if (!report.points.resampled.empty()) write_json(json, "resampled", report.points.resampled);
-    if (report.cross && report.cross->series) write_json(json, "cross_series", series_settings(*report.cross->series));
-    const bool single = result.thresholds.given.size() == 1;
-    for (const auto& list : lists_of(result)) {
-        if (single) {
-            json.member(list.name, list.values.empty() ? std::nan("") : list.values.front());
-            continue;
+    print_document([&](JsonWriter& json) {
+        if (report.points.orbit) write_orbit(json, *report.points.orbit);
+        if (report.points.series) write_json(json, "series", series_settings(*report.points.series));
+        if (!report.points.resampled.empty()) write_json(json, "resampled", report.points.resampled);
+        if (report.cross && report.cross->series)
+            write_json(json, "cross_series", series_settings(*report.cross->series));
+        if (result.thresholds.given.size() != 1) {
+            write_lists(json, measure_table(), result.results);
+            json.list("thresholds", result.thresholds.delta);
+        } else if (!result.results.empty()) {
+            write_members(json, measure_table(), result.results.front());
+        } else {
+            for (const auto& field : measure_table().fields)
+                if (field.in_json) json.member(field.name, std::nan(""));
         }
-        json.key(list.name);
-        json.begin_array();
-        for (const double value : list.values) json.value(value);
-        json.end_array();
-    }
-    if (!single) {
-        json.key("thresholds");
-        json.begin_array();
-        for (const double value : result.thresholds.delta) json.value(value);
-        json.end_array();
-    }
-    if (result.image) write_image(json, *result.image);
-    json.key("notes");
-    json.begin_array(JsonLayout::rows);
-    for (const auto& note : notes_of(report)) json.value(std::string_view(note));
-    json.end_array();
-    write_json(json, "settings", settings_of(report));
-    json.member("swirl_version", std::string_view(version()));
-    json.end_object();
-    json.finish();
+        if (result.image) write_image(json, *result.image);
+        json.list("notes", notes_of(report), JsonLayout::rows);
+        write_json(json, "settings", settings_of(report));
+    });
 }
 
 void write_record(const RecordGroup& root, const RecurrenceReport& report) {
@@ -182,11 +154,7 @@ void write_record(const RecordGroup& root, const RecurrenceReport& report) {
     const RecordGroup group = root.group("recurrence");
     group.attribute("notes", fmt::format("{}", fmt::join(notes_of(report), "; ")));
     if (result.lines.empty()) return;
-    group.dimension("threshold", result.lines.size());
-    group.write<double>("threshold", {"threshold"}, result.thresholds.delta,
-                        {"1", "distance within which points recur", {}});
-    for (const auto& list : lists_of(result))
-        group.write<double>(list.name, {"threshold"}, list.values, {"1", list.long_name, {}});
+    apps::write_record(group, measure_table(), result.results);
     write_counts(group, "diagonal_lines", "diagonal_length", "number of diagonal lines by length", result.lines,
                  &LineHistograms::diagonal);
     write_counts(group, "vertical_lines", "vertical_length", "number of vertical lines by length", result.lines,
@@ -204,14 +172,14 @@ void print_table(const RecurrenceReport& report) {
     const auto& result = report.result;
     if (report.points.orbit)
         fmt::print("{} after {} impacts\n", report.points.orbit->outcome, report.points.orbit->impacts);
-    const auto line = [](const std::string& name, const std::vector<double>& values) {
-        fmt::print("{:<22}", name);
-        for (const double value : values) fmt::print(" {:>18.12g}", value);
-        fmt::print("\n");
-    };
-    fmt::print("{:<22} {:>18}\n", "points", report.points.points.count);
-    line("threshold", result.thresholds.delta);
-    for (const auto& list : lists_of(result)) line(list.name, list.values);
+    fmt::print("{:<22} {:>18}\n{:<22}", "points", report.points.points.count, "threshold");
+    for (const double value : result.thresholds.delta) fmt::print(" {:>18.12g}", value);
+    for (const auto& field : measure_table().fields) {
+        if (!field.in_json) continue;
+        fmt::print("\n{:<22}", field.name);
+        for (const auto& row : result.results) fmt::print(" {:>18.12g}", std::get<double>(field.read(row)));
+    }
+    fmt::print("\n");
     for (const auto& note : notes_of(report)) fmt::print("note: {}\n", note);
 }
 

@@ -12,12 +12,18 @@
 
 namespace swirl::apps::recurrence {
 
+/// What was found with one threshold.
+struct ThresholdResult {
+    double delta = 0;
+    analysis::recurrence::Measures measures;
+    double rc = 0, rc_without_diagonal = 0;  ///< of Sun 2019 (docs/references.md); NaN for a cross recurrence
+};
+
 struct Quantification {
     analysis::recurrence::Settings conventions;
     Thresholds thresholds;
     std::vector<analysis::recurrence::LineHistograms> lines;  ///< one entry a threshold; empty: too few points
-    std::vector<analysis::recurrence::Measures> measures;
-    std::vector<double> rc, rc_without_diagonal;  ///< of Sun 2019 (docs/references.md); NaN for a cross recurrence
+    std::vector<ThresholdResult> results;                     ///< the same
     std::optional<analysis::recurrence::Image> image;
 };
 

@@ -1,7 +1,6 @@
 // The orbit at equal steps of time, in flight and in contact.
 #pragma once
 
-#include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "map/orbit/trajectory_segment.hpp"
 
@@ -44,29 +43,6 @@ private:
 
     double step_;
     std::int64_t next_ = 0;
-};
-
-/// Writes "samples": [...] into an open JSON object, and keeps the rows until then.
-class JsonSamples {
-public:
-    explicit JsonSamples(JsonWriter& json) : json_(json) {}
-    void add(const SampleRow& row) { rows_.push_back(row); }
-    void finish();
-
-private:
-    JsonWriter& json_;
-    std::vector<SampleRow> rows_;
-};
-
-/// Group `samples` of a record, dimension `sample`.
-class RecordSamples {
-public:
-    explicit RecordSamples(RecordGroup group);
-    void add(const SampleRow& row);
-
-private:
-    std::vector<Column<double>> numbers_;  // in the order of SampleRow
-    std::vector<Column<bool>> in_contact_;
 };
 
 }  // namespace swirl::apps::simulate

@@ -105,8 +105,7 @@ void SpectrumOptions::add_to(CLI::App& command) {
 int find_spectrum(SpectrumOptions& options) {
     check_flags(options);
     options.input.kind();
-    std::optional<RecordWriter> record;
-    if (!options.output.record.empty()) record.emplace(open_record(options.output.record, "Power spectrum"));
+    std::optional<RecordWriter> record = open_record(options.output.record, "Power spectrum");
     const SpectrumSignal signal = signal_of(options);
     if (is_interrupted()) return exit_interrupted;
     exit_when_interrupted();

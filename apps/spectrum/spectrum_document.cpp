@@ -1,7 +1,9 @@
 #include "apps/spectrum/spectrum_document.hpp"
 
+#include "apps/output/write_table.hpp"
+
 #include <algorithm>
-#include <array>
+#include <span>
 
 namespace swirl::apps::spectrum {
 
@@ -9,19 +11,16 @@ namespace {
 
 using analysis::SpectralPeak;
 
-struct PeakField {
-    const char* name;
-    double SpectralPeak::*member;
-    const char* long_name;
-};
-
-constexpr std::array<PeakField, 5> peak_fields = {{
-    {"frequency", &SpectralPeak::frequency, "between bins"},
-    {"power", &SpectralPeak::power, "variance of the line"},
-    {"amplitude", &SpectralPeak::amplitude, "A of A cos(2 pi f t + phase)"},
-    {"prominence", &SpectralPeak::prominence, "power over the noise floor"},
-    {"spread", &SpectralPeak::spread, "scatter between segments: 0 a line, 1 a continuum"},
-}};
+Table<SpectralPeak> peak_table() {
+    using F = Field<SpectralPeak>;
+    return {
+        {"peak"},
+        {F{"frequency", &SpectralPeak::frequency, "", "between bins"}.shown("peak: frequency", "{:>16.9g}"),
+         F{"power", &SpectralPeak::power, "", "variance of the line"}.shown("power", " {:>14.6g}"),
+         F{"amplitude", &SpectralPeak::amplitude, "", "A of A cos(2 pi f t + phase)"}.shown("amplitude", " {:>14.6g}"),
+         F{"prominence", &SpectralPeak::prominence, "", "power over the noise floor"}.shown("prominence", " {:>12.4g}"),
+         {"spread", &SpectralPeak::spread, "", "scatter between segments: 0 a line, 1 a continuum"}}};
+}
 
 Settings settings_of(const SpectrumReport& report) {
     const auto& options = report.options;
@@ -60,13 +59,6 @@ Settings result_of(const SpectrumReport& report) {
             {"variance_scale", s.variance_scale}};
 }
 
-void write_numbers(JsonWriter& json, const char* key, const std::vector<double>& numbers) {
-    json.key(key);
-    json.begin_array();
-    for (const double number : numbers) json.value(number);
-    json.end_array();
-}
-
 const char* frequency_unit(const SpectrumReport& report) {
     return report.signal.orbit ? "omega_s" : "";
 }
@@ -74,39 +66,17 @@ const char* frequency_unit(const SpectrumReport& report) {
 }  // namespace
 
 void write_json(const SpectrumReport& report) {
-    JsonWriter json(stdout);
-    json.begin_object(JsonLayout::rows);
-    if (report.signal.orbit) write_orbit(json, *report.signal.orbit);
-    if (report.signal.series) write_json(json, "series", series_settings(*report.signal.series));
-    if (!report.signal.resampled.empty()) write_json(json, "resampled", report.signal.resampled);
-    write_numbers(json, "frequency", report.spectrum.frequency);
-    write_numbers(json, "power", report.spectrum.power);
-    json.key("peaks");
-    json.begin_array(JsonLayout::rows);
-    for (const auto& peak : report.peaks) {
-        json.begin_object();
-        for (const auto& field : peak_fields) json.member(field.name, peak.*field.member);
-        json.end_object();
-    }
-    json.end_array();
-    for (const auto& [key, content] : result_of(report))
-        std::visit(
-            [&json, &name = key](const auto& value) {
-                using Value = std::decay_t<decltype(value)>;
-                if constexpr (std::is_arithmetic_v<Value>)
-                    json.member(name, value);
-                else if constexpr (std::is_same_v<Value, std::string>)
-                    json.member(name, std::string_view(value));
-            },
-            content);
-    json.key("notes");
-    json.begin_array(JsonLayout::rows);
-    for (const auto& note : report.signal.notes) json.value(std::string_view(note));
-    json.end_array();
-    write_json(json, "settings", settings_of(report));
-    json.member("swirl_version", std::string_view(version()));
-    json.end_object();
-    json.finish();
+    print_document([&](JsonWriter& json) {
+        if (report.signal.orbit) write_orbit(json, *report.signal.orbit);
+        if (report.signal.series) write_json(json, "series", series_settings(*report.signal.series));
+        if (!report.signal.resampled.empty()) write_json(json, "resampled", report.signal.resampled);
+        json.list("frequency", report.spectrum.frequency);
+        json.list("power", report.spectrum.power);
+        write_json(json, "peaks", peak_table(), report.peaks);
+        write_members(json, result_of(report));
+        json.list("notes", report.signal.notes, JsonLayout::rows);
+        write_json(json, "settings", settings_of(report));
+    });
 }
 
 void write_record(const RecordGroup& root, const SpectrumReport& report) {
@@ -124,14 +94,7 @@ void write_record(const RecordGroup& root, const SpectrumReport& report) {
         group.write<double>("power", {"frequency"}, s.power,
                             {"", "power per unit of frequency; its integral is the variance", {}});
     }
-    if (report.peaks.empty()) return;
-    const RecordGroup peaks = root.group("peaks");
-    peaks.dimension("peak", report.peaks.size());
-    for (const auto& field : peak_fields) {
-        std::vector<double> values;
-        for (const auto& peak : report.peaks) values.push_back(peak.*field.member);
-        peaks.write<double>(field.name, {"peak"}, values, {"", field.long_name, {}});
-    }
+    if (!report.peaks.empty()) apps::write_record(root.group("peaks"), peak_table(), report.peaks);
 }
 
 void print_table(const SpectrumReport& report) {
@@ -143,11 +106,7 @@ void print_table(const SpectrumReport& report) {
                name_of(report.share.verdict), 100 * report.share.line_fraction);
     constexpr std::size_t most = 20;
     if (!report.peaks.empty())
-        fmt::print("{:>16} {:>14} {:>14} {:>12}\n", "peak: frequency", "power", "amplitude", "prominence");
-    for (std::size_t i = 0; i < std::min(most, report.peaks.size()); ++i) {
-        const auto& p = report.peaks[i];
-        fmt::print("{:>16.9g} {:>14.6g} {:>14.6g} {:>12.4g}\n", p.frequency, p.power, p.amplitude, p.prominence);
-    }
+        apps::print_table(peak_table(), std::span(report.peaks).first(std::min(most, report.peaks.size())));
     if (report.peaks.size() > most) fmt::print("and {} more (--json, -o)\n", report.peaks.size() - most);
     for (const auto& note : report.signal.notes) fmt::print("note: {}\n", note);
 }

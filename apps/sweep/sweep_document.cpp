@@ -1,6 +1,9 @@
+#include "apps/modes/mode_fields.hpp"
+#include "apps/output/write_table.hpp"
+#include "apps/record/record_reader.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
-#include "apps/modes/kind_document.hpp"
+#include <algorithm>
 
 namespace swirl::apps::sweep {
 
@@ -32,20 +35,88 @@ void print_map(const Sweep& sweep) {
     }
 }
 
-void write_runs(JsonWriter& json, std::span<const RunResult> runs) {
-    json.key("runs");
-    json.begin_array();
-    for (const auto& run : runs) {
-        json.begin_object();
-        json.member("mode", name_of(static_cast<analysis::Mode>(static_cast<int>(run.mode))));
-        write_kind(json, static_cast<analysis::Kind>(static_cast<int>(run.kind)));
-        json.member("outcome", name_of(static_cast<Outcome>(static_cast<int>(run.outcome))));
-        write_period(json, static_cast<std::int64_t>(run.period));
-        json.member("mean_S", run.mean_spin);
-        json.member("largest_exponent", run.largest_exponent);
-        json.end_object();
-    }
-    json.end_array();
+struct RunColumn {
+    const char* name;
+    double RunResult::*member;
+    const char* units;
+    const char* long_name;
+};
+
+constexpr RunColumn run_columns[] = {
+    {"run_mode", &RunResult::mode, "1", "mode: steady 0, quasi-steady 1, chaotic 2, undecided 3"},
+    {"run_kind", &RunResult::kind, "1", "kind, by the names in attribute kinds of the settings"},
+    {"run_outcome", &RunResult::outcome, "1", "outcome, by the names in attribute outcomes of the settings"},
+    {"run_period", &RunResult::period, "1", "period, 0: none"},
+    {"run_mean_S", &RunResult::mean_spin, "omega_s", "time mean of S"},
+    {"run_recurrence_rate", &RunResult::recurrence_rate, "1", "RC of S"},
+    {"run_largest_exponent", &RunResult::largest_exponent, "1", "largest Lyapunov exponent per impact"},
+    {"run_impacts", &RunResult::impacts, "1", "impacts followed"},
+};
+
+std::string dimension_of(const GridAxis& axis) {
+    std::string name = axis.name;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+struct Cell {
+    std::size_t index;
+    CellSummary summary;
+};
+
+/// The runs of a cell, as JSON has them.
+Table<RunResult> run_table() {
+    const auto kind = [](const RunResult& run) { return static_cast<analysis::Kind>(static_cast<int>(run.kind)); };
+    const auto period = [](const RunResult& run) { return static_cast<std::int64_t>(run.period); };
+    return {{"run"},
+            {{"mode", [](const RunResult& run) { return static_cast<analysis::Mode>(static_cast<int>(run.mode)); }},
+             kind_field<RunResult>(kind),
+             {"outcome", [](const RunResult& run) { return static_cast<Outcome>(static_cast<int>(run.outcome)); }},
+             period_field<RunResult>(period),
+             {"mean_S", &RunResult::mean_spin},
+             {"largest_exponent", &RunResult::largest_exponent}}};
+}
+
+void write_parameters(JsonWriter& json, const Sweep& sweep, const Cell& cell) {
+    const auto point = cell_point(sweep.grid, cell.index);
+    json.begin_object();
+    for (std::size_t k = 0; k < point.size(); ++k) json.member(sweep.grid[k].name, point[k]);
+    json.end_object();
+}
+
+void write_shares(JsonWriter& json, const Cell& cell) {
+    json.begin_object();
+    for (std::size_t m = 0; m < mode_count; ++m)
+        if (cell.summary.shares[m] > 0) json.member(name_of(all_modes[m]), cell.summary.shares[m]);
+    json.end_object();
+}
+
+/// The cells, along the dimensions `axes` of a record.
+Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes = {}) {
+    using F = Field<Cell>;
+    const auto of = [](auto member) { return [member](const Cell& cell) { return cell.summary.*member; }; };
+    const auto shares = [](const Cell& cell) {
+        return std::vector<double>(cell.summary.shares.begin(), cell.summary.shares.end());
+    };
+    const auto parameters = [&sweep](JsonWriter& json, const Cell& cell) { write_parameters(json, sweep, cell); };
+    const auto runs = [&sweep, table = run_table()](JsonWriter& json, const Cell& cell) {
+        write_rows(json, table, sweep.cell(cell.index), JsonLayout::line);
+    };
+    return {axes,
+            {{"parameters", parameters},
+             {"modes", write_shares},
+             F{"share", shares, "1", "share of the runs with this mode"}.along({"mode"}, mode_count).record_only(),
+             {"mean_S", of(&CellSummary::mean_spin), "omega_s", "mean over the runs of the time mean of S"},
+             {"mean_S_error", of(&CellSummary::mean_spin_error), "omega_s", "its standard error over the runs"},
+             {"recurrence_rate", of(&CellSummary::recurrence_rate), "1", "mean over the runs of RC of S"},
+             {"largest_exponent", of(&CellSummary::largest_exponent), "1", "mean over the runs, per impact"},
+             {"runs", runs}}};
+}
+
+std::vector<Cell> cells_of(const Sweep& sweep) {
+    std::vector<Cell> cells;
+    for (std::size_t c = 0; c < cell_count(sweep.grid); ++c) cells.push_back({c, summary_of(sweep.cell(c))});
+    return cells;
 }
 
 }  // namespace
@@ -60,36 +131,58 @@ void print_sweep(const Sweep& sweep) {
 }
 
 void write_sweep_document(const SweepOptions& options, const Sweep& sweep) {
-    JsonWriter json(stdout);
-    json.begin_object(JsonLayout::rows);
-    if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
-    json.key("cells");
-    json.begin_array(JsonLayout::rows);
-    for (std::size_t c = 0; c < cell_count(sweep.grid); ++c) {
-        const CellSummary cell = summary_of(sweep.cell(c));
-        const auto point = cell_point(sweep.grid, c);
-        json.begin_object();
-        json.key("parameters");
-        json.begin_object();
-        for (std::size_t k = 0; k < point.size(); ++k) json.member(sweep.grid[k].name, point[k]);
-        json.end_object();
-        json.key("modes");
-        json.begin_object();
-        for (std::size_t m = 0; m < mode_count; ++m)
-            if (cell.shares[m] > 0) json.member(name_of(all_modes[m]), cell.shares[m]);
-        json.end_object();
-        json.member("mean_S", cell.mean_spin);
-        json.member("mean_S_error", cell.mean_spin_error);
-        json.member("recurrence_rate", cell.recurrence_rate);
-        json.member("largest_exponent", cell.largest_exponent);
-        write_runs(json, sweep.cell(c));
-        json.end_object();
+    print_document([&](JsonWriter& json) {
+        if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
+        write_json(json, "cells", cell_table(sweep), cells_of(sweep));
+        write_json(json, "settings", sweep.settings);
+    });
+}
+
+void write_sweep(const std::string& path, const Sweep& sweep) {
+    RecordWriter record = open_record(path, "Modes of a swirled polygon across parameters").value();
+    const RecordGroup root = record.root();
+    const RecordGroup settings = root.group("settings");
+    write_attributes(settings, sweep.settings);
+    settings.attribute("kinds", names_up_to(analysis::Kind::transient));
+    settings.attribute("outcomes", names_up_to(Outcome::unresolved));
+    const RecordGroup group = root.group("sweep");
+    std::vector<std::string> axes;
+    for (const auto& axis : sweep.grid) {
+        axes.push_back(dimension_of(axis));
+        group.dimension(axes.back(), axis.points.size());
+        group.write<double>(axes.back(), {axes.back()}, axis.points, {"1", "parameter " + axis.name, {}});
     }
-    json.end_array();
-    write_json(json, "settings", sweep.settings);
-    json.member("swirl_version", std::string_view(version()));
-    json.end_object();
-    json.finish();
+    group.dimension("run", static_cast<std::uint64_t>(sweep.runs));
+    group.dimension("mode", mode_count);
+    std::vector<std::string> modes;
+    for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
+    group.write_strings("mode", {"mode"}, modes);
+    std::vector<std::int64_t> runs;
+    for (std::int64_t r = 0; r < sweep.runs; ++r) runs.push_back(r);
+    group.write<std::int64_t>("run", {"run"}, runs, {"1", "start number: swirl classify --seed (seed + run)", {}});
+    write_columns(group, cell_table(sweep, axes), cells_of(sweep));
+    auto by_run = axes;
+    by_run.push_back("run");
+    for (const auto& column : run_columns) {
+        std::vector<double> values;
+        for (const auto& result : sweep.results) values.push_back(result.*column.member);
+        group.write<double>(column.name, by_run, values, {column.units, column.long_name, {}});
+    }
+    record.finish();
+}
+
+void read_sweep(const std::string& path, Sweep& sweep) {
+    const RecordReader record(path);
+    if (!record.contains("/sweep/run_mode")) throw BadInput(fmt::format("record '{}' is not a sweep's", path));
+    for (const auto& [name, value] : sweep.settings)
+        if (!record.has_attribute("/settings", name) || record.attribute("/settings", name) != value)
+            throw BadInput(
+                fmt::format("record '{}' was made with another {}; give the same, or another file", path, name));
+    for (const auto& column : run_columns) {
+        const auto values = record.read<double>(std::string("/sweep/") + column.name);
+        if (values.size() != sweep.results.size()) throw BadInput(fmt::format("record '{}' has another grid", path));
+        for (std::size_t i = 0; i < values.size(); ++i) sweep.results[i].*column.member = values[i];
+    }
 }
 
 }  // namespace swirl::apps::sweep

@@ -44,9 +44,7 @@ Scene<double> scene_of(const Stop& stop) {
 int tour(TourOptions& options) {
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: tour works in double", options.output.accuracy_name));
-    std::optional<RecordWriter> record;
-    if (!options.output.record.empty())
-        record.emplace(open_record(options.output.record, "Modes of swirled polygons and disks"));
+    std::optional<RecordWriter> record = open_record(options.output.record, "Modes of swirled polygons and disks");
     std::optional<JsonWriter> json;
     if (options.output.json) {
         json.emplace(stdout);

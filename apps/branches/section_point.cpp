@@ -1,0 +1,40 @@
+// Section points and words as they are listed.
+#include "apps/branches/branches.hpp"
+#include "apps/system/scene_map.hpp"
+
+#include <algorithm>
+
+namespace swirl::apps {
+
+std::vector<std::string> coordinate_names(Eigen::Index size) {
+    if (size == 4) return {"psi", "vn", "vt", "S"};
+    return {"psi", "chi", "vn", "vt", "S"};
+}
+
+Eigen::Index place_of(const std::string& observable, Eigen::Index size) {
+    const auto names = coordinate_names(size);
+    const auto found = std::find(names.begin(), names.end(), observable);
+    return found == names.end() ? size - 1 : found - names.begin();
+}
+
+void write_point(JsonWriter& json, const Eigen::VectorXd& z) {
+    const auto names = coordinate_names(z.size());
+    json.begin_object();
+    for (Eigen::Index i = 0; i < z.size(); ++i) json.member(names[static_cast<std::size_t>(i)], z[i]);
+    json.end_object();
+}
+
+void write_word(JsonWriter& json, const std::vector<std::int64_t>& word) {
+    json.begin_array();
+    for (const std::int64_t letter : word) {
+        const Letter l = letter_from(letter);
+        json.begin_object();
+        json.member("vertex_step", std::int64_t{l.vertex_step});
+        json.member("contact_mode", name_of(l.mode));
+        if (l.through_contact) json.member("through_contact", true);
+        json.end_object();
+    }
+    json.end_array();
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,189 @@
+// What a description of a result (table.hpp) is for: JSON, records and tables for people.
+#pragma once
+
+#include "apps/output/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace swirl::apps {
+
+/// The fields that an output lists: those that come first there, then the others as described.
+/// @throws std::logic_error for a name that the table does not have
+template <class Row, class IsListed>
+std::vector<Field<Row>> fields_of(const Table<Row>& table, const std::vector<std::string>& first,
+                                  const IsListed& is_listed) {
+    std::vector<Field<Row>> left = table.fields, fields;
+    for (const auto& name : first) {
+        const auto named =
+            std::stable_partition(left.begin(), left.end(), [&](const auto& f) { return f.name != name; });
+        if (named == left.end()) throw std::logic_error("a table has no field '" + name + "'");
+        fields.insert(fields.end(), named, left.end());
+        left.erase(named, left.end());
+    }
+    fields.insert(fields.end(), left.begin(), left.end());
+    std::erase_if(fields, [&](const auto& field) { return !is_listed(field); });
+    return fields;
+}
+
+/// Those of a record, with the names and all the dimensions of their datasets.
+template <class Row>
+std::vector<Field<Row>> record_fields(const Table<Row>& table) {
+    auto fields = fields_of(table, table.first_in_record, [](const auto& field) { return field.in_record; });
+    for (auto& field : fields) {
+        if (field.is_coordinate) field.name = table.dimensions.front();
+        field.dimensions.insert(field.dimensions.begin(), table.dimensions.begin(), table.dimensions.end());
+    }
+    return fields;
+}
+
+template <class Row>
+std::vector<Field<Row>> shown_fields(const Table<Row>& table) {
+    return fields_of(table, table.first_in_table, [](const auto& field) { return field.look.has_value(); });
+}
+
+// JSON.
+
+/// One row, as members of an open object.
+template <class Row>
+void write_members(JsonWriter& json, const Table<Row>& table, const Row& row) {
+    for (const auto& field : table.fields) {
+        if (!field.in_json || (field.json_condition && !field.json_condition(row))) continue;
+        json.key(field.name);
+        if (field.json_content)
+            field.json_content(json, row);
+        else
+            write_value(json, field.read(row));
+    }
+}
+
+template <class Row>
+void write_object(JsonWriter& json, const Table<Row>& table, const Row& row) {
+    json.begin_object();
+    write_members(json, table, row);
+    json.end_object();
+}
+
+/// A list of objects, one a row.
+template <class Row, class Rows>
+void write_rows(JsonWriter& json, const Table<Row>& table, const Rows& rows, JsonLayout layout = JsonLayout::rows) {
+    json.begin_array(layout);
+    for (const Row& row : rows) write_object(json, table, row);
+    json.end_array();
+}
+template <class Row, class Rows>
+void write_json(JsonWriter& json, std::string_view key, const Table<Row>& table, const Rows& rows) {
+    json.key(key);
+    write_rows(json, table, rows);
+}
+
+/// Each field as a member of an open object: the list of its values.
+template <class Row, class Rows>
+void write_lists(JsonWriter& json, const Table<Row>& table, const Rows& rows) {
+    for (const auto& field : table.fields) {
+        if (!field.in_json) continue;
+        json.key(field.name);
+        json.begin_array();
+        for (const Row& row : rows) write_value(json, field.read(row));
+        json.end_array();
+    }
+}
+
+// Records.
+
+/// A dataset for each field, along dimensions that the group has already.
+template <class Row, class Rows>
+void write_columns(const RecordGroup& group, const Table<Row>& table, const Rows& rows) {
+    for (const auto& field : record_fields(table)) {
+        if (field.type == ElementType::string) {
+            std::vector<std::string> texts;
+            for (const Row& row : rows) texts.push_back(text_of(field.read(row)));
+            group.write_strings(field.name, field.dimensions, texts, field.description);
+        } else if (field.type == ElementType::float64) {
+            std::vector<double> numbers;
+            for (const Row& row : rows) append_numbers(numbers, field.read(row), field.row_length);
+            group.write<double>(field.name, field.dimensions, numbers, field.description);
+        } else {
+            const auto append = column_of(group, field.name, field.type, field.dimensions, field.description);
+            for (const Row& row : rows) append(field.read(row));
+        }
+    }
+}
+
+/// The same with the rows' dimension.
+template <class Row, class Rows>
+void write_record(const RecordGroup& group, const Table<Row>& table, const Rows& rows) {
+    group.dimension(table.dimensions.front(), rows.size());
+    write_columns(group, table, rows);
+}
+
+/// One row as attributes; empty lists are left out.
+template <class Row>
+void write_attributes(const RecordGroup& group, const Table<Row>& table, const Row& row) {
+    for (const auto& field : record_fields(table)) {
+        const Value value = field.read(row);
+        const auto* list = std::get_if<std::vector<double>>(&value);
+        if (list == nullptr || !list->empty()) group.attribute(field.name, value);
+    }
+}
+
+/// Rows that come one by one, along a dimension that grows with them; no texts, no lists.
+template <class Row>
+class RecordRows {
+public:
+    RecordRows(const RecordGroup& group, const Table<Row>& table) : fields_(record_fields(table)) {
+        group.dimension(table.dimensions.front(), growing);
+        for (const auto& field : fields_)
+            columns_.push_back(column_of(group, field.name, field.type, field.dimensions, field.description));
+    }
+
+    void add(const Row& row) {
+        for (std::size_t i = 0; i < fields_.size(); ++i) columns_[i](fields_[i].read(row));
+    }
+
+private:
+    std::vector<Field<Row>> fields_;
+    std::vector<std::function<void(const Value&)>> columns_;
+};
+
+// Tables for people, of shown_fields().
+
+template <class Row>
+std::string heading_of(const std::vector<Field<Row>>& shown) {
+    std::string line;
+    for (const auto& field : shown) line += fmt::format(fmt::runtime(field.look->heading), field.heading);
+    return line + "\n";
+}
+
+template <class Row>
+std::string line_of(const std::vector<Field<Row>>& shown, const Row& row) {
+    std::string line;
+    for (const auto& field : shown) line += field.look->text(field.read(row));
+    return line + "\n";
+}
+
+template <class Row, class Rows>
+void print_table(const Table<Row>& table, const Rows& rows) {
+    const auto shown = shown_fields(table);
+    fmt::print("{}", heading_of(shown));
+    for (const Row& row : rows) fmt::print("{}", line_of(shown, row));
+}
+
+/// One row as lines, a name and a number each; only finite numbers that are no integers.
+template <class Row>
+std::string lines_of(const Table<Row>& table, const Row& row) {
+    std::string lines;
+    for (const auto& field : table.fields) {
+        if (!field.read) continue;
+        const Value value = field.read(row);
+        const auto* number = std::get_if<double>(&value);
+        if (number != nullptr && std::isfinite(*number))
+            lines += fmt::format("  {:<33} {:>16.8g}\n", field.name, *number);
+    }
+    return lines;
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,144 @@
+#include "apps/simulate/sinks.hpp"
+
+#include "apps/output/impact_fields.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace swirl::apps::simulate {
+
+namespace {
+
+/// A number of the table: six decimals, or an exponent where they would show nothing or not fit.
+std::string number_in(double value, int width) {
+    const double size = std::abs(value);
+    const bool fixed = value == 0 || (size >= 1e-5 && size < std::pow(10, width - 8));
+    return fixed ? fmt::format("{:>{}.6f}", value, width) : fmt::format("{:>{}.2e}", value, width);
+}
+
+Look number_of_width(int width) {
+    return {fmt::format(" {{:>{}}}", width),
+            [width](const Value& value) { return " " + number_in(std::get<double>(value), width); }};
+}
+
+/// Group `collisions`.
+Table<ImpactRow> impact_table(bool disk) {
+    using F = Field<ImpactRow>;
+    const Look simultaneous{"", [](const Value& value) { return std::get<bool>(value) ? " simultaneous" : ""; }};
+    const Look mode{" {:<12}", look_of(" {}").text};
+    Table<ImpactRow> table{{"collision"}, {}, {}, {"number", "t", "vertex", "psi", "chi", "vn", "vt"}};
+    table.fields.push_back(
+        F{"number", &ImpactRow::number, "1", "number of the impact, from 1"}.coordinate().shown("impact", "{:>9}"));
+    for (const auto& field : impact_fields) {
+        F number(field.name, field.member, field.units, field.long_name);
+        if (*field.heading != '\0')
+            number.shown(field.heading, number_of_width(field.member == &ImpactRow::t ? 14 : 10));
+        table.fields.push_back(number.when(belongs(field, disk)));
+    }
+    table.fields.push_back(F{"vertex", &ImpactRow::vertex, "1", "vertex that struck"}
+                               .stored_as(ElementType::int32)
+                               .shown("vertex", " {:>7}"));
+    table.fields.push_back(F{"contact_mode", &ImpactRow::contact_mode, "1", "contact mode"}
+                               .flags(names_up_to(ContactMode::r_reversed))
+                               .shown("mode", mode));
+    table.fields.push_back(
+        F{"simultaneous", &ImpactRow::simultaneous, "", "another vertex struck at the same time"}.shown("",
+                                                                                                        simultaneous));
+    return table;
+}
+
+/// Group `contacts`: the pieces of sustained contact.
+Table<ContactRow> contact_table() {
+    using Row = ContactRow;
+    using F = Field<Row>;
+    const auto events = names_up_to(ContactEvent::landing);
+    const auto second_vertex = [](const Row& row) { return row.vertices.size() > 1 ? row.vertices[1] : -1; };
+    return {
+        {"contact"},
+        {F{"number", &Row::number, "1", "number of the piece of contact, from 1"}.coordinate().record_only(),
+         {"t_start", &Row::t_start, "1/omega_s", "when it began"},
+         {"t_end", &Row::t_end, "1/omega_s", "when it ended"},
+         {"vertices", [](JsonWriter& json, const Row& row) { json.array(row.vertices); }},
+         F{"vertex", [](const Row& row) { return row.vertices[0]; }, "1", "vertex on the wall"}
+             .stored_as(ElementType::int32)
+             .record_only(),
+         F{"second_vertex", second_vertex, "1", "an edge's other vertex; -1: none"}
+             .stored_as(ElementType::int32)
+             .record_only(),
+         F{"begin", &Row::begin, "1", "what began it"}.flags(events),
+         F{"end", &Row::end, "1", "what ended it"}.flags(events),
+         F{"motion", &Row::motion, "1", "how the body moved"}.flags({"sliding", "sticking", "rolling"}),
+         {"mean_S", &Row::mean_spin, "omega_s", "time mean of S"},
+         {"jacobi_friction", &Row::jacobi_friction, "m R_c^2 omega_s^2", "change of J by friction, int f (u_t - 1) dt"},
+         {"landing_jacobi", &Row::landing_jacobi, "m R_c^2 omega_s^2",
+          "change of J by the chatter summed up before it"},
+         {"landing_error", &Row::landing_error, "1",
+          "what summing up chatter did to place and velocities (an estimate)"}},
+        {"number", "t_start", "t_end", "mean_S", "jacobi_friction", "landing_jacobi", "landing_error"}};
+}
+
+/// A line of the table of impacts.
+std::string contact_in_words(const ContactRow& row) {
+    return fmt::format("  contact {} to {}  {:<8} on {}: {}, then {}\n", number_in(row.t_start, 14),
+                       number_in(row.t_end, 14), row.motion, fmt::join(row.vertices, "+"), row.begin, row.end);
+}
+
+/// Group `samples`.
+Table<SampleRow> sample_table() {
+    return {{"sample"},
+            {{"t", &SampleRow::t, "1/omega_s", "time"},
+             {"x", &SampleRow::x, "R_c", "place of the body's centre, laboratory"},
+             {"y", &SampleRow::y, "R_c", "place of the body's centre, laboratory"},
+             {"angle", &SampleRow::angle, "rad", "direction of vertex 0, unwound"},
+             {"spin", &SampleRow::spin, "omega_s", "S"},
+             {"in_contact", &SampleRow::in_contact, "", "on the wall, not in flight"}}};
+}
+
+}  // namespace
+
+Sinks::Sinks(const SimulateOptions& options, const Scene<double>& scene, RecordWriter* record, JsonWriter* json)
+    : impacts_(impact_table(scene.is_disk())),
+      shown_(shown_fields(impacts_)),
+      json_(json),
+      prints_(json == nullptr && record == nullptr && !options.output.quiet),
+      samples_(options.sample.has_value()) {
+    if (record != nullptr) {
+        record_impacts_.emplace(record->root().group("collisions"), impacts_);
+        record_contacts_.emplace(record->root().group("contacts"), contact_table());
+        if (samples_) record_samples_.emplace(record->root().group("samples"), sample_table());
+    }
+    if (json_ != nullptr) {
+        json_->key("collisions");
+        json_->begin_array(JsonLayout::rows);
+    }
+    if (prints_) fmt::print("{}", heading_of(shown_));
+}
+
+void Sinks::add(const ImpactRow& row) {
+    if (record_impacts_) record_impacts_->add(row);
+    if (json_ != nullptr) write_object(*json_, impacts_, row);
+    if (prints_) fmt::print("{}", line_of(shown_, row));
+}
+
+void Sinks::add(ContactRow row) {
+    row.number = ++contact_count_;
+    if (record_contacts_) record_contacts_->add(row);
+    if (prints_) fmt::print("{}", contact_in_words(row));
+    if (json_ != nullptr) json_contacts_.push_back(std::move(row));
+}
+
+void Sinks::add(const SampleRow& row) {
+    if (record_samples_) record_samples_->add(row);
+    if (json_ != nullptr) json_samples_.push_back(row);
+}
+
+void Sinks::finish() {
+    if (json_ == nullptr) return;
+    json_->end_array();
+    write_json(*json_, "contacts", contact_table(), json_contacts_);
+    if (samples_) write_json(*json_, "samples", sample_table(), json_samples_);
+}
+
+}  // namespace swirl::apps::simulate

@@ -1,0 +1,41 @@
+// Where impacts, contacts and samples go as they come: a record, JSON, a table for people.
+#pragma once
+
+#include "apps/output/impact_row.hpp"
+#include "apps/output/write_table.hpp"
+#include "apps/simulate/samples.hpp"
+#include "apps/simulate/simulate.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace swirl::apps::simulate {
+
+/// Groups `collisions`, `contacts` and `samples` of a record; members of these names of an open JSON object; or a table
+/// on standard output, if there is neither. Nothing is kept but contacts and samples for JSON, which come after the
+/// impacts there.
+class Sinks {
+public:
+    /// `record` and `json`, if any, outlive this.
+    Sinks(const SimulateOptions& options, const Scene<double>& scene, RecordWriter* record, JsonWriter* json);
+
+    void add(const ImpactRow& row);
+    void add(ContactRow row);
+    void add(const SampleRow& row);
+    /// Closes the lists of JSON.
+    void finish();
+
+private:
+    Table<ImpactRow> impacts_;
+    std::vector<Field<ImpactRow>> shown_;
+    std::optional<RecordRows<ImpactRow>> record_impacts_;
+    std::optional<RecordRows<ContactRow>> record_contacts_;
+    std::optional<RecordRows<SampleRow>> record_samples_;
+    JsonWriter* json_;
+    bool prints_, samples_;
+    std::int64_t contact_count_ = 0;
+    std::vector<ContactRow> json_contacts_;
+    std::vector<SampleRow> json_samples_;
+};
+
+}  // namespace swirl::apps::simulate

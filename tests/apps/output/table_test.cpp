@@ -1,0 +1,148 @@
+// One description of a result gives its JSON, its record and its table.
+#include "apps/output/write_table.hpp"
+#include "apps/record/record_reader.hpp"
+#include "tests/apps/record/scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace swirl::tests {
+namespace {
+
+using apps::Field;
+using apps::JsonWriter;
+using apps::Table;
+
+enum class Colour { red, green };
+std::string_view name_of(Colour colour) {
+    return colour == Colour::red ? "red" : "green";
+}
+
+struct Ball {
+    std::int64_t number = 0;
+    double mass = 0;
+    Colour colour = Colour::red;
+    std::uint64_t seed = 0;
+    std::vector<double> bounces;
+    std::int64_t period = 0;
+};
+
+const std::vector<Ball> balls = {{1, 0.5, Colour::green, 18446744073709551615u, {1, 2}, 0},
+                                 {2, 2.25, Colour::red, 7, {3}, 4}};
+
+Table<Ball> ball_table(bool with_mass = true) {
+    using F = Field<Ball>;
+    const auto period = [](const Ball& ball) { return ball.period > 0 ? std::optional(ball.period) : std::nullopt; };
+    return {{"ball"},
+            {F{"number", &Ball::number}.coordinate().shown("no", "{:>3}"),
+             F{"mass", &Ball::mass, "kg", "mass at rest"}.shown("mass", " {:>8.3f}").when(with_mass),
+             F{"colour", &Ball::colour}.flags({"red", "green"}).shown("colour", "  {}"),
+             F{"seed", &Ball::seed}.stored_as(apps::ElementType::string),
+             F{"bounces", &Ball::bounces}.along({"bounce"}, 2).json_if([](const Ball& b) { return b.number == 1; }),
+             F{"period", &Ball::period}.json_as(period).shown("period", apps::dash_for_zero(" {:>6}")),
+             {"place", [](JsonWriter& json, const Ball& ball) { json.array(std::vector<double>(1, ball.mass)); }}},
+            {"seed"},
+            {"number", "period", "mass"}};
+}
+
+std::string json_of(const Table<Ball>& table) {
+    std::string text;
+    JsonWriter json(text);
+    json.begin_object();
+    write_json(json, "balls", table, balls);
+    json.end_object();
+    json.finish();
+    return text;
+}
+
+TEST(Table, JsonHasAnObjectPerRow) {
+    EXPECT_EQ(json_of(ball_table()),
+              R"({"balls": [
+  {"number": 1, "mass": 0.5, "colour": "green", "seed": 18446744073709551615, "bounces": [1, 2], "period": null, )"
+              R"("place": [0.5]},
+  {"number": 2, "mass": 2.25, "colour": "red", "seed": 7, "period": 4, "place": [2.25]}
+]}
+)");
+    EXPECT_EQ(json_of(ball_table(false)).find("mass"), std::string::npos);
+}
+
+TEST(Table, JsonListsHaveAFieldEach) {
+    std::string text;
+    JsonWriter json(text);
+    json.begin_object();
+    write_lists(json, Table<Ball>{{"ball"}, {{"mass", &Ball::mass}, {"colour", &Ball::colour}}}, balls);
+    json.end_object();
+    json.finish();
+    EXPECT_EQ(text, "{\"mass\": [0.5, 2.25], \"colour\": [\"green\", \"red\"]}\n");
+}
+
+TEST(Table, RecordHasADatasetPerField) {
+    const ScratchFolder folder;
+    const auto path = folder / "balls.h5";
+    apps::RecordWriter record(path, {"balls", "1", "generic"});
+    const auto group = record.root().group("balls");
+    group.dimension("bounce", 2);
+    write_record(group, ball_table(), balls);
+    record.finish();
+    const apps::RecordReader reader(path);
+    EXPECT_EQ(reader.datasets("/balls"),
+              (std::vector<std::string>{"ball", "bounces", "colour", "mass", "period", "seed"}));
+    EXPECT_EQ(reader.read<std::int64_t>("/balls/ball"), (std::vector<std::int64_t>{1, 2}));
+    EXPECT_EQ(reader.read<double>("/balls/mass"), (std::vector<double>{0.5, 2.25}));
+    EXPECT_EQ(reader.info("/balls/mass").description.units, "kg");
+    EXPECT_EQ(reader.info("/balls/mass").description.long_name, "mass at rest");
+    EXPECT_EQ(reader.read<std::uint8_t>("/balls/colour"), (std::vector<std::uint8_t>{1, 0}));
+    EXPECT_EQ(reader.read<std::int64_t>("/balls/period"), (std::vector<std::int64_t>{0, 4}));
+    EXPECT_EQ(reader.read_strings("/balls/seed"), (std::vector<std::string>{"18446744073709551615", "7"}));
+    const auto bounces = reader.read<double>("/balls/bounces");
+    ASSERT_EQ(bounces.size(), 4u);
+    EXPECT_EQ(bounces[2], 3);
+    EXPECT_TRUE(std::isnan(bounces[3])) << "a short list is filled up";
+}
+
+TEST(Table, RowsThatComeOneByOneMakeTheSameDatasets) {
+    const ScratchFolder folder;
+    const auto path = folder / "balls.h5";
+    apps::RecordWriter record(path, {"balls", "1", "generic"});
+    const Table<Ball> table{{"ball"}, {Field<Ball>{"number", &Ball::number}.coordinate(), {"mass", &Ball::mass}}};
+    apps::RecordRows<Ball> rows(record.root().group("balls"), table);
+    for (const auto& ball : balls) rows.add(ball);
+    record.finish();
+    const apps::RecordReader reader(path);
+    EXPECT_EQ(reader.read<std::int64_t>("/balls/ball"), (std::vector<std::int64_t>{1, 2}));
+    EXPECT_EQ(reader.read<double>("/balls/mass"), (std::vector<double>{0.5, 2.25}));
+}
+
+TEST(Table, PeopleSeeWhatIsShownInItsOwnOrder) {
+    const auto table = shown_fields(ball_table());
+    EXPECT_EQ(heading_of(table), " no period     mass  colour\n");
+    EXPECT_EQ(line_of(table, balls[0]), "  1      -    0.500  green\n");
+    EXPECT_EQ(line_of(table, balls[1]), "  2      4    2.250  red\n");
+    EXPECT_EQ(line_of(shown_fields(ball_table(false)), balls[1]), "  2      4  red\n")
+        << "an order may name what is left out";
+}
+
+TEST(Table, OneRowAsLinesListsItsFiniteNumbers) {
+    Ball ball = balls[0];
+    EXPECT_EQ(lines_of(ball_table(), ball), "  mass                                           0.5\n");
+    ball.mass = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(lines_of(ball_table(), ball), "");
+}
+
+TEST(Table, AnOrderOfUnknownNamesIsRefused) {
+    auto table = ball_table();
+    table.first_in_table = {"weight"};
+    EXPECT_THROW(shown_fields(table), std::logic_error);
+}
+
+TEST(Table, ATextThatIsNoFlagIsRefused) {
+    const ScratchFolder folder;
+    apps::RecordWriter record(folder / "balls.h5", {"balls", "1", "generic"});
+    const Table<Ball> table{{"ball"}, {Field<Ball>{"colour", &Ball::colour}.flags({"red", "blue"})}};
+    EXPECT_THROW(write_record(record.root().group("balls"), table, balls), std::logic_error);
+}
+
+}  // namespace
+}  // namespace swirl::tests

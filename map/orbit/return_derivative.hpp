@@ -12,7 +12,7 @@
 #include "map/derivative/linearised_collision.hpp"
 #include "map/orbit/return_map.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <optional>
@@ -127,13 +127,8 @@ Eigen::Matrix<double, section_dimension<shape>, 1> column_of(const PostImpactSta
     return (4 * near - section_difference<shape>(*beyond, after)) / (2 * side);
 }
 
-inline Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(b, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    Eigen::VectorXd sizes = svd.singularValues();
-    for (auto& size : sizes)
-        if (size <= difference_rounding) size = 0;
-    return svd.matrixU() * sizes.asDiagonal() * svd.matrixV().transpose();
-}
+/// B with singular values that are no more than rounding made zero.
+Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b);
 
 }  // namespace detail
 

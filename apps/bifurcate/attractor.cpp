@@ -80,7 +80,8 @@ Attractor settle(const Scene<double>& scene, const Start<double>& start, const S
     attractor.mean_spin = named.verdict.mean;
     attractor.last = samples.last;
     if (named.outcome != Outcome::completed || is_dissipative_without_drive(scene)) return attractor;
-    if (named.verdict.period > 0)
+    const bool decided = named.verdict.mode != analysis::Mode::undecided;
+    if (decided && named.verdict.period > 0)
         with_scene_map(scene, [&](const auto& map) {
             take_cycle(map, named.verdict, post_impact_state(*samples.last), attractor);
         });

@@ -34,6 +34,7 @@ public:
           scene_(scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along)) {}
 
     void look_at(double p, const Attractor& attractor) {
+        if (attractor.mode == analysis::Mode::undecided) return;
         if (attractor.period == 0 || attractor.period > options_.longest_branch) return;
         for (const auto& branch : diagram_.branches)
             if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, attractor.states))

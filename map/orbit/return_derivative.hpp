@@ -127,7 +127,7 @@ Eigen::Matrix<double, section_dimension<shape>, 1> column_of(const PostImpactSta
     return (4 * near - section_difference<shape>(*beyond, after)) / (2 * side);
 }
 
-/// The matrix without the directions whose singular values are the rounding of differences.
+/// B with singular values that are no more than rounding made zero.
 Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b);
 
 }  // namespace detail

@@ -1,0 +1,10 @@
+#include "apps/branches/precise_derivative.hpp"
+
+namespace swirl::apps {
+
+template bool precise_derivative(const CollisionMap<Quad, Shape::disk, ImpactRule::frictionless>&, PreciseVector,
+                                 std::size_t, PreciseMatrix&);
+template bool precise_derivative(const CollisionMap<Quad, Shape::disk, ImpactRule::poisson>&, PreciseVector,
+                                 std::size_t, PreciseMatrix&);
+
+}  // namespace swirl::apps

@@ -48,7 +48,7 @@ double multiplier_error(const Eigen::VectorXcd& found, const json& listed) {
 
 /// |F^k(z) − z|, the return time's error and both forms' multipliers.
 template <class Map>
-void check_cycle(const Map& map, const json& cycle) {
+void check_cycle(const Map& map, const json& cycle, double tolerance) {
     constexpr Shape shape = Map::shape;
     constexpr int dimension = section_dimension<shape>;
     using Matrix = Eigen::Matrix<double, dimension, dimension>;
@@ -73,16 +73,17 @@ void check_cycle(const Map& map, const json& cycle) {
                 period, residual, by_jets, by_saltation);
     EXPECT_LE(residual, 1e-12);
     EXPECT_NEAR(time, tests::number<double>(cycle["return_time"]), 1e-12 * period);
-    EXPECT_LE(by_jets, 1e-9);
-    EXPECT_LE(by_saltation, 1e-9);
+    EXPECT_LE(by_jets, tolerance);
+    EXPECT_LE(by_saltation, tolerance);
 }
 
-void check_all(const char* file, int wanted) {
+void check_all(const char* file, int wanted, double tolerance = 1e-9) {
     const json references = tests::read_reference(file);
     int count = 0;
     for (const json& cycle : references["cycles"]) {
         SCOPED_TRACE(std::string(file) + ", number " + std::to_string(count++));
-        with_collision_map(tests::scene_from<double>(cycle), [&](const auto& map) { check_cycle(map, cycle); });
+        with_collision_map(tests::scene_from<double>(cycle),
+                           [&](const auto& map) { check_cycle(map, cycle, tolerance); });
     }
     EXPECT_EQ(count, wanted);
 }
@@ -98,6 +99,10 @@ TEST(Cycles, OracleSteadyModesCloseWithTheirMultipliers) {
 TEST(Cycles, ReferenceCyclesCloseWithTheirMultipliers) { check_all("cycles.json", 20); }
 TEST(Cycles, ReferenceSteadyModesCloseWithTheirMultipliers) { check_all("steady_e1.json", 10); }
 >>>>>>> e50de5b696095eb3ef35e8c16286e8945f7e71f2
+
+// Two of them strike so softly (u_n = 4e-4) that a multiplier is 4e4: rounding their points to double alone moves it by
+// 2e-10 of itself.
+TEST(Cycles, ReferenceFixedPointsOfAHexagonCloseWithTheirMultipliers) { check_all("fixed_points.json", 31, 1e-8); }
 
 }  // namespace
 }  // namespace swirl

@@ -16,14 +16,16 @@ namespace {
 constexpr int even_parts = 200, small_parts = 240;
 constexpr double smallest_share = 1e-12;  // of the widest χ: below it Q is an impact of no speed
 
-/// 1/(1 + G), which is 0 where G has no value: continuous, between 0 and 1.
+/// G/(1 + G), cut at where G = 1.5 and so where G has no value: continuous, and precise where G is small. The flight's
+/// (1 − cos τ)/τ stays below 0.73.
 double bounded(const Scene<double>& scene, SteadyBranch branch, double chi) {
+    constexpr double cut = 0.6;
     const Contact<double> at = contact_at(scene, branch, chi);
-    const double square = at.cosine * at.cosine;
+    const double square = at.cosine * at.cosine, size = std::fabs(at.sine);
     const double needed = at.sine * at.sine + restitution_deficit(scene, at.sine, at.cosine) * square;
     const double along = at.sine < 0 ? -needed : needed;
-    if (!(at.radius > 0 && along > 0)) return 0;
-    return at.radius * along / (at.radius * along + std::fabs(at.sine));
+    if (!(at.radius > 0 && along > 0)) return cut;
+    return std::min(cut, size / (at.radius * along + size));
 }
 
 /// |χ| from small to wide: by equal ratios, and evenly but closer towards the end, where w has a root.
@@ -74,8 +76,8 @@ std::vector<StickingCurve> sticking_curves(const Scene<double>& scene, double lo
                 const double one = bounded(scene, branch, side * turns[i - 1]);
                 const double other = bounded(scene, branch, side * turns[i]);
                 if (one == other) continue;
-                const double lowest = 1 / std::max(one, other) - 1;
-                const double highest = std::min(1 / std::min(one, other) - 1, 1.0);  // (1 − cos τ)/τ is below 0.73
+                const double low = std::min(one, other), high = std::max(one, other);
+                const double lowest = low / (1 - low), highest = high / (1 - high);
                 for (const auto& [from, to] : flight_times_between(lowest, highest, longest))
                     curves.push_back({branch, from, to, side * turns[i - 1], side * turns[i]});
             }
@@ -84,7 +86,7 @@ std::vector<StickingCurve> sticking_curves(const Scene<double>& scene, double lo
 }
 
 double chi_at(const Scene<double>& scene, const StickingCurve& curve, double tau) {
-    const double level = 1 / (1 + versine_rate(tau));
+    const double level = versine_rate(tau) / (1 + versine_rate(tau));
     const auto f = [&](double chi) { return bounded(scene, curve.branch, chi) - level; };
     const double at_low = f(curve.chi_low), at_high = f(curve.chi_high);
     // At an end of the curve rounding may put the level beyond it.

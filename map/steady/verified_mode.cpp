@@ -36,13 +36,6 @@ double size_of(const SectionPoint<double>& z) {
     return std::max({std::fabs(z.psi), std::fabs(z.vn), std::fabs(z.vt), std::fabs(z.spin)});
 }
 
-bool is_expected(const Scene<double>& scene, long long j, double tau, const Collision<double>& collision) {
-    constexpr double same_time = 1e-6;  // well above rounding over `least_speed`
-    if (collision.outcome != FirstContactOutcome::contact) return false;
-    if (std::fabs(collision.flight_time - tau) > same_time * tau) return false;
-    return scene.is_disk() || (collision.vertex_step - j) % scene.sides == 0;
-}
-
 /// u_n before the impact, from that after it: C changes by B₂ p + B₃ q.
 double speed_before(const Scene<double>& scene, const Collision<double>& collision) {
     Body<double> body;  // what the kinematics read of it
@@ -50,6 +43,20 @@ double speed_before(const Scene<double>& scene, const Collision<double>& collisi
     body.inertia = scene.inertia_factor * scene.alpha * scene.alpha, body.per_inertia = 1 / body.inertia;
     const ContactKinematics<double> at = contact_kinematics(body, collision.after);
     return at.un + at.b2() * collision.impulse.normal + at.b3() * collision.impulse.tangential;
+}
+
+/// What rounding may move the time of impact by.
+double time_rounding(const SectionPoint<double>& z, double speed) {
+    return closing_units * epsilon<double>() * (1 + size_of(z)) / speed;
+}
+
+/// The next impact is the j-th vertex's at τ, and no mere touch.
+bool is_expected(const Scene<double>& scene, long long j, double tau, const SectionPoint<double>& z,
+                 const Collision<double>& collision) {
+    if (collision.outcome != FirstContactOutcome::contact) return false;
+    if (!scene.is_disk() && (collision.vertex_step - j) % scene.sides != 0) return false;
+    const double speed = speed_before(scene, collision);
+    return speed >= least_speed && std::fabs(collision.flight_time - tau) <= time_rounding(z, speed) + 1e-12 * tau;
 }
 
 SteadyStability stability_of(const std::vector<std::complex<double>>& by_falling_modulus) {
@@ -73,7 +80,7 @@ MapOfScene map_of(const Scene<double>& scene) {
 }
 
 bool arrives(const MapOfScene& map, long long j, double tau, const SectionPoint<double>& z) {
-    return is_expected(map.scene, j, tau, map.apply(z, false).collision);
+    return is_expected(map.scene, j, tau, z, map.apply(z, false).collision);
 }
 
 std::optional<SteadyMode> verified_mode(const MapOfScene& map, SteadyBranch branch, long long j, double tau,
@@ -86,8 +93,9 @@ std::optional<SteadyMode> verified_mode(const MapOfScene& map, SteadyBranch bran
     mode.speed = speed_before(map.scene, collision);
     mode.residual = distance(section_point(collision.after), z);
     mode.amplification = derivative.norm();
-    const double closed = closing_units * epsilon<double>() * (1 + size_of(z)) * (1 + mode.amplification);
-    if (!(mode.speed >= least_speed && mode.residual <= closed)) return {};
+    const double closed =
+        time_rounding(z, mode.speed) * ((1 + mode.amplification) * mode.speed + 1 + std::fabs(z.spin));
+    if (!(mode.residual <= closed)) return {};
     const Eigen::VectorXcd values = derivative.eigenvalues();
     mode.multipliers.assign(values.begin(), values.end());
     std::sort(mode.multipliers.begin(), mode.multipliers.end(),

@@ -41,8 +41,9 @@ namespace steady {
 /// A touch slower than this is no impact: a body whose wall passes it once a turn solves all equations at u_n = 0.
 inline constexpr double least_speed = 1e-6;
 
-/// F(z) = z to this many ε (1 + |z|)(1 + ‖DF‖).
-inline constexpr double closing_units = 1024;
+/// F(z) = z to this many ε (1 + |z|)(1 + ‖DF‖ + (1 + |S|)/u_n): the rounding of z, enlarged by DF, and that of the gap,
+/// which moves the time of impact by ε/u_n. Measured: 2.1 at most over 55,000 modes of 1,500 random scenes.
+inline constexpr double closing_units = 64;
 
 /// A multiplier's modulus this near to 1 can't be told from it: a double multiplier 1 (e = 1 without friction) splits
 /// by the root of rounding.

@@ -13,8 +13,8 @@ namespace swirl::steady {
 
 namespace {
 
-constexpr int even_parts = 200, small_parts = 240;
-constexpr double smallest_share = 1e-12;  // of the widest χ: below it Q is an impact of no speed
+constexpr int even_parts = 200, small_parts = 264;  // twelve a decade
+constexpr double smallest_share = 1e-22;  // of the widest χ: χ ≈ Q(1 − e)/2 near e = 1, where 1 − e ≥ 10⁻¹⁶
 
 /// G/(1 + G), cut at where G = 1.5 and so where G has no value: continuous, and precise where G is small. The flight's
 /// (1 − cos τ)/τ stays below 0.73.

@@ -4,7 +4,7 @@
 //
 //     R = c − α + w                     the centre's distance from the swirl's centre, > 0
 //     Q = R(1 − cos τ)/τ                half the impulse, which points at the swirl's centre: p = 2Qc, q = −2Qs
-//     u_n = (s − Q)/c after, u_n + p before;   u_t before = u_t after + 2Qs
+//     u_n before = u_n after + p,   u_t before = u_t after + 2Qs;   u_t⁺ = 0: u_n after = (s − Q)/c
 //     S = 1 − 2πj/(Nτ)                  j vertices on
 //
 // and the law of impact says, in terms of ε = −u_n⁺/p, which is e/(1 + e) unless slip stops on the way,

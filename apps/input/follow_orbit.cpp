@@ -2,7 +2,7 @@
 
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
-#include "apps/output/impact_fields.hpp"
+#include "apps/impacts/impact_fields.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "apps/simulate/sinks.hpp"
 
-#include "apps/output/impact_fields.hpp"
+#include "apps/impacts/impact_fields.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

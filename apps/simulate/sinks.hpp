@@ -1,7 +1,7 @@
 // Where impacts, contacts and samples go as they come: a record, JSON, a table for people.
 #pragma once
 
-#include "apps/output/impact_row.hpp"
+#include "apps/impacts/impact_row.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/simulate/samples.hpp"
 #include "apps/simulate/simulate.hpp"

@@ -1,7 +1,7 @@
 // The numbers of an impact by name, in the order of docs/command-line.md, "simulate", with what a record says of them.
 #pragma once
 
-#include "apps/output/impact_row.hpp"
+#include "apps/impacts/impact_row.hpp"
 
 #include <array>
 

@@ -1,0 +1,212 @@
+#include "map/steady/steady_modes.hpp"
+
+#include "map/steady/flight_times.hpp"
+#include "map/steady/sticking_curves.hpp"
+#include "map/steady/whole_numbers.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swirl {
+
+std::string_view name_of(SteadySet set) {
+    switch (set) {
+        case SteadySet::points:
+            return "points";
+        case SteadySet::families:
+            return "families";
+        case SteadySet::none_lossy_disk:
+            return "none-lossy-disk";
+        case SteadySet::none_frictionless:
+            break;
+    }
+    return "none-frictionless";
+}
+
+namespace {
+
+using namespace steady;
+
+constexpr double cells_per_time = 200;
+constexpr int least_cells = 64;
+
+/// A solution of both equations.
+struct Candidate {
+    SteadyBranch branch;
+    long long j;
+    double tau, chi;
+    bool slides;
+};
+
+struct Search {
+    const Scene<double>& scene;
+    const SteadyOptions& options;
+    std::vector<Candidate> candidates;
+    bool complete = true;
+};
+
+/// One curve: χ(τ) and S(τ, χ) on an interval of τ.
+template <class ChiAt, class SpinAt>
+void search_curve(Search& search, SteadyBranch branch, Interval interval, bool slides, const ChiAt& chi_of,
+                  const SpinAt& spin_at) {
+    const auto j_at = [&](double tau) {
+        return vertices_on(search.scene, tau, spin_at(contact_at(search.scene, branch, chi_of(tau)), tau));
+    };
+    const int cells = least_cells + static_cast<int>(cells_per_time * (interval.to - interval.from));
+    const std::size_t left = search.options.most - search.candidates.size();
+    const WholeNumbers whole = whole_numbers(j_at, interval.from, interval.to, cells, left);
+    search.complete = search.complete && whole.complete;
+    for (const auto& [tau, j] : whole.found) search.candidates.push_back({branch, j, tau, chi_of(tau), slides});
+}
+
+void search_sticking(Search& search) {
+    const Scene<double>& scene = search.scene;
+    const auto spin_at = [&](const Contact<double>& at, double tau) { return sticking_spin(scene, at, tau); };
+    for (const StickingCurve& curve : sticking_curves(scene, search.options.longest_flight))
+        search_curve(
+            search, curve.branch, {curve.from, curve.to}, false, [&](double tau) { return chi_at(scene, curve, tau); },
+            spin_at);
+}
+
+/// The lines χ = `chi` over all τ.
+template <class SpinAt>
+void search_line(Search& search, double chi, bool slides, const SpinAt& spin_at) {
+    for (const SteadyBranch branch : {SteadyBranch::plus, SteadyBranch::minus}) {
+        if (search.scene.beta == 0 && branch == SteadyBranch::minus) continue;  // the same
+        if (!(contact_at(search.scene, branch, chi).radius > 0)) continue;
+        search_curve(
+            search, branch, {1e-12, search.options.longest_flight}, slides, [&](double) { return chi; }, spin_at);
+    }
+}
+
+void search_sliding(Search& search) {
+    const Scene<double>& scene = search.scene;
+    const double chi = std::atan(scene.mu);
+    if (chi > widest_sticking_chi(scene)) return;
+    const auto spin_at = [&](const Contact<double>& at, double tau) { return sliding_spin(scene, at, tau); };
+    search_line(search, chi, true, spin_at);
+    search_line(search, -chi, true, spin_at);
+}
+
+/// Newton's method for both equations of a sticking contact, exact derivatives by Jets: what the bracketing of one
+/// within the other leaves of rounding. Kept only where it settles beside the start.
+void polish(const Scene<double>& scene, Candidate& candidate) {
+    using Jet = ceres::Jet<double, 2>;
+    double tau = candidate.tau, chi = candidate.chi;
+    for (int i = 0; i < 4; ++i) {
+        const Jet t(tau, 0), x(chi, 1);
+        const Contact<Jet> at = contact_at(scene, candidate.branch, x);
+        const Jet deficit = restitution_deficit(scene, at.sine, at.cosine);
+        const Jet law = at.radius * versine_rate(t) * (at.sine * at.sine + deficit * at.cosine * at.cosine) - at.sine;
+        const Jet count = vertices_on(scene, t, sticking_spin(scene, at, t)) - static_cast<double>(candidate.j);
+        Eigen::Matrix2d derivative;
+        derivative << law.v.transpose(), count.v.transpose();
+        const Eigen::Vector2d step = derivative.partialPivLu().solve(Eigen::Vector2d(law.a, count.a));
+        tau -= step[0], chi -= step[1];
+    }
+    constexpr double beside = 1e-6;
+    if (std::fabs(tau - candidate.tau) <= beside * candidate.tau &&
+        std::fabs(chi - candidate.chi) <= beside * std::fabs(candidate.chi))
+        candidate.tau = tau, candidate.chi = chi;
+}
+
+/// The contact slips throughout: u_t keeps the side that friction was given, sign χ.
+bool keeps_slipping(const Scene<double>& scene, const Candidate& c) {
+    const Contact<double> at = contact_at(scene, c.branch, c.chi);
+    const double lag = spin_of(scene, c.tau, c.j) - sticking_spin(scene, at, c.tau);  // u_t = α cos χ (S − S_sticking)
+    return c.chi > 0 ? lag >= 0 : lag <= 0;
+}
+
+bool is_same(const SteadyMode& a, const SteadyMode& b) {
+    constexpr double apart = 1e-9;
+    return a.branch == b.branch && a.j == b.j && std::fabs(a.tau - b.tau) <= apart * a.tau &&
+           std::fabs(a.chi - b.chi) <= apart;
+}
+
+void verify(const Search& search, SteadyModes& result) {
+    const MapOfScene map = map_of(search.scene);
+    for (Candidate candidate : search.candidates) {
+        if (candidate.slides && !keeps_slipping(search.scene, candidate)) continue;
+        if (!candidate.slides && candidate.chi != 0) polish(search.scene, candidate);
+        const auto& [branch, j, tau, chi, slides] = candidate;
+        const auto mode = verified_mode(
+            map, branch, j, tau, section_point_of(search.scene, branch, tau, chi, spin_of(search.scene, tau, j)));
+        if (mode) result.modes.push_back(*mode);
+    }
+    std::sort(result.modes.begin(), result.modes.end(), [](const SteadyMode& a, const SteadyMode& b) {
+        return a.branch == b.branch ? a.tau < b.tau : a.branch == SteadyBranch::plus;
+    });
+    result.modes.erase(std::unique(result.modes.begin(), result.modes.end(), is_same), result.modes.end());
+}
+
+void find_points(const Scene<double>& scene, const SteadyOptions& options, SteadyModes& result) {
+    Search search{scene, options, {}, true};
+    search_sticking(search);
+    search_sliding(search);
+    if (scene.restitution == 1)  // χ = 0: the law holds for every Q
+        search_line(search, 0, false,
+                    [&](const Contact<double>& at, double tau) { return sticking_spin(scene, at, tau); });
+    result.candidates = search.candidates.size();
+    result.complete = search.complete;
+    verify(search, result);
+}
+
+/// From which τ on |S| = |1 − 2πj/(Nτ)| ≤ fastest (≥ 1).
+double shortest_flight(const Scene<double>& scene, long long j, double fastest) {
+    if (scene.is_disk() || j == 0) return 0;
+    const double turned = 2 * pi<double>() * static_cast<double>(std::llabs(j)) / scene.sides;
+    return turned / (j > 0 ? fastest + 1 : fastest - 1);
+}
+
+void find_families(const Scene<double>& scene, const SteadyOptions& options, SteadyModes& result) {
+    const MapOfScene map = map_of(scene);
+    const auto look = [&](long long j) {
+        const double shortest = shortest_flight(scene, j, options.fastest_spin);
+        if (!(shortest < options.longest_flight)) return;
+        for (const SteadyBranch branch : {SteadyBranch::plus, SteadyBranch::minus}) {
+            if (scene.beta == 0 && branch == SteadyBranch::minus) continue;  // the same
+            for (const SteadyFamily& family : families_of(map, branch, j, {shortest, options.longest_flight}))
+                result.families.push_back(family);
+        }
+    };
+    look(0);
+    for (long long size = 1; !scene.is_disk(); ++size) {
+        if (shortest_flight(scene, size, options.fastest_spin) >= options.longest_flight) break;  // then −size too
+        if (size > options.most_steps) {
+            result.complete = false;
+            break;
+        }
+        look(size);
+        look(-size);
+    }
+    std::sort(result.families.begin(), result.families.end(), [](const SteadyFamily& a, const SteadyFamily& b) {
+        if (a.branch != b.branch) return a.branch == SteadyBranch::plus;
+        return a.j == b.j ? a.from < b.from : a.j < b.j;
+    });
+}
+
+}  // namespace
+
+SteadyModes steady_modes(const Scene<double>& scene, const SteadyOptions& options) {
+    validated(scene);
+    if (!(options.longest_flight > 0 && options.longest_flight <= 1e4))
+        detail::out_of_range("longest-flight", options.longest_flight, "0 < longest-flight <= 10000");
+    if (!(options.fastest_spin >= 1 && options.fastest_spin <= 1e6))
+        detail::out_of_range("fastest-spin", options.fastest_spin, "1 <= fastest-spin <= 1e6");
+    SteadyModes result;
+    result.phase_is_free = scene.beta == 0;
+    const bool on_families = scene.is_disk() || scene.mu == 0;
+    if (!on_families) {
+        find_points(scene, options, result);
+    } else if (scene.restitution == 1) {
+        result.set = SteadySet::families;
+        find_families(scene, options, result);
+    } else {
+        result.set = scene.mu == 0 ? SteadySet::none_frictionless : SteadySet::none_lossy_disk;
+    }
+    return result;
+}
+
+}  // namespace swirl

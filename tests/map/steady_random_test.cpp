@@ -1,0 +1,174 @@
+// Random polygons under the three laws: every steady mode returned is a fixed point of the map, and Newton's method on
+// the map itself, from random starts, comes to none that is not among them.
+#include "map/derivative/derivative.hpp"
+#include "map/steady/steady_modes.hpp"
+#include "tests/sample_count.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <random>
+
+namespace swirl {
+namespace {
+
+using Vector = Eigen::Matrix<double, 5, 1>;
+using Matrix = Eigen::Matrix<double, 5, 5>;
+
+struct Draw {
+    std::mt19937_64 generator;
+    double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator); }
+    bool chance(double share) { return between(0, 1) < share; }
+};
+
+/// All regimes: small and large swirls, friction above and below tan χ_m, no loss, nearly none, and no restitution.
+Scene<double> random_scene(Draw& draw, long number) {
+    Scene<double> s;
+    s.sides = 3 + static_cast<int>(draw.chance(0.6) ? draw.between(0, 5) : draw.between(0, 30));
+    s.alpha = draw.between(0.05, 0.95);
+    s.beta = draw.chance(0.3) ? draw.between(1, 5) : draw.between(0.02, 1);
+    s.mu = draw.chance(0.5) ? draw.between(0.3, 2) : std::exp(draw.between(-6, -1));
+    const double which = draw.between(0, 1);
+    s.restitution = which < 0.15   ? 1
+                    : which < 0.25 ? 0
+                    : which < 0.35 ? 1 - std::exp(draw.between(-18, -3))
+                                   : draw.between(0, 1);
+    s.law = static_cast<Law>(number % 3);
+    s.inertia_factor = draw.chance(0.7) ? uniform_inertia_factor<double>(s.sides) : draw.between(0.05, 1);
+    return s;
+}
+
+SectionPoint<double> random_point(Draw& draw, const Scene<double>& s, double room) {
+    const double speed = s.beta + 0.3, rolling = (1 - s.alpha) / s.alpha;
+    SectionPoint<double> z;
+    z.psi = draw.chance(0.5) ? draw.between(-pi<double>(), pi<double>()) : draw.between(-0.5, 0.5);
+    z.chi = 0.999 * room * draw.between(-1, 1);
+    z.spin = draw.between(-1.5 * rolling - 0.5, 0.5 * rolling + 1.5);
+    const double leaving = draw.between(0, 1);
+    z.vn = -2 * speed * leaving * leaving + s.alpha * z.spin * std::sin(z.chi) + s.beta * std::sin(z.psi);
+    z.vt = s.beta * std::cos(z.psi) - s.alpha * z.spin * std::cos(z.chi) +
+           (draw.chance(0.5) ? 0 : draw.between(-speed, speed));
+    return z;
+}
+
+struct FixedPoint {
+    SectionPoint<double> z;
+    double tau = 0;
+};
+
+/// Newton's method for F(z) = z, steps of at most ½; settled when the next step is below 10⁻⁹ (near u_n = 0 everything
+/// nearly closes).
+template <class Map>
+std::optional<FixedPoint> newton(const Map& map, SectionPoint<double> z, double room) {
+    for (int i = 0; i < 25; ++i) {
+        const auto step = map.linearise(z);
+        if (step.collision.outcome != FirstContactOutcome::contact) return {};
+        const SectionPoint<double> next = section_point(step.collision.after);
+        Vector left;
+        left << wrapped_angle(next.psi - z.psi), wrapped_angle(next.chi - z.chi), next.vn - z.vn, next.vt - z.vt,
+            next.spin - z.spin;
+        Vector move = (step.derivative - Matrix::Identity()).partialPivLu().solve(left);
+        const double size = move.template lpNorm<Eigen::Infinity>();
+        if (!(size < 1e6)) return {};
+        if (size < 1e-9 && left.template lpNorm<Eigen::Infinity>() < 1e-11)
+            return FixedPoint{z, step.collision.flight_time};
+        if (size > 0.5) move *= 0.5 / size;
+        z = {wrapped_angle(z.psi - move[0]), z.chi - move[1], z.vn - move[2], z.vt - move[3], z.spin - move[4]};
+        if (std::fabs(z.chi) > room) return {};
+    }
+    return {};
+}
+
+/// |F(z) − z| by the map alone.
+double misclosure(const Scene<double>& scene, const SectionPoint<double>& z) {
+    return with_collision_map(scene, [&](const auto& map) {
+        const auto step = map.advance(post_impact_state(z));
+        if (step.outcome != FirstContactOutcome::contact) return HUGE_VAL;
+        const SectionPoint<double> next = section_point(step.after);
+        return std::max({std::fabs(wrapped_angle(next.psi - z.psi)), std::fabs(next.chi - z.chi),
+                         std::fabs(next.vn - z.vn), std::fabs(next.vt - z.vt), std::fabs(next.spin - z.spin)});
+    });
+}
+
+struct Counts {
+    long modes = 0, sliding = 0, late = 0, hits = 0, cut_short = 0;
+    double worst = 0;  ///< |F(z) − z| in ε (1 + |z|)(1 + ‖DF‖)
+};
+
+void check_modes(const Scene<double>& scene, const SteadyModes& result, Counts& counts) {
+    for (const SteadyMode& mode : result.modes) {
+        const SectionPoint<double>& z = mode.point;
+        const double size = 1 + std::max({std::fabs(z.vn), std::fabs(z.vt), std::fabs(z.spin)});
+        const double unit = epsilon<double>() * size * (1 + mode.amplification);
+        counts.worst = std::max(counts.worst, misclosure(scene, z) / unit);
+        EXPECT_NEAR(z.spin, 1 - 2 * pi<double>() * static_cast<double>(mode.j) / (scene.sides * mode.tau),
+                    1e-15 * size);
+        // Reversed slip is impossible, and slip is at the angle of friction.
+        EXPECT_TRUE(mode.contact == ContactMode::sliding || mode.contact == ContactMode::c_sticking ||
+                    mode.contact == ContactMode::r_sticking);
+        EXPECT_LE(std::fabs(std::tan(mode.chi)), scene.mu * (1 + 1e-12));
+        ++counts.modes;
+        counts.sliding += mode.contact == ContactMode::sliding;
+        counts.late += mode.contact == ContactMode::r_sticking;
+    }
+}
+
+void search_from_random_starts(const Scene<double>& scene, const SteadyModes& result, int starts, Draw& draw,
+                               Counts& counts) {
+    const double room = pi<double>() / scene.sides - std::asin(scene.alpha * std::sin(pi<double>() / scene.sides));
+    with_collision_map(scene, [&](const auto& map) {
+        if constexpr (std::decay_t<decltype(map)>::shape == Shape::polygon) {
+            const DifferentiatedMap differentiated(map);
+            for (int i = 0; i < starts; ++i) {
+                const auto found = newton(differentiated, random_point(draw, scene, room), room);
+                if (!found || found->tau > 12) continue;
+                ++counts.hits;
+                const bool known = std::any_of(result.modes.begin(), result.modes.end(), [&](const SteadyMode& mode) {
+                    return std::fabs(mode.tau - found->tau) < 1e-6 && std::fabs(mode.point.spin - found->z.spin) < 1e-6;
+                });
+                EXPECT_TRUE(known) << "N = " << scene.sides << ", alpha = " << scene.alpha << ", beta = " << scene.beta
+                                   << ", mu = " << scene.mu << ", e = " << scene.restitution << ": tau = " << found->tau
+                                   << ", S = " << found->z.spin;
+            }
+        }
+    });
+}
+
+void check_random_scenes(std::uint64_t seed, long scenes, int starts) {
+    Draw draw{std::mt19937_64(seed)};
+    Counts counts;
+    for (long number = 0; number < scenes; ++number) {
+        const Scene<double> scene = random_scene(draw, number);
+        const SteadyModes result = steady_modes(scene);
+        if (!result.complete) {  // weak friction on a small body: slip spins it so fast that 10⁵ vertices pass
+            ++counts.cut_short;
+            continue;
+        }
+        check_modes(scene, result, counts);
+        search_from_random_starts(scene, result, starts, draw, counts);
+    }
+    std::printf(
+        "%ld scenes: %ld modes (%ld sliding, %ld stick in restitution), |F(z) - z| %.1f units; %ld hits; %ld cut "
+        "short\n",
+        scenes, counts.modes, counts.sliding, counts.late, counts.worst, counts.hits, counts.cut_short);
+    EXPECT_LE(counts.worst, 16);
+    EXPECT_LE(50 * counts.cut_short, scenes);
+    EXPECT_GE(counts.hits, 10 * scenes);
+    EXPECT_GE(counts.sliding, scenes);
+    EXPECT_GE(counts.late, 1);
+}
+
+TEST(SteadyRandom, EveryModeClosesAndNoneIsMissing) {
+    check_random_scenes(5, tests::sample_count(150), 200);
+}
+
+TEST(SteadyRandom, NightlyEveryModeClosesAndNoneIsMissing) {
+    check_random_scenes(6, tests::sample_count(4000), 500);
+}
+
+}  // namespace
+}  // namespace swirl

@@ -31,6 +31,8 @@ using namespace steady;
 
 constexpr double cells_per_time = 200;
 constexpr int least_cells = 64;
+constexpr double shortest_flight_time = 1e-7;  // u_n ≈ Rτ/2 is below `least_speed` for R < 20
+constexpr double short_flight = 0.01;
 
 /// A solution of both equations.
 struct Candidate {
@@ -76,8 +78,12 @@ void search_line(Search& search, double chi, bool slides, const SpinAt& spin_at)
     for (const SteadyBranch branch : {SteadyBranch::plus, SteadyBranch::minus}) {
         if (search.scene.beta == 0 && branch == SteadyBranch::minus) continue;  // the same
         if (!(contact_at(search.scene, branch, chi).radius > 0)) continue;
-        search_curve(
-            search, branch, {1e-12, search.options.longest_flight}, slides, [&](double) { return chi; }, spin_at);
+        // The line begins at j = 0, τ = 0, where the impact vanishes; roots of j = 0 near it (e → 1) need closer looks.
+        const double longest = search.options.longest_flight, shorter = std::min(short_flight, longest);
+        for (const Interval interval : {Interval{shortest_flight_time, shorter}, Interval{shorter, longest}})
+            if (interval.from < interval.to)
+                search_curve(
+                    search, branch, interval, slides, [&](double) { return chi; }, spin_at);
     }
 }
 
@@ -125,14 +131,23 @@ bool is_same(const SteadyMode& a, const SteadyMode& b) {
            std::fabs(a.chi - b.chi) <= apart;
 }
 
+/// At e = 0 the body leaves at u_n = 0, which rounding must not make an approach: u_n below it by some ε.
+SectionPoint<double> leaving(const Body<double>& body, SectionPoint<double> z) {
+    const double rounding = 4 * epsilon<double>() * (1 + body.beta + body.alpha * std::fabs(z.spin));
+    const double un = contact_kinematics(body, post_impact_state(z)).un;
+    if (un > -rounding) z.vn -= un + rounding;
+    return z;
+}
+
 void verify(const Search& search, SteadyModes& result) {
+    const Body<double> body = make_body(search.scene);
     const MapOfScene map = map_of(search.scene);
     for (Candidate candidate : search.candidates) {
         if (candidate.slides && !keeps_slipping(search.scene, candidate)) continue;
         if (!candidate.slides && candidate.chi != 0) polish(search.scene, candidate);
         const auto& [branch, j, tau, chi, slides] = candidate;
-        const auto mode = verified_mode(
-            map, branch, j, tau, section_point_of(search.scene, branch, tau, chi, spin_of(search.scene, tau, j)));
+        const SectionPoint<double> z = section_point_of(search.scene, branch, tau, chi, spin_of(search.scene, tau, j));
+        const auto mode = verified_mode(map, branch, j, tau, leaving(body, z));
         if (mode) result.modes.push_back(*mode);
     }
     std::sort(result.modes.begin(), result.modes.end(), [](const SteadyMode& a, const SteadyMode& b) {

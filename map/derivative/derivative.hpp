@@ -47,30 +47,17 @@ class DifferentiatedMap {
 public:
     static constexpr int dimension = section_dimension<shape>;
     using Jet = ceres::Jet<T, dimension>;
+    using Derivative = Eigen::Matrix<T, dimension, dimension>;
 
     explicit DifferentiatedMap(const CollisionMap<T, shape, rule>& map) : map_(map), jet_map_(in_jets(map.scene())) {}
 
     const CollisionMap<T, shape, rule>& map() const { return map_; }
 
     /// `derivative` is meaningless unless a contact was found.
-    LinearisedCollision<T, shape> linearise(const SectionPoint<T>& z) const {
-        const PostImpactState<T> post_impact = post_impact_state(z);
-        LinearisedCollision<T, shape> result;
-        result.collision = map_.advance(post_impact);
-        if (result.collision.outcome == FirstContactOutcome::contact)
-            result.derivative = derivative_of(post_impact, result.collision);
-        return result;
-    }
+    LinearisedCollision<T, shape> linearise(const SectionPoint<T>& z) const;
 
     /// DF, by the section coordinates, where the next collision is known already.
-    auto derivative_of(const PostImpactState<T>& post_impact, const Collision<T>& known) const {
-        decltype(LinearisedCollision<T, shape>::derivative) derivative;
-        const Flight<Jet> flight = flight_from(jet_map_.body(), seeded<Jet, shape>(post_impact));
-        const Collision<Jet> collision = strike_along(jet_map_, flight, known.flight_time, known.vertex_step);
-        const auto next = coordinates<shape>(section_point(collision.after));
-        for (int i = 0; i < dimension; ++i) derivative.row(i) = next[i].v.transpose();
-        return derivative;
-    }
+    Derivative derivative_of(const PostImpactState<T>& post_impact, const Collision<T>& known) const;
 
 private:
     static Scene<Jet> in_jets(const Scene<T>& s) {
@@ -83,5 +70,34 @@ private:
 
 template <class T, Shape shape, ImpactRule rule>
 DifferentiatedMap(const CollisionMap<T, shape, rule>&) -> DifferentiatedMap<T, shape, rule>;
+
+template <class T, Shape shape, ImpactRule rule>
+auto DifferentiatedMap<T, shape, rule>::linearise(const SectionPoint<T>& z) const -> LinearisedCollision<T, shape> {
+    const PostImpactState<T> post_impact = post_impact_state(z);
+    LinearisedCollision<T, shape> result;
+    result.collision = map_.advance(post_impact);
+    if (result.collision.outcome == FirstContactOutcome::contact)
+        result.derivative = derivative_of(post_impact, result.collision);
+    return result;
+}
+
+template <class T, Shape shape, ImpactRule rule>
+auto DifferentiatedMap<T, shape, rule>::derivative_of(const PostImpactState<T>& post_impact,
+                                                      const Collision<T>& known) const -> Derivative {
+    Derivative derivative;
+    const Flight<Jet> flight = flight_from(jet_map_.body(), seeded<Jet, shape>(post_impact));
+    const Collision<Jet> collision = strike_along(jet_map_, flight, known.flight_time, known.vertex_step);
+    const auto next = coordinates<shape>(section_point(collision.after));
+    for (int i = 0; i < dimension; ++i) derivative.row(i) = next[i].v.transpose();
+    return derivative;
+}
+
+// Compiled once, in differentiated_*.cpp.
+extern template class DifferentiatedMap<double, Shape::disk, ImpactRule::frictionless>;
+extern template class DifferentiatedMap<double, Shape::disk, ImpactRule::poisson>;
+extern template class DifferentiatedMap<double, Shape::polygon, ImpactRule::frictionless>;
+extern template class DifferentiatedMap<double, Shape::polygon, ImpactRule::poisson>;
+extern template class DifferentiatedMap<double, Shape::polygon, ImpactRule::newton>;
+extern template class DifferentiatedMap<double, Shape::polygon, ImpactRule::stronge>;
 
 }  // namespace swirl

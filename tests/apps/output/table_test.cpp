@@ -60,10 +60,10 @@ std::string json_of(const Table<Ball>& table) {
 TEST(Table, JsonHasAnObjectPerRow) {
     EXPECT_EQ(json_of(ball_table()),
               R"({"balls": [
-  {"number": 1, "mass": 0.5, "colour": "green", "seed": 18446744073709551615, "bounces": [1, 2], "period": null, )"
+    {"number": 1, "mass": 0.5, "colour": "green", "seed": 18446744073709551615, "bounces": [1, 2], "period": null, )"
               R"("place": [0.5]},
-  {"number": 2, "mass": 2.25, "colour": "red", "seed": 7, "period": 4, "place": [2.25]}
-]}
+    {"number": 2, "mass": 2.25, "colour": "red", "seed": 7, "period": 4, "place": [2.25]}
+  ]}
 )");
     EXPECT_EQ(json_of(ball_table(false)).find("mass"), std::string::npos);
 }

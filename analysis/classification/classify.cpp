@@ -55,13 +55,13 @@ void describe_cycle(const Findings& findings, const ClassifyOptions& options, Cl
                                       then_others_decide + ", unless the orbit itself stays on it"
                                 : "nothing: it rests on the orbit's own closure"});
     if (findings.superstable)
-        evidence.push_back({"ranks left", 0, 0,
-                            "every direction is annihilated on the way: what comes back once has come "
-                            "back for ever",
-                            "1 or more: the orbit itself would have to stay"});
+        evidence.push_back({"rank of the derivative along the cycle", 0, 0,
+                            "superstable: the cycle annihilates every direction, so that one exact return repeats",
+                            "1 or more: not superstable; the orbit itself would have to stay on the cycle"});
     else if (!findings.attracting)
-        evidence.push_back({"closure kept", findings.closure_persists ? 1.0 : 0.0, 1, "along the tail's last quarter",
-                            "0: an unstable cycle in passing; " + std::string(then_others_decide)});
+        evidence.push_back({"closure throughout", findings.closure_persists ? 1.0 : 0.0, 1,
+                            "the orbit returns after every impact of the tail's last quarter",
+                            "0: it passes an unstable cycle; " + std::string(then_others_decide)});
 }
 
 /// What suffices to be positive: beyond its errors and beyond what a bounded sum may leave.
@@ -93,8 +93,8 @@ void describe_recurrence(Classification& result) {
     const bool few = result.recurrence_rate_without_diagonal < sun_2019;
     result.evidence.push_back(
         {"recurrence rate without diagonal", result.recurrence_rate_without_diagonal, sun_2019,
-         few ? "as the paper's chaotic mode" : "values of the observable recur",
-         "nothing: it does not decide (the paper's rule alone would call it " +
+         few ? "values of the observable do not recur" : "values of the observable recur",
+         "nothing: it does not decide (the rule of Sun 2019 alone would call it " +
              std::string(few ? "chaotic, and regular at or above " : "regular, and chaotic below ") +
              in_words(sun_2019) + ")"});
 }
@@ -103,8 +103,8 @@ void describe_rounding(const Findings& findings, const ClassifyOptions& options,
     const double limit = options.period.rounding;
     result.evidence.push_back(
         {"growth of rounding along the period", findings.rounding, limit,
-         "the orbit returns to itself, but where is an accident of rounding: chaos between landings "
-         "that forget everything",
+         "the orbit returns, but its period is decided by rounding, whose errors grow to this along it: "
+         "chaos between superstable landings",
          "at most " + in_words(limit) + ": that cycle"});
 }
 

@@ -34,7 +34,7 @@ Table<ThresholdResult> measure_table() {
              {"RTE", of(&Measures::RTE), "1", "entropy of the recurrence times"},
              {"TREND", of(&Measures::TREND), "1",
               "slope of the recurrence rate away from the main diagonal, per 1000 points"},
-             {"RC", &ThresholdResult::rc, "1", "the paper's recurrence rate, main diagonal counted"},
+             {"RC", &ThresholdResult::rc, "1", "recurrence rate of Sun 2019, main diagonal counted"},
              {"RC_without_diagonal", &ThresholdResult::rc_without_diagonal, "1",
               "the same over pairs of different points"}}};
 }

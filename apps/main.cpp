@@ -4,6 +4,7 @@
 #include "apps/command_line/command.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/continue/continue_command.hpp"
+#include "apps/describe/describe_command.hpp"
 #include "apps/json/json_writer.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
 #include "apps/orbits/orbits_command.hpp"
@@ -63,6 +64,8 @@ Commands add_commands(CLI::App& app) {
                                                  bifurcate::bifurcate_details, bifurcate::bifurcate),
         add_command<sweep::SweepOptions>(app, "sweep", "the modes across parameters", sweep::sweep_details,
                                          sweep::sweep),
+        add_command<describe::DescribeOptions>(app, "describe", "what is known of a scene in closed form",
+                                               describe::describe_details, describe::describe),
         add_command<plot::PlotOptions>(app, "plot", "a figure of a record", plot::plot_details, plot::plot),
         add_command<tour::TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour::tour_details,
                                        tour::tour),

@@ -70,7 +70,7 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene) {
             write_verdict(json, named, options.settings);
         });
     } else {
-        fmt::print("{}\n{}", describe(scene), table_of(named));
+        fmt::print("{}\n{}", scene_in_words(scene), table_of(named));
     }
     return exit_done;
 }

@@ -97,7 +97,7 @@ void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, 
 }
 
 void print_runs(const Scene<double>& scene, const RunsFound& found) {
-    fmt::print("{}\n  {} runs:", describe(scene), found.runs.size());
+    fmt::print("{}\n  {} runs:", scene_in_words(scene), found.runs.size());
     for (const auto& [mode, count] : counts_of(found.runs, &RunVerdict::mode))
         fmt::print(" {} {:.4g} %", name_of(mode), 100 * share(count, found));
     fmt::print("\n");

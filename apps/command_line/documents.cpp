@@ -94,7 +94,7 @@ std::optional<RecordWriter> open_record(const std::string& path, const std::stri
     }
 }
 
-std::string describe(const Scene<double>& scene) {
+std::string scene_in_words(const Scene<double>& scene) {
     const std::string body = scene.is_disk() ? "disk" : fmt::format("{} sides", scene.sides);
     return fmt::format("{}, alpha {:g}, beta {:g}, mu {:g}, e {:g}, {}, kappa {:.6g}", body, scene.alpha, scene.beta,
                        scene.mu, scene.restitution, name_of(scene.law), scene.inertia_factor);

@@ -51,6 +51,6 @@ void print_document(const WriteMembers& write_all) {
 std::optional<RecordWriter> open_record(const std::string& path, const std::string& title);
 
 /// "hexagon α = 0.4 …" in one line, for tables and titles.
-std::string describe(const Scene<double>& scene);
+std::string scene_in_words(const Scene<double>& scene);
 
 }  // namespace swirl::apps

@@ -112,7 +112,7 @@ void write_document(const LyapunovCommandOptions& options, const Scene<double>& 
 }
 
 void print_spectrum(const Scene<double>& scene, const OrbitSpectrum& s) {
-    fmt::print("{}\n  outcome {}; {} collisions counted, time {:.6g}\n", describe(scene), name_of(s.outcome),
+    fmt::print("{}\n  outcome {}; {} collisions counted, time {:.6g}\n", scene_in_words(scene), name_of(s.outcome),
                s.spectrum.steps, s.spectrum.time);
     if (s.signs.empty()) return;
     print_table(exponent_table(s), places_of(s, false));

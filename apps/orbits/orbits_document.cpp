@@ -124,7 +124,7 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
 }
 
 void print_orbits(const Scene<double>& scene, const FoundOrbits& found) {
-    fmt::print("{}\n  {} candidates, {} led to a cycle{}\n", describe(scene), found.tried, found.converged,
+    fmt::print("{}\n  {} candidates, {} led to a cycle{}\n", scene_in_words(scene), found.tried, found.converged,
                found.interrupted ? "; interrupted" : "");
     for (const auto& limit : found.limits) fmt::print("  {}\n", limit);
     if (std::isfinite(found.distance)) fmt::print("  nearest point of a cycle at {:.3g} from --near\n", found.distance);

@@ -172,6 +172,19 @@ void print_table(const Table<Row>& table, const Rows& rows) {
     for (const Row& row : rows) fmt::print("{}", line_of(shown, row));
 }
 
+/// One row as lines, heading and value of each shown field; a number that is not finite is left out.
+template <class Row>
+std::string shown_lines_of(const Table<Row>& table, const Row& row) {
+    std::string lines;
+    for (const auto& field : shown_fields(table)) {
+        const Value value = field.read(row);
+        const auto* number = std::get_if<double>(&value);
+        if (number == nullptr || std::isfinite(*number))
+            lines += fmt::format("  {:<33} {}\n", field.heading, field.look->text(value));
+    }
+    return lines;
+}
+
 /// One row as lines, a name and a number each; only finite numbers that are no integers.
 template <class Row>
 std::string lines_of(const Table<Row>& table, const Row& row) {

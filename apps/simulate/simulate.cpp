@@ -122,8 +122,8 @@ int simulate(SimulateOptions& options) {
         json->end_object();
         json->finish();
     } else if (!options.output.quiet) {
-        fmt::print("{}: {} after {} impacts, t = {:.10g}, time mean of S = {:.8g}\n", describe(scene), ending.outcome,
-                   ending.impacts, ending.time, ending.mean_spin);
+        fmt::print("{}: {} after {} impacts, t = {:.10g}, time mean of S = {:.8g}\n", scene_in_words(scene),
+                   ending.outcome, ending.impacts, ending.time, ending.mean_spin);
     }
     if (ending.outcome == "interrupted") return exit_interrupted;
     return ending.outcome == "completed" ? exit_done : exit_numerical_ending;

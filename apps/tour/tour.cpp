@@ -71,7 +71,7 @@ int tour(TourOptions& options) {
             write_verdict(*json, named, settings);
             json->end_object();
         } else {
-            fmt::print("{}: {}\n{}\n", stops[i].name, describe(scene), table_of(named));
+            fmt::print("{}: {}\n{}\n", stops[i].name, scene_in_words(scene), table_of(named));
         }
     }
     if (json) {

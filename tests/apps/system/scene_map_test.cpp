@@ -45,7 +45,7 @@ std::vector<State> simulated(const Scene<double>& scene, std::size_t most) {
 
 TEST(SceneMap, FollowsTheOrbitOfSimulateBitForBit) {
     for (const auto& scene : scenes) {
-        SCOPED_TRACE(describe(scene));
+        SCOPED_TRACE(scene_in_words(scene));
         const std::vector<State> states = simulated(scene, 3000);
         ASSERT_GT(states.size(), 20u);
         with_scene_map(scene, [&](const auto& map) {

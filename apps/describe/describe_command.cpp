@@ -1,0 +1,81 @@
+#include "apps/describe/describe_command.hpp"
+
+#include "apps/command_line/interruption.hpp"
+
+#include <fmt/format.h>
+
+namespace swirl::apps::describe {
+
+const char* const describe_details =
+    R"(From the scene's numbers alone: how far chi reaches (chi_m), the friction from which sliding can jam (Painleve), where the
+body is sheltered from the wall, whether impacts can last, and every steady mode (fixed point of the collision map) with a
+flight time up to --max-time, from two equations in closed form, each confirmed by the map. + is the branch on the outer
+side of the container's wall, psi near 0, - that on the inner one, psi near pi; j: vertices on from impact to impact, which
+fix S = 1 - 2 pi j/(N tau). A mode is stable if all multipliers lie inside the unit circle. With e = 1 a disk, and anything
+without friction, has families over tau: `swirl orbits --pin tau=VALUE` and `swirl continue --along tau=A:B` give their
+members. A disk on the wall is a pendulum: psi'' = -k sin psi.
+
+Examples:
+  swirl describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9
+  swirl describe --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1)";
+
+void DescribeOptions::add_to(CLI::App& command) {
+    scene.add_to(command);
+    output.add_to(command);
+    command.add_option("--max-time", max_time, "longest flight time of steady modes, in 1/omega_s (default 12)")
+        ->type_name("T");
+}
+
+namespace {
+
+std::string none_reason(SteadySet set) {
+    switch (set) {
+        case SteadySet::none_frictionless:
+            return "no steady mode exists: without friction it has chi = 0 and the same |u_n| before and after an "
+                   "impact, but e < 1";
+        case SteadySet::none_lossy_disk:
+            return "no steady mode exists: a disk's has no tangential impulse and the same |u_n| before and after an "
+                   "impact, but e < 1";
+        case SteadySet::points:
+        case SteadySet::families:
+            break;
+    }
+    return "";
+}
+
+}  // namespace
+
+Description description_of(const Scene<double>& scene, double max_time) {
+    SteadyOptions search;
+    search.longest_flight = max_time;
+    Description d{scene, scene_facts(scene), steady_modes(scene, search), {}, {}};
+    for (const SteadyFamily& family : d.steady.families)
+        d.families.push_back({family, member_of(scene, family, 0.5 * (family.from + family.to))});
+    d.none_exist = none_reason(d.steady.set);
+    return d;
+}
+
+int describe(DescribeOptions& options) {
+    options.scene.read_file();
+    const Scene<double> scene = options.scene.scene<double>();
+    options.scene.units();
+    if (options.output.accuracy() != Accuracy::double_precision)
+        throw BadInput(fmt::format("accuracy = {}: describe works in double", options.output.accuracy_name));
+    if (!(options.max_time > 0 && options.max_time <= 1e4))
+        throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= 10000", options.max_time));
+    std::optional<RecordWriter> record = open_record(options.output.record, "What is known of a swirled polygon");
+    exit_when_interrupted();
+    const Description d = description_of(scene, options.max_time);
+    const Settings settings = {{"max_time", options.max_time}, {"accuracy", options.output.accuracy_name}};
+    if (record) {
+        write_description_record(record->root(), d, settings);
+        record->finish();
+    }
+    if (options.output.json)
+        write_description_document(options, d, settings);
+    else if (!options.output.quiet)
+        print_description(d, options.max_time);
+    return exit_done;
+}
+
+}  // namespace swirl::apps::describe

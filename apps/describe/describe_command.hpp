@@ -1,0 +1,48 @@
+// `swirl describe`: what is known of a scene in closed form, before any orbit is followed.
+#pragma once
+
+#include "apps/command_line/documents.hpp"
+#include "apps/command_line/output_options.hpp"
+#include "map/steady/scene_facts.hpp"
+#include "map/steady/steady_modes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace swirl::apps::describe {
+
+struct DescribeOptions {
+    SceneOptions scene;
+    OutputOptions output;
+    double max_time = 12;
+
+    void add_to(CLI::App& command);
+};
+
+extern const char* const describe_details;
+
+/// A family, and one of its members.
+struct DescribedFamily {
+    SteadyFamily family;
+    std::optional<SteadyMode> midway;  ///< at the middle of its flight times (S = 0 where S is free)
+};
+
+struct Description {
+    Scene<double> scene;
+    SceneFacts facts;
+    SteadyModes steady;
+    std::vector<DescribedFamily> families;  ///< those of `steady`
+    std::string none_exist;                 ///< why there are no steady modes, where that is proven
+};
+
+/// @throws std::invalid_argument if a parameter is out of range
+Description description_of(const Scene<double>& scene, double max_time);
+
+void write_description_document(const DescribeOptions& options, const Description& d, const Settings& settings);
+void print_description(const Description& d, double max_time);
+/// Groups scene, settings, facts (attributes), rim (of a disk), steady_modes and families (if there are any).
+void write_description_record(const RecordGroup& root, const Description& d, const Settings& settings);
+
+int describe(DescribeOptions& options);
+
+}  // namespace swirl::apps::describe

@@ -1,0 +1,212 @@
+#include "apps/branches/branches.hpp"
+#include "apps/describe/describe_command.hpp"
+#include "apps/output/write_table.hpp"
+#include "apps/system/section_coordinates.hpp"
+
+#include <limits>
+
+namespace swirl::apps::describe {
+
+namespace {
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // null in JSON
+
+std::string branch_name(SteadyBranch branch) {
+    return branch == SteadyBranch::plus ? "+" : "-";
+}
+
+std::string jamming_in_words(const Description& d) {
+    if (!d.facts.painleve_friction) return "never: a disk's normal and tangential impulse do not couple";
+    return fmt::format("from mu = {:.6g} on: {}", *d.facts.painleve_friction, d.facts.can_jam ? "here" : "not here");
+}
+
+std::string shelter_in_words(const Description& d) {
+    const double radius = d.facts.untouched_radius;
+    if (radius > 0) return fmt::format("while its centre is within {:.6g} of the swirl's centre", radius);
+    return fmt::format("nowhere: 1 - alpha - beta = {:.6g}", radius);
+}
+
+std::string fate_in_words(const Description& d) {
+    if (d.facts.impacts == ImpactFate::fade) return "fade: each lowers J (mu = 0) or the energy (beta = 0)";
+    if (d.facts.impacts == ImpactFate::conserved) return "last: J is conserved (mu = 0, e = 1)";
+    return "can last: friction and swirl may give back what they take";
+}
+
+/// The facts that every scene has.
+Table<Description> fact_table(bool disk) {
+    using F = Field<Description>;
+    const auto of = [](auto member) { return [member](const Description& d) { return d.facts.*member; }; };
+    const auto widest = [disk](const Description& d) { return disk ? no_value : d.facts.widest_chi; };
+    const auto jams_from = [](const Description& d) { return d.facts.painleve_friction.value_or(no_value); };
+    return {{},
+            {F{"widest_chi", widest, "rad"}.shown("largest |chi|, chi_m", "{:.6g}"),
+             {"painleve_friction", jams_from},
+             {"can_jam", of(&SceneFacts::can_jam)},
+             F{"jamming", jamming_in_words}.table_only().shown("sliding can jam (Painleve)", "{}"),
+             {"sheltered", [](const Description& d) { return d.facts.untouched_radius > 0; }},
+             {"untouched_radius", of(&SceneFacts::untouched_radius), "R_c"},
+             {"untouched_room_turning", of(&SceneFacts::untouched_room_turning), "R_c"},
+             F{"shelter", shelter_in_words}.table_only().shown("sheltered from the wall", "{}"),
+             {"impacts", of(&SceneFacts::impacts)},
+             F{"fate", fate_in_words}.table_only().shown("impacts", "{}")}};
+}
+
+std::string circulation_in_words(const RimFacts& rim) {
+    if (rim.circulates_forward) return rim.circulates_backward ? "in both directions" : "forward only (psi' > 0)";
+    return rim.circulates_backward ? "backward only (psi' < 0)" : "not held on the slowest";
+}
+
+/// The pendulum of a disk on the wall.
+Table<RimFacts> rim_table() {
+    using F = Field<RimFacts>;
+    const auto spin = [](const RimFacts& rim) { return rim.mean_spin.value_or(no_value); };
+    const auto motion = [](const RimFacts& rim) { return rim.rolls ? "rolls" : "slides without friction"; };
+    return {
+        {},
+        {{"rolls", &RimFacts::rolls},
+         F{"motion", motion}.table_only().shown("disk on the wall", "{}"),
+         F{"strength", &RimFacts::strength, "omega_s^2"}.shown("  pendulum's strength k", "{:.6g}"),
+         F{"small_frequency", &RimFacts::small_frequency, "omega_s"}.shown("  small librations, sqrt(k)", "{:.6g}"),
+         F{"circulation_energy", &RimFacts::circulation_energy, "omega_s^2"}.shown("  circulates above H", "{:.6g}"),
+         F{"rest_force", &RimFacts::rest_force, "m R_c omega_s^2"}.shown("  force of the wall at rest", "{:.6g}"),
+         F{"mean_S", spin, "omega_s"}.shown("  S at rest and mean librating", "{:.6g}"),
+         F{"widest_libration", &RimFacts::widest_libration, "rad"}.shown("  librations held up to |psi|", "{:.6g}"),
+         {"circulates_forward", &RimFacts::circulates_forward},
+         {"circulates_backward", &RimFacts::circulates_backward},
+         F{"circulates", circulation_in_words}.table_only().shown("  circulations held", "{}")}};
+}
+
+std::vector<double> parts_of(const SteadyMode& mode, double (*part)(const std::complex<double>&)) {
+    std::vector<double> values;
+    for (const auto& m : mode.multipliers) values.push_back(part(m));
+    return values;
+}
+
+/// Steady modes; `d` coordinates.
+Table<SteadyMode> mode_table(bool disk, std::size_t d) {
+    using F = Field<SteadyMode>;
+    const auto point = [disk](const SteadyMode& m) { return coordinates_of(m.point, disk); };
+    const auto list = [point](const SteadyMode& m) {
+        const Eigen::VectorXd z = point(m);
+        return std::vector<double>(z.begin(), z.end());
+    };
+    const auto re = [](const SteadyMode& m) { return parts_of(m, std::real); };
+    const auto im = [](const SteadyMode& m) { return parts_of(m, std::imag); };
+    const auto chi = [disk](const SteadyMode& m) { return disk ? no_value : m.chi; };
+    return {
+        {"steady_mode"},
+        {F{"branch", [](const SteadyMode& m) { return branch_name(m.branch); }}
+             .flags({"+", "-"})
+             .shown("branch", "  {:>6}"),
+         F{"j", &SteadyMode::j, "1", "vertices on"}.shown("j", " {:>5}"),
+         F{"tau", &SteadyMode::tau, "1/omega_s", "flight time"}.shown("tau", " {:>13.9f}"),
+         F{"chi", chi, "rad"}.shown("chi", " {:>12.9f}"),
+         F{"S", [](const SteadyMode& m) { return m.point.spin; }, "omega_s"}.shown("S", " {:>13.9f}"),
+         {"speed", &SteadyMode::speed, "R_c omega_s", "u_n before the impact"},
+         F{"contact_mode", &SteadyMode::contact}
+             .flags(names_up_to(ContactMode::r_reversed))
+             .shown("contact", "  {:<12}"),
+         F{"point", list, "1", "section point"}
+             .along({"coordinate"}, d)
+             .json_written([point](JsonWriter& json, const SteadyMode& m) { write_point(json, point(m)); }),
+         {"multipliers", [](JsonWriter& json, const SteadyMode& m) { json.array(m.multipliers); }},
+         F{"multiplier_re", re, "1", "real part"}.along({"multiplier_index"}, d).record_only(),
+         F{"multiplier_im", im, "1", "imaginary part"}.along({"multiplier_index"}, d).record_only(),
+         F{"largest_multiplier", [](const SteadyMode& m) { return std::abs(m.multipliers.front()); }}
+             .table_only()
+             .shown("|multiplier|", " {:>12.8g}"),
+         F{"stability", &SteadyMode::stability}.flags(names_up_to(SteadyStability::neutral)).shown("stability", "  {}"),
+         {"residual", &SteadyMode::residual, "1", "largest |F(z) - z|"}}};
+}
+
+/// Families over the flight time, each with the member midway.
+Table<DescribedFamily> family_table(bool disk) {
+    using F = Field<DescribedFamily>;
+    const auto midway = [disk](JsonWriter& json, const DescribedFamily& f) {
+        f.midway ? write_object(json, mode_table(disk, 0), *f.midway) : json.null();
+    };
+    const auto spin = [](const DescribedFamily& f) { return f.midway ? f.midway->point.spin : no_value; };
+    const auto largest = [](const DescribedFamily& f) {
+        return f.midway ? std::abs(f.midway->multipliers.front()) : no_value;
+    };
+    const auto stability = [](const DescribedFamily& f) {
+        return f.midway ? std::string(name_of(f.midway->stability)) : "none";
+    };
+    std::vector<std::string> names = names_up_to(SteadyStability::neutral);
+    names.emplace_back("none");
+    return {{"family"},
+            {F{"branch", [](const DescribedFamily& f) { return branch_name(f.family.branch); }}
+                 .flags({"+", "-"})
+                 .shown("branch", "  {:>6}"),
+             F{"j", [](const DescribedFamily& f) { return f.family.j; }, "1", "vertices on"}.shown("j", " {:>5}"),
+             F{"shortest_return_time", [](const DescribedFamily& f) { return f.family.from; }, "1/omega_s"}.shown(
+                 "from tau", " {:>13.9f}"),
+             F{"longest_return_time", [](const DescribedFamily& f) { return f.family.to; }, "1/omega_s"}.shown(
+                 "to tau", " {:>13.9f}"),
+             {"S_is_free", [](const DescribedFamily& f) { return f.family.spin_is_free; }},
+             {"midway", midway},
+             F{"midway_S", spin, "omega_s"}.record_only().shown("midway: S", " {:>13.9f}"),
+             F{"midway_largest_multiplier", largest, "1"}.record_only().shown("|multiplier|", " {:>12.8g}"),
+             F{"midway_stability", stability}.flags(names).record_only().shown("stability", "  {}")}};
+}
+
+std::string counted(const Description& d) {
+    if (d.steady.set == SteadySet::families) return fmt::format("{} families", d.families.size());
+    long plus = 0;
+    for (const auto& mode : d.steady.modes) plus += mode.branch == SteadyBranch::plus;
+    const auto all = static_cast<long>(d.steady.modes.size());
+    return fmt::format("{} ({} on branch +, {} on -)", all, plus, all - plus);
+}
+
+}  // namespace
+
+void write_description_document(const DescribeOptions& options, const Description& d, const Settings& settings) {
+    const bool disk = d.scene.is_disk();
+    print_document([&](JsonWriter& json) {
+        write_scene(json, d.scene, options.scene);
+        write_members(json, fact_table(disk), d);
+        json.key("rim");
+        d.facts.rim ? write_object(json, rim_table(), *d.facts.rim) : json.null();
+        write_json(json, "steady_modes", mode_table(disk, 0), d.steady.modes);
+        write_json(json, "families", family_table(disk), d.families);
+        json.key("none_exist");
+        d.none_exist.empty() ? json.null() : json.value(d.none_exist);
+        json.member("psi_is_free", d.steady.phase_is_free);
+        json.member("complete", d.steady.complete);
+        write_json(json, "settings", settings);
+    });
+}
+
+void print_description(const Description& d, double max_time) {
+    const bool disk = d.scene.is_disk();
+    fmt::print("{}\n{}", scene_in_words(d.scene), shown_lines_of(fact_table(disk), d));
+    if (d.facts.rim) fmt::print("{}", shown_lines_of(rim_table(), *d.facts.rim));
+    if (!d.none_exist.empty()) return fmt::print("  {}\n", d.none_exist);
+    fmt::print("  steady modes with tau <= {:g}: {}{}\n", max_time, counted(d),
+               d.steady.complete ? "" : "; not all: there are too many to look at");
+    if (d.steady.phase_is_free) fmt::print("  psi of a steady mode is any constant (beta = 0); listed is psi = 0\n");
+    if (!d.steady.modes.empty()) print_table(mode_table(disk, 0), d.steady.modes);
+    if (!d.families.empty()) print_table(family_table(disk), d.families);
+}
+
+void write_description_record(const RecordGroup& root, const Description& d, const Settings& settings) {
+    const bool disk = d.scene.is_disk();
+    write_scene(root, d.scene);
+    write_attributes(root.group("settings"), settings);
+    const RecordGroup facts = root.group("facts");
+    write_attributes(facts, fact_table(disk), d);
+    facts.attribute("none_exist", d.none_exist);
+    facts.attribute("psi_is_free", d.steady.phase_is_free);
+    facts.attribute("complete", d.steady.complete);
+    if (d.facts.rim) write_attributes(root.group("rim"), rim_table(), *d.facts.rim);
+    if (!d.families.empty()) write_record(root.group("families"), family_table(disk), d.families);
+    const RecordGroup group = root.group("steady_modes");
+    if (d.steady.modes.empty()) return;
+    const auto names = coordinate_names(disk ? disk_dimension : polygon_dimension);
+    group.dimension("coordinate", names.size());
+    group.dimension("multiplier_index", names.size());
+    group.write_strings("coordinate", {"coordinate"}, names);
+    write_record(group, mode_table(disk, names.size()), d.steady.modes);
+}
+
+}  // namespace swirl::apps::describe

@@ -35,7 +35,7 @@ Drift drift_of(const Map& map, const SectionPoint<double>& z, long impacts) {
     for (long k = 1; k <= impacts; ++k) {
         const auto step = map.advance(post_impact);
         if (step.outcome != FirstContactOutcome::contact) {
-            ADD_FAILURE() << "impact " << k << ": outcome " << static_cast<int>(step.contact);
+            ADD_FAILURE() << "impact " << k << ": outcome " << static_cast<int>(step.outcome);
             break;
         }
         post_impact = step.after;

@@ -29,7 +29,7 @@ Mean mean_spin(const Map& map, PostImpactState<double> post_impact, int blocks, 
             const double spin = post_impact.spin;
             const auto step = map.advance(post_impact);
             if (step.outcome != FirstContactOutcome::contact) {
-                ADD_FAILURE() << "outcome " << static_cast<int>(step.contact);
+                ADD_FAILURE() << "outcome " << static_cast<int>(step.outcome);
                 return {};
             }
             post_impact = step.after;

@@ -58,7 +58,7 @@ void follow(const Map& map, const json& orbit, const Tolerance& tolerance, Tally
     for (const json& row : orbit["collisions"]) {
         const double amplification = row["amplification"];
         if (k++ > 0) collision = map.advance(collision.after);
-        ASSERT_EQ(collision.contact, FirstContactOutcome::contact) << "impact " << k;
+        ASSERT_EQ(collision.outcome, FirstContactOutcome::contact) << "impact " << k;
         frame.follow(map, collision, spin * collision.flight_time);
         spin = collision.after.spin;
         if (amplification > tolerance.reach) continue;

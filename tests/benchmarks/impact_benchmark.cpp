@@ -41,7 +41,7 @@ void impact(benchmark::State& state, int sides, double alpha, double beta, doubl
         const auto begin = Clock::now();
         for (auto _ : state) {
             map.advance(collision.after, collision);
-            if (collision.contact != swirl::FirstContactOutcome::contact) state.SkipWithError("the orbit ended");
+            if (collision.outcome != swirl::FirstContactOutcome::contact) state.SkipWithError("the orbit ended");
         }
         benchmark::DoNotOptimize(collision);
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();

@@ -62,7 +62,8 @@ class Describe(InFolder):
             self.assertTrue(document(f"describe {scene} --mu 1.8")["can_jam"])
             self.assertAlmostEqual(found["untouched_radius"], 1 - alpha - 0.5, delta=1e-15)
             self.assertEqual((found["sheltered"], found["impacts"]), (True, "can-last"))
-        self.assertFalse(document(f"describe {HEXAGON} --beta 0.7 --max-time 1")["sheltered"])
+        wide = HEXAGON.replace("--beta 0.5", "--beta 0.7")
+        self.assertFalse(document(f"describe {wide} --max-time 1")["sheltered"])
 
     def test_where_none_exist_it_says_why(self):
         for scene, why in (("--sides 6 --alpha 0.4 --beta 0.5 --mu 0 --restitution 0.9", "without friction"),
@@ -143,12 +144,15 @@ class Describe(InFolder):
 
     def test_wrong_input(self):
         for extra, mention in (("--max-time 0", "max-time"), ("--max-time -1", "max-time"), ("--max-time nan", "max-time"),
-                               ("--max-time 10001", "max-time"), ("--max-time long", "max-time"), ("--alpha 1.2", "alpha"),
+                               ("--max-time 10001", "max-time"), ("--max-time long", "max-time"),
                                ("--accuracy quad", "double"), ("--bogus 1", "bogus"), ("--swirl-rate -1", "swirl-rate")):
             result = run(f"describe {HEXAGON} {extra} -o {self.folder}/a.h5")
             self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
             self.assertIn(mention, result.stderr)
-        self.assertEqual(run("describe --sides 6").returncode, 2)
+        for scene, mention in (("--sides 6", "missing"), (HEXAGON.replace("0.4", "1.2"), "alpha = 1.2")):
+            result = run(f"describe {scene} -o {self.folder}/a.h5")
+            self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
+            self.assertIn(mention, result.stderr)
         self.assertEqual(list(self.folder.iterdir()), [])
 
 

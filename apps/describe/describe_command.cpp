@@ -58,7 +58,7 @@ Description description_of(const Scene<double>& scene, double max_time) {
 int describe(DescribeOptions& options) {
     options.scene.read_file();
     const Scene<double> scene = options.scene.scene<double>();
-    options.scene.units();
+    options.scene.units();  // wrong ones are refused, whatever is written
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: describe works in double", options.output.accuracy_name));
     if (!(options.max_time > 0 && options.max_time <= 1e4))

@@ -67,7 +67,7 @@ TEST(ClosedForm, EverySteadyModeOfTenPolygonsIsFound) {
 // As α → 0 S grows as 1/α, and DF with it; every mode is isolated all the same, and none is missing.
 void expect_all_modes_isolated(double alpha) {
     Scene<double> scene{5, alpha, 0.5, 0.5, 1, Law::poisson, uniform_inertia_factor<double>(5)};
-    apps::CandidateOptions options;
+    apps::orbits::CandidateOptions options;
     options.starts = options.trajectories = 0;
     const auto cycles = tests::cycles_of(scene, 1, options);
     for (const auto& cycle : cycles) {

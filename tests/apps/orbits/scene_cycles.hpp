@@ -14,12 +14,13 @@
 namespace swirl::tests {
 
 inline std::vector<analysis::Cycle> cycles_of(const Scene<double>& scene, int period,
-                                              const apps::CandidateOptions& options = {}) {
+                                              const apps::orbits::CandidateOptions& options = {}) {
     const auto map = apps::shooting_map_of(scene);
-    const auto trajectories = apps::trajectories_of(scene, options);
+    const auto trajectories = apps::orbits::trajectories_of(scene, options);
     analysis::SearchOptions search;
     search.period = period;
-    return analysis::find_cycles(map, 0, apps::candidates_for(scene, map, period, trajectories, options), search)
+    return analysis::find_cycles(map, 0, apps::orbits::candidates_for(scene, map, period, trajectories, options),
+                                 search)
         .cycles;
 }
 

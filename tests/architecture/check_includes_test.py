@@ -9,8 +9,8 @@ from pathlib import Path
 import check_includes
 
 SOUND = {
-    "map/model/flight.hpp": '#include <cmath>\n#include <Eigen/Core>\n#include <ceres/jet.h>\n',
-    "map/map.hpp": '#include "map/model/flight.hpp"\n',
+    "map/flight.hpp": '#include <cmath>\n#include <Eigen/Core>\n#include <ceres/jet.h>\n',
+    "map/map.hpp": '#include "map/flight.hpp"\n',
     "analysis/orbits.hpp": '#include <gsl/gsl_errno.h>\n#include <tbb/parallel_for.h>\n#include <fftw3.h>\n',
     "apps/main.cpp": '#include "analysis/orbits.hpp"\n#include "map/map.hpp"\n#include <hdf5.h>\n',
 }
@@ -67,7 +67,7 @@ class CheckIncludes(unittest.TestCase):
         self.assert_found("map/bad.hpp", 1, '#include "map/nowhere.hpp"\n', "no such file")
 
     def test_circle(self):
-        self.assert_found("map/model/flight.hpp", 0, '#include "map/map.hpp"\n', "map/map.hpp -> map/model/flight.hpp")
+        self.assert_found("map/flight.hpp", 0, '#include "map/map.hpp"\n', "map/map.hpp -> map/flight.hpp")
 
     def test_nothing_to_check_is_an_error(self):
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()):

@@ -30,24 +30,32 @@ struct PeriodOptions {
     bool exact_multipliers = true;   ///< always in 100 digits; false: only where double's own can't decide
 };
 
+/// A state that is to be overwritten: zero where the states of a map are its coordinates.
+template <SectionMap M>
+State<M> unset_state() {
+    if constexpr (iterates_coordinates<M>)
+        return State<M>::Zero();
+    else
+        return {};
+}
+
 /// A cycle with what is known of it.
 template <SectionMap M>
 struct FoundCycle {
     std::int64_t period = 0;                                    ///< 0: none found
     Vector<M::dimension> point = Vector<M::dimension>::Zero();  ///< on the cycle, polished
-    State<M> state{};     ///< there; bit for bit the orbit's own if that is the evidence
-    double closure = 0;   ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
-    double residual = 0;  ///< |Fᵏ(z) − z| at the point
-    double distance = 0;  ///< from the orbit's last state to the point
-    double farthest = 0;  ///< how far that may be, by the orbit's own return and the slowest multiplier
+    State<M> state = unset_state<M>();  ///< there; bit for bit the orbit's own if that is the evidence
+    double closure = 0;                 ///< the orbit's own |z_{i+k} − z_i|, largest over its last period
+    double residual = 0;                ///< |Fᵏ(z) − z| at the point
+    double distance = 0;                ///< from the orbit's last state to the point
+    double farthest = 0;                ///< how far that may be, by the orbit's own return and the slowest multiplier
     std::vector<std::complex<double>> multipliers;
     bool family = false;            ///< a multiplier is 1
     bool attracting = false;        ///< `attracts`: all multipliers inside the unit circle, those of a family apart
     bool closure_persists = false;  ///< the orbit itself has closed all along the tail's last quarter
     bool approached = false;  ///< the orbit has come ever nearer, or is within 10⁻⁶ already, and its returns shrink
     double rounding = 0;      ///< of one that returns to `closure`: rounding_growth along it
-    bool superstable =
-        false;  ///< every direction is annihilated on the way: what comes again once comes again for ever
+    bool superstable = false;  ///< the cycle annihilates every direction: an orbit that returns once is on it
 };
 
 namespace classification_detail {

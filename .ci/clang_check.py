@@ -125,11 +125,12 @@ def main():
     settings = "warnings"  # the compiler is named in the flags
     if arguments.tidy:
         settings = run([TIDY, "--version"], ROOT).stdout + CHECKS + (ROOT / ".clang-tidy").read_text()
+    results = []
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        results = list(pool.map(lambda item: look_at(*item, arguments, settings), sorted(known.items())))
-    for file, said, _ in results:
-        if said:
-            print(f"---- {file.relative_to(ROOT)}\n{said}")
+        for result in pool.map(lambda item: look_at(*item, arguments, settings), sorted(known.items())):
+            results.append(result)
+            if result[1]:
+                print(f"---- {result[0].relative_to(ROOT)}\n{result[1]}", flush=True)
     wrong = sum(1 for _, said, _ in results if said)
     looked = sum(1 for _, said, seconds in results if seconds > 0)
     print(f"{len(results)} files, {looked} looked at, {len(results) - looked} known to be clean; {wrong} with findings")

@@ -72,10 +72,11 @@ def run(command, directory):
 
 def key_of(file, flags, directory, settings):
     """What the result depends on; None if the text cannot even be preprocessed."""
-    text = run(flags + ["-E", "-CC", str(file)], directory)
+    text = run(flags + ["-E", str(file)], directory)
     if text.returncode != 0:
         return None
-    content = "\0".join([settings, *flags, text.stdout]).replace(str(ROOT), "")
+    own = file.read_text(encoding="utf-8")  # with its comments, which may tell clang-tidy something
+    content = "\0".join([settings, *flags, own, text.stdout]).replace(str(ROOT), "")
     return hashlib.sha256(content.encode()).hexdigest()
 
 

@@ -2,6 +2,8 @@
 
 #include "apps/command_line/interruption.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <optional>

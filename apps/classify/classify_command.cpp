@@ -6,6 +6,7 @@
 #include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <optional>
 

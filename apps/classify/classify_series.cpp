@@ -7,6 +7,8 @@
 #include "apps/output/write_table.hpp"
 #include "apps/record/record_reader.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

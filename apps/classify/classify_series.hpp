@@ -1,12 +1,11 @@
 // `swirl classify` on what is not a scene: a record, whose scene and start are followed on, or a measured series.
 #pragma once
 
+#include "apps/command_line/cli_names.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "apps/input/measured_series.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 

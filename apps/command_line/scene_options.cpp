@@ -1,5 +1,7 @@
 #include "apps/command_line/scene_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <toml++/toml.h>
 
 #include <array>

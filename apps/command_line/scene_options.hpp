@@ -1,10 +1,9 @@
 // The scene as users give it: flags, a TOML file, physical units.
 #pragma once
 
+#include "apps/command_line/cli_names.hpp"
 #include "apps/command_line/numbers.hpp"
 #include "map/model/scene.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <map>
 #include <optional>

@@ -1,5 +1,7 @@
 #include "apps/command_line/start_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <Random123/philox.h>
 #include <Random123/uniform.hpp>
 

@@ -1,10 +1,9 @@
 // Where an orbit starts, as users give it: in the laboratory, on the section, or at random.
 #pragma once
 
+#include "apps/command_line/cli_names.hpp"
 #include "apps/command_line/numbers.hpp"
 #include "map/orbit/laboratory.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <map>

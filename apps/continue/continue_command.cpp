@@ -9,6 +9,8 @@
 #include "apps/system/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <optional>
 
 namespace swirl::apps::continuation {

@@ -3,6 +3,7 @@
 #include "apps/command_line/interruption.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 namespace swirl::apps::describe {
 

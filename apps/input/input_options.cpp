@@ -2,6 +2,8 @@
 
 #include "apps/record/record_reader.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,10 +1,9 @@
 // What a command analyses: the orbit of a scene, a record of one, or a measured series.
 #pragma once
 
+#include "apps/command_line/cli_names.hpp"
 #include "apps/input/measured_series.hpp"
 #include "apps/input/orbit_columns.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <optional>

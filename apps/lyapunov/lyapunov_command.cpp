@@ -5,6 +5,7 @@
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <optional>

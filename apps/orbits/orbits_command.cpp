@@ -8,6 +8,8 @@
 #include "apps/system/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

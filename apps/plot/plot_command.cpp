@@ -6,6 +6,7 @@
 #include "apps/record/record_reader.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // `swirl plot`: a figure of a record.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "apps/command_line/cli_names.hpp"
 
 #include <string>
 

@@ -2,6 +2,8 @@
 
 #include "apps/recurrence/convention_names.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cctype>
 

@@ -3,6 +3,8 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/recurrence/recurrence_document.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <tbb/global_control.h>
 
 #include <algorithm>

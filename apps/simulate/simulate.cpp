@@ -4,6 +4,8 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/simulate/follow_impacts.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 #include <optional>
 

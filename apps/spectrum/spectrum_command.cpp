@@ -5,6 +5,8 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/spectrum/spectrum_document.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 
 namespace swirl::apps::spectrum {

@@ -4,6 +4,8 @@
 #include "apps/command_line/progress.hpp"
 #include "apps/record/journal.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 

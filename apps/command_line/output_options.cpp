@@ -1,0 +1,37 @@
+#include "apps/command_line/output_options.hpp"
+
+#include "apps/command_line/errors.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <CLI/CLI.hpp>
+
+namespace swirl::apps {
+
+CLI::Option* add_file(CLI::App& command, const std::string& flag, std::string& file, const std::string& help) {
+    return command.add_option(flag, file, help)->check(CLI::Validator(
+        [](const std::string& name) { return std::string(name.empty() ? "a file's name is wanted" : ""); }, ""));
+}
+
+void OutputOptions::add_to(CLI::App& command, bool with_record) {
+    command.add_flag("--json", json, "one JSON document on standard output, and nothing else")->group("Output");
+    if (with_record)
+        add_file(command, "-o,--output", record, "write a record (HDF5)")->type_name("FILE.h5")->group("Output");
+    command.add_flag("--quiet", quiet, "no progress and no messages")->group("Output");
+    command.add_option("--threads", threads, "threads (default all); results do not depend on it")
+        ->type_name("T")
+        ->check(CLI::Range(0, 4096))
+        ->group("Output");
+    command.add_option("--accuracy", accuracy_name, "double (default), extended (80-bit) or quad (113-bit)")
+        ->type_name("NAME")
+        ->group("Output");
+}
+
+Accuracy OutputOptions::accuracy() const {
+    if (accuracy_name == "double") return Accuracy::double_precision;
+    if (accuracy_name == "extended") return Accuracy::extended;
+    if (accuracy_name == "quad") return Accuracy::quad;
+    throw BadInput(fmt::format("accuracy = {} is none of: double, extended, quad", accuracy_name));
+}
+
+}  // namespace swirl::apps

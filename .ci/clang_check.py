@@ -25,6 +25,7 @@ ROOT = Path(__file__).resolve().parent.parent
 FOLDERS = ("map", "analysis", "apps", "tests")
 TIDY = "clang-tidy-14"
 CHECKS = "-clang-analyzer-*"
+KEPT = 30 * 86400  # seconds for which a stamp that nothing asks for is kept
 
 
 def flags_of(entry):
@@ -42,7 +43,10 @@ def flags_of(entry):
 
 def commands(build):
     """{file: flags} of the project's own sources."""
-    entries = json.loads((build / "compile_commands.json").read_text())
+    database = build / "compile_commands.json"
+    if not database.is_file():
+        sys.exit(f"clang_check: there is no {database}; CONTRIBUTING.md has the line that makes it")
+    entries = json.loads(database.read_text())
     inside = [e for e in entries if Path(e["file"]).is_relative_to(ROOT)
               and Path(e["file"]).relative_to(ROOT).parts[0] in FOLDERS]
     return {Path(e["file"]): (flags_of(e), e["directory"]) for e in inside}
@@ -58,8 +62,10 @@ def headers(known):
     for folder in FOLDERS:
         for header in sorted((ROOT / folder).rglob("*.hpp")):
             place = header.parent
-            while place not in by_folder:
+            while place not in by_folder and place != ROOT:
                 place = place.parent
+            if place == ROOT:
+                sys.exit(f"clang_check: no source of {folder}/ is in the build, so its headers have no flags")
             flags, directory = by_folder[place]
             found[header] = (flags + ["-Wno-pragma-once-outside-header", "-Wno-unused-const-variable",
                                       "-Wno-unused-function", "-x", "c++"], directory)
@@ -81,13 +87,15 @@ def key_of(file, flags, directory, settings):
 
 
 def findings(file, flags, directory, arguments):
-    """What clang or clang-tidy says of a file; empty if nothing."""
+    """What clang or clang-tidy says of a file; empty if it ended well."""
     if arguments.tidy and file.suffix != ".hpp":
         result = run([TIDY, "-p", str(arguments.build), "--quiet", f"--checks={CHECKS}", "--warnings-as-errors=*",
                       str(file)], directory)
     else:
         result = run(flags + ["-fsyntax-only", str(file)], directory)
-    return "" if result.returncode == 0 else result.stdout + result.stderr
+    if result.returncode == 0:
+        return ""
+    return (result.stdout + result.stderr).strip() or f"exit code {result.returncode} without a word"
 
 
 def look_at(file, command, arguments, settings):
@@ -97,6 +105,7 @@ def look_at(file, command, arguments, settings):
         key = key_of(file, flags, directory, settings)
         stamp = arguments.cache / key if key else None
         if stamp and stamp.exists():
+            stamp.touch()
             return file, "", 0.0
     begin = time.monotonic()
     said = findings(file, flags, directory, arguments)
@@ -117,12 +126,18 @@ def main():
     known = commands(arguments.build)
     known.update(headers(known))
     if arguments.files:
+        for file in arguments.files:
+            if file.resolve() not in known:
+                sys.exit(f"clang_check: {file} is no source or header of the build")
         known = {file.resolve(): known[file.resolve()] for file in arguments.files}
     if not known:  # a check of nothing must not pass
         print(f"clang_check: no source of {', '.join(FOLDERS)} in {arguments.build}", file=sys.stderr)
         return 2
     if arguments.cache:
         arguments.cache.mkdir(parents=True, exist_ok=True)
+        for stamp in arguments.cache.iterdir():
+            if time.time() - stamp.stat().st_mtime > KEPT:
+                stamp.unlink()
     settings = "warnings"  # the compiler is named in the flags
     if arguments.tidy:
         settings = run([TIDY, "--version"], ROOT).stdout + CHECKS + (ROOT / ".clang-tidy").read_text()

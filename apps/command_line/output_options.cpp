@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <CLI/CLI.hpp>
 
 namespace swirl::apps {
 
 CLI::Option* add_file(CLI::App& command, const std::string& flag, std::string& file, const std::string& help) {
-    return command.add_option(flag, file, help)->check(CLI::Validator(
-        [](const std::string& name) { return std::string(name.empty() ? "a file's name is wanted" : ""); }, ""));
+    return command.add_option(flag, file, help)
+        ->check(CLI::Validator(
+            [](const std::string& name) { return std::string(name.empty() ? "a file's name is wanted" : ""); }, ""));
 }
 
 void OutputOptions::add_to(CLI::App& command, bool with_record) {

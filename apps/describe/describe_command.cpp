@@ -1,5 +1,6 @@
 #include "apps/describe/describe_command.hpp"
 
+#include "analysis/cycles/stability.hpp"
 #include "apps/command_line/interruption.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +50,8 @@ std::string none_reason(SteadySet set) {
 Description description_of(const Scene<double>& scene, double max_time) {
     SteadyOptions search;
     search.longest_flight = max_time;
-    Description d{scene, scene_facts(scene), steady_modes(scene, search), {}, {}};
+    Description d{scene, search, scene_facts(scene), steady_modes(scene, search), {}, {}};
+    for (SteadyMode& mode : d.steady.modes) analysis::sort_multipliers(mode.multipliers);
     for (const SteadyFamily& family : d.steady.families)
         d.families.push_back({family, member_of(scene, family, 0.5 * (family.from + family.to))});
     d.none_exist = none_reason(d.steady.set);
@@ -67,7 +69,9 @@ int describe(DescribeOptions& options) {
     std::optional<RecordWriter> record = open_record(options.output.record, "What is known of a swirled polygon");
     exit_when_interrupted();
     const Description d = description_of(scene, options.max_time);
-    const Settings settings = {{"max_time", options.max_time}, {"accuracy", options.output.accuracy_name}};
+    const Settings settings = {{"max_time", options.max_time},
+                               {"fastest_spin", d.search.fastest_spin},
+                               {"accuracy", options.output.accuracy_name}};
     if (record) {
         write_description_record(record->root(), d, settings);
         record->finish();
@@ -75,7 +79,7 @@ int describe(DescribeOptions& options) {
     if (options.output.json)
         write_description_document(options, d, settings);
     else if (!options.output.quiet)
-        print_description(d, options.max_time);
+        print_description(d);
     return exit_done;
 }
 

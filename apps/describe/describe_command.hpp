@@ -29,17 +29,21 @@ struct DescribedFamily {
 
 struct Description {
     Scene<double> scene;
+    SteadyOptions search;
     SceneFacts facts;
     SteadyModes steady;
     std::vector<DescribedFamily> families;  ///< those of `steady`
     std::string none_exist;                 ///< why there are no steady modes, where that is proven
+
+    /// True if `steady` lists all up to the longest flight that was asked for.
+    bool is_complete() const { return steady.complete_to >= search.longest_flight; }
 };
 
 /// @throws std::invalid_argument if a parameter is out of range
 Description description_of(const Scene<double>& scene, double max_time);
 
 void write_description_document(const DescribeOptions& options, const Description& d, const Settings& settings);
-void print_description(const Description& d, double max_time);
+void print_description(const Description& d);
 /// Groups scene, settings, facts (attributes), rim (of a disk), steady_modes and families (if there are any).
 void write_description_record(const RecordGroup& root, const Description& d, const Settings& settings);
 

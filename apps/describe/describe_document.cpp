@@ -1,3 +1,4 @@
+#include "analysis/cycles/stability.hpp"
 #include "apps/branches/branches.hpp"
 #include "apps/describe/describe_command.hpp"
 #include "apps/output/write_table.hpp"
@@ -29,6 +30,8 @@ std::string shelter_in_words(const Description& d) {
 std::string fate_in_words(const Description& d) {
     if (d.facts.impacts == ImpactFate::fade) return "fade: each lowers J (mu = 0) or the energy (beta = 0)";
     if (d.facts.impacts == ImpactFate::conserved) return "last: J is conserved (mu = 0, e = 1)";
+    if (d.scene.beta == 0 && d.scene.restitution == 1)
+        return "can last: without slip an impact takes nothing (beta = 0, e = 1)";
     return "can last: friction and swirl may give back what they take";
 }
 
@@ -64,7 +67,7 @@ Table<RimFacts> rim_table() {
     return {
         {},
         {{"rolls", &RimFacts::rolls},
-         F{"motion", motion}.table_only().shown("disk on the wall", "{}"),
+         F{"motion", motion}.table_only().shown("disk on the wall (reached if e < 1)", "{}"),
          F{"strength", &RimFacts::strength, "omega_s^2"}.shown("  pendulum's strength k", "{:.6g}"),
          F{"small_frequency", &RimFacts::small_frequency, "omega_s"}.shown("  small librations, sqrt(k)", "{:.6g}"),
          F{"circulation_energy", &RimFacts::circulation_energy, "omega_s^2"}.shown("  circulates above H", "{:.6g}"),
@@ -80,6 +83,10 @@ std::vector<double> parts_of(const SteadyMode& mode, double (*part)(const std::c
     std::vector<double> values;
     for (const auto& m : mode.multipliers) values.push_back(part(m));
     return values;
+}
+
+analysis::Stability stability_of_mode(const SteadyMode& mode) {
+    return analysis::stability_of(mode.multipliers);
 }
 
 /// Steady modes; `d` coordinates.
@@ -115,7 +122,7 @@ Table<SteadyMode> mode_table(bool disk, std::size_t d) {
          F{"largest_multiplier", [](const SteadyMode& m) { return std::abs(m.multipliers.front()); }}
              .table_only()
              .shown("|multiplier|", " {:>12.8g}"),
-         F{"stability", &SteadyMode::stability}.flags(names_up_to(SteadyStability::neutral)).shown("stability", "  {}"),
+         F{"stability", stability_of_mode}.flags(names_up_to(analysis::Stability::neutral)).shown("stability", "  {}"),
          {"residual", &SteadyMode::residual, "1", "largest |F(z) - z|"}}};
 }
 
@@ -130,9 +137,9 @@ Table<DescribedFamily> family_table(bool disk) {
         return f.midway ? std::abs(f.midway->multipliers.front()) : no_value;
     };
     const auto stability = [](const DescribedFamily& f) {
-        return f.midway ? std::string(name_of(f.midway->stability)) : "none";
+        return f.midway ? std::string(analysis::name_of(stability_of_mode(*f.midway))) : "none";
     };
-    std::vector<std::string> names = names_up_to(SteadyStability::neutral);
+    std::vector<std::string> names = names_up_to(analysis::Stability::neutral);
     names.emplace_back("none");
     return {{"family"},
             {F{"branch", [](const DescribedFamily& f) { return branch_name(f.family.branch); }}
@@ -148,6 +155,12 @@ Table<DescribedFamily> family_table(bool disk) {
              F{"midway_S", spin, "omega_s"}.record_only().shown("midway: S", " {:>13.9f}"),
              F{"midway_largest_multiplier", largest, "1"}.record_only().shown("|multiplier|", " {:>12.8g}"),
              F{"midway_stability", stability}.flags(names).record_only().shown("stability", "  {}")}};
+}
+
+/// Where S is free, the families are searched for up to some |S|.
+std::string spins_in_words(const Description& d) {
+    const bool free = d.steady.set == SteadySet::families && !d.scene.is_disk();
+    return free ? fmt::format(" and |S| <= {:g}", d.search.fastest_spin) : "";
 }
 
 std::string counted(const Description& d) {
@@ -172,18 +185,21 @@ void write_description_document(const DescribeOptions& options, const Descriptio
         json.key("none_exist");
         d.none_exist.empty() ? json.null() : json.value(d.none_exist);
         json.member("psi_is_free", d.steady.phase_is_free);
-        json.member("complete", d.steady.complete);
+        json.member("complete", d.is_complete());
+        json.member("complete_to", d.steady.complete_to);
         write_json(json, "settings", settings);
     });
 }
 
-void print_description(const Description& d, double max_time) {
+void print_description(const Description& d) {
     const bool disk = d.scene.is_disk();
     fmt::print("{}\n{}", scene_in_words(d.scene), shown_lines_of(fact_table(disk), d));
     if (d.facts.rim) fmt::print("{}", shown_lines_of(rim_table(), *d.facts.rim));
     if (!d.none_exist.empty()) return fmt::print("  {}\n", d.none_exist);
-    fmt::print("  steady modes with tau <= {:g}: {}{}\n", max_time, counted(d),
-               d.steady.complete ? "" : "; not all: there are too many to look at");
+    fmt::print("  steady modes with tau <= {:g}{}: {}{}\n", d.search.longest_flight, spins_in_words(d), counted(d),
+               d.is_complete()
+                   ? ""
+                   : fmt::format("; all up to tau = {:.6g}: there are more than are looked at", d.steady.complete_to));
     if (d.steady.phase_is_free) fmt::print("  psi of a steady mode is any constant (beta = 0); listed is psi = 0\n");
     if (!d.steady.modes.empty()) print_table(mode_table(disk, 0), d.steady.modes);
     if (!d.families.empty()) print_table(family_table(disk), d.families);
@@ -197,7 +213,8 @@ void write_description_record(const RecordGroup& root, const Description& d, con
     write_attributes(facts, fact_table(disk), d);
     facts.attribute("none_exist", d.none_exist);
     facts.attribute("psi_is_free", d.steady.phase_is_free);
-    facts.attribute("complete", d.steady.complete);
+    facts.attribute("complete", d.is_complete());
+    facts.attribute("complete_to", d.steady.complete_to);
     if (d.facts.rim) write_attributes(root.group("rim"), rim_table(), *d.facts.rim);
     if (!d.families.empty()) write_record(root.group("families"), family_table(disk), d.families);
     const RecordGroup group = root.group("steady_modes");

@@ -100,7 +100,7 @@ void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptio
         std::any_of(record.start.begin(), record.start.end(), [](const auto& entry) { return entry.first == "psi"; });
     for (const auto& [name, value] : record.start) {
         if (on_section)
-            point += (point.empty() ? "" : ",") + text_of(value);
+            point.append(point.empty() ? "" : ",").append(text_of(value));
         else
             start.set(name, text_of(value));
     }

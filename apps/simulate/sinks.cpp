@@ -20,7 +20,7 @@ std::string number_in(double value, int width) {
 
 Look number_of_width(int width) {
     return {fmt::format(" {{:>{}}}", width),
-            [width](const Value& value) { return " " + number_in(std::get<double>(value), width); }};
+            [width](const Value& value) { return fmt::format(" {}", number_in(std::get<double>(value), width)); }};
 }
 
 /// Group `collisions`.

@@ -125,7 +125,8 @@ OrbitColumns orbit_of(SpectrumOptions& options, const std::vector<std::string>& 
             fmt::format("the record's orbit leads through contact in {} accuracy, and its scene is kept in "
                         "double: give the scene and --accuracy instead of the record",
                         orbit.accuracy));
-    signal.notes.push_back("the orbit leads through contact: it is followed again from the record's scene and start");
+    signal.notes.emplace_back(
+        "the orbit leads through contact: it is followed again from the record's scene and start");
     return followed_again(orbit, options.output, names);
 }
 

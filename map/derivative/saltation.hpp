@@ -1,6 +1,6 @@
 // DF, exact, by hand: the flight's Jacobian at fixed time, the shift of the contact's time, the turn of the axes, the
 // impact's differential. It shares neither arithmetic nor formulas with the Jets of derivative.hpp and so checks them.
-// Derivation: map/README.md, "The derivative".
+// Derivation: map/README.md, "Derivative".
 #pragma once
 
 #include "map/derivative/linearised_collision.hpp"

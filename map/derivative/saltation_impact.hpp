@@ -1,5 +1,5 @@
 // The differential of the impact, by hand: how the impulse (p, q) of every law and contact mode changes with the state
-// before. Derivation: map/README.md, "The derivative".
+// before. Derivation: map/README.md, "Derivative".
 #pragma once
 
 #include "map/model/impact.hpp"

@@ -29,14 +29,14 @@ namespace steady {
 
 /// What depends on χ alone. T is double or a Jet; the scene stays plain.
 template <class T>
-struct Contact {
+struct SteadyGeometry {
     T sine, cosine;
     T width;   ///< w
     T radius;  ///< R
 };
 
 template <class T>
-Contact<T> contact_at(const Scene<double>& scene, SteadyBranch branch, const T& chi) {
+SteadyGeometry<T> geometry_at(const Scene<double>& scene, SteadyBranch branch, const T& chi) {
     using std::cos;
     using std::sin;
     using std::sqrt;
@@ -83,16 +83,22 @@ T restitution_deficit(const Scene<double>& scene, const T& sine, const T& cosine
     const T size = plain(sine) < 0 ? T(-sine) : sine;
     const T d = size * size / (kappa + cosine * cosine);                 // D − 1
     const T slipping = 1.0 + size * (size - scene.mu * cosine) / kappa;  // f = B₂ − μ|B₃|
-    if (scene.law == Law::newton) return T((1 - e) / (1 + e));
-    const T stop = slip_share(scene, size, cosine);
-    if (scene.law == Law::stronge) return stronge_deficit(e, stop, d, slipping);
-    if (plain(stop) * (1 + e) <= 1) return (1 - e - 2 * e * d) / (1 + e);  // slip stops in compression, p_c = p/(1 + e)
-    return (1 - e + 2.0 * (slipping - 1.0)) / (1 + e);
+    switch (scene.law) {
+        case Law::newton:
+            return T((1 - e) / (1 + e));
+        case Law::stronge:
+            return stronge_deficit(e, slip_share(scene, size, cosine), d, slipping);
+        case Law::poisson:
+            break;
+    }
+    // slip stops in compression, p_c = p/(1 + e), or later
+    const bool early = plain(slip_share(scene, size, cosine)) * (1 + e) <= 1;
+    return early ? T((1 - e - 2 * e * d) / (1 + e)) : T((1 - e + 2.0 * (slipping - 1.0)) / (1 + e));
 }
 
 /// S for which a contact ends without slip.
 template <class T>
-T sticking_spin(const Scene<double>& scene, const Contact<T>& at, const T& tau) {
+T sticking_spin(const Scene<double>& scene, const SteadyGeometry<T>& at, const T& tau) {
     using std::sin;
     const T half_impulse = at.radius * versine_rate(tau);
     return (at.width - at.radius * sin(tau) / tau - at.sine / at.cosine * (at.sine - half_impulse)) / scene.alpha;
@@ -100,7 +106,7 @@ T sticking_spin(const Scene<double>& scene, const Contact<T>& at, const T& tau) 
 
 /// S for which a contact that slips throughout ends with −u_n = e u_n⁻; χ ≠ 0.
 template <class T>
-T sliding_spin(const Scene<double>& scene, const Contact<T>& at, const T& tau) {
+T sliding_spin(const Scene<double>& scene, const SteadyGeometry<T>& at, const T& tau) {
     using std::sin;
     const T impulse = 2.0 * at.radius * versine_rate(tau) * at.cosine;
     // v_n = −(R/τ)(cos χ − cos(χ + τ))
@@ -123,7 +129,7 @@ T vertices_on(const Scene<double>& scene, const T& tau, const T& spin) {
 /// The section point of (τ, χ, S).
 inline SectionPoint<double> section_point_of(const Scene<double>& scene, SteadyBranch branch, double tau, double chi,
                                              double spin) {
-    const Contact<double> at = contact_at(scene, branch, chi);
+    const SteadyGeometry<double> at = geometry_at(scene, branch, chi);
     const double speed = 2 * at.radius * std::sin(0.5 * tau) / tau, along = chi + 0.5 * tau;
     // β cis(ψ + χ) = w − i sin χ; for β = 0 any ψ will do
     const double turned = scene.beta > 0 ? std::atan2(-at.sine, at.width) : 0;

@@ -18,7 +18,7 @@ SectionPoint<double> member_point(const Scene<double>& scene, SteadyBranch branc
 
 /// Nearer than this to a multiple of 2π the impact is slower than `least_speed`: u_n = Rτ/2 or R δ²/4πk there.
 bool is_too_slow(const Scene<double>& scene, SteadyBranch branch, double tau) {
-    return contact_at(scene, branch, 0.0).radius * versine_rate(tau) < 2 * least_speed;
+    return geometry_at(scene, branch, 0.0).radius * versine_rate(tau) < 2 * least_speed;
 }
 
 /// Where a condition that holds at `inside` ceases to.
@@ -34,14 +34,14 @@ double edge_between(const Condition& holds, double inside, double outside) {
 }  // namespace
 
 double family_spin(const Scene<double>& scene, SteadyBranch branch, long long j, double tau, double spin) {
-    if (scene.mu > 0) return sticking_spin(scene, contact_at(scene, branch, 0.0), tau);
+    if (scene.mu > 0) return sticking_spin(scene, geometry_at(scene, branch, 0.0), tau);
     return scene.is_disk() ? spin : spin_of(scene, tau, j);
 }
 
 std::vector<SteadyFamily> families_of(const MapOfScene& map, SteadyBranch branch, long long j, Interval flights) {
     const Scene<double>& scene = map.scene;
     std::vector<SteadyFamily> families;
-    if (!(contact_at(scene, branch, 0.0).radius > 0)) return families;
+    if (!(geometry_at(scene, branch, 0.0).radius > 0)) return families;
     const double turn = 2 * pi<double>();
     const auto holds = [&](double tau) { return arrives(map, j, tau, member_point(scene, branch, j, tau, 0)); };
     for (int k = static_cast<int>(flights.from / turn); turn * k < flights.to; ++k) {

@@ -46,7 +46,7 @@ struct Search {
     const Scene<double>& scene;
     const SteadyOptions& options;
     std::vector<Candidate> candidates;
-    bool complete = true;
+    double complete_to;
 };
 
 /// One curve: χ(τ) and S(τ, χ) on an interval of τ.
@@ -54,18 +54,17 @@ template <class ChiAt, class SpinAt>
 void search_curve(Search& search, SteadyBranch branch, Interval interval, bool slides, const ChiAt& chi_of,
                   const SpinAt& spin_at) {
     const auto j_at = [&](double tau) {
-        return vertices_on(search.scene, tau, spin_at(contact_at(search.scene, branch, chi_of(tau)), tau));
+        return vertices_on(search.scene, tau, spin_at(geometry_at(search.scene, branch, chi_of(tau)), tau));
     };
     const int cells = least_cells + static_cast<int>(cells_per_time * (interval.to - interval.from));
-    const std::size_t left = search.options.most - search.candidates.size();
-    const WholeNumbers whole = whole_numbers(j_at, interval.from, interval.to, cells, left);
-    search.complete = search.complete && whole.complete;
+    const WholeNumbers whole = whole_numbers(j_at, interval.from, interval.to, cells, search.options.most);
+    if (whole.complete_to < interval.to) search.complete_to = std::min(search.complete_to, whole.complete_to);
     for (const auto& [tau, j] : whole.found) search.candidates.push_back({branch, j, tau, chi_of(tau), slides});
 }
 
 void search_sticking(Search& search) {
     const Scene<double>& scene = search.scene;
-    const auto spin_at = [&](const Contact<double>& at, double tau) { return sticking_spin(scene, at, tau); };
+    const auto spin_at = [&](const SteadyGeometry<double>& at, double tau) { return sticking_spin(scene, at, tau); };
     for (const StickingCurve& curve : sticking_curves(scene, search.options.longest_flight))
         search_curve(
             search, curve.branch, {curve.from, curve.to}, false, [&](double tau) { return chi_at(scene, curve, tau); },
@@ -77,7 +76,7 @@ template <class SpinAt>
 void search_line(Search& search, double chi, bool slides, const SpinAt& spin_at) {
     for (const SteadyBranch branch : {SteadyBranch::plus, SteadyBranch::minus}) {
         if (search.scene.beta == 0 && branch == SteadyBranch::minus) continue;  // the same
-        if (!(contact_at(search.scene, branch, chi).radius > 0)) continue;
+        if (!(geometry_at(search.scene, branch, chi).radius > 0)) continue;
         // The line begins at j = 0, τ = 0, where the impact vanishes; roots of j = 0 near it (e → 1) need closer looks.
         const double longest = search.options.longest_flight, shorter = std::min(short_flight, longest);
         for (const Interval interval : {Interval{shortest_flight_time, shorter}, Interval{shorter, longest}})
@@ -91,7 +90,7 @@ void search_sliding(Search& search) {
     const Scene<double>& scene = search.scene;
     const double chi = std::atan(scene.mu);
     if (chi > widest_sticking_chi(scene)) return;
-    const auto spin_at = [&](const Contact<double>& at, double tau) { return sliding_spin(scene, at, tau); };
+    const auto spin_at = [&](const SteadyGeometry<double>& at, double tau) { return sliding_spin(scene, at, tau); };
     search_line(search, chi, true, spin_at);
     search_line(search, -chi, true, spin_at);
 }
@@ -103,7 +102,7 @@ void polish(const Scene<double>& scene, Candidate& candidate) {
     double tau = candidate.tau, chi = candidate.chi;
     for (int i = 0; i < 4; ++i) {
         const Jet t(tau, 0), x(chi, 1);
-        const Contact<Jet> at = contact_at(scene, candidate.branch, x);
+        const SteadyGeometry<Jet> at = geometry_at(scene, candidate.branch, x);
         const Jet deficit = restitution_deficit(scene, at.sine, at.cosine);
         const Jet law = at.radius * versine_rate(t) * (at.sine * at.sine + deficit * at.cosine * at.cosine) - at.sine;
         const Jet count = vertices_on(scene, t, sticking_spin(scene, at, t)) - static_cast<double>(candidate.j);
@@ -120,7 +119,7 @@ void polish(const Scene<double>& scene, Candidate& candidate) {
 
 /// The contact slips throughout: u_t keeps the side that friction was given, sign χ.
 bool keeps_slipping(const Scene<double>& scene, const Candidate& c) {
-    const Contact<double> at = contact_at(scene, c.branch, c.chi);
+    const SteadyGeometry<double> at = geometry_at(scene, c.branch, c.chi);
     const double lag = spin_of(scene, c.tau, c.j) - sticking_spin(scene, at, c.tau);  // u_t = α cos χ (S − S_sticking)
     return c.chi > 0 ? lag >= 0 : lag <= 0;
 }
@@ -140,14 +139,13 @@ SectionPoint<double> leaving(const Body<double>& body, SectionPoint<double> z) {
 }
 
 void verify(const Search& search, SteadyModes& result) {
-    const Body<double> body = make_body(search.scene);
     const MapOfScene map = map_of(search.scene);
     for (Candidate candidate : search.candidates) {
         if (candidate.slides && !keeps_slipping(search.scene, candidate)) continue;
         if (!candidate.slides && candidate.chi != 0) polish(search.scene, candidate);
         const auto& [branch, j, tau, chi, slides] = candidate;
         const SectionPoint<double> z = section_point_of(search.scene, branch, tau, chi, spin_of(search.scene, tau, j));
-        const auto mode = verified_mode(map, branch, j, tau, leaving(body, z));
+        const auto mode = verified_mode(map, branch, j, tau, leaving(map.body, z));
         if (mode) result.modes.push_back(*mode);
     }
     std::sort(result.modes.begin(), result.modes.end(), [](const SteadyMode& a, const SteadyMode& b) {
@@ -156,15 +154,27 @@ void verify(const Search& search, SteadyModes& result) {
     result.modes.erase(std::unique(result.modes.begin(), result.modes.end(), is_same), result.modes.end());
 }
 
+/// The earliest `most` of all curves: what is listed is complete up to some τ.
+void keep_earliest(Search& search) {
+    auto& all = search.candidates;
+    std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.tau < b.tau; });
+    if (all.size() > search.options.most) {
+        search.complete_to = std::min(search.complete_to, all[search.options.most].tau);
+        all.resize(search.options.most);
+    }
+    while (!all.empty() && all.back().tau > search.complete_to) all.pop_back();
+}
+
 void find_points(const Scene<double>& scene, const SteadyOptions& options, SteadyModes& result) {
-    Search search{scene, options, {}, true};
+    Search search{scene, options, {}, options.longest_flight};
     search_sticking(search);
     search_sliding(search);
     if (scene.restitution == 1)  // χ = 0: the law holds for every Q
         search_line(search, 0, false,
-                    [&](const Contact<double>& at, double tau) { return sticking_spin(scene, at, tau); });
+                    [&](const SteadyGeometry<double>& at, double tau) { return sticking_spin(scene, at, tau); });
+    keep_earliest(search);
     result.candidates = search.candidates.size();
-    result.complete = search.complete;
+    result.complete_to = search.complete_to;
     verify(search, result);
 }
 
@@ -188,9 +198,10 @@ void find_families(const Scene<double>& scene, const SteadyOptions& options, Ste
     };
     look(0);
     for (long long size = 1; !scene.is_disk(); ++size) {
-        if (shortest_flight(scene, size, options.fastest_spin) >= options.longest_flight) break;  // then −size too
+        const double shortest = shortest_flight(scene, size, options.fastest_spin);
+        if (shortest >= options.longest_flight) break;  // then −size too
         if (size > options.most_steps) {
-            result.complete = false;
+            result.complete_to = shortest;
             break;
         }
         look(size);
@@ -211,6 +222,7 @@ SteadyModes steady_modes(const Scene<double>& scene, const SteadyOptions& option
     if (!(options.fastest_spin >= 1 && options.fastest_spin <= 1e6))
         detail::out_of_range("fastest-spin", options.fastest_spin, "1 <= fastest-spin <= 1e6");
     SteadyModes result;
+    result.complete_to = options.longest_flight;
     result.phase_is_free = scene.beta == 0;
     const bool on_families = scene.is_disk() || scene.mu == 0;
     if (!on_families) {

@@ -25,7 +25,7 @@ std::string_view name_of(SteadySet set);
 
 struct SteadyOptions {
     double longest_flight = 12;  ///< τ, in 1/ω_s; (0, 10⁴]
-    std::size_t most = 100'000;  ///< solutions put to the map
+    std::size_t most = 100'000;  ///< solutions put to the map, the earliest in τ
     double fastest_spin = 5;     ///< of a polygon without friction, where S is free: |S| ≤ this, [1, 10⁶] …
     long long most_steps = 100;  ///< … and |j| ≤ this
 };
@@ -35,16 +35,18 @@ struct SteadyModes {
     std::vector<SteadyMode> modes;       ///< by branch (+ first) and rising τ
     std::vector<SteadyFamily> families;  ///< by branch, j and τ
     std::size_t candidates = 0;          ///< solutions of both equations, before the map was asked
-    bool complete = true;                ///< false: `most` or `most_steps` cut the search short
-    bool phase_is_free = false;          ///< β = 0: ψ is any constant; listed is ψ = 0
+    double complete_to = 0;      ///< all with τ ≤ this are listed: the longest flight, or less if there are too many
+    bool phase_is_free = false;  ///< β = 0: ψ is any constant; listed is ψ = 0
 };
 
-/// All steady modes with τ ≤ longest_flight whose impacts are faster than 10⁻⁶.
+/// All steady modes with τ ≤ longest_flight whose impacts are faster than 10⁻⁶; where j and so S is free, a polygon's
+/// without friction, those with |S| ≤ fastest_spin: a family may end there.
 ///
 /// Missed are two modes about a turn of a curve that is narrower than the grid (0.005 in τ; a hundredth of the range of
 /// χ), and modes within rounding of a border of the map (grazing, |tan χ| = μ).
-/// Cost: some ten milliseconds; some ten microseconds for each candidate, of which there are about
-/// Nτ(1 + |S|)/2π for each curve.
+/// Cost: some ten milliseconds; some ten microseconds for each candidate, of which there are about Nτ(1 + |S|)/2π for
+/// each curve; of families a collision, a microsecond, for each 0.01 of τ and each j with |S| ≤ fastest_spin, so
+/// that it grows with N τ².
 /// @throws std::invalid_argument if a parameter or an option is out of range
 SteadyModes steady_modes(const Scene<double>& scene, const SteadyOptions& options = {});
 

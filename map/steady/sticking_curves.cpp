@@ -20,7 +20,7 @@ constexpr double smallest_share = 1e-22;  // of the widest χ: χ ≈ Q(1 − e)
 /// (1 − cos τ)/τ stays below 0.73.
 double bounded(const Scene<double>& scene, SteadyBranch branch, double chi) {
     constexpr double cut = 0.6;
-    const Contact<double> at = contact_at(scene, branch, chi);
+    const SteadyGeometry<double> at = geometry_at(scene, branch, chi);
     const double square = at.cosine * at.cosine, size = std::fabs(at.sine);
     const double needed = at.sine * at.sine + restitution_deficit(scene, at.sine, at.cosine) * square;
     const double along = at.sine < 0 ? -needed : needed;

@@ -11,18 +11,6 @@
 
 namespace swirl {
 
-std::string_view name_of(SteadyStability stability) {
-    switch (stability) {
-        case SteadyStability::stable:
-            return "stable";
-        case SteadyStability::unstable:
-            return "unstable";
-        case SteadyStability::neutral:
-            break;
-    }
-    return "neutral";
-}
-
 namespace steady {
 
 namespace {
@@ -37,10 +25,7 @@ double size_of(const SectionPoint<double>& z) {
 }
 
 /// u_n before the impact, from that after it: C changes by B₂ p + B₃ q.
-double speed_before(const Scene<double>& scene, const Collision<double>& collision) {
-    Body<double> body;  // what the kinematics read of it
-    body.alpha = scene.alpha, body.beta = scene.beta;
-    body.inertia = scene.inertia_factor * scene.alpha * scene.alpha, body.per_inertia = 1 / body.inertia;
+double speed_before(const Body<double>& body, const Collision<double>& collision) {
     const ContactKinematics<double> at = contact_kinematics(body, collision.after);
     return at.un + at.b2() * collision.impulse.normal + at.b3() * collision.impulse.tangential;
 }
@@ -51,18 +36,12 @@ double time_rounding(const SectionPoint<double>& z, double speed) {
 }
 
 /// The next impact is the j-th vertex's at τ, and no mere touch.
-bool is_expected(const Scene<double>& scene, long long j, double tau, const SectionPoint<double>& z,
+bool is_expected(const MapOfScene& map, long long j, double tau, const SectionPoint<double>& z,
                  const Collision<double>& collision) {
     if (collision.outcome != FirstContactOutcome::contact) return false;
-    if (!scene.is_disk() && (collision.vertex_step - j) % scene.sides != 0) return false;
-    const double speed = speed_before(scene, collision);
+    if (!map.scene.is_disk() && (collision.vertex_step - j) % map.scene.sides != 0) return false;
+    const double speed = speed_before(map.body, collision);
     return speed >= least_speed && std::fabs(collision.flight_time - tau) <= time_rounding(z, speed) + 1e-12 * tau;
-}
-
-SteadyStability stability_of(const std::vector<std::complex<double>>& by_falling_modulus) {
-    const double largest = std::abs(by_falling_modulus.front());
-    if (largest > 1 + neutral_margin) return SteadyStability::unstable;
-    return largest < 1 - neutral_margin ? SteadyStability::stable : SteadyStability::neutral;
 }
 
 }  // namespace
@@ -71,7 +50,7 @@ MapOfScene map_of(const Scene<double>& scene) {
     return with_collision_map(scene, [&](const auto& map) -> MapOfScene {
         const auto kept = std::make_shared<
             DifferentiatedMap<double, std::decay_t<decltype(map)>::shape, std::decay_t<decltype(map)>::rule>>(map);
-        return {scene, [kept](const SectionPoint<double>& z, bool with_derivative) -> Seen {
+        return {scene, make_body(scene), [kept](const SectionPoint<double>& z, bool with_derivative) -> Seen {
                     if (!with_derivative) return {kept->map().advance(post_impact_state(z)), {}};
                     const auto step = kept->linearise(z);
                     return {step.collision, step.derivative};
@@ -80,7 +59,7 @@ MapOfScene map_of(const Scene<double>& scene) {
 }
 
 bool arrives(const MapOfScene& map, long long j, double tau, const SectionPoint<double>& z) {
-    return is_expected(map.scene, j, tau, z, map.apply(z, false).collision);
+    return is_expected(map, j, tau, z, map.apply(z, false).collision);
 }
 
 std::optional<SteadyMode> verified_mode(const MapOfScene& map, SteadyBranch branch, long long j, double tau,
@@ -90,7 +69,7 @@ std::optional<SteadyMode> verified_mode(const MapOfScene& map, SteadyBranch bran
     SteadyMode mode;
     mode.branch = branch, mode.j = j, mode.tau = tau, mode.chi = z.chi, mode.point = z;
     mode.contact = collision.impulse.mode;
-    mode.speed = speed_before(map.scene, collision);
+    mode.speed = speed_before(map.body, collision);
     mode.residual = distance(section_point(collision.after), z);
     mode.amplification = derivative.norm();
     const double closed =
@@ -100,7 +79,6 @@ std::optional<SteadyMode> verified_mode(const MapOfScene& map, SteadyBranch bran
     mode.multipliers.assign(values.begin(), values.end());
     std::sort(mode.multipliers.begin(), mode.multipliers.end(),
               [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
-    mode.stability = stability_of(mode.multipliers);
     return mode;
 }
 

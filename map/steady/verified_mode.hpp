@@ -9,17 +9,9 @@
 #include <complex>
 #include <functional>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace swirl {
-
-enum class SteadyStability {
-    stable,    ///< all multipliers inside the unit circle
-    unstable,  ///< one outside
-    neutral,   ///< none outside, some on it
-};
-std::string_view name_of(SteadyStability stability);
 
 /// A fixed point of F with impacts. All vary continuously with the scene, but for j and the branch.
 struct SteadyMode {
@@ -31,9 +23,8 @@ struct SteadyMode {
     ContactMode contact = ContactMode::frictionless;
     SectionPoint<double> point;                     ///< z = F(z), just after the impact
     std::vector<std::complex<double>> multipliers;  ///< of DF (5; disk 4), by falling modulus
-    SteadyStability stability = SteadyStability::neutral;
-    double residual = 0;       ///< max-norm of F(z) − z
-    double amplification = 0;  ///< ‖DF‖ (Frobenius): by how much F enlarges the rounding of z
+    double residual = 0;                            ///< max-norm of F(z) − z
+    double amplification = 0;                       ///< ‖DF‖ (Frobenius): by how much F enlarges the rounding of z
 };
 
 namespace steady {
@@ -46,10 +37,6 @@ inline constexpr double least_speed = 1e-6;
 /// of 4,000 random scenes.
 inline constexpr double closing_units = 64;
 
-/// A multiplier's modulus this near to 1 can't be told from it: a double multiplier 1 (e = 1 without friction) splits
-/// by the root of rounding.
-inline constexpr double neutral_margin = 1e-6;
-
 /// One application of F as the checks see it.
 struct Seen {
     Collision<double> collision;
@@ -59,6 +46,7 @@ struct Seen {
 /// The map of a scene, made once for many questions.
 struct MapOfScene {
     Scene<double> scene;
+    Body<double> body;
     std::function<Seen(const SectionPoint<double>& z, bool with_derivative)> apply;
 };
 MapOfScene map_of(const Scene<double>& scene);

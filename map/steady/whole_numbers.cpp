@@ -61,19 +61,19 @@ double root_between(const Function& f, const Sample& a, const Sample& b, double 
 
 WholeNumbers whole_numbers(const Function& f, double from, double to, int cells, std::size_t most) {
     WholeNumbers result;
+    result.complete_to = to;
     const std::vector<Sample> all = with_extrema(f, samples_of(f, from, to, cells));
     for (std::size_t i = 1; i < all.size(); ++i) {
         const Sample &a = all[i - 1], &b = all[i];
         const double low = std::min(a.value, b.value), high = std::max(a.value, b.value);
         if (!(std::fabs(low) < 1e15 && std::fabs(high) < 1e15)) continue;  // beyond, every double is whole
-        for (double level = std::ceil(low); level <= high; ++level) {
-            if (level == a.value && i > 1) continue;  // of the cell before
-            if (result.found.size() >= most) {
-                result.complete = false;
-                return result;
-            }
-            result.found.push_back({root_between(f, a, b, level), static_cast<long long>(level)});
+        if (high - low >= static_cast<double>(most - result.found.size())) {
+            result.complete_to = a.x;
+            break;
         }
+        for (double level = std::ceil(low); level <= high; ++level)
+            if (level != a.value || i == 1)  // else it is of the cell before
+                result.found.push_back({root_between(f, a, b, level), static_cast<long long>(level)});
     }
     std::sort(result.found.begin(), result.found.end(),
               [](const WholeNumber& a, const WholeNumber& b) { return a.at < b.at; });

@@ -171,8 +171,8 @@ double hold_on_separatrix(double alpha, double beta, double mu, double direction
     return least;
 }
 
-/// map/sustained/README.md, "What a disk ends as": at μ = 0.4 circulation (against the swirl's turning) lasts for
-/// β = 0.05 with α ≤ 0.62 only.
+/// map/sustained/README.md, "The final states of a disk": at μ = 0.4 circulation (against the swirl's turning) lasts
+/// for β = 0.05 with α ≤ 0.62 only.
 TEST(SceneFacts, CirculationLastsWhereTheTableSaysSo) {
     for (const double alpha : {0.1, 0.15, 0.35, 0.62, 0.8, 0.9})
         for (const double beta : {0.05, 0.23, 0.6, 1.0}) {

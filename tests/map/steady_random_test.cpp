@@ -148,7 +148,7 @@ void check_random_scenes(std::uint64_t seed, long scenes, int starts) {
     for (long number = 0; number < scenes; ++number) {
         const Scene<double> scene = random_scene(draw, number);
         const SteadyModes result = steady_modes(scene);
-        if (!result.complete) {  // weak friction on a small body: slip spins it so fast that 10⁵ vertices pass
+        if (result.complete_to < 12) {  // weak friction on a small body: slip spins it so fast that 10⁵ vertices pass
             ++counts.cut_short;
             continue;
         }

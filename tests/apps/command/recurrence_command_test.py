@@ -20,7 +20,7 @@ GOLDEN = (math.sqrt(5) - 1) / 2
 
 
 class PublishedRecurrence(unittest.TestCase):
-    """RecurrenceAnalysis.jl's tests, which were checked against the CRP Toolbox (docs/tests/references/README.md)."""
+    """RecurrenceAnalysis.jl's tests, which were checked against the CRP Toolbox (tests/references/README.md)."""
 
     def check(self, arguments, published):
         found = document(f"recurrence {arguments} --dimension 3 --delay 6 --threshold 1.2")

@@ -103,7 +103,7 @@ class ClassifySeries(InFolder):
                 self.assertEqual(found["period"], 4 if found["kind"] == "cycle" else None)
                 self.assertEqual(found["largest_exponent"] is None, found["mode"] != "chaotic")
                 self.assertIsNone(found["mean_S"])  # no times, no mean over time
-        # Noise lowers the rate at which neighbours part: 10 % of 0.41922 (Sprott 2003, docs/tests/references/README.md).
+        # Noise lowers the rate at which neighbours part: 10 % of 0.41922 (Sprott 2003, tests/references/README.md).
         found = document(f"classify --series {self.series('h.csv', henon)}")
         self.assertAlmostEqual(found["largest_exponent"], 0.41922, delta=0.02)
 

@@ -48,6 +48,13 @@ class Layers(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("a circle of folders: map/model -> map/numbers -> map/model", text)
 
+    def test_a_folder_that_the_picture_lacks_is_named(self):
+        drawn = {**self.FILES, "docs/architecture.svg": "<text>numbers/</text>"}
+        code, text = printed(check_layers.main, drawn)
+        self.assertEqual(code, 1)
+        self.assertIn("docs/architecture.svg does not show map/model/", text)
+        self.assertNotIn("show map/numbers/", text)
+
     def test_nothing_to_check_is_an_error(self):
         self.assertEqual(printed(check_layers.main, {"README.md": ""})[0], 2)
 

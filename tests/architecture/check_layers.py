@@ -2,7 +2,8 @@
 
 A folder stands one layer above the highest folder that it includes, so that nothing includes upwards. Folders that
 include each other in a circle have no layer: each circle is printed, and the exit code is 1; 2 if ROOT holds no sources.
-A file beside folders (map/collision_map.hpp) is a room of its own.
+A file beside folders (map/collision_map.hpp) is a room of its own. Every folder of map/ and analysis/, and each of apps/
+that commands share, has its place in docs/architecture.svg, if ROOT has that picture.
 """
 
 import sys
@@ -29,6 +30,11 @@ def room_graph(root):
     return graph
 
 
+def folders_of(root, graph):
+    """The graph without files that are rooms of their own."""
+    return {room: included for room, included in graph.items() if (root / room).is_dir()}
+
+
 def layers_of(graph):
     """Lists of rooms from the lowest layer up, and the rooms that are left because they lie on or above a circle."""
     layers, placed, left = [], set(), set(graph)
@@ -50,6 +56,14 @@ def circle_in(graph, rooms):
     return path[path.index(path[-1]):]
 
 
+def missing_in_picture(graph, picture):
+    """The folders that a picture of the architecture should name and does not; a command's own folder is one of many."""
+    shared = {room for room in graph if any(room in graph[other] for other in graph
+                                            if other.startswith("apps/") and other != "apps/main")}
+    wanted = [room for room in graph if (room.startswith("apps/") and room in shared) or not room.startswith("apps/")]
+    return [room for room in sorted(wanted) if room.count("/") and (room.split("/")[-1] + "/") not in picture]
+
+
 def main(arguments):
     root = Path(arguments[0]) if len(arguments) == 1 else None
     graph = room_graph(root) if root else {}
@@ -61,7 +75,11 @@ def main(arguments):
         print(f"{number:3}  {'  '.join(layer)}")
     if left:
         print("a circle of folders:", " -> ".join(circle_in(graph, left)))
-    return 1 if left else 0
+    picture = root / "docs" / "architecture.svg"
+    missing = missing_in_picture(folders_of(root, graph), picture.read_text(encoding="utf-8")) if picture.exists() else []
+    for room in missing:
+        print(f"docs/architecture.svg does not show {room}/")
+    return 1 if left or missing else 0
 
 
 if __name__ == "__main__":

@@ -261,14 +261,6 @@ class Input(InFolder):
             self.assertEqual(interrupted(arguments, 1), 130)
             self.assertEqual(list(self.folder.iterdir()), [])
 
-    def test_examples_of_the_help_run(self):
-        for command in ("recurrence", "spectrum"):
-            examples = [line.split("swirl ", 1)[1] for line in run(f"{command} --help").stdout.splitlines()
-                        if line.startswith("  swirl ")]
-            self.assertEqual(len(examples), 2)
-            for example in examples:
-                self.assertEqual(run(example, cwd=self.folder).returncode, 0, example)
-
 
 if __name__ == "__main__":
     unittest.main()

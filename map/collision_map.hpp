@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/first_contact/first_contact.hpp"
+#include "map/map_list.hpp"
 #include "map/model/body.hpp"
 #include "map/model/section.hpp"
 
@@ -184,23 +185,8 @@ auto CollisionMap<T, shape_, rule_>::advance_with_certainty(const Flight<T>& fli
 }
 
 // Compiled once, in maps_in_*.cpp: the first contact takes a second to compile for each map.
-extern template class CollisionMap<double, Shape::disk, ImpactRule::frictionless>;
-extern template class CollisionMap<double, Shape::disk, ImpactRule::poisson>;
-extern template class CollisionMap<double, Shape::polygon, ImpactRule::frictionless>;
-extern template class CollisionMap<double, Shape::polygon, ImpactRule::poisson>;
-extern template class CollisionMap<double, Shape::polygon, ImpactRule::newton>;
-extern template class CollisionMap<double, Shape::polygon, ImpactRule::stronge>;
-extern template class CollisionMap<long double, Shape::disk, ImpactRule::frictionless>;
-extern template class CollisionMap<long double, Shape::disk, ImpactRule::poisson>;
-extern template class CollisionMap<long double, Shape::polygon, ImpactRule::frictionless>;
-extern template class CollisionMap<long double, Shape::polygon, ImpactRule::poisson>;
-extern template class CollisionMap<long double, Shape::polygon, ImpactRule::newton>;
-extern template class CollisionMap<long double, Shape::polygon, ImpactRule::stronge>;
-extern template class CollisionMap<Quad, Shape::disk, ImpactRule::frictionless>;
-extern template class CollisionMap<Quad, Shape::disk, ImpactRule::poisson>;
-extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::frictionless>;
-extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::poisson>;
-extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::newton>;
-extern template class CollisionMap<Quad, Shape::polygon, ImpactRule::stronge>;
+SWIRL_EVERY_MAP(SWIRL_DECLARE_COLLISION_MAP, double)
+SWIRL_EVERY_MAP(SWIRL_DECLARE_COLLISION_MAP, long double)
+SWIRL_EVERY_MAP(SWIRL_DECLARE_COLLISION_MAP, Quad)
 
 }  // namespace swirl

@@ -2,11 +2,6 @@
 
 namespace swirl {
 
-template class CollisionMap<double, Shape::disk, ImpactRule::frictionless>;
-template class CollisionMap<double, Shape::disk, ImpactRule::poisson>;
-template class CollisionMap<double, Shape::polygon, ImpactRule::frictionless>;
-template class CollisionMap<double, Shape::polygon, ImpactRule::poisson>;
-template class CollisionMap<double, Shape::polygon, ImpactRule::newton>;
-template class CollisionMap<double, Shape::polygon, ImpactRule::stronge>;
+SWIRL_EVERY_MAP(SWIRL_COMPILE_COLLISION_MAP, double)
 
 }  // namespace swirl

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "map/derivative/linearised_collision.hpp"
+#include "map/map_list.hpp"
 
 #include <ceres/jet.h>
 
@@ -93,11 +94,6 @@ auto DifferentiatedMap<T, shape, rule>::derivative_of(const PostImpactState<T>& 
 }
 
 // Compiled once, in differentiated_*.cpp.
-extern template class DifferentiatedMap<double, Shape::disk, ImpactRule::frictionless>;
-extern template class DifferentiatedMap<double, Shape::disk, ImpactRule::poisson>;
-extern template class DifferentiatedMap<double, Shape::polygon, ImpactRule::frictionless>;
-extern template class DifferentiatedMap<double, Shape::polygon, ImpactRule::poisson>;
-extern template class DifferentiatedMap<double, Shape::polygon, ImpactRule::newton>;
-extern template class DifferentiatedMap<double, Shape::polygon, ImpactRule::stronge>;
+SWIRL_EVERY_MAP(SWIRL_DECLARE_DERIVATIVE, double)
 
 }  // namespace swirl

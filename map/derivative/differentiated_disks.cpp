@@ -2,7 +2,6 @@
 
 namespace swirl {
 
-template class DifferentiatedMap<double, Shape::disk, ImpactRule::frictionless>;
-template class DifferentiatedMap<double, Shape::disk, ImpactRule::poisson>;
+SWIRL_EVERY_DISK_MAP(SWIRL_COMPILE_DERIVATIVE, double)
 
 }  // namespace swirl

@@ -2,7 +2,6 @@
 
 namespace swirl {
 
-template class DifferentiatedMap<double, Shape::polygon, ImpactRule::frictionless>;
-template class DifferentiatedMap<double, Shape::polygon, ImpactRule::poisson>;
+SWIRL_EVERY_POLYGON_MAP(SWIRL_COMPILE_DERIVATIVE, double)
 
 }  // namespace swirl

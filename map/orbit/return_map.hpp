@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/collision_map.hpp"
+#include "map/map_list.hpp"
 #include "map/orbit/outcome.hpp"
 #include "map/sustained/contact_phase.hpp"
 #include "map/sustained/release.hpp"
@@ -241,23 +242,8 @@ auto ReturnMap<Map>::after_contact(const PostImpactState<T>& post_impact, const 
 }
 
 // Compiled once, in return_map_in_*.cpp.
-extern template class ReturnMap<CollisionMap<double, Shape::disk, ImpactRule::frictionless>>;
-extern template class ReturnMap<CollisionMap<double, Shape::disk, ImpactRule::poisson>>;
-extern template class ReturnMap<CollisionMap<double, Shape::polygon, ImpactRule::frictionless>>;
-extern template class ReturnMap<CollisionMap<double, Shape::polygon, ImpactRule::poisson>>;
-extern template class ReturnMap<CollisionMap<double, Shape::polygon, ImpactRule::newton>>;
-extern template class ReturnMap<CollisionMap<double, Shape::polygon, ImpactRule::stronge>>;
-extern template class ReturnMap<CollisionMap<long double, Shape::disk, ImpactRule::frictionless>>;
-extern template class ReturnMap<CollisionMap<long double, Shape::disk, ImpactRule::poisson>>;
-extern template class ReturnMap<CollisionMap<long double, Shape::polygon, ImpactRule::frictionless>>;
-extern template class ReturnMap<CollisionMap<long double, Shape::polygon, ImpactRule::poisson>>;
-extern template class ReturnMap<CollisionMap<long double, Shape::polygon, ImpactRule::newton>>;
-extern template class ReturnMap<CollisionMap<long double, Shape::polygon, ImpactRule::stronge>>;
-extern template class ReturnMap<CollisionMap<Quad, Shape::disk, ImpactRule::frictionless>>;
-extern template class ReturnMap<CollisionMap<Quad, Shape::disk, ImpactRule::poisson>>;
-extern template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::frictionless>>;
-extern template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::poisson>>;
-extern template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::newton>>;
-extern template class ReturnMap<CollisionMap<Quad, Shape::polygon, ImpactRule::stronge>>;
+SWIRL_EVERY_MAP(SWIRL_DECLARE_RETURN_MAP, double)
+SWIRL_EVERY_MAP(SWIRL_DECLARE_RETURN_MAP, long double)
+SWIRL_EVERY_MAP(SWIRL_DECLARE_RETURN_MAP, Quad)
 
 }  // namespace swirl

@@ -1,8 +1,0 @@
-#include "map/derivative/derivative.hpp"
-
-namespace swirl {
-
-template class DifferentiatedMap<double, Shape::polygon, ImpactRule::newton>;
-template class DifferentiatedMap<double, Shape::polygon, ImpactRule::stronge>;
-
-}  // namespace swirl

@@ -1,0 +1,7 @@
+#include "map/orbit/return_map.hpp"
+
+namespace swirl {
+
+SWIRL_EVERY_DISK_MAP(SWIRL_COMPILE_RETURN_MAP, Quad)
+
+}  // namespace swirl

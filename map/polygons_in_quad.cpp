@@ -1,0 +1,7 @@
+#include "map/collision_map.hpp"
+
+namespace swirl {
+
+SWIRL_EVERY_POLYGON_MAP(SWIRL_COMPILE_COLLISION_MAP, Quad)
+
+}  // namespace swirl

@@ -120,7 +120,7 @@ private:
         const T un = state.vn - body_.beta * state.psi.y;
         const T half(0.5);
         if constexpr (rule == ImpactRule::frictionless) {
-            const T p = (T(1) + scene_.restitution) * un;
+            const T p = (T(1) + scene_.restitution) * approaching(un);
             state.vn = state.vn - p;
             collision.jacobi_restitution = -p * (un - half * p);
             collision.jacobi_friction = T(0);

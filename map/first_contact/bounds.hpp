@@ -83,19 +83,62 @@ inline FirstContactOutcome without_step(const T& step) {
     return step > T(0) ? FirstContactOutcome::no_contact : FirstContactOutcome::unresolved;
 }
 
-/// True once the error that a last step leaves, M h³/g′, is far below the rounding of τ.
+/// True once the error that a last step leaves, M h³/g′, is far below the rounding of τ, and g′ is still positive after
+/// it. (After a flight so long that its rounding is no small part of the swirl's turn the first alone is not enough.)
 template <class T>
 inline bool is_last(const Gap<T>& gap, const T& third, const T& step, const T& time) {
-    return gap.rate > 0 && third * step * step * step <= T(0.001) * epsilon<T>() * gap.rate * (time + step);
+    const T change = third * step * step;
+    return gap.rate > 0 && change * step <= T(0.001) * epsilon<T>() * gap.rate * (time + step) &&
+           gap.rate + step * std::min(gap.bend, T(0)) > T(0.5) * change;
+}
+
+/// Steps after which bounds that are seldom of use are tried as well. Ordinary flights take fewer than 20.
+inline constexpr int ordinary_steps = 200;
+
+/// True if an approaching vertex (disk) is at the wall as nearly as τ can say: the time to it is within τ's rounding.
+/// So slow a body is within rounding of the wall for longer than the swirl takes to turn.
+template <class T>
+inline bool is_at_wall(const Gap<T>& gap, const T& time, int steps) {
+    return steps > ordinary_steps && gap.rate > 0 && -gap.value <= T(4) * epsilon<T>() * time * gap.rate;
+}
+
+/// A safe step, but no longer than a part of the swirl's turn where the way left is within τ's rounding when the swirl
+/// is left out: the wall is there now, and strikes in that part of the swirl's turn in which it approaches.
+///   free_rate  d|y|²/dt of what may touch, seen from the swirl's centre
+template <class T>
+inline T step_within_rounding(const Gap<T>& gap, const T& step, const T& time, int steps, const T& free_rate) {
+    using std::fabs;
+    const bool is_there = steps > ordinary_steps && fabs(gap.value) <= T(4) * epsilon<T>() * time * free_rate;
+    return is_there ? std::min(step, T(0.5)) : step;
 }
 
 /// The time by which a moment lies beyond its contact, g/g′ where rounding left g > 0: the search goes back by it.
 /// Otherwise contacts reached from beyond would be late and those reached from before exact, a bias that accumulates in
-/// J.
+/// J. Not where g′ would change its sign on the way: then rounding had g > 0 before it approached, and further back it
+/// recedes.
 template <class T>
 inline T overshoot(const Gap<T>& gap, const T& time) {
     if (!(gap.value > 0 && gap.rate > 0)) return T(0);
-    return std::min(T(gap.value / gap.rate), time);
+    const T back = std::min(T(gap.value / gap.rate), time);
+    return back * gap.bend < gap.rate ? back : T(0);
+}
+
+/// A difference of squares below this share of either has lost half of a double's digits.
+inline constexpr double few_digits_left = 0x1p-26;
+
+/// How long the centre of a disk that began on the wall stays sheltered (below), where the difference of squares would
+/// be rounding alone. As X₀ = (ρ, 0) with ρ = 1 − α, |P|² − (ρ − β)² = 2ρ(β + w₀ₓ) + 2τ P₀·V + τ²|V|², each term of
+/// which is exact to its own rounding.
+template <class T>
+inline T sheltered_time_near_start(const Body<T>& body, const Flight<T>& flight, const T& time) {
+    using std::sqrt;
+    const Vec2<T> swirl = flight.beta * flight.phase;
+    const T start = T(2) * body.inner * (body.beta + swirl.x);
+    const T outward = dot(flight.centre + swirl, flight.velocity);
+    const T speed2 = dot(flight.velocity, flight.velocity);
+    if (!(start + time * (T(2) * outward + time * speed2) < 0)) return T(0);
+    // D < 0 only between its roots: outward < 0, and this is the later one.
+    return (sqrt(outward * outward - speed2 * start) - outward) / speed2 - time;
 }
 
 /// While the centre is within 1 − α − β of the swirl's centre nothing can touch wherever the container is: how long it
@@ -107,6 +150,11 @@ inline T sheltered_time(const Body<T>& body, const Flight<T>& flight, const Inst
     if (radius <= 0) return T(0);
     const Vec2<T> place = at.centre + at.swirl;
     const T depth = dot(place, place) - radius * radius;
+    if (body.sides != disk_sides) {
+        if (depth >= T(-16) * epsilon<T>() * radius) return T(0);  // the rounding of |P|
+    } else if (flight.struck && depth >= T(-few_digits_left) * (radius * radius)) {
+        return sheltered_time_near_start(body, flight, at.time);
+    }
     if (depth >= 0) return T(0);
     const T speed2 = dot(flight.velocity, flight.velocity);
     if (speed2 == 0) return std::numeric_limits<T>::infinity();

@@ -58,7 +58,10 @@ void advance_to_contact_disk(const Body<T>& body, const Flight<T>& flight, const
             return touch_disk(body, contact);
         }
         T step = gap.value < 0 ? safe_step(gap, bounds.centre_third) : safe_step_off_the_wall(gap, bounds.centre_third);
+        if (is_at_wall(gap, contact.at.time, contact.steps)) return touch_disk(body, contact);
         last = gap.value < 0 && is_last(gap, bounds.centre_third, step, contact.at.time);
+        step = step_within_rounding(gap, step, contact.at.time, contact.steps,
+                                    T(T(2) * dot(contact.at.centre + contact.at.swirl, flight.velocity)));
         step = std::max(step, sheltered_time(body, flight, contact.at));
         if (!(step < std::numeric_limits<T>::infinity())) {
             contact.outcome = without_step(step);

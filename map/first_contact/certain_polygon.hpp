@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/first_contact/bounds.hpp"
+#include "map/first_contact/slow_bodies.hpp"
 #include "map/first_contact/vertices.hpp"
 
 namespace swirl {
@@ -18,18 +19,26 @@ template <class T>
 struct NextStep {
     T length;
     bool last;
+    bool here = false;     ///< the contact is now, as nearly as τ can say
+    bool at_wall = false;  ///< the wall is within rounding: no longer step
 };
 
 template <class T>
 inline NextStep<T> step_among_vertices(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
-                                       const Instant<T>& at, const NearestTwo<T>& pair, const T& distance) {
+                                       const Instant<T>& at, const NearestTwo<T>& pair, const T& distance, int steps) {
     const T first = safe_step_of(pair.first, bounds.vertex_third);
     const T second = safe_step_of(pair.second, bounds.vertex_third);
     const bool second_binds = second < first;
     const T step = second_binds ? second : first;
-    const Gap<T>& gap = second_binds ? pair.second.gap : pair.first.gap;
+    const Candidate<T>& binding = second_binds ? pair.second : pair.first;
+    const Gap<T>& gap = binding.gap;
     const T limit = two_are_enough(body, flight, bounds, distance);
     if (limit < step) return {limit, false};
+    if (is_at_wall(gap, at.time, steps)) return {step, false, true, true};
+    const Vec2<T> from_swirl = at.centre + at.swirl + binding.arm;
+    const Vec2<T> velocity = flight.velocity + flight.spin * quarter_turned(binding.arm);
+    const T shorter = step_within_rounding(gap, step, at.time, steps, T(T(2) * dot(from_swirl, velocity)));
+    if (shorter < step) return {shorter, false, false, true};
     return {step, gap.value < 0 && is_last(gap, bounds.vertex_third, step, at.time)};
 }
 
@@ -54,6 +63,7 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
     const T ring = std::max(T(T(0.25) * (body.outer * body.outer - body.inner * body.inner)), T(64) * epsilon<T>());
     NearestTwo<T> pair;
     bool last = false;
+    T stride(0);
     while (contact.steps < step_limit) {  // ends at: contact, proof of none, or the limit
         ++contact.steps;
         const Gap<T> circle = centre_gap(body, flight, contact.at);
@@ -63,12 +73,20 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
             next = {std::max(safe_step(circle, bounds.centre_third), shelter), false};
         } else {
             look_around(body, flight, contact.at, pair);
+            // Not where the swirl has turned and the vertex recedes: its neighbour, far from the wall, would be taken.
+            last = last && std::min(time_left(pair.first.gap), time_left(pair.second.gap)) <= stride + T(0.5);
             if (last || touches(pair.first) || touches(pair.second)) {
                 choose(pair, contact);
                 if (!last) step_back(body, flight, pair, contact);
                 return;
             }
-            next = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre));
+            next = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre),
+                                       contact.steps);
+            if (next.here) return choose(pair, contact);
+        }
+        if (contact.steps > ordinary_steps && !next.at_wall) {
+            const T longer = longer_step(body, flight, bounds, contact.at, circle);
+            if (longer > next.length) next = {longer, false};
         }
         if (has_recurred<Shape::polygon>(body, flight, contact.at)) return;
         if (!(next.length < std::numeric_limits<T>::infinity())) {
@@ -76,6 +94,7 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
             return;
         }
         last = next.last;
+        stride = next.length;
         advance<Shape::polygon>(flight, contact.at, next.length);
     }
     contact.outcome = FirstContactOutcome::unresolved;
@@ -100,7 +119,8 @@ bool begins_in_contact(const Body<T>& body, const Flight<T>& flight, const Fligh
         contact.simultaneous = true;
         return true;
     }
-    const T step = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre)).length;
+    const T step =
+        step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre), contact.steps).length;
     if (!(step < std::numeric_limits<T>::infinity())) {
         contact.outcome = without_step(step);
         return true;

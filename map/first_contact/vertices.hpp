@@ -78,22 +78,30 @@ inline Gap<T> gap_of(const Body<T>& body, const Flight<T>& flight, const Instant
     return gap;
 }
 
-/// The one nearest to the centre's direction, from the last known number.
+/// The one nearest to a direction, from the last known number.
 template <class T>
-inline void look_at_nearest(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, Candidate<T>& nearest) {
+inline void look_at_nearest(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at,
+                            const Vec2<T>& direction, Candidate<T>& nearest) {
     nearest.arm = body.turned_to_vertex(at.arm, nearest.vertex);
-    turn_to_nearest(body, at.centre, at.arm, nearest);
+    turn_to_nearest(body, direction, at.arm, nearest);
     nearest.gap = gap_of(body, flight, at, nearest);
 }
 
-/// Brings the pair up to date at a moment.
+/// Brings the pair of vertices nearest to a direction up to date at a moment.
 template <class T>
-inline void look_around(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, NearestTwo<T>& pair) {
-    look_at_nearest(body, flight, at, pair.first);
-    const int side = cross(pair.first.arm, at.centre) >= 0 ? 1 : -1;
+inline void look_around(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& direction,
+                        NearestTwo<T>& pair) {
+    look_at_nearest(body, flight, at, direction, pair.first);
+    const int side = cross(pair.first.arm, direction) >= 0 ? 1 : -1;
     pair.second.vertex = body.vertex_number(pair.first.vertex + side);
     pair.second.arm = body.turned_to_vertex(at.arm, pair.second.vertex);
     pair.second.gap = gap_of(body, flight, at, pair.second);
+}
+
+/// The pair nearest to the centre's direction: no other vertex is as near to the wall.
+template <class T>
+inline void look_around(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, NearestTwo<T>& pair) {
+    look_around(body, flight, at, at.centre, pair);
 }
 
 /// A time for which no third vertex can be the nearest to the wall: it is at least 2π/N away from the centre's

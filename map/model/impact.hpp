@@ -118,12 +118,20 @@ T impulse_end(const NormalVelocityPath<T>& path, const T& restitution) {
 
 }  // namespace detail
 
+/// u_n of an impact. A vertex that grazes, or that the wall outruns while it is within rounding of it, is found at the
+/// wall with a u_n that is negative by rounding: it touches without an impulse (p → 0 as u_n → 0).
+template <class T>
+[[gnu::always_inline]] inline T approaching(const T& un) {
+    return plain(un) < 0 ? T(0) : un;
+}
+
 /// The disk's impulse: B₃ = 0 and B₂ = 1 decouple the directions, slip stops at p = |u_t|/(μB₁), and all laws agree.
 /// `grip` = 1/B₁: no division.
 template <class T>
-[[gnu::always_inline]] inline Impulse<T> disk_impulse(const T& un, const T& ut, const T& grip, const T& mu,
+[[gnu::always_inline]] inline Impulse<T> disk_impulse(const T& normal, const T& ut, const T& grip, const T& mu,
                                                       const T& restitution) {
     using std::fabs;
+    const T un = approaching(normal);
     const T end = (T(1) + restitution) * un;
     const T stick = -grip * ut;  // the impulse that stops the slip
     if (fabs(plain(stick)) > plain(mu) * plain(end))
@@ -134,7 +142,7 @@ template <class T>
 
 /// The impulse of one impact.
 ///   rule         how restitution ends (or no friction at all)
-///   approach     velocities and lever arms at the contact, u_n ≥ 0
+///   approach     velocities and lever arms at the contact; u_n < 0 counts as 0 (`approaching`)
 ///   mu           μ ≥ 0 (not read without friction)
 ///   restitution  e ∈ [0, 1]
 /// Poisson p = (1 + e) p_c; Newton C = −e C₀ (may create energy); Stronge W_r = e² W_c. Cost: a few divisions, one
@@ -142,8 +150,9 @@ template <class T>
 template <ImpactRule rule, class T>
 Impulse<T> impulse(const ContactKinematics<T>& approach, const T& mu, const T& restitution) {
     const T b2 = approach.b2();
+    const T un = approaching(approach.un);
     if constexpr (rule == ImpactRule::frictionless) {
-        return {(T(1) + restitution) * approach.un / b2, T(0), ContactMode::frictionless};
+        return {(T(1) + restitution) * un / b2, T(0), ContactMode::frictionless};
     } else {
         using std::fabs;
         const T b1 = approach.b1();
@@ -157,7 +166,7 @@ Impulse<T> impulse(const ContactKinematics<T>& approach, const T& mu, const T& r
         const T slowing = stick - signed_b3;  // −d|u_t|/dp
         const bool has_kink = at_rest ? sticks : plain(slowing) > 0;
 
-        detail::NormalVelocityPath<T> path{T(-approach.un), b2 - mu * signed_b3, T(0), T(0), has_kink};
+        detail::NormalVelocityPath<T> path{T(-un), b2 - mu * signed_b3, T(0), T(0), has_kink};
         if (has_kink) {
             path.kink = plain(slowing) > 0 ? T((positive ? approach.ut : T(-approach.ut)) / slowing) : T(0);
             path.second = sticks ? T(b2 - b3 * b3 / b1) : T(b2 + mu * signed_b3);

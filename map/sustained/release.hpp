@@ -28,7 +28,11 @@ template <Shape shape, class T>
 bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, Instant<T>& at) {
     using std::fabs;
     const T fourth = derivative_bounds<4, shape>(body, flight).vertex;
-    const T rounding = T(1e-11) * (T(1) + bounds.drift * bounds.drift);
+    // Below the scale of the flight's own accelerations and velocities, however weak the swirl.
+    const T turning = body.alpha * fabs(flight.spin);
+    const T rounding =
+        T(1e-11) * (std::min(T(1), T(body.beta + turning * fabs(flight.spin))) + bounds.drift * bounds.drift);
+    const T slow = T(1e-12) * (std::min(T(1), T(body.beta + turning)) + bounds.drift);
     const Instant<T> start = at;
     if constexpr (shape == Shape::disk) {
         const T time = leaving_time(centre_gap(body, flight, at), bounds.centre_third, fourth, rounding);
@@ -40,7 +44,7 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
         T time = two_are_enough(body, flight, bounds, magnitude(at.centre));
         for (const auto* candidate : {&pair.first, &pair.second}) {
             const Gap<T>& gap = candidate->gap;
-            const bool closed = gap.value > T(-1e-12) && fabs(gap.rate) <= T(1e-12) * (T(1) + bounds.drift);
+            const bool closed = gap.value > T(-1e-12) && fabs(gap.rate) <= slow;
             time = std::min(time, closed ? leaving_time(gap, bounds.vertex_third, fourth, rounding)
                                   // Half of it: the whole may lead to the wall itself.
                                   : gap.value < T(0) ? T(T(0.5) * safe_step(gap, bounds.vertex_third))

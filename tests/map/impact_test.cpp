@@ -172,6 +172,32 @@ double threshold(const Scene<double>& scene) {
     return kappa / t + (1 + kappa) * t;
 }
 
+// A vertex that grazes is found at the wall with a u_n that may be negative by rounding. The wall can't pull.
+TEST(Impact, WhatRecedesGetsNoImpulse) {
+    Random random(17);
+    long none = 0;
+    const auto check = [&](const Impulse<double>& j, bool negative_slope) {
+        EXPECT_GE(j.normal, 0);
+        EXPECT_TRUE(std::isfinite(j.tangential));
+        if (negative_slope) return;  // without a unique force: the impulse that stops the slip
+        EXPECT_EQ(j.normal, 0);
+        EXPECT_EQ(j.tangential, 0);
+        ++none;
+    };
+    for (long i = 0; i < sample_count(20'000); ++i) {
+        Sample s = random_sample(random);
+        s.approach.un = -random.log_between(1e-17, 1e-6);
+        const double sign = s.approach.ut > 0 ? 1 : -1;
+        const bool negative = s.approach.b2() - sign * s.mu * s.approach.b3() <= 0;
+        check(impulse<ImpactRule::frictionless>(s.approach, 0.0, s.restitution), false);
+        check(impulse<ImpactRule::poisson>(s.approach, s.mu, s.restitution), negative);
+        check(impulse<ImpactRule::newton>(s.approach, s.mu, s.restitution), negative);
+        check(impulse<ImpactRule::stronge>(s.approach, s.mu, s.restitution), negative);
+        check(disk_impulse(s.approach.un, s.approach.ut, 1 / s.approach.b1(), s.mu, s.restitution), false);
+    }
+    EXPECT_GT(none, sample_count(20'000));
+}
+
 TEST(Impact, FirstSlopeTurnsNegativeAtTheThresholdOfFriction) {
     const auto scene_of = [](int sides, double alpha) {
         return Scene<double>{sides, alpha, 0.1, 0, 1, Law::poisson, uniform_inertia_factor<double>(sides)};

@@ -1,0 +1,190 @@
+"""Scenes drawn from the whole space of numbers: whatever they are, `simulate` and `classify` end with a name, within
+seconds, pressed inwards by every impulse, with all vertices inside.
+
+random_space_test.py SWIRL [SCENES [FIRST]]: scenes FIRST … FIRST + SCENES − 1 (20 from 0 by default). A scene has its own generator,
+so that any of them can be followed alone; a failure prints its command."""
+
+import json
+import math
+import os
+import random
+import resource
+import subprocess
+import sys
+import time
+import unittest
+from collections import Counter
+
+from driving import SWIRL
+
+SCENES = int(sys.argv.pop(1)) if len(sys.argv) > 1 else 20
+FIRST = int(sys.argv.pop(1)) if len(sys.argv) > 1 else 0
+MOST_SECONDS = 10  # of one core
+IMPACTS = 2000
+SIMULATED = {"completed", "no-contact", "in-contact", "resting", "diverged", "unresolved"}
+KINDS = set("""fixed-point family cycle quasi-periodic rolling rolling-librating rolling-circulating sliding two-vertex
+    landing chaotic transient""".split())
+EPSILON = sys.float_info.epsilon
+
+
+def log_between(draw, low, high):
+    return math.exp(draw.uniform(math.log(low), math.log(high)))
+
+
+def scene_of(number):
+    """The flags of a scene and its start: log-uniform where there is a smallest scale, with the special values mixed in."""
+    draw = random.Random(f"swirl {number}")
+    signed = lambda low, high: draw.choice((-1, 1)) * log_between(draw, low, high)
+    sides = "disk" if draw.random() < 0.25 else round(log_between(draw, 3, 1e6)) if draw.random() < 0.5 else draw.randint(3, 12)
+    alpha = draw.choice((draw.uniform(0.02, 0.98), log_between(draw, 1e-9, 1), 1 - log_between(draw, 1e-9, 1)))
+    flags = {
+        "sides": sides,
+        "alpha": min(max(alpha, 1e-9), 1 - 1e-9),
+        "beta": draw.choice((log_between(draw, 1e-70, 10), log_between(draw, 1e-3, 5))),
+        "mu": 0 if draw.random() < 0.1 else log_between(draw, 1e-12, 1e3) if draw.random() < 0.5 else draw.uniform(0, 2),
+        "restitution": draw.choice((0, 1, 1 - log_between(draw, 1e-12, 1), 1 - log_between(draw, 1e-12, 1), draw.random())),
+        "law": draw.choice(("poisson", "newton", "stronge")),
+    }
+    if draw.random() < 0.2:
+        flags["inertia-factor"] = log_between(draw, 1e-3, 1)
+    direction, speed = draw.uniform(-math.pi, math.pi), log_between(draw, 1e-12, 1e9)
+    flags.update({"x": flags["beta"], "vx": speed * math.cos(direction), "vy": speed * math.sin(direction),
+                  "angle": draw.uniform(-math.pi, math.pi), "spin": 0 if draw.random() < 0.3 else signed(1e-12, 1e9)})
+    return flags
+
+
+def words(command, flags, *more):
+    return [SWIRL, command, *(f"--{name}={value!r}" if isinstance(value, float) else f"--{name}={value}"
+                              for name, value in flags.items()), *more, "--json"]
+
+
+def follow(command):
+    """Its document and the seconds of one core that it took. A time-out, a crash or a wrong exit code is a failure."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (2 * MOST_SECONDS, 2 * MOST_SECONDS))
+    result = subprocess.run(command, capture_output=True, text=True, preexec_fn=limit)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    if result.returncode not in (0, 3):
+        raise AssertionError(f"exit {result.returncode} after {seconds:.1f} s: {result.stderr.strip()}")
+    return json.loads(result.stdout), seconds
+
+
+def outside(flags, row):
+    """By how much the vertex that struck and its neighbours are outside, or the disk; in units of 10⁻¹² + rounding."""
+    beta, alpha = flags["beta"], flags["alpha"]
+    x = row["x"] - beta * math.cos(row["t_phase"])
+    y = row["y"] - beta * math.sin(row["t_phase"])
+    rounding = 1e-12 + 16 * EPSILON * (1 + beta)
+    if flags["sides"] == "disk":
+        return (math.hypot(x, y) - (1 - alpha)) / rounding
+    step = 2 * math.pi / flags["sides"]
+    angles = [row["angle_phase"] + step * (row["vertex"] + k) for k in (-1, 0, 1)]
+    return max(math.hypot(x + alpha * math.cos(a), y + alpha * math.sin(a)) - 1 for a in angles) / rounding
+
+
+def troubles_of_orbit(flags, document):
+    troubles = []
+    if document["outcome"] not in SIMULATED:
+        troubles.append(f"outcome {document['outcome']}")
+    rows = document["collisions"]
+    pulls = [row for row in rows if not row["impulse_normal"] >= 0]
+    if pulls:
+        troubles.append(f"{len(pulls)} impulses < 0, first of impact at t = {pulls[0]['t']}: {pulls[0]['impulse_normal']}")
+    far = max((outside(flags, row) for row in rows), default=0)
+    if far > 1:
+        troubles.append(f"a vertex is outside by {far:.3g} of the rounding allowed")
+    if any(later["t"] < earlier["t"] for earlier, later in zip(rows, rows[1:])):
+        troubles.append("t falls")
+    return troubles
+
+
+class RandomSpace(unittest.TestCase):
+    def test_every_scene_ends_with_a_name(self):
+        outcomes, kinds, slowest, failures = Counter(), Counter(), {}, []
+        for number in range(FIRST, FIRST + SCENES):
+            flags = scene_of(number)
+            for name, command in (("simulate", words("simulate", flags, f"--collisions={IMPACTS}")),
+                                  ("classify", words("classify", flags))):
+                try:
+                    document, seconds = follow(command)
+                except AssertionError as error:
+                    failures.append((number, str(error), command))
+                    continue
+                slowest[name] = max(slowest.get(name, (0, "")), (seconds, " ".join(command[1:])))
+                if seconds > MOST_SECONDS:
+                    failures.append((number, f"{seconds:.1f} s", command))
+                if name == "simulate":
+                    outcomes[document["outcome"]] += 1
+                    troubles = troubles_of_orbit(flags, document)
+                else:
+                    kinds[f"{document['mode']}, {document['kind']}"] += 1
+                    troubles = [] if document["kind"] in KINDS or document["mode"] == "undecided" else ["no kind"]
+                failures.extend((number, trouble, command) for trouble in troubles)
+                if name == "simulate" and document["outcome"] == "unresolved":
+                    print(f"scene {number}: unresolved: {' '.join(command[1:])}", flush=True)
+        for title, counts in (("simulate", outcomes), ("classify", kinds)):
+            print(f"{title}: " + ", ".join(f"{name} {n}" for name, n in counts.most_common()))
+        for name, (seconds, command) in slowest.items():
+            print(f"slowest {name}: {seconds:.2f} s: {command}")
+        for number, trouble, command in failures:
+            print(f"scene {number}: {trouble}\n  {' '.join(command)}")
+        self.assertEqual([], [(number, trouble) for number, trouble, _ in failures])
+        self.assertLessEqual(outcomes["unresolved"], SCENES // 1000)
+
+
+class KnownEndings(unittest.TestCase):
+    """Scenes that once had no end or no name."""
+
+    HEXAGON = "--alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+    SCENES = {
+        "a disk in a swirl of 1e-25": "--sides disk --alpha 0.2657459262765958 --beta 2.7329732946433905e-25 "
+        "--mu 1.3408492443119426 --restitution 0.09300152205664036 --seed 12397497687982519376",
+        "a polygon in a swirl of 1e-44": "--sides 3 --alpha 2.2653658627707902e-06 --beta 1.3833531105652338e-44 "
+        "--mu 1.259709553248775 --restitution 0.05847851149036842 --law stronge --spin 455.1539480273448 --vx 2e-4",
+        "a triangle that spins": f"--sides 3 {HEXAGON} --spin=1e9",
+        "a pentagon that spins": f"--sides 5 {HEXAGON} --spin=1e9",
+        "a slow hexagon that does not turn": "--sides 6 --alpha 0.93 --beta 0.012 --mu 1 --restitution 1 --vx 2e-10",
+        "a body that all but fills the container": "--sides 9 --alpha 0.999999955722298 --beta 2.0402999464149567 "
+        "--mu 0.9207453529742373 --restitution 0.5867378839787757 --law stronge --spin=-154",
+        "a million sides": "--sides 1000000 --alpha 0.999999 --beta 0.5 --mu 0.5 --restitution 0.9",
+        "little inertia under Newton's law": "--sides 7 --alpha 0.17776178042129986 --beta 1.4896002924307372 "
+        "--mu 0.040393600711095434 --restitution 0.008257619868914046 --law newton "
+        "--inertia-factor 0.0019768110349642713 --speed 1.4157650109247994e-07 --seed 20",
+    }
+
+    def test_they_have_a_name(self):
+        for name, flags in self.SCENES.items():
+            found, seconds = follow([SWIRL, "simulate", *flags.split(), f"--collisions={IMPACTS}", "--json"])
+            self.assertNotEqual(found["outcome"], "unresolved", name)
+            self.assertLess(seconds, MOST_SECONDS, name)
+
+    def test_no_impulse_pulls_and_none_leaves_into_the_wall(self):
+        alpha, beta = 0.9999220268810557, 1.010287041726456
+        found, _ = follow([SWIRL, "simulate", "--sides=8", f"--alpha={alpha}", f"--beta={beta}", "--mu=1.2633877151476074",
+                           "--restitution=1", "--seed=14372809874713507692", f"--collisions={IMPACTS}", "--json"])
+        rows = found["collisions"]
+        self.assertEqual(len(rows), IMPACTS)
+        self.assertEqual([row["number"] for row in rows if not row["impulse_normal"] >= 0], [])
+        normal = lambda row: row["vn"] - alpha * row["spin"] * math.sin(row["chi"]) - beta * math.sin(row["psi"])
+        speed = lambda row: abs(row["vn"]) + abs(row["vt"]) + alpha * abs(row["spin"]) + beta
+        self.assertEqual([row["number"] for row in rows if normal(row) > 64 * EPSILON * speed(row)], [])
+
+    def test_contact_that_is_cut_short_is_said_to_be(self):
+        found, _ = follow([SWIRL, "simulate", "--sides=disk", *self.HEXAGON.split(), "--spin=1e16", "--json"])
+        self.assertLess(found["contacts"][-1]["t_end"], 1000)
+        self.assertEqual(found["outcome"], "contact-cut-short")
+
+    def test_a_document_of_a_long_orbit_puts_vertices_on_the_wall(self):
+        flags = {"sides": 6, "alpha": 0.4, "beta": 0.5, "mu": 0.5, "restitution": 0.9, "x": 0.5, "vx": 1e-11, "spin": 1e9}
+        found, _ = follow(words("simulate", {**flags, "beta": 1e-20, "x": 1e-20, "mu": 0, "restitution": 1, "spin": 3.7},
+                                "--collisions=50"))
+        rows = found["collisions"]
+        self.assertGreater(rows[-1]["t"], 1e11)
+        self.assertLessEqual(max(outside({**flags, "beta": 1e-20}, row) for row in rows), 1)
+        for row in rows:
+            self.assertEqual(row["t"], row["t_phase"] + 2 * math.pi * row["t_turns"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,5 +1,5 @@
-// Random scenes over the whole range: every orbit ends with a named outcome, none stalls, and none costs much more than
-// the median.
+// Random scenes over the whole range: every orbit ends with a named outcome, none stalls, and none takes much more work
+// than the median.
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/follow_contact.hpp"
 #include "tests/sample_count.hpp"
@@ -173,25 +173,32 @@ void check_orbits(const std::vector<RandomScene>& cases) {
                 fullest, outside, balance);
 }
 
-void check_random_scenes(int count, bool with_thousand) {
+/// The work is counted in the searches' moments and the contacts' series: the same on every machine and at every load.
+/// What it takes by the clock is compared in the nightly test alone: beside other programs an orbit of a millisecond
+/// may take twenty times as long, and a check that fails by chance teaches to overlook failures.
+enum class Clock { ignored, checked };
+
+void check_random_scenes(int count, bool with_thousand, Clock clock) {
     auto cases = draw(count, with_thousand);
     std::atomic<int> done{0};
     tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) {
         follow(cases[i]);
         if (++done % 2000 == 0) std::fprintf(stderr, "%d of %d scenes\n", done.load(), count);
     });
-    time_again(cases);
     check_endings(cases);
     check_orbits(cases);
-    check_costs("seconds", cases, seconds_of);
+    if (clock == Clock::checked) {
+        time_again(cases);
+        check_costs("seconds", cases, seconds_of);
+    }
     check_costs("looks and series", cases, work_of);
 }
 
 TEST(RandomScenes, EveryOneEndsWithAName) {
-    check_random_scenes(static_cast<int>(tests::sample_count(200)), false);
+    check_random_scenes(static_cast<int>(tests::sample_count(200)), false, Clock::ignored);
 }
 TEST(RandomScenesNightly, EveryOneOfTwentyThousandEndsWithAName) {
-    check_random_scenes(20'000, true);
+    check_random_scenes(20'000, true, Clock::checked);
 }
 
 }  // namespace

@@ -108,7 +108,10 @@ bool ContactTail::judge(analysis::Classification& verdict) const {
 void ContactTail::describe(const analysis::Swing& swing, const std::optional<RimPendulum>& settled,
                            analysis::Classification& verdict) const {
     const bool constant = swing.range <= rest;
-    verdict.evidence.push_back({"time in contact", followed_, contact_horizon, "no impact: the body stays on the wall",
+    const bool cut = followed_ < contact_horizon * (1 - 1e-12);
+    verdict.evidence.push_back({"time in contact", followed_, contact_horizon,
+                                cut ? "no impact so far: too fast a motion on the wall to be followed to the threshold"
+                                    : "no impact: the body stays on the wall",
                                 "an impact before that: named by the orbit of its impacts"});
     verdict.evidence.push_back({"range of S", swing.range, rest, constant ? "S is constant" : "S varies",
                                 constant ? "above " + in_words(rest) + ": quasi-steady, if periodic"

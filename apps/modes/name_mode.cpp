@@ -20,7 +20,7 @@ void judge_contact(const SceneMap<D>& map, const PostImpactState<double>& last, 
             const double followed = reached;
             ContactTail tail(map.contact(), followed);
             const auto return_step = map.return_step(last, followed, [&](const auto&... seen) { tail.add(seen...); });
-            if (return_step.outcome != Outcome::in_contact) return;
+            if (!ends_in_contact(return_step.outcome)) return;
             reached = return_step.contacts.back().end;
             cut = reached < followed;
             if (cut) continue;
@@ -73,7 +73,7 @@ void name_ending(Outcome outcome, long long impacts, analysis::Classification& v
 /// An orbit that has no next impact from `last` on.
 template <int D>
 void name_end(const SceneMap<D>& map, const PostImpactState<double>& last, NamedMode& named) {
-    if (named.outcome == Outcome::in_contact)
+    if (ends_in_contact(named.outcome))
         judge_contact(map, last, named.verdict);
     else
         name_ending(named.outcome, named.impacts, named.verdict);

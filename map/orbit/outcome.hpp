@@ -6,14 +6,20 @@
 namespace swirl {
 
 enum class Outcome {
-    completed,   ///< everything that was asked for
-    no_contact,  ///< the body never meets the wall (again): proven
-    in_contact,  ///< the body stays in contact: no impact for the time `contact_horizon`
-    resting,     ///< e = 1, a disk or no friction: starts on the wall without normal velocity and is held there;
-                 ///< β = 0: the motion has decayed to rest
-    diverged,    ///< faster than 1e75: Newton's law with friction can create energy at every impact
-    unresolved   ///< a flight outlasted the step limit of the search, or no contact motion was consistent
+    completed,    ///< everything that was asked for
+    no_contact,   ///< the body never meets the wall (again): proven
+    in_contact,   ///< the body stays in contact: no impact for the time `contact_horizon`
+    contact_cut,  ///< in contact when it was given up, before `contact_horizon`: a motion of more than a million steps
+    resting,      ///< e = 1, a disk or no friction: starts on the wall without normal velocity and is held there;
+                  ///< β = 0: the motion has decayed to rest
+    diverged,     ///< faster than 1e75: Newton's law with friction can create energy at every impact
+    unresolved    ///< a flight outlasted the step limit of the search, or no contact motion was consistent
 };
+
+/// True if the body was on the wall at the end.
+inline bool ends_in_contact(Outcome outcome) {
+    return outcome == Outcome::in_contact || outcome == Outcome::contact_cut;
+}
 
 inline std::string_view name_of(Outcome outcome) {
     switch (outcome) {
@@ -23,6 +29,8 @@ inline std::string_view name_of(Outcome outcome) {
             return "no-contact";
         case Outcome::in_contact:
             return "in-contact";
+        case Outcome::contact_cut:
+            return "contact-cut-short";
         case Outcome::resting:
             return "resting";
         case Outcome::diverged:

@@ -21,8 +21,8 @@ struct ReturnStep {
     std::vector<ContactSegment> contacts;
 };
 
-/// How long contact may last without an impact before the orbit ends as `in_contact`, in 1/ω_s (less where the body
-/// swings very fast: `most_contact_steps`).
+/// How long contact may last without an impact before the orbit ends as `in_contact`, in 1/ω_s. A body that moves so
+/// fast in contact that it is not followed so long (`most_contact_steps`) ends as `contact_cut`.
 inline constexpr double contact_horizon = 1000;
 
 /// F with sustained contact. For e = 1 it is the collision map itself, with one exception: where friction holds a
@@ -210,7 +210,7 @@ auto ReturnMap<Map>::after_contact(const PostImpactState<T>& post_impact, const 
     if (!phase.resolved) {
         return_step.outcome = Outcome::unresolved;
     } else if (phase.finish == ContactEvent::horizon) {
-        return_step.outcome = Outcome::in_contact;
+        return_step.outcome = phase.cut ? Outcome::contact_cut : Outcome::in_contact;
     } else if (phase.finish == ContactEvent::release) {
         PostImpactState<T> leaving = end;  // a release has u_n = 0, in T's digits too
         leaving.vn = leaving.vn - contact_kinematics(map_.body(), leaving).un;

@@ -12,7 +12,7 @@ namespace {
 /// After more consecutive pieces of zero duration contact is called unresolved.
 constexpr int most_idle_pieces = 50;
 
-/// After so many pieces contact ends as at its horizon.
+/// After so many pieces contact is not followed further.
 constexpr std::size_t most_pieces = 100'000;
 
 /// True if the neighbour's chatter, while a vertex is in contact, has ended: its remaining rebounds move it by less
@@ -147,6 +147,8 @@ ContactPhase follow_contact(const ContactScene& scene, const ChatterCompletion& 
     follower.follow({true, completion.support, ContactMotion::sticking, completion.state, completion.vertex_step,
                      ContactEvent::release},
                     ContactEvent::landing, horizon);
+    follower.phase.cut = follower.phase.resolved && follower.phase.finish == ContactEvent::horizon &&
+                         follower.phase.sums.time < horizon * (1 - 1e-12);  // a sum of pieces
     if (!follower.phase.segments.empty()) {
         follower.phase.segments.front().landing_jacobi += completion.jacobi;
         follower.phase.segments.front().error = completion.error;

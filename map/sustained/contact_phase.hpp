@@ -27,7 +27,8 @@ struct ContactSegment {
 
 struct ContactPhase {
     ContactEvent finish = ContactEvent::horizon;  ///< horizon, release, strike or jam
-    bool resolved = true;                         ///< false: no motion is consistent with the wall and friction
+    bool cut = false;      ///< finish is horizon, but the horizon was not reached: too many steps or pieces
+    bool resolved = true;  ///< false: no motion is consistent with the wall and friction
     Strike strike;  ///< `after` is the post-impact state at the end: leaving, or just after the impact (strike, jam)
     int vertex_step = 0;  ///< the vertex of that post-impact state, counted from the one that struck before
     ContactSums sums;

@@ -46,7 +46,7 @@ def _draw_contact(axes, record):
         return []
     without = record.column("attractors", "samples") == 0
     mean = record.column("attractors", "mean_S")
-    of = without & (record.names("attractors", "outcome") == "in-contact") & numpy.isfinite(mean)
+    of = without & numpy.isin(record.names("attractors", "outcome"), ["in-contact", "contact-cut-short"]) & numpy.isfinite(mean)
     if not of.any():
         return []
     style = {"ls": "", "marker": "_", "ms": 5, "mew": 1.2, "color": "#8A8A8A"}

@@ -15,7 +15,7 @@ struct ImpactField {
     const char* heading = "";  ///< in the table for people, which lists those that have one
 };
 
-inline constexpr std::array<ImpactField, 17> impact_fields = {{
+inline constexpr std::array<ImpactField, 21> impact_fields = {{
     {"t", &ImpactRow::t, "1/omega_s", "time", "t"},
     {"x", &ImpactRow::x, "R_c", "centre of the body, from the swirl's centre"},
     {"y", &ImpactRow::y, "R_c", "centre of the body, from the swirl's centre"},
@@ -23,6 +23,10 @@ inline constexpr std::array<ImpactField, 17> impact_fields = {{
     {"vy", &ImpactRow::vy, "R_c omega_s", "velocity of the centre just after the impact"},
     {"angle", &ImpactRow::angle, "rad", "direction of vertex 0, unwound"},
     {"spin", &ImpactRow::spin, "omega_s", "S just after the impact", "S"},
+    {"t_turns", &ImpactRow::t_turns, "1", "whole turns of the swirl: t = t_phase + 2 pi t_turns"},
+    {"t_phase", &ImpactRow::t_phase, "rad", "direction of the swirl's arm, 0 to 2 pi, to all digits however long t"},
+    {"angle_turns", &ImpactRow::angle_turns, "1", "whole turns of the body: angle = angle_phase + 2 pi angle_turns"},
+    {"angle_phase", &ImpactRow::angle_phase, "rad", "direction of vertex 0, 0 to 2 pi, to all digits"},
     {"psi", &ImpactRow::psi, "rad", "section coordinate psi = arg n - t", "psi"},
     {"chi", &ImpactRow::chi, "rad", "section coordinate chi = arg r - arg n", "chi"},
     {"vn", &ImpactRow::vn, "R_c omega_s", "velocity of the centre along n", "vn"},

@@ -11,6 +11,7 @@ namespace swirl::apps {
 struct ImpactRow {
     long long number = 0;  ///< 1, 2, … in the order of impacts
     double t = 0, x = 0, y = 0, vx = 0, vy = 0, angle = 0, spin = 0;
+    double t_turns = 0, t_phase = 0, angle_turns = 0, angle_phase = 0;
     int vertex = 0;
     double psi = 0, chi = 0, vn = 0, vt = 0;
     double flight_time = 0, impulse_normal = 0, impulse_tangential = 0;
@@ -34,6 +35,10 @@ ImpactRow impact_row(const SceneOrbit<T>& orbit) {
     row.vy = number(lab.vy);
     row.angle = number(lab.angle);
     row.spin = number(lab.spin);
+    row.t_turns = number(lab.time.turns);
+    row.t_phase = number(lab.time.phase);
+    row.angle_turns = number(lab.direction.turns);
+    row.angle_phase = number(lab.direction.phase);
     row.vertex = orbit.frame().vertex;
     row.psi = number(z.psi);
     row.chi = number(z.chi);

@@ -56,7 +56,16 @@ struct WoundAngle {
         if (!(phase < turn)) phase = T(0);  // −tiny + 2π rounds to 2π
         turns = turns + round((sum - phase) / turn);
     }
-    T unwound() const { return phase + T(2 * pi<T>()) * turns; }
+    /// The whole angle, which grows with `phase` and `turns`. Beyond 10⁶ turns it is rounded once: two roundings may be
+    /// longer than a flight, and time would fall by one.
+    T unwound() const {
+        using std::fabs;
+        const T turn = T(2 * pi<T>());
+        const T whole = turn * turns;
+        if constexpr (std::is_floating_point_v<T>)
+            if (fabs(turns) > T(1 << 20)) return whole + (phase + std::fma(turn, turns, -whole));
+        return phase + whole;
+    }
 };
 
 /// Where an orbit of the section is in the laboratory.
@@ -105,10 +114,12 @@ struct LabFrame {
     }
 };
 
-/// The state just after an impact, in the laboratory. Angles are unwound.
+/// The state just after an impact, in the laboratory. t and the angle are unwound: when they are large they are known
+/// to a few ε of themselves only, which may be a large angle. The last four keep every digit.
 template <class T>
 struct LabState {
     T t{}, x{}, y{}, vx{}, vy{}, angle{}, spin{};
+    WoundAngle<T> time, direction;  ///< t and the angle of vertex 0 as (angle in [0, 2π), whole turns)
 };
 
 template <class T>
@@ -118,7 +129,8 @@ LabState<T> lab_state(const Body<T>& body, const LabFrame<T>& frame, const PostI
     const Vec2<T> r = body.alpha * times(n, post_impact.chi);
     const Vec2<T> velocity = times(n, Vec2<T>{post_impact.vn, post_impact.vt});
     const Vec2<T> place = body.beta * swirl + (n - r);
-    return {frame.time.unwound(), place.x, place.y, velocity.x, velocity.y, frame.angle.unwound(), post_impact.spin};
+    return {frame.time.unwound(),  place.x,          place.y,    velocity.x, velocity.y,
+            frame.angle.unwound(), post_impact.spin, frame.time, frame.angle};
 }
 
 }  // namespace swirl

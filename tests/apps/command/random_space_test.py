@@ -148,9 +148,6 @@ class KnownEndings(unittest.TestCase):
         "a body that all but fills the container": "--sides 9 --alpha 0.999999955722298 --beta 2.0402999464149567 "
         "--mu 0.9207453529742373 --restitution 0.5867378839787757 --law stronge --spin=-154",
         "a million sides": "--sides 1000000 --alpha 0.999999 --beta 0.5 --mu 0.5 --restitution 0.9",
-        "little inertia under Newton's law": "--sides 7 --alpha 0.17776178042129986 --beta 1.4896002924307372 "
-        "--mu 0.040393600711095434 --restitution 0.008257619868914046 --law newton "
-        "--inertia-factor 0.0019768110349642713 --speed 1.4157650109247994e-07 --seed 20",
     }
 
     def test_they_have_a_name(self):

@@ -86,6 +86,7 @@ int classify_scene(ClassifyCommandOptions& options) {
     if (several && !(options.input.record.empty() && options.input.series.file.empty()))
         throw BadInput(
             fmt::format("runs = {}: several runs are of a scene; a record or a series is one", options.runs));
+    require_output(options.output, {options.scene.file(), options.input.record, options.input.series.file});
     if (options.input.is_series(options.scene, options.start)) return classify_measured(options.input, options.output);
     options.input.take_record(options.scene, options.start, options.output.quiet);
     options.scene.read_file();

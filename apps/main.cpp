@@ -3,6 +3,9 @@
 #include "apps/classify/classify_command.hpp"
 #include "apps/command_line/command.hpp"
 #include "apps/command_line/documents.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/standard_streams.hpp"
+#include "apps/command_line/words.hpp"
 #include "apps/continue/continue_command.hpp"
 #include "apps/describe/describe_command.hpp"
 #include "apps/json/json_writer.hpp"
@@ -18,8 +21,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <system_error>
 #include <vector>
@@ -32,7 +38,7 @@ int fail(int code, const std::string& message) {
     std::string line = message;
     for (char& c : line)
         if (c == '\n') c = ' ';
-    fmt::print(stderr, "swirl: {}\n", line);
+    tell("swirl: " + line);
     return code;
 }
 
@@ -83,19 +89,15 @@ int run_command(const Commands& commands) {
     return fail(exit_bad_input, "no command given; swirl --help lists them");
 }
 
-int run(int argc, char** argv) {
-    CLI::App app{
-        "Swirl: a rigid polygon or disk in a swirled circular container, followed exactly from one collision "
-        "to the next, and its mode named."};
-    app.set_version_flag("--version", fmt::format("swirl {} ({})", version(), instruction_set()));
-    const Commands commands = add_commands(app);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& success) {
-        return app.exit(success);  // --help, --version
-    } catch (const CLI::ParseError& error) {
-        return fail(exit_bad_input, error.what());
-    }
+/// --help and --version.
+int print_help(const CLI::App& app, const CLI::Success& success) {
+    app.exit(success);
+    if (!std::cout.flush()) return fail(exit_io_failed, "cannot write to standard output");
+    return exit_done;
+}
+
+/// Runs the command that was called; every way of failing becomes one line and an exit code.
+int run_or_fail(const Commands& commands) {
     try {
         return run_command(commands);
     } catch (const BadInput& error) {
@@ -115,9 +117,36 @@ int run(int argc, char** argv) {
     }
 }
 
+int run(int argc, char** argv) {
+    CLI::App app{
+        "Swirl: a rigid polygon or disk in a swirled circular container, followed exactly from one collision "
+        "to the next, and its mode named."};
+    app.set_version_flag("--version", fmt::format("swirl {} ({})", version(), instruction_set()));
+    app.require_subcommand(0, 1);
+    const Commands commands = add_commands(app);
+    try {
+        check_words(app, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return print_help(app, success);
+    } catch (const BadInput& error) {
+        return fail(exit_bad_input, error.what());
+    } catch (const CLI::ParseError& error) {
+        return fail(exit_bad_input, error.what());
+    }
+    const int code = run_or_fail(commands);
+    if (is_interrupted()) {  // pieces of work may still be running: what they use stays until the end
+        std::fflush(nullptr);
+        std::_Exit(code);
+    }
+    return code;
+}
+
 }  // namespace
 }  // namespace swirl::apps
 
 int main(int argc, char** argv) {
+    swirl::apps::prepare_standard_streams();
+    swirl::apps::exit_when_interrupted();
     return swirl::apps::run(argc, argv);
 }

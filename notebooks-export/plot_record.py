@@ -64,6 +64,8 @@ def main():
         fail(2, error)
     except OSError as error:  # a damaged part that opening did not touch
         fail(2, f"cannot read record '{options.record}': {error}")
+    except Exception as error:  # an edited record, or another program's, in which something is not as swirl writes it
+        fail(2, f"cannot draw record '{options.record}': {type(error).__name__}: {error}")
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
     try:
         figures.save(figure, options.output)

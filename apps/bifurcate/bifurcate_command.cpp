@@ -1,6 +1,9 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/standard_streams.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -34,18 +37,18 @@ void BifurcateOptions::add_to(CLI::App& command) {
         ->type_name("");
     command.add_option("--starts", starts, "random starts per column (default 4)")
         ->type_name("R")
-        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000}));
+        ->transform(whole_number(0, 1'000'000));
     command.add_option("--transient", settings.transient, "impacts before those that are kept (default 2500)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{0}, most));
+        ->transform(whole_number(0, most));
     command.add_option("--collisions", settings.collisions, "impacts that are kept, 64 or more (default 500)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{64}, most));
+        ->transform(whole_number(64, most));
     command.add_flag("--follow", follow, "follow the attractor upwards and downwards too");
     command.add_flag("--branches", branches, "continue every cycle that was found");
     command.add_option("--longest-branch", longest_branch, "longest period that --branches continues (default 12)")
         ->type_name("K")
-        ->check(CLI::Range(1, 128));
+        ->transform(whole_number(1, 128));
 }
 
 Scene<double> column_scene(const BifurcateOptions& options, const ParameterRange& along, double value) {
@@ -98,7 +101,7 @@ int bifurcate(BifurcateOptions& options) {
     check(options, diagram.along);
     for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}});
     std::optional<RecordWriter> record =
-        open_record(options.output.record, "Attractors of a swirled polygon over one parameter");
+        open_record(options.output, "Attractors of a swirled polygon over one parameter", {options.scene.file()});
     note_interruptions();
     const auto begin = std::chrono::steady_clock::now();
     sample_columns(options, diagram);
@@ -106,14 +109,15 @@ int bifurcate(BifurcateOptions& options) {
     keep_finished(diagram);
     if (options.branches && !is_interrupted()) continue_attractors(options, diagram);
     diagram.interrupted = is_interrupted();
+    finish_up();
     if (record) write_diagram_record(*record, options, diagram);
     if (options.output.json)
         write_diagram_document(options, diagram);
     else if (!options.output.quiet)
         print_diagram(options, diagram);
     if (!options.output.quiet && !options.output.json)
-        fmt::print(stderr, "swirl: {:.2f} s\n",
-                   std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        tell(fmt::format("swirl: {:.2f} s",
+                         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
     return diagram.interrupted ? exit_interrupted : exit_done;
 }
 

@@ -3,6 +3,8 @@
 #include "apps/classify/classify_runs.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/record_output.hpp"
 #include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
@@ -31,24 +33,24 @@ void ClassifyCommandOptions::add_to(CLI::App& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
-    const auto counts = CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000});
+    const auto counts = whole_number(0, 1'000'000'000);
     command.add_option("--transient", settings.transient, "impacts before the tail (default 10000)")
         ->type_name("K")
-        ->check(counts);
+        ->transform(counts);
     command.add_option("--collisions", settings.collisions, "impacts of the tail, 64 or more (default 10000)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{64}, std::int64_t{100'000'000}));
+        ->transform(whole_number(64, 100'000'000));
     command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
         ->type_name("D")
-        ->check(CLI::NonNegativeNumber);
+        ->check(finite_number_from(0));
     command
         .add_option("--max-period", settings.period.max_period,
                     "longest period looked for (default 4096, of a series 256)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
+        ->transform(whole_number(1, 1'000'000));
     command.add_option("--runs", runs, "random starts, from --seed on: the shares of coexisting modes")
         ->type_name("R")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
+        ->transform(whole_number(1, 1'000'000));
     input.add_to(command);
 }
 
@@ -56,7 +58,8 @@ namespace {
 
 int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene) {
     const Start<double> start = options.start.start<double>(scene);
-    std::optional<RecordWriter> record = open_record(options.output.record, "Mode of a swirled polygon");
+    std::optional<RecordWriter> record =
+        open_record(options.output, "Mode of a swirled polygon", {options.scene.file(), options.input.record});
     exit_when_interrupted();
     const NamedMode named = name_mode(scene, start, options.settings);
     if (record) {
@@ -83,6 +86,7 @@ int classify_scene(ClassifyCommandOptions& options) {
     if (several && !(options.input.record.empty() && options.input.series.file.empty()))
         throw BadInput(
             fmt::format("runs = {}: several runs are of a scene; a record or a series is one", options.runs));
+    require_output(options.output, {options.scene.file(), options.input.record, options.input.series.file});
     if (options.input.is_series(options.scene, options.start)) return classify_measured(options.input, options.output);
     options.input.take_record(options.scene, options.start, options.output.quiet);
     options.scene.read_file();

@@ -2,12 +2,11 @@
 
 #include "apps/classify/runs_document.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/progress.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/standard_streams.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#include <mutex>
 #include <optional>
 
 namespace swirl::apps::classify {
@@ -19,24 +18,17 @@ std::vector<RunVerdict> follow_all(const ClassifyCommandOptions& options, const 
     const auto count = static_cast<std::size_t>(options.runs);
     const double speed = options.start.speed();
     const std::uint64_t seed = options.start.seed();
-    std::vector<RunVerdict> results(count);
-    std::vector<char> done(count, 0);
+    std::vector<std::optional<RunVerdict>> results(count);
     Progress progress("classify", static_cast<double>(count), options.output.quiet);
-    std::mutex mutex;
-    std::size_t finished = 0;
-    tbb::task_arena arena(options.output.threads > 0 ? options.output.threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t r) {
-            if (is_interrupted()) return;
-            results[r] = classify_run(scene, speed, seed + r, options.settings);
-            done[r] = 1;
-            const std::lock_guard lock(mutex);
-            progress.at(static_cast<double>(++finished));
-        });
-    });
+    run_pieces(count, options.output.threads, progress,
+               [&results, &options, scene, speed, seed](std::size_t r) -> KeepResult {
+                   const auto verdict = classify_run(scene, speed, seed + r, options.settings);
+                   if (!verdict) return {};
+                   return [&results, r, verdict] { results[r] = verdict; };
+               });
     std::vector<RunVerdict> whole;
-    for (std::size_t r = 0; r < count; ++r)
-        if (done[r]) whole.push_back(results[r]);
+    for (const auto& result : results)
+        if (result) whole.push_back(*result);
     return whole;
 }
 
@@ -52,39 +44,42 @@ void check(const ClassifyCommandOptions& options) {
 
 }  // namespace
 
-RunVerdict classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
-                        const analysis::ClassifyOptions& settings) {
-    const NamedMode named = name_mode(scene, random_start(scene.beta, speed, seed, 0), settings);
+std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
+                                       const analysis::ClassifyOptions& settings) {
+    const NamedMode named = name_mode(scene, random_start(scene.beta, speed, seed, 0), settings, is_interrupted);
+    if (!named.finished) return std::nullopt;
     const auto& v = named.verdict;
-    return {seed,
-            v.mode,
-            v.kind,
-            named.outcome,
-            std::int64_t{named.impacts},
-            v.period,
-            v.mean,
-            v.mean_per_step,
-            v.recurrence_rate,
-            v.largest_exponent,
-            v.largest_exponent_error,
-            0};
+    return RunVerdict{seed,
+                      v.mode,
+                      v.kind,
+                      named.outcome,
+                      std::int64_t{named.impacts},
+                      v.period,
+                      v.mean,
+                      v.mean_per_step,
+                      v.recurrence_rate,
+                      v.largest_exponent,
+                      v.largest_exponent_error,
+                      0};
 }
 
 int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene) {
     check(options);
-    std::optional<RecordWriter> record =
-        open_record(options.output.record, "Modes of a swirled polygon from several starts");
+    std::optional<RecordWriter> record = open_record(options.output, "Modes of a swirled polygon from several starts",
+                                                     {options.scene.file(), options.input.record});
     note_interruptions();
     RunsFound found;
     found.runs = follow_all(options, scene);
+    finish_up();
     const bool interrupted = found.runs.size() < static_cast<std::size_t>(options.runs);
     if (!found.runs.empty()) {
         found.attractors = attractors_of(found.runs);
         for (std::size_t a = 0; a < found.attractors.size(); ++a)
             for (const std::size_t r : found.attractors[a].runs) found.runs[r].attractor = static_cast<std::int64_t>(a);
-        // Verdicts with all their evidence are not kept, run by run: this one is made again.
+        // Verdicts with all their evidence are not kept, run by run: this one is made again, if there is time.
         const std::uint64_t seed = found.runs[found.attractors.front().runs.front()].seed;
-        found.first = name_mode(scene, random_start(scene.beta, options.start.speed(), seed, 0), options.settings);
+        if (!interrupted)
+            found.first = name_mode(scene, random_start(scene.beta, options.start.speed(), seed, 0), options.settings);
         if (record) {
             write_runs(record->root(), options, scene, found);
             record->finish();
@@ -92,7 +87,7 @@ int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     }
     if (interrupted) {
         if (!options.output.quiet)
-            fmt::print(stderr, "swirl: interrupted; {} of {} runs were finished\n", found.runs.size(), options.runs);
+            tell(fmt::format("swirl: interrupted; {} of {} runs were finished", found.runs.size(), options.runs));
         return exit_interrupted;
     }
     if (options.output.json)

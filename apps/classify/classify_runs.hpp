@@ -4,6 +4,7 @@
 #include "apps/classify/attractors.hpp"
 #include "apps/classify/classify_command.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace swirl::apps::classify {
@@ -12,12 +13,13 @@ namespace swirl::apps::classify {
 struct RunsFound {
     std::vector<RunVerdict> runs;       ///< by seed
     std::vector<Attractor> attractors;  ///< the most shared first
-    NamedMode first;                    ///< the verdict on the first attractor's representative
+    std::optional<NamedMode> first;     ///< the verdict on the first attractor's representative, unless interrupted
 };
 
-/// One run: what `swirl classify --seed` gives. A pure function of its arguments.
-RunVerdict classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
-                        const analysis::ClassifyOptions& settings);
+/// One run: what `swirl classify --seed` gives. A pure function of its arguments, unless it is interrupted: then
+/// nothing.
+std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
+                                       const analysis::ClassifyOptions& settings);
 
 /// Run r starts from seed + r. Equal arguments give equal results, whatever the number of threads.
 /// @return the exit code @throws BadInput for a start that is given, not random

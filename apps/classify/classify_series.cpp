@@ -1,6 +1,9 @@
 #include "apps/classify/classify_series.hpp"
 
 #include "analysis/classification/classify_series.hpp"
+#include "apps/command_line/record_input.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/input/input_options.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/verdict_document.hpp"
@@ -161,7 +164,8 @@ void ClassifyInput::take_record(SceneOptions& scene, StartOptions& start, bool q
     if (record.empty()) return;
     const OrbitColumns orbit = read_orbit(record, {}, {"S"});
     set_from_record(orbit, scene, start);
-    if (!quiet) fmt::print(stderr, "record: the orbit is followed again from its scene and start\n");
+    warn_without_checksum(record, quiet);
+    if (!quiet) tell("record: the orbit is followed again from its scene and start");
 }
 
 int classify_measured(const ClassifyInput& input, const OutputOptions& output) {
@@ -173,12 +177,14 @@ int classify_measured(const ClassifyInput& input, const OutputOptions& output) {
     if (input.collisions_->count() > 0) source.collisions = input.collisions_->as<std::int64_t>();
     SeriesVerdict v;
     v.whole = input.record.empty() ? source.measured() : read_series_record(input.record);
+    warn_without_checksum(input.record, output.quiet);
     v.used = longest_stretch(v.whole);
     v.options.noise = input.noise;
     v.options.sampled_flow = is_sampled_flow(input, v.used);
     if (input.threshold_->count() > 0) v.options.recurrence_threshold = input.threshold_->as<double>();
     if (input.max_period_->count() > 0) v.options.max_period = input.max_period_->as<int>();
-    std::optional<RecordWriter> record = open_record(output.record, "Mode of a measured series");
+    std::optional<RecordWriter> record =
+        open_record(output, "Mode of a measured series", {input.record, input.series.file});
     v.verdict = analysis::classify_series(v.used.values, v.options);
     if (record) {
         write_to_record(record->root(), v);

@@ -78,7 +78,7 @@ Table<Attractor> attractors_table(const RunsFound& found) {
 void write_runs_document(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found) {
     print_document([&](JsonWriter& json) {
         write_scene(json, scene, options.scene, &options.start);
-        write_verdict(json, found.first, options.settings);
+        write_verdict(json, found.first.value(), options.settings);
         write_shares(json, "modes", found, &RunVerdict::mode);
         write_shares(json, "kinds", found, &RunVerdict::kind);
         write_json(json, "attractors", attractors_table(found), found.attractors);
@@ -89,7 +89,7 @@ void write_runs_document(const ClassifyCommandOptions& options, const Scene<doub
 void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, const Scene<double>& scene,
                 const RunsFound& found) {
     write_scene(root, scene, &options.start);
-    write_verdict(root.group("mode"), found.first, options.settings);
+    if (found.first) write_verdict(root.group("mode"), *found.first, options.settings);
     write_record(root.group("attractors"), attractors_table(found), found.attractors);
     const RecordGroup runs = root.group("runs");
     runs.attribute("wanted", options.runs);  // more than there are if interrupted
@@ -103,7 +103,7 @@ void print_runs(const Scene<double>& scene, const RunsFound& found) {
     fmt::print("\n");
     print_table(attractors_table(found), found.attractors);
     fmt::print("the first of them, seed {}:\n{}", found.runs[found.attractors.front().runs.front()].seed,
-               table_of(found.first));
+               table_of(found.first.value()));
 }
 
 }  // namespace swirl::apps::classify

@@ -85,15 +85,6 @@ void write_attributes(const RecordGroup& group, const Settings& settings) {
     for (const auto& [name, value] : settings) group.attribute(name, value);
 }
 
-std::optional<RecordWriter> open_record(const std::string& path, const std::string& title) {
-    if (path.empty()) return std::nullopt;
-    try {
-        return RecordWriter(path, {title, version(), instruction_set()});
-    } catch (const RecordError& error) {
-        throw BadInput(error.what());
-    }
-}
-
 std::string scene_in_words(const Scene<double>& scene) {
     const std::string body = scene.is_disk() ? "disk" : fmt::format("{} sides", scene.sides);
     return fmt::format("{}, alpha {:g}, beta {:g}, mu {:g}, e {:g}, {}, kappa {:.6g}", body, scene.alpha, scene.beta,

@@ -1,16 +1,19 @@
-// Ctrl-C and SIGTERM: recorded, and checked between pieces of work, so that finished results are saved.
+// SIGINT (Ctrl-C), SIGTERM and SIGHUP: exit code 130 within half a second, no stray file, and what is finished kept.
 #pragma once
 
 namespace swirl::apps {
 
-/// From now on SIGINT and SIGTERM are noted instead of ending the process. (The one global: signals have no other.)
+/// From now on these signals end the process with exit code 130 at once: for work of which nothing is finished before
+/// its end. Files that are being written are removed. (A SIGHUP that is ignored from outside, as by nohup, stays so.)
+void exit_when_interrupted();
+
+/// From now on they are noted: for work that looks at is_interrupted() and keeps what is finished. Work that has not
+/// come to finish_up() 0.3 seconds later is ended as by exit_when_interrupted(). (What a handler can reach is global.)
 void note_interruptions();
 
 bool is_interrupted();
 
-/// From now on SIGINT and SIGTERM end the process with exit code 130 at once: for work that can't check for them, as
-/// long as no result is finished. A record that is being written stays as its partial file, which the next writer
-/// replaces.
-void exit_when_interrupted();
+/// The work is over, done or interrupted: what is finished is about to be written, however long that takes.
+void finish_up();
 
 }  // namespace swirl::apps

@@ -1,6 +1,7 @@
 #include "apps/command_line/output_options.hpp"
 
 #include "apps/command_line/errors.hpp"
+#include "apps/command_line/number_checks.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -13,16 +14,20 @@ CLI::Option* add_file(CLI::App& command, const std::string& flag, std::string& f
             [](const std::string& name) { return std::string(name.empty() ? "a file's name is wanted" : ""); }, ""));
 }
 
-void OutputOptions::add_to(CLI::App& command, bool with_record) {
-    command.add_flag("--json", json, "one JSON document on standard output, and nothing else")->group("Output");
-    if (with_record)
-        add_file(command, "-o,--output", record, "write a record (HDF5)")->type_name("FILE.h5")->group("Output");
-    command.add_flag("--quiet", quiet, "no progress and no messages")->group("Output");
-    command.add_option("--threads", threads, "threads (default all); results do not depend on it")
+void OutputOptions::add_to(CLI::App& app, bool with_record) {
+    command = app.get_name();
+    app.add_flag("--json", json, "one JSON document on standard output, and nothing else")->group("Output");
+    if (with_record) {
+        add_file(app, "-o,--output", record, "write a record (HDF5)")->type_name("FILE.h5")->group("Output");
+        app.add_flag("--force", force, "replace an existing file that is not a record of this command")
+            ->group("Output");
+    }
+    app.add_flag("--quiet", quiet, "no progress and no messages")->group("Output");
+    app.add_option("--threads", threads, "threads (default all); results do not depend on it")
         ->type_name("T")
-        ->check(CLI::Range(0, 4096))
+        ->transform(whole_number(0, 4096))
         ->group("Output");
-    command.add_option("--accuracy", accuracy_name, "double (default), extended (80-bit) or quad (113-bit)")
+    app.add_option("--accuracy", accuracy_name, "double (default), extended (80-bit) or quad (113-bit)")
         ->type_name("NAME")
         ->group("Output");
 }

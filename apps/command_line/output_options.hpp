@@ -16,6 +16,8 @@ struct OutputOptions {
     bool json = false;
     bool quiet = false;
     std::string record;
+    std::string command;  ///< the command's name, as its records say it
+    bool force = false;
     int threads = 0;  ///< 0: all
     std::string accuracy_name = "double";
 

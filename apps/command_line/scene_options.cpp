@@ -1,12 +1,12 @@
 #include "apps/command_line/scene_options.hpp"
 
+#include "apps/command_line/text_file.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <toml++/toml.h>
 
 #include <array>
-#include <fstream>
-#include <sstream>
 
 namespace swirl::apps {
 
@@ -48,14 +48,12 @@ std::string text_of(const std::string& file, const std::string& key, const toml:
     throw BadInput(fmt::format("scene file '{}': key '{}' must be a number or a string", file, key));
 }
 
+// A scene is a dozen lines; above it a file is taken for one that never ends.
+constexpr std::size_t longest_scene_file = std::size_t{1} << 20;
+
 toml::table parsed(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) throw BadInput(fmt::format("scene file '{}' cannot be opened", file));
-    std::ostringstream content;
-    content << stream.rdbuf();
-    if (!stream) throw BadInput(fmt::format("scene file '{}' cannot be read", file));
     try {
-        return toml::parse(content.str());
+        return toml::parse(read_text("scene file", file, longest_scene_file));
     } catch (const toml::parse_error& error) {
         throw BadInput(
             fmt::format("scene file '{}', line {}: {}", file, error.source().begin.line, error.description()));

@@ -37,6 +37,9 @@ public:
     /// True if any flag of a scene, or a scene file, was given.
     bool given() const { return !flags_.empty() || !file_.empty(); }
 
+    /// The scene file; empty: none.
+    const std::string& file() const { return file_; }
+
     /// Replaces one parameter (a sweep's or continuation's), as if its flag had been given.
     void set(const std::string& name, const std::string& text);
 

@@ -3,7 +3,10 @@
 #include "analysis/cycles/cycle.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/progress.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "apps/system/section_coordinates.hpp"
 #include "apps/system/shooting_map.hpp"
@@ -38,11 +41,11 @@ void ContinueOptions::add_to(CLI::App& command) {
     command
         .add_option("--along", along, "NAME=A:B: alpha, beta, mu, restitution, inertia-factor; S or tau for a family")
         ->type_name("");
-    command.add_option("--period", period, "of the cycle (default 1)")->type_name("K")->check(CLI::Range(1, 256));
+    command.add_option("--period", period, "of the cycle (default 1)")->type_name("K")->transform(whole_number(1, 256));
     command
         .add_option("--switch", switches, "how many flips and branch points to switch at one after another (default 1)")
         ->type_name("DEPTH")
-        ->check(CLI::Range(0, 16));
+        ->transform(whole_number(0, 16));
     command.add_option("--longest-step", longest_step, "along the branch, 1e-6 to 1 (default 0.02)")->type_name("H");
 }
 
@@ -110,12 +113,14 @@ int continue_orbit(ContinueOptions& options) {
     system.options.first_step = std::min(1e-3, options.longest_step);
     auto cycle = cycle_from(options, scene, system.map, p);
     if (!cycle.empty() && !lies_on_curve(scene, along, cycle)) {
-        fmt::print(stderr, "swirl: the cycle is {}\n",
-                   along.parameter ? "a member of a family: follow it by --along S=A:B or tau=A:B"
-                                   : "not a member of a family of one parameter: --along a parameter of the scene");
+        tell(fmt::format("swirl: the cycle is {}",
+                         along.parameter
+                             ? "a member of a family: follow it by --along S=A:B or tau=A:B"
+                             : "not a member of a family of one parameter: --along a parameter of the scene"));
         cycle.clear();
     }
-    std::optional<RecordWriter> record = open_record(options.output.record, "Branches of cycles of a swirled polygon");
+    std::optional<RecordWriter> record =
+        open_record(options.output, "Branches of cycles of a swirled polygon", {options.scene.file()});
     note_interruptions();
     std::vector<analysis::Branch> branches(1);
     Progress progress("continue", along.high - along.low, options.output.quiet);
@@ -123,6 +128,7 @@ int continue_orbit(ContinueOptions& options) {
     if (cycle.empty() || !analysis::continue_branch(system.map, cycle, p, system.options, branches.front()))
         branches.clear();
     follow_switches(system, branches, options.switches);
+    finish_up();
     if (record) {
         write_attributes(record->root().group("scene"), scene_settings(scene));
         write_attributes(record->root().group("settings"), settings_of(options));

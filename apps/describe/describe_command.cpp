@@ -2,6 +2,7 @@
 
 #include "analysis/cycles/stability.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/record_output.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -66,7 +67,8 @@ int describe(DescribeOptions& options) {
         throw BadInput(fmt::format("accuracy = {}: describe works in double", options.output.accuracy_name));
     if (!(options.max_time > 0 && options.max_time <= 1e4))
         throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= 10000", options.max_time));
-    std::optional<RecordWriter> record = open_record(options.output.record, "What is known of a swirled polygon");
+    std::optional<RecordWriter> record =
+        open_record(options.output, "What is known of a swirled polygon", {options.scene.file()});
     exit_when_interrupted();
     const Description d = description_of(scene, options.max_time);
     const Settings settings = {{"max_time", options.max_time},

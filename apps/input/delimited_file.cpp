@@ -1,18 +1,14 @@
 #include "apps/input/delimited_file.hpp"
 
 #include "apps/command_line/errors.hpp"
+#include "apps/command_line/text_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -30,29 +26,8 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-std::string content_of(const std::string& name) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(name, ignored))
-        throw BadInput(fmt::format("series '{}' is a directory; a text file is needed", name));
-    using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-    const bool standard_input = name == "-";
-    const File file(
-        standard_input ? stdin : std::fopen(name.c_str(), "rb"),
-        standard_input ? [](std::FILE*) { return 0; } : [](std::FILE* f) { return std::fclose(f); });
-    if (!file) throw BadInput(fmt::format("series '{}' cannot be opened: {}", name, std::strerror(errno)));
-    std::string content;
-    char buffer[65536];
-    for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;)
-        content.append(buffer, got);
-    if (std::ferror(file.get()) != 0)
-        throw BadInput(fmt::format("series '{}' cannot be read: {}", name, std::strerror(errno)));
-    if (content.find('\0') != std::string::npos)
-        throw BadInput(
-            fmt::format("series '{}' is not a text file: it holds a zero byte (a record of swirl is given "
-                        "without --series)",
-                        name));
-    return content;
-}
+// Ten million rows of a hundred bytes; above it a file is taken for one that never ends.
+constexpr std::size_t longest_series = std::size_t{1} << 30;
 
 char separator_of(const std::string& line) {
     bool quoted = false;
@@ -151,7 +126,7 @@ std::vector<std::string> cells_of(const std::string& line, char separator) {
 }
 
 DelimitedFile read_delimited(const std::string& name) {
-    const std::string content = content_of(name);
+    const std::string content = read_text("series", name, longest_series);
     DelimitedFile file;
     file.name = name;
     std::size_t begin = content.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0;  // a byte order mark

@@ -1,5 +1,6 @@
 #include "apps/input/input_options.hpp"
 
+#include "apps/command_line/number_checks.hpp"
 #include "apps/record/record_reader.hpp"
 
 #include <CLI/CLI.hpp>
@@ -20,7 +21,7 @@ rise; an empty cell, nan or NA is a gap.)";
 void InputOptions::add_to(CLI::App& command) {
     scene.add_to(command);
     start.add_to(command);
-    const auto counts = CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000});
+    const auto counts = whole_number(0, 1'000'000'000);
     command.add_option("RECORD,--record", record, "a record that swirl simulate -o wrote")
         ->type_name("FILE.h5")
         ->group("Input");
@@ -39,11 +40,11 @@ void InputOptions::add_to(CLI::App& command) {
         ->group("Input");
     command.add_option("--transient", transient, "impacts (samples) left out first (scene: 10000, else 0)")
         ->type_name("K")
-        ->check(counts)
+        ->transform(counts)
         ->group("Input");
     command.add_option("--collisions", collisions, "impacts (samples) taken then (scene: 10000, else all)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}))
+        ->transform(whole_number(1, 1'000'000'000))
         ->group("Input");
 }
 
@@ -120,13 +121,20 @@ bool is_series_record(const std::string& file) {
 }
 
 MeasuredSeries read_series_record(const std::string& file) {
-    const RecordReader record(file);
-    MeasuredSeries series;
-    series.column = record.attribute<std::string>("/series", "column");
-    series.time = record.attribute<std::string>("/series", "time");
-    series.times = record.read<double>("/series/time");
-    series.values = record.read<double>("/series/value");
-    return part_of(series, 0, series.values.size());
+    try {
+        const RecordReader record(file);
+        MeasuredSeries series;
+        series.column = record.attribute<std::string>("/series", "column");
+        series.time = record.attribute<std::string>("/series", "time");
+        series.times = record.read<double>("/series/time");
+        series.values = record.read<double>("/series/value");
+        if (series.times.size() != series.values.size())
+            throw BadInput(
+                fmt::format("record '{}' has {} times of {} values", file, series.times.size(), series.values.size()));
+        return part_of(series, 0, series.values.size());
+    } catch (const RecordError& error) {  // a named file that can't be read is bad input: no work has begun
+        throw BadInput(error.what());
+    }
 }
 
 void write_series(const RecordGroup& root, const MeasuredSeries& series) {

@@ -27,6 +27,9 @@ struct InputOptions {
     /// The one kind that was given. @throws BadInput for two, or none
     InputKind kind() const;
 
+    /// The files that are read; empty names are none, "-" is standard input.
+    std::vector<std::string> files() const { return {scene.file(), record, series.file}; }
+
     /// Of a scene 10,000 impacts after 10,000 (what the classification needs); of a record or series all there is.
     ImpactRange range() const;
 

@@ -2,6 +2,8 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/record_output.hpp"
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>
@@ -28,10 +30,10 @@ void LyapunovCommandOptions::add_to(CLI::App& command) {
     output.add_to(command);
     command.add_option("--transient", transient, "impacts before those that count (default 10000)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
+        ->transform(whole_number(0, 1'000'000'000));
     command.add_option("--collisions", collisions, "impacts that count (default 100000)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+        ->transform(whole_number(1, 1'000'000'000));
 }
 
 namespace {
@@ -141,7 +143,8 @@ int lyapunov(LyapunovCommandOptions& options) {
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: lyapunov works in double", options.output.accuracy_name));
     const Start<double> start = options.start.start<double>(scene);
-    std::optional<RecordWriter> record = open_record(options.output.record, "Lyapunov spectrum of a swirled polygon");
+    std::optional<RecordWriter> record =
+        open_record(options.output, "Lyapunov spectrum of a swirled polygon", {options.scene.file()});
     exit_when_interrupted();
     const OrbitSpectrum s = spectrum_of(scene, start, options.transient, options.collisions);
     const Settings settings = {{"transient", options.transient},

@@ -3,7 +3,9 @@
 #include "analysis/cycles/family.hpp"
 #include "analysis/cycles/known_cycles.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/progress.hpp"
+#include "apps/command_line/record_output.hpp"
 #include "apps/system/section_coordinates.hpp"
 #include "apps/system/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
@@ -36,22 +38,22 @@ void OrbitsOptions::add_to(CLI::App& command) {
     output.add_to(command);
     command.add_option("--period", period, "cycles of this period (default 1)")
         ->type_name("K")
-        ->check(CLI::Range(1, 256));
+        ->transform(whole_number(1, 256));
     command.add_option("--max-period", max_period, "cycles of all periods up to this")
         ->type_name("K")
-        ->check(CLI::Range(1, 256));
+        ->transform(whole_number(1, 256));
     command.add_option("--near", near, "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)")->type_name("");
     command.add_option("--pin", pin, "S=VALUE or tau=VALUE: members of families with this S or return time")
         ->type_name("");
     command.add_option("--starts", candidates.starts, "random section points per period (default 1500)")
         ->type_name("R")
-        ->check(CLI::Range(std::int64_t{0}, most));
+        ->transform(whole_number(0, most));
     command.add_option("--trajectories", candidates.trajectories, "orbits searched for close returns (default 16)")
         ->type_name("R")
-        ->check(CLI::Range(std::int64_t{0}, most));
+        ->transform(whole_number(0, most));
     command.add_option("--collisions", candidates.collisions, "impacts of each of them (default 2000)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{1}, most));
+        ->transform(whole_number(1, most));
     add_seed(command, candidates.seed, "of the random starts (default 1)");
 }
 
@@ -220,12 +222,14 @@ int orbits(OrbitsOptions& options) {
     const std::optional<Pin> pin = pin_from(options.pin);
     if (pin && !options.near.empty()) throw BadInput("--pin and --near are both given; give one");
     const auto map = shooting_map_of(scene);
-    std::optional<RecordWriter> record = open_record(options.output.record, "Cycles of a swirled polygon");
+    std::optional<RecordWriter> record =
+        open_record(options.output, "Cycles of a swirled polygon", {options.scene.file()});
     note_interruptions();
     options.candidates.stop = is_interrupted;
     FoundOrbits found = options.near.empty() ? find_all(options, scene, map) : find_near(options, scene, map);
     if (pin) pin_families(map, *pin, found);
     found.interrupted = is_interrupted();
+    finish_up();
     if (record) write_orbits_record(*record, options, scene, found);
     if (options.output.json)
         write_orbits_document(options, scene, found);

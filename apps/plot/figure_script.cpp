@@ -1,11 +1,17 @@
 #include "apps/plot/figure_script.hpp"
 
 #include "apps/command_line/errors.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/record/posix_file.hpp"
 
 #include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <string_view>
 #include <system_error>
@@ -66,6 +72,31 @@ void become_python(const std::filesystem::path& script, const std::vector<std::s
     ::execv(argv[0], argv.data());
     const std::string reason = system_reason();
     throw BadInput(fmt::format("cannot run {} ({}); figures need the Debian packages {}", words[0], reason, packages));
+}
+
+int run_python(const std::filesystem::path& script, const std::vector<std::string>& arguments) {
+    const pid_t child = ::fork();
+    if (child < 0) throw BadInput(fmt::format("cannot run Python: {}", system_reason()));
+    if (child == 0) {
+        for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_DFL);
+        ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // an interruption ends this process: the child, too
+        const rlimit minute{60, 61};
+        ::setrlimit(RLIMIT_CPU, &minute);
+        const rlimit none{0, 0};
+        ::setrlimit(RLIMIT_CORE, &none);
+        try {
+            become_python(script, arguments);
+        } catch (const BadInput& error) {
+            tell(fmt::format("swirl: {}", error.what()));
+        }
+        ::_exit(exit_bad_input);
+    }
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) throw BadInput(fmt::format("cannot run Python: {}", system_reason()));
+    if (WIFEXITED(status)) return WEXITSTATUS(status);
+    throw BadInput(
+        fmt::format("record '{}' cannot be drawn: reading it ended by signal {}", arguments.front(), WTERMSIG(status)));
 }
 
 }  // namespace swirl::apps::plot

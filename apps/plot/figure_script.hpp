@@ -15,4 +15,8 @@ std::filesystem::path figure_script();
 /// there is no such Python
 [[noreturn]] void become_python(const std::filesystem::path& script, const std::vector<std::string>& arguments);
 
+/// The same in a child process, for a record on which the library beneath may crash: the child's exit code. @throws
+/// BadInput if it crashed, or took longer than a minute of computing
+int run_python(const std::filesystem::path& script, const std::vector<std::string>& arguments);
+
 }  // namespace swirl::apps::plot

@@ -1,8 +1,11 @@
 #include "apps/plot/plot_command.hpp"
 
 #include "apps/command_line/errors.hpp"
+#include "apps/command_line/record_input.hpp"
+#include "apps/command_line/record_output.hpp"
 #include "apps/plot/figure_script.hpp"
 #include "apps/record/posix_file.hpp"
+#include "apps/record/record_checksum.hpp"
 #include "apps/record/record_reader.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +14,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
 #include <system_error>
 
 namespace swirl::apps::plot {
@@ -36,6 +42,7 @@ void PlotOptions::add_to(CLI::App& command) {
         ->type_name("FIGURE")
         ->required();
     command.add_option("--kind", kind, "which figure, where there are several")->type_name("NAME");
+    command.add_flag("--force", force, "replace an existing file that swirl plot did not draw");
     command.add_flag("--json", json, "one JSON document on standard output: figure, kind, record");
     command.add_flag("--quiet", quiet, "no messages");
 }
@@ -52,6 +59,14 @@ void check_record(const std::string& path) {
     }
 }
 
+/// A figure says of itself what drew it (notebooks-export/swirl_figures/output.py), wherever its format keeps that.
+bool is_drawn_by_plot(const std::filesystem::path& figure) {
+    constexpr std::string_view mark = "drawn by swirl plot";
+    std::ifstream file(figure, std::ios::binary);
+    const std::string content{std::istreambuf_iterator<char>(file), {}};
+    return content.find(mark) != std::string::npos;
+}
+
 void check_figure(const PlotOptions& options) {
     const std::filesystem::path figure(options.figure);
     if (std::find(suffixes.begin(), suffixes.end(), figure.extension().string()) == suffixes.end())
@@ -61,6 +76,12 @@ void check_figure(const PlotOptions& options) {
     std::error_code missing;
     if (std::filesystem::equivalent(figure, options.record, missing))
         throw BadInput(fmt::format("figure '{}' is the record itself", options.figure));
+    require_no_input(options.figure, {options.record});
+    if (!options.force && std::filesystem::is_regular_file(figure, missing) && !is_drawn_by_plot(figure))
+        throw BadInput(
+            fmt::format("figure '{}' exists and was not drawn by swirl plot: name another file, or replace it with "
+                        "--force",
+                        options.figure));
 }
 
 /// A path that no parser takes for a flag.
@@ -73,10 +94,12 @@ std::string as_word(const std::string& path) {
 int plot(PlotOptions& options) {
     check_record(options.record);
     check_figure(options);
+    warn_without_checksum(options.record, options.quiet);
     std::vector<std::string> arguments = {as_word(options.record), "--output=" + options.figure};
     if (!options.kind.empty()) arguments.push_back("--kind=" + options.kind);
     if (options.json) arguments.emplace_back("--json");
     if (options.quiet) arguments.emplace_back("--quiet");
+    if (!has_checksum(options.record)) return run_python(figure_script(), arguments);
     become_python(figure_script(), arguments);
 }
 

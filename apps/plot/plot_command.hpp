@@ -13,13 +13,15 @@ struct PlotOptions {
     std::string kind;  ///< empty: the record's default
     bool json = false;
     bool quiet = false;
+    bool force = false;
 
     void add_to(CLI::App& command);
 };
 
 extern const char* const plot_details;
 
-/// Checks what it can, then becomes the Python script that draws. Returns only by throwing BadInput.
+/// Checks what it can, then becomes the Python script that draws; of a record without a checksum it runs it in a child
+/// process. @return the child's exit code @throws BadInput
 int plot(PlotOptions& options);
 
 }  // namespace swirl::apps::plot

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <span>
+#include <system_error>
 
 #include "apps/record/record_error.hpp"
 
@@ -122,6 +124,9 @@ AttributeValue read_attribute(hid_t object, const std::string& name, const std::
     const Datatype type(check(H5Aget_type(attribute.id()), action, file));
     const Dataspace space(check(H5Aget_space(attribute.id()), action, file));
     const auto size = static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space.id()), action, file));
+    std::error_code unknown;  // a damaged size must not claim the machine's memory
+    if (const auto bytes = std::filesystem::file_size(file, unknown); !unknown && size > bytes)
+        throw RecordError(action, file, fmt::format("it claims {} values in a file of {} bytes", size, bytes));
     const bool scalar = H5Sget_simple_extent_type(space.id()) == H5S_SCALAR;
     switch (H5Tget_class(type.id())) {
         case H5T_FLOAT:

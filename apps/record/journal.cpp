@@ -21,7 +21,6 @@ namespace {
 using Bytes = std::vector<std::byte>;
 
 constexpr std::string_view magic = "SWIRLJNL";
-constexpr std::size_t buffer_bytes = std::size_t{1024} * 1024;
 constexpr std::size_t entry_head_bytes = sizeof(std::uint64_t) + sizeof(std::uint32_t);
 constexpr std::size_t crc_bytes = sizeof(std::uint32_t);
 constexpr auto open_action = "cannot open journal";
@@ -124,10 +123,12 @@ Journal::Journal(const std::filesystem::path& path, std::span<const std::byte> h
         ::lseek(file_.descriptor(), 0, SEEK_END) < 0) {
         throw RecordError(open_action, name, system_reason());
     }
+    if (valid_end == expected.size()) empty_ = UnfinishedFile(path_);
 }
 
 void Journal::begin(std::span<const std::byte> block) {
     if (::ftruncate(file_.descriptor(), 0) != 0) throw RecordError(open_action, path_.string(), system_reason());
+    empty_ = UnfinishedFile(path_);
     put(buffer_, block);
     flush();
 }
@@ -141,7 +142,8 @@ void Journal::append(std::uint64_t index, std::span<const std::byte> payload) {
     put_integer(buffer_, static_cast<std::uint32_t>(payload.size()));
     put(buffer_, payload);
     put_integer(buffer_, crc_of(std::span<const std::byte>(buffer_).subspan(begin)));
-    if (buffer_.size() >= buffer_bytes) write_buffer();
+    write_buffer();
+    empty_.finished();
 }
 
 void Journal::write_buffer() {

@@ -9,6 +9,7 @@
 
 #include "apps/record/posix_file.hpp"
 #include "apps/record/record_error.hpp"
+#include "apps/record/unfinished_files.hpp"
 
 namespace swirl::apps {
 
@@ -38,7 +39,7 @@ public:
     /// journal or is in use by another process. Memory: O(largest payload).
     Journal(const std::filesystem::path& path, std::span<const std::byte> header, const Replay& replay);
 
-    /// Buffered; out to the system at 1 MiB. RecordError if that fails.
+    /// Handed to the system, which keeps it if the process ends. RecordError if that fails.
     void append(std::uint64_t index, std::span<const std::byte> payload);
 
     /// Everything appended is on the disk (fdatasync) when this returns. RecordError if it cannot be.
@@ -53,6 +54,7 @@ private:
 
     std::filesystem::path path_;
     PosixFile file_;
+    UnfinishedFile empty_;  // until the first entry
     std::vector<std::byte> buffer_;
 };
 

@@ -1,6 +1,7 @@
 #include "apps/record/output_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <system_error>
@@ -18,14 +19,34 @@ std::filesystem::path resolve_link(const std::filesystem::path& path) {
     return missing ? path : resolved;
 }
 
+// Owner, group and permissions of what is going to be replaced, as far as the system lets one give them. Who was not
+// let in by the old group is not let in by another one.
+void take_permissions(const PosixFile& file, const std::filesystem::path& target) {
+    struct stat old {};
+    if (::stat(target.c_str(), &old) != 0) return;
+    mode_t mode = old.st_mode & 07777;
+    const bool has_group = ::fchown(file.descriptor(), static_cast<uid_t>(-1), old.st_gid) == 0;
+    if (!has_group) mode &= ~static_cast<mode_t>(070);
+    // Only the system's administrator can give a file away: for everyone else it stays the writer's own.
+    static_cast<void>(::fchown(file.descriptor(), old.st_uid, static_cast<gid_t>(-1)) == 0);
+    ::fchmod(file.descriptor(), mode);
+}
+
 }  // namespace
+
+std::filesystem::path partial_path_of(const std::filesystem::path& target) {
+    const std::filesystem::path resolved = resolve_link(target);
+    return resolved.parent_path() / ("." + resolved.filename().string() + ".partial");
+}
 
 OutputFile::OutputFile(const std::filesystem::path& target) : name_(target), target_(resolve_link(target)) {
     if (const auto obstacle = obstacle_to_creating(target_)) {
         throw RecordError("cannot create record", name_.string(), *obstacle);
     }
-    partial_ = target_.parent_path() / ("." + target_.filename().string() + ".partial");
+    partial_ = partial_path_of(target_);
     file_ = open_locked(partial_, "cannot create record", name_.string());
+    unfinished_ = UnfinishedFile(partial_);
+    take_permissions(file_, target_);
 }
 
 OutputFile::~OutputFile() {
@@ -37,6 +58,7 @@ void OutputFile::commit() {
         throw RecordError("cannot finish record", name_.string(), system_reason());
     }
     committed_ = true;
+    unfinished_.finished();
     // The new name is on the disk when its directory is. Some file systems refuse to sync a directory; the record
     // itself is safe by then.
     const std::filesystem::path directory = target_.has_parent_path() ? target_.parent_path() : ".";

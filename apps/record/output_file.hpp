@@ -3,14 +3,18 @@
 #include <filesystem>
 
 #include "apps/record/posix_file.hpp"
+#include "apps/record/unfinished_files.hpp"
 
 namespace swirl::apps {
+
+/// Where a file is written until it is whole: `.NAME.partial` beside it, or beside what a link points to.
+std::filesystem::path partial_path_of(const std::filesystem::path& target);
 
 /// A file that appears under its name only when it is whole. It is written as `.NAME.partial` beside the target (a
 /// rename is atomic only within one file system) and takes the target's place in commit(). What stood under the
 /// target's name stays untouched until then, and for good if commit() is never reached: the destructor removes the
-/// partial file. The partial file is locked against a second writer; one left by a killed process is not locked and is
-/// written over.
+/// partial file. A file that is replaced leaves its group and permissions to the new one. The partial file is locked
+/// against a second writer; one left by a killed process is not locked and is written over.
 class OutputFile {
 public:
     /// Creates the partial file, empty. RecordError if the target could not be created: no such directory, a directory
@@ -22,6 +26,8 @@ public:
 
     /// Where to write until commit().
     [[nodiscard]] const std::filesystem::path& partial_path() const { return partial_; }
+    /// Of the partial file, open for reading and writing.
+    [[nodiscard]] int descriptor() const { return file_.descriptor(); }
     /// As the user gave it, for messages.
     [[nodiscard]] const std::filesystem::path& name() const { return name_; }
 
@@ -32,6 +38,7 @@ private:
     std::filesystem::path name_;
     std::filesystem::path target_;
     std::filesystem::path partial_;
+    UnfinishedFile unfinished_;
     PosixFile file_;
     bool committed_ = false;
 };

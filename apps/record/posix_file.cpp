@@ -23,16 +23,23 @@ std::string system_reason() {
 
 namespace {
 
-// Between open() and flock() another writer may have finished and renamed the file away; the lock is then on the wrong
-// file.
-bool still_has_name(const PosixFile& file, const std::filesystem::path& path) {
-    struct stat opened {};
-    struct stat named {};
-    return ::fstat(file.descriptor(), &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
-           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+bool is_same(const struct stat& a, const struct stat& b) {
+    return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
 
 }  // namespace
+
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    struct stat first {};
+    struct stat second {};
+    return ::stat(a.c_str(), &first) == 0 && ::stat(b.c_str(), &second) == 0 && is_same(first, second);
+}
+
+bool is_same_file(const std::filesystem::path& path, int descriptor) {
+    struct stat named {};
+    struct stat opened {};
+    return ::stat(path.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 && is_same(named, opened);
+}
 
 PosixFile open_locked(const std::filesystem::path& path, const std::string& action, const std::string& name) {
     while (true) {
@@ -41,7 +48,9 @@ PosixFile open_locked(const std::filesystem::path& path, const std::string& acti
         if (::flock(file.descriptor(), LOCK_EX | LOCK_NB) != 0) {
             throw RecordError(action, name, errno == EWOULDBLOCK ? "another process is writing it" : system_reason());
         }
-        if (still_has_name(file, path)) return file;
+        // Between open() and flock() another writer may have finished and renamed the file away; the lock is then on
+        // the wrong file.
+        if (is_same_file(path, file.descriptor())) return file;
     }
 }
 

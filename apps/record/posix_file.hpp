@@ -33,6 +33,11 @@ std::string system_reason();
 /// which includes the lock being held elsewhere.
 PosixFile open_locked(const std::filesystem::path& path, const std::string& action, const std::string& name);
 
+/// Do two names, or a name and an open descriptor, lead to one file (the same name, a link, a hard link)? False where
+/// one of them is missing.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+bool is_same_file(const std::filesystem::path& path, int descriptor);
+
 /// What a plain file of this name could not be created for, if anything: its directory is missing or is no directory,
 /// something that is not a regular file has the name, a file of that name may not be written.
 std::optional<std::string> obstacle_to_creating(const std::filesystem::path& path);

@@ -9,12 +9,23 @@
 #include "apps/record/hdf5_attributes.hpp"
 #include "apps/record/hdf5_dataset.hpp"
 #include "apps/record/posix_file.hpp"
+#include "apps/record/read_everything.hpp"
+#include "apps/record/record_checksum.hpp"
+#include "apps/record/trial_reading.hpp"
 
 namespace swirl::apps {
+
+namespace {
+
+hdf5::File open_file(const std::string& name);
+
+}  // namespace
 
 struct RecordReader::OpenFile {
     std::string name;
     hdf5::File file;
+
+    explicit OpenFile(const std::string& path) : name(path), file(open_file(path)) {}
 
     [[nodiscard]] hdf5::Object open(const std::string& path) const {
         const std::string action = fmt::format("cannot read '{}' of record", path);
@@ -37,19 +48,28 @@ struct RecordReader::OpenFile {
 
 namespace {
 
-hdf5::File open_file(const std::string& name) {
-    constexpr auto action = "cannot read record";
+constexpr auto reading = "cannot read record";
+
+void require_hdf5(const std::string& name) {
     hdf5::prepare();
+    // Before it is opened: opening a pipe waits for its other end.
+    std::error_code ignored;
+    const auto status = std::filesystem::status(name, ignored);
+    if (std::filesystem::is_directory(status)) throw RecordError(reading, name, "it is a directory");
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw RecordError(reading, name, "it is not a regular file");
     // The system's own reason (no such file, permission denied) before HDF5's.
     if (const PosixFile probe(::open(name.c_str(), O_RDONLY | O_CLOEXEC)); probe.descriptor() < 0) {
-        throw RecordError(action, name, system_reason());
+        throw RecordError(reading, name, system_reason());
     }
-    if (std::filesystem::is_directory(name)) throw RecordError(action, name, "it is a directory");
-    if (H5Fis_hdf5(name.c_str()) <= 0) throw RecordError(action, name, "it is not an HDF5 file");
+    if (H5Fis_hdf5(name.c_str()) <= 0) throw RecordError(reading, name, "it is not an HDF5 file");
+}
+
+hdf5::File open_file(const std::string& name) {
     const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS));
     // A record has its name only when it is whole, so reading needs no lock (and file systems without locks do).
     H5Pset_file_locking(access.id(), false, true);
-    return hdf5::File(hdf5::check(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.id()), action, name));
+    return hdf5::File(hdf5::check(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.id()), reading, name));
 }
 
 std::vector<std::string> link_names(hid_t group, const std::string& path, const std::string& file) {
@@ -84,6 +104,18 @@ hid_t memory_type(ElementType type) {
     }
 }
 
+// A damaged shape must not claim the machine's memory. Of one byte deflate makes 1032 at most.
+std::size_t product_of(const std::vector<hsize_t>& count, const std::string& path, const std::string& file) {
+    std::error_code unknown;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, unknown);
+    double elements = 1;
+    for (const hsize_t size : count) elements *= static_cast<double>(size);
+    if (!unknown && elements > 1032.0 * static_cast<double>(bytes))
+        throw RecordError(hdf5::dataset_action(path), file,
+                          fmt::format("it claims {:g} values in a file of {} bytes", elements, bytes));
+    return static_cast<std::size_t>(elements);  // exact: far below 2^53
+}
+
 struct Selection {
     hdf5::Dataspace source;  // in the file
     hdf5::Dataspace target;  // in memory
@@ -105,7 +137,7 @@ Selection select(hid_t dataset, const Slab& slab, const std::string& path, const
                                       fmt::join(count, ", "), fmt::join(shape, ", ")));
     }
     Selection selection{hdf5::Dataspace(H5Dget_space(dataset)), {}, 1};
-    for (const hsize_t size : count) selection.elements *= size;
+    selection.elements = product_of(count, path, file);
     if (count.empty()) {
         selection.target = hdf5::Dataspace(H5Screate(H5S_SCALAR));
     } else {
@@ -124,14 +156,38 @@ std::vector<bool> as_bools(const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-RecordReader::RecordReader(const std::filesystem::path& path)
-    : file_(std::make_unique<OpenFile>(OpenFile{path.string(), open_file(path.string())})) {
+bool is_hdf5_file(const std::filesystem::path& file) {
+    std::error_code unreadable;
+    hdf5::prepare();
+    return std::filesystem::is_regular_file(file, unreadable) && H5Fis_hdf5(file.c_str()) > 0;
+}
+
+RecordReader::RecordReader(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    require_hdf5(name);
+    switch (wholeness_of(path)) {
+        case Wholeness::whole:
+            break;
+        case Wholeness::damaged:
+            throw RecordError(reading, name,
+                              "it is damaged: its bytes have not the checksum that it was written with (of a record "
+                              "that was changed on purpose, zero the first 512 bytes)");
+        case Wholeness::unstated:
+            try_reading(path, [&] { read_everything(RecordReader(std::make_unique<OpenFile>(name))); });
+    }
+    file_ = std::make_unique<OpenFile>(name);
+    require_schema();
+}
+
+RecordReader::RecordReader(std::unique_ptr<OpenFile> file) : file_(std::move(file)) {}
+
+void RecordReader::require_schema() const {
     if (!has_attribute("/", "schema_version")) {
-        throw RecordError("cannot read record", file_->name, "it has no schema_version, so it is not a Swirl record");
+        throw RecordError(reading, file_->name, "it has no schema_version, so it is not a Swirl record");
     }
     if (const std::int64_t version = schema_version(); version < 1 || version > record_schema_version) {
         throw RecordError(
-            "cannot read record", file_->name,
+            reading, file_->name,
             fmt::format("its schema_version is {}, this program reads 1 to {}", version, record_schema_version));
     }
 }
@@ -148,17 +204,19 @@ std::int64_t RecordReader::schema_version() const {
     return attribute<std::int64_t>("/", "schema_version");
 }
 
+std::vector<std::string> RecordReader::members(const std::string& group) const {
+    return link_names(file_->open(group, H5I_GROUP).id(), group, file_->name);
+}
+
 std::vector<std::string> RecordReader::groups(const std::string& group) const {
-    const hdf5::Object object = file_->open(group, H5I_GROUP);
-    std::vector<std::string> names = link_names(object.id(), group, file_->name);
+    std::vector<std::string> names = members(group);
     std::erase_if(
         names, [&](const std::string& name) { return H5Iget_type(file_->open(group + "/" + name).id()) != H5I_GROUP; });
     return names;
 }
 
 std::vector<std::string> RecordReader::datasets(const std::string& group) const {
-    const hdf5::Object object = file_->open(group, H5I_GROUP);
-    std::vector<std::string> names = link_names(object.id(), group, file_->name);
+    std::vector<std::string> names = members(group);
     std::erase_if(names, [&](const std::string& name) {
         const hdf5::Object member = file_->open(group + "/" + name);
         return H5Iget_type(member.id()) != H5I_DATASET || hdf5::is_bare_scale(member.id());

@@ -11,6 +11,9 @@
 
 namespace swirl::apps {
 
+/// Is it an HDF5 file, with or without a user block? False for what is no plain file or can't be read.
+bool is_hdf5_file(const std::filesystem::path& file);
+
 struct DatasetInfo {
     ElementType type;
     std::vector<std::uint64_t> shape;     // empty: a scalar
@@ -25,8 +28,8 @@ struct Slab {
 };
 
 /// Reads a record. Paths are "/group/name", the root is "/". Every failure is a RecordError of one line: the file is
-/// missing, is not HDF5, is truncated or damaged, is no record, is of a later schema, holds no such object, or holds it
-/// in another type.
+/// missing, is not HDF5, is damaged (record_checksum.hpp), is no record, is of a later schema, holds no such object, or
+/// holds it in another type. A file without a checksum is read in a child process first (trial_reading.hpp).
 class RecordReader {
 public:
     explicit RecordReader(const std::filesystem::path& path);
@@ -39,6 +42,8 @@ public:
     /// Names in `group`, in alphabetical order. A dimension without a coordinate is no dataset.
     [[nodiscard]] std::vector<std::string> groups(const std::string& group = "/") const;
     [[nodiscard]] std::vector<std::string> datasets(const std::string& group = "/") const;
+    /// All of them, and whatever else there is.
+    [[nodiscard]] std::vector<std::string> members(const std::string& group = "/") const;
     [[nodiscard]] bool contains(const std::string& path) const;
 
     /// Attributes of a group or dataset.
@@ -64,6 +69,8 @@ private:
     [[nodiscard]] std::string file_name() const;
 
     struct OpenFile;
+    explicit RecordReader(std::unique_ptr<OpenFile> file);
+    void require_schema() const;
     std::unique_ptr<OpenFile> file_;
 };
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "apps/record/hdf5_attributes.hpp"
+#include "apps/record/record_checksum.hpp"
 #include "apps/record/record_error.hpp"
 
 namespace swirl::apps {
@@ -22,6 +23,7 @@ hdf5::File create_file(const std::filesystem::path& path, const std::string& nam
     H5Pset_file_locking(access.id(), false, true);
     const hdf5::Properties creation(H5Pcreate(H5P_FILE_CREATE));
     H5Pset_obj_track_times(creation.id(), false);
+    H5Pset_userblock(creation.id(), user_block_bytes);
     return hdf5::File(
         hdf5::check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), "cannot create record", name));
 }
@@ -212,6 +214,7 @@ void RecordStore::finish() {
     groups_.clear();
     hdf5::check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "cannot finish record", file_name());
     hdf5::check(file_.close(), "cannot finish record", file_name());
+    write_checksum(output_.descriptor(), output_.name());
     output_.commit();
 }
 

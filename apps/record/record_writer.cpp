@@ -43,6 +43,7 @@ RecordWriter::RecordWriter(const std::filesystem::path& path, const RecordHeader
     const RecordGroup group = root();
     group.attribute("schema_version", record_schema_version);
     group.attribute("title", header.title);
+    if (!header.command.empty()) group.attribute("command", header.command);
     group.attribute("swirl_version", header.swirl_version);
     group.attribute("instruction_set", header.instruction_set);
 }

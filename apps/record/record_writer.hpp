@@ -18,6 +18,8 @@ struct RecordHeader {
     std::string swirl_version;
     /// What the numerics were compiled for ("x86-64", "avx2", ...): equal bits are promised on one of them.
     std::string instruction_set;
+    /// The command that wrote it; empty: none, and no attribute.
+    std::string command{};
 };
 
 class RecordStore;  // the open file and its datasets

@@ -1,5 +1,6 @@
 #include "apps/recurrence/recurrence_command.hpp"
 
+#include "apps/command_line/number_checks.hpp"
 #include "apps/recurrence/convention_names.hpp"
 
 #include <CLI/CLI.hpp>
@@ -16,7 +17,7 @@ void ConventionOptions::add_to(CLI::App& command) {
     const auto number = [&](const char* flag, std::optional<int>& target, int least, const char* help) {
         command.add_option(flag, target, help)
             ->type_name("K")
-            ->check(CLI::Range(least, 1'000'000'000))
+            ->transform(whole_number(least, 1'000'000'000))
             ->group("Conventions");
     };
     text("--convention", convention,

@@ -1,6 +1,10 @@
 #include "apps/recurrence/recurrence_command.hpp"
 
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/record_input.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/record/record_reader.hpp"
 #include "apps/recurrence/recurrence_document.hpp"
 
 #include <CLI/CLI.hpp>
@@ -98,14 +102,14 @@ void RecurrenceOptions::add_to(CLI::App& command) {
                     "of an orbit: S (default), psi, chi, vn, vt, x, y, ..., or a comma list of coordinates")
         ->type_name("NAME")
         ->group("Recurrence");
-    const auto whole = CLI::Range(1, 1'000'000);
+    const auto whole = whole_number(1, 1'000'000);
     command.add_option("--dimension", dimension, "of the delay embedding (default 1)")
         ->type_name("M")
-        ->check(whole)
+        ->transform(whole)
         ->group("Recurrence");
     command.add_option("--delay", delay, "of the embedding, in points (default 1)")
         ->type_name("L")
-        ->check(CLI::Range(1, 1'000'000'000))
+        ->transform(whole_number(1, 1'000'000'000))
         ->group("Recurrence");
     command.add_option("--period", period, "the measured series is an angle of this period (360, say)")
         ->type_name("P")
@@ -121,16 +125,20 @@ void RecurrenceOptions::add_to(CLI::App& command) {
         ->group("Recurrence");
     command.add_option("--image", image, "the recurrence plot, down-sampled, into the record or the document")
         ->type_name("PIXELS")
-        ->check(CLI::Range(1, 20'000))
+        ->transform(whole_number(1, 20'000))
         ->group("Recurrence");
 }
 
 int quantify_recurrence(RecurrenceOptions& options) {
     check_flags(options);
-    std::optional<RecordWriter> record = open_record(options.output.record, "Recurrence quantification");
+    std::vector<std::string> inputs = options.input.files();
+    inputs.push_back(options.cross);
+    std::optional<RecordWriter> record = open_record(options.output, "Recurrence quantification", inputs);
     const RecurrencePoints points = main_points(options);
     if (points.orbit && points.orbit->outcome == "interrupted" && is_interrupted()) return exit_interrupted;
     const std::optional<RecurrencePoints> cross = cross_points(options);
+    for (const std::string& file : {options.input.record, is_hdf5_file(options.cross) ? options.cross : ""})
+        warn_without_checksum(file, options.output.quiet);
     exit_when_interrupted();
     const tbb::global_control threads(
         tbb::global_control::max_allowed_parallelism,

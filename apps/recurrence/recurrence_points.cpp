@@ -1,11 +1,11 @@
 #include "apps/recurrence/recurrence_points.hpp"
 
 #include "analysis/spectrum/resample.hpp"
+#include "apps/record/record_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 namespace swirl::apps::recurrence {
 
@@ -114,14 +114,6 @@ RecurrencePoints points_of(OrbitColumns orbit, const RecurrenceOptions& options)
     return result;
 }
 
-/// The signature of HDF5 files.
-bool is_hdf5(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    char head[8] = {};
-    stream.read(head, sizeof head);
-    return stream && std::string_view(head, sizeof head) == "\x89HDF\r\n\x1a\n";
-}
-
 std::vector<double> numbers_in(const char* option, const std::vector<std::string>& texts) {
     std::vector<double> numbers;
     for (const auto& text : texts)
@@ -161,7 +153,7 @@ RecurrencePoints main_points(RecurrenceOptions& options) {
 
 std::optional<RecurrencePoints> cross_points(const RecurrenceOptions& options) {
     if (options.cross.empty() && options.cross_column.empty()) return std::nullopt;
-    if (!options.cross.empty() && is_hdf5(options.cross)) {
+    if (!options.cross.empty() && is_hdf5_file(options.cross)) {
         if (!options.cross_column.empty()) throw BadInput("--cross-column is a series'; --cross names a record");
         return points_of(
             read_orbit(options.cross, {options.input.transient.value_or(0), -1}, observables_of(options.observables)),

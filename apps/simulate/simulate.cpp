@@ -2,6 +2,8 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/record_output.hpp"
 #include "apps/simulate/follow_impacts.hpp"
 
 #include <CLI/CLI.hpp>
@@ -81,14 +83,14 @@ void SimulateOptions::add_to(CLI::App& command) {
     output.add_to(command);
     command.add_option("--collisions", collisions, "follow K impacts (default 100)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
+        ->transform(whole_number(1, 1'000'000'000'000));
     command.add_option("--time", time, "follow until time T, in 1/omega_s")->type_name("T");
     command.add_option("--skip", skip, "leave out the first K impacts")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}));
+        ->transform(whole_number(0, 1'000'000'000'000));
     command.add_option("--every", every, "list every K-th impact (default 1)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
+        ->transform(whole_number(1, 1'000'000'000'000));
     command
         .add_option("--sample", sample,
                     "also x, y, angle and S at the multiples of DT, in flight and in contact: `samples`")
@@ -103,7 +105,8 @@ int simulate(SimulateOptions& options) {
     check_start(options, scene);
     note_interruptions();
 
-    std::optional<RecordWriter> record = open_record(options.output.record, "Orbit of a swirled polygon");
+    std::optional<RecordWriter> record =
+        open_record(options.output, "Orbit of a swirled polygon", {options.scene.file()});
     std::optional<JsonWriter> json;
     if (options.output.json) {
         json.emplace(stdout);
@@ -112,6 +115,7 @@ int simulate(SimulateOptions& options) {
     }
     Sinks sinks(options, scene, record ? &*record : nullptr, json ? &*json : nullptr);
     const Ending ending = follow_impacts(options, sinks);
+    finish_up();
     sinks.finish();
     if (record) {
         write_run(record->root(), options, scene, ending);

@@ -3,6 +3,9 @@
 #include "analysis/spectrum/power_spectrum.hpp"
 #include "analysis/spectrum/spectral_entropy.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/record_input.hpp"
+#include "apps/command_line/record_output.hpp"
 #include "apps/spectrum/spectrum_document.hpp"
 
 #include <CLI/CLI.hpp>
@@ -87,13 +90,13 @@ void SpectrumOptions::add_to(CLI::App& command) {
     text("--frame", frame, "NAME", "of positions: laboratory (default), container or corotating");
     command.add_option("--bins", bins, "equal time bins of an orbit (default 4 or more an impact, a power of 2)")
         ->type_name("B")
-        ->check(CLI::Range(std::int64_t{fewest_samples}, most_bins))
+        ->transform(whole_number(fewest_samples, most_bins))
         ->group("Spectrum");
     text("--window", window, "NAME", "rectangular, hann (default), hamming, blackman-harris or flat-top");
     text("--detrend", detrend, "NAME", "what is subtracted: none, mean (default) or linear");
     command.add_option("--segments", segments, "of Welch's method (default about 16; 1: the finest resolution)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))
+        ->transform(whole_number(1, 1'000'000))
         ->group("Spectrum");
     command.add_option("--overlap", overlap, "of neighbouring segments, 0 <= overlap < 1 (default 0.5)")
         ->type_name("F")
@@ -107,9 +110,10 @@ void SpectrumOptions::add_to(CLI::App& command) {
 int find_spectrum(SpectrumOptions& options) {
     check_flags(options);
     options.input.kind();
-    std::optional<RecordWriter> record = open_record(options.output.record, "Power spectrum");
+    std::optional<RecordWriter> record = open_record(options.output, "Power spectrum", options.input.files());
     const SpectrumSignal signal = signal_of(options);
     if (is_interrupted()) return exit_interrupted;
+    warn_without_checksum(options.input.record, options.output.quiet);
     exit_when_interrupted();
     const SpectrumReport report = report_of(options, signal);
     if (record) {

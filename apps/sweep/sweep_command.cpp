@@ -1,19 +1,21 @@
 #include "apps/sweep/sweep_command.hpp"
 
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/progress.hpp"
+#include "apps/command_line/record_input.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/record/journal.hpp"
+#include "apps/record/posix_file.hpp"
 
 #include <CLI/CLI.hpp>
-
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <mutex>
 #include <optional>
 
 namespace swirl::apps::sweep {
@@ -35,16 +37,16 @@ void SweepOptions::add_to(CLI::App& command) {
     command.add_option("--grid", grid, "NAME=A:B:COUNT, once to three times")->type_name("")->allow_extra_args(false);
     command.add_option("--runs", runs, "random starts in each cell (default 1)")
         ->type_name("R")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}));
+        ->transform(whole_number(1, 1'000'000));
     command.add_option("--transient", settings.transient, "impacts before the tail (default 10000)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
+        ->transform(whole_number(0, 1'000'000'000));
     command.add_option("--collisions", settings.collisions, "impacts of the tail, 64 or more (default 10000)")
         ->type_name("K")
-        ->check(CLI::Range(std::int64_t{64}, std::int64_t{100'000'000}));
+        ->transform(whole_number(64, 100'000'000));
     command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
         ->type_name("D")
-        ->check(CLI::NonNegativeNumber);
+        ->check(finite_number_from(0));
 }
 
 namespace {
@@ -142,25 +144,21 @@ bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done,
     for (std::size_t i = 0; i < done.size(); ++i)
         if (!done[i]) left.push_back(i);
     Progress progress("sweep", static_cast<double>(left.size()), options.output.quiet);
-    std::mutex mutex;
-    std::size_t finished = 0;
-    tbb::task_arena arena(options.output.threads > 0 ? options.output.threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {
-            if (is_interrupted()) return;
-            const std::size_t index = left[i];
-            const Scene<double> scene = cell_scene(options.scene, sweep.grid, index / runs);
-            const RunResult result =
-                sweep_run(scene, options.start.speed(), options.start.seed(), index % runs, options.settings);
-            const std::lock_guard lock(mutex);
-            sweep.results[index] = result;
+    const bool all = run_pieces(left.size(), options.output.threads, progress, [&](std::size_t i) -> KeepResult {
+        const std::size_t index = left[i];
+        const Scene<double> scene = cell_scene(options.scene, sweep.grid, index / runs);
+        const auto result =
+            sweep_run(scene, options.start.speed(), options.start.seed(), index % runs, options.settings);
+        if (!result) return {};
+        return [&sweep, &done, journal, index, result] {
+            sweep.results[index] = *result;
             done[index] = 1;
-            if (journal != nullptr) journal->append(index, result);
-            progress.at(static_cast<double>(++finished));
-        });
+            if (journal != nullptr) journal->append(index, *result);
+        };
     });
+    finish_up();
     if (journal != nullptr) journal->flush();
-    return finished == left.size();
+    return all;
 }
 
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
@@ -179,6 +177,29 @@ void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     }
 }
 
+/// What can be known of the record before any work.
+void check_output(const SweepOptions& options) {
+    const std::string& path = options.output.record;
+    if (path.empty()) return;
+    require_no_input(path, {options.scene.file()});
+    if (const auto obstacle = obstacle_to_creating(path))
+        throw BadInput(fmt::format("cannot create record '{}': {}", path, *obstacle));
+}
+
+/// Writes the record of a finished sweep. What can't be written stays in the journal.
+void keep_sweep(const SweepOptions& options, const Sweep& sweep) {
+    const std::string& path = options.output.record;
+    constexpr auto kept = "the runs are kept: the same command writes them, once it can";
+    if (!options.output.force && std::filesystem::exists(path))
+        throw RecordError("cannot create record", path,
+                          fmt::format("a file of this name has come there meanwhile; {}", kept));
+    try {
+        write_sweep(options, sweep);
+    } catch (const RecordError& error) {
+        throw RecordError(fmt::format("{}; {}", error.what(), kept));
+    }
+}
+
 }  // namespace
 
 int sweep(SweepOptions& options) {
@@ -188,27 +209,30 @@ int sweep(SweepOptions& options) {
     sweep.settings = settings_of(options, sweep.grid, cell_scene(options.scene, sweep.grid, 0));
     sweep.results.resize(cell_count(sweep.grid) * static_cast<std::size_t>(sweep.runs));
     const std::string& path = options.output.record;
+    check_output(options);
     note_interruptions();
     const auto begin = std::chrono::steady_clock::now();
-    if (!path.empty() && std::filesystem::exists(path)) {
+    if (!path.empty() && std::filesystem::exists(path) && !options.output.force) {
         try {
             read_sweep(path, sweep);
+            warn_without_checksum(path, options.output.quiet);
         } catch (const RecordError& error) {
             throw BadInput(error.what());
         }
-        if (!options.output.quiet) fmt::print(stderr, "swirl: '{}' holds this sweep already\n", path);
+        if (!options.output.quiet) tell(fmt::format("swirl: '{}' holds this sweep already", path));
     } else {
         std::vector<char> done(sweep.results.size(), 0);
         std::optional<SweepJournal> journal;
         if (!path.empty()) journal.emplace(path, sweep, done);
         if (!run_all(options, sweep, done, journal ? &*journal : nullptr)) {
+            if (journal && std::count(done.begin(), done.end(), 1) == 0) journal->remove();  // nothing to go on from
             if (journal && !options.output.quiet)
-                fmt::print(stderr, "swirl: interrupted; {} of {} runs are kept: the same command goes on from there\n",
-                           std::count(done.begin(), done.end(), 1), done.size());
+                tell(fmt::format("swirl: interrupted; {} of {} runs are kept: the same command goes on from there",
+                                 std::count(done.begin(), done.end(), 1), done.size()));
             return exit_interrupted;
         }
         if (!path.empty()) {
-            write_sweep(path, sweep);
+            keep_sweep(options, sweep);
             journal->remove();
         }
     }
@@ -217,8 +241,8 @@ int sweep(SweepOptions& options) {
     else if (!options.output.quiet)
         print_sweep(sweep);
     if (!options.output.quiet && !options.output.json)
-        fmt::print(stderr, "swirl: {:.1f} s\n",
-                   std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        tell(fmt::format("swirl: {:.1f} s",
+                         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
     return exit_done;
 }
 

@@ -37,7 +37,7 @@ struct Sweep {
 };
 
 /// A record of a finished sweep. @throws RecordError
-void write_sweep(const std::string& path, const Sweep& sweep);
+void write_sweep(const SweepOptions& options, const Sweep& sweep);
 
 /// Reads the results of a record that was made with the same settings. @throws BadInput naming the first that differs
 void read_sweep(const std::string& path, Sweep& sweep);

@@ -1,3 +1,4 @@
+#include "apps/command_line/record_output.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/record/record_reader.hpp"
@@ -138,8 +139,8 @@ void write_sweep_document(const SweepOptions& options, const Sweep& sweep) {
     });
 }
 
-void write_sweep(const std::string& path, const Sweep& sweep) {
-    RecordWriter record = open_record(path, "Modes of a swirled polygon across parameters").value();
+void write_sweep(const SweepOptions& options, const Sweep& sweep) {
+    RecordWriter record = create_record(options.output, "Modes of a swirled polygon across parameters");
     const RecordGroup root = record.root();
     const RecordGroup settings = root.group("settings");
     write_attributes(settings, sweep.settings);
@@ -173,14 +174,19 @@ void write_sweep(const std::string& path, const Sweep& sweep) {
 
 void read_sweep(const std::string& path, Sweep& sweep) {
     const RecordReader record(path);
-    if (!record.contains("/sweep/run_mode")) throw BadInput(fmt::format("record '{}' is not a sweep's", path));
+    if (!record.contains("/sweep/run_mode"))
+        throw BadInput(
+            fmt::format("record '{}' is not a sweep's: name another file, or replace it with --force", path));
     for (const auto& [name, value] : sweep.settings)
         if (!record.has_attribute("/settings", name) || record.attribute("/settings", name) != value)
-            throw BadInput(
-                fmt::format("record '{}' was made with another {}; give the same, or another file", path, name));
+            throw BadInput(fmt::format(
+                "record '{}' was made with another {}; give the same, or another file, or replace it with --force",
+                path, name));
     for (const auto& column : run_columns) {
         const auto values = record.read<double>(std::string("/sweep/") + column.name);
-        if (values.size() != sweep.results.size()) throw BadInput(fmt::format("record '{}' has another grid", path));
+        if (values.size() != sweep.results.size())
+            throw BadInput(
+                fmt::format("record '{}' has another grid: name another file, or replace it with --force", path));
         for (std::size_t i = 0; i < values.size(); ++i) sweep.results[i].*column.member = values[i];
     }
 }

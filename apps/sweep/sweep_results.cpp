@@ -1,5 +1,7 @@
 #include "apps/sweep/sweep_results.hpp"
 
+#include "apps/command_line/interruption.hpp"
+
 #include <gsl/gsl_statistics_double.h>
 
 #include <cmath>
@@ -25,18 +27,19 @@ double mean_of(const std::vector<double>& values) {
 
 }  // namespace
 
-RunResult sweep_run(const Scene<double>& scene, double speed, std::uint64_t seed, std::uint64_t run,
-                    const analysis::ClassifyOptions& settings) {
-    const NamedMode named = name_mode(scene, random_start(scene.beta, speed, seed + run, 0), settings);
+std::optional<RunResult> sweep_run(const Scene<double>& scene, double speed, std::uint64_t seed, std::uint64_t run,
+                                   const analysis::ClassifyOptions& settings) {
+    const NamedMode named = name_mode(scene, random_start(scene.beta, speed, seed + run, 0), settings, is_interrupted);
+    if (!named.finished) return std::nullopt;
     const auto& v = named.verdict;
-    return {static_cast<double>(v.mode),
-            static_cast<double>(v.kind),
-            static_cast<double>(named.outcome),
-            static_cast<double>(v.period),
-            v.mean,
-            v.recurrence_rate,
-            v.largest_exponent,
-            static_cast<double>(named.impacts)};
+    return RunResult{static_cast<double>(v.mode),
+                     static_cast<double>(v.kind),
+                     static_cast<double>(named.outcome),
+                     static_cast<double>(v.period),
+                     v.mean,
+                     v.recurrence_rate,
+                     v.largest_exponent,
+                     static_cast<double>(named.impacts)};
 }
 
 CellSummary summary_of(std::span<const RunResult> runs) {

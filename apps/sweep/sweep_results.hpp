@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 
 namespace swirl::apps::sweep {
@@ -18,8 +19,9 @@ struct RunResult {
 };
 
 /// Run `run` of a scene: a pure function of its arguments. Its start is that of `swirl classify --seed (seed + run)`.
-RunResult sweep_run(const Scene<double>& scene, double speed, std::uint64_t seed, std::uint64_t run,
-                    const analysis::ClassifyOptions& settings);
+/// Nothing if it is interrupted.
+std::optional<RunResult> sweep_run(const Scene<double>& scene, double speed, std::uint64_t seed, std::uint64_t run,
+                                   const analysis::ClassifyOptions& settings);
 
 inline constexpr int mode_count = 4;
 inline constexpr std::array<analysis::Mode, mode_count> all_modes = {

@@ -1,6 +1,8 @@
 #include "apps/tour/tour.hpp"
 
 #include "apps/command_line/progress.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
@@ -44,7 +46,7 @@ Scene<double> scene_of(const Stop& stop) {
 int tour(TourOptions& options) {
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: tour works in double", options.output.accuracy_name));
-    std::optional<RecordWriter> record = open_record(options.output.record, "Modes of swirled polygons and disks");
+    std::optional<RecordWriter> record = open_record(options.output, "Modes of swirled polygons and disks", {});
     std::optional<JsonWriter> json;
     if (options.output.json) {
         json.emplace(stdout);
@@ -80,7 +82,7 @@ int tour(TourOptions& options) {
     }
     if (record) {
         record->finish();
-        if (!options.output.quiet) fmt::print(stderr, "record: {}\n", options.output.record);
+        if (!options.output.quiet) tell(fmt::format("record: {}", options.output.record));
     }
     return exit_done;
 }

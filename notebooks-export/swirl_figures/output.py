@@ -2,12 +2,16 @@
 
 import io
 import os
+import stat
 from pathlib import Path
 
 from .style import styled
 
+#: What a figure says of its origin: `swirl plot` replaces such a file without being told to.
+MARK = "drawn by swirl plot"
 #: Without the time of day: equal records give equal files.
-SUFFIXES = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+SUFFIXES = {".png": {"Software": MARK}, ".svg": {"Date": None, "Creator": MARK},
+            ".pdf": {"CreationDate": None, "Creator": MARK}}
 
 
 @styled
@@ -15,6 +19,19 @@ def _bytes_of(figure, suffix):
     content = io.BytesIO()
     figure.savefig(content, format=suffix[1:], metadata=SUFFIXES[suffix])
     return content.getvalue()
+
+
+def _take_permissions(partial, path):
+    """The group and permissions of what is replaced, as far as the system lets one give them."""
+    if not path.exists():
+        return
+    old = path.stat()
+    mode = stat.S_IMODE(old.st_mode)
+    try:
+        os.chown(partial, -1, old.st_gid)
+    except OSError:
+        mode &= ~stat.S_IRWXG  # who was not let in by the old group is not let in by another one
+    os.chmod(partial, mode)
 
 
 def save(figure, path):
@@ -26,6 +43,7 @@ def save(figure, path):
     partial = path.with_name(f".{path.name}.partial")
     try:
         partial.write_bytes(content)
+        _take_permissions(partial, path)
         partial.replace(path)
     except OSError:
         partial.unlink(missing_ok=True)

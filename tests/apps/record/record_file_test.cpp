@@ -1,4 +1,5 @@
 // The file as a whole: equal bytes, whole or not there, and what is said of bad ones.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -9,8 +10,11 @@
 #include <random>
 #include <thread>
 
+#include "apps/record/posix_file.hpp"
+#include "apps/record/record_checksum.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/record/record_writer.hpp"
+#include "apps/record/unfinished_files.hpp"
 #include "tests/apps/record/sample_record.hpp"
 #include "tests/apps/record/scratch_folder.hpp"
 
@@ -29,6 +33,11 @@ std::string refusal_to_write(const std::filesystem::path& path) {
 
 std::string refusal_to_read(const std::filesystem::path& path) {
     return message_of<RecordError>([&] { RecordReader reader(path); });
+}
+
+/// As a program writes it that knows of no checksum.
+std::string without_checksum(const std::string& bytes) {
+    return std::string(apps::user_block_bytes, '\0') + bytes.substr(apps::user_block_bytes);
 }
 
 // Another second, another process, another folder, other garbage in fresh memory.
@@ -91,6 +100,29 @@ TEST(RecordFile, ReplacesWhatALinkPointsTo) {
     RecordWriter(folder / "link.h5", header).finish();
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.h5"));
     EXPECT_EQ(RecordReader(folder / "a.h5").schema_version(), 1);
+}
+
+TEST(RecordFile, PermissionsOfWhatIsReplacedStay) {
+    using std::filesystem::perms;
+    const ScratchFolder folder;
+    for (const perms mode : {perms(0600), perms(0640), perms(0664), perms(0444) | perms::owner_write}) {
+        write_bytes(folder / "a.h5", "old");
+        std::filesystem::permissions(folder / "a.h5", mode);
+        RecordWriter(folder / "a.h5", header).finish();
+        EXPECT_EQ(std::filesystem::status(folder / "a.h5").permissions(), mode);
+        EXPECT_EQ(RecordReader(folder / "a.h5").schema_version(), 1);
+    }
+}
+
+TEST(RecordFile, WhatIsUnfinishedIsRemovedOnLeaving) {
+    const ScratchFolder folder;
+    RecordWriter finished(folder / "whole.h5", header);
+    finished.finish();
+    const RecordWriter unfinished(folder / "cut.h5", header);
+    EXPECT_EQ(folder.files(), 2);
+    apps::remove_unfinished_files();
+    EXPECT_EQ(folder.files(), 1);
+    EXPECT_EQ(RecordReader(folder / "whole.h5").schema_version(), 1);
 }
 
 TEST(RecordFile, OutputsThatCannotBeCreatedAreRefusedAtOnce) {
@@ -189,8 +221,36 @@ TEST(RecordFile, EveryTruncationIsFound) {
         EXPECT_TRUE(message.starts_with("cannot read record '")) << length << ": " << message;
         EXPECT_EQ(message.find('\n'), std::string::npos);
     }
-    write_bytes(folder / "cut.h5", bytes.substr(0, bytes.size() - 1));
+    const std::string cut = bytes.substr(0, bytes.size() - 1);
+    write_bytes(folder / "cut.h5", cut);
+    EXPECT_NE(refusal_to_read(folder / "cut.h5").find("it is damaged"), std::string::npos);
+    write_bytes(folder / "cut.h5", without_checksum(cut));
     EXPECT_NE(refusal_to_read(folder / "cut.h5").find("truncated file"), std::string::npos);
+}
+
+TEST(RecordFile, EveryFlippedBitIsFound) {
+    const ScratchFolder folder;
+    write_sample_record(folder / "a.h5");
+    const std::string bytes = bytes_of(folder / "a.h5");
+    EXPECT_EQ(apps::wholeness_of(folder / "a.h5"), apps::Wholeness::whole);
+    for (std::size_t place = apps::user_block_bytes; place < bytes.size(); place += 1 + bytes.size() / 97) {
+        std::string flipped = bytes;
+        flipped[place] = static_cast<char>(flipped[place] ^ 0x10);
+        write_bytes(folder / "a.h5", flipped);
+        EXPECT_EQ(apps::wholeness_of(folder / "a.h5"), apps::Wholeness::damaged) << place;
+        write_bytes(folder / "a.h5", without_checksum(flipped));
+        EXPECT_EQ(apps::wholeness_of(folder / "a.h5"), apps::Wholeness::unstated) << place;
+    }
+}
+
+// The CRC-64/XZ of "123456789" is published (CRC RevEng catalogue): 995dc9bbdf1939fa.
+TEST(RecordFile, TheChecksumIsThePublishedOne) {
+    const ScratchFolder folder;
+    write_bytes(folder / "nine", std::string(apps::user_block_bytes, '\0') + "123456789");
+    const apps::PosixFile file(::open((folder / "nine").c_str(), O_RDWR | O_CLOEXEC));
+    apps::write_checksum(file.descriptor(), "nine");
+    EXPECT_TRUE(bytes_of(folder / "nine")
+                    .starts_with("swirl record\ncrc-64/xz of the bytes from 512 on: 995dc9bbdf1939fa\nbytes: 521\n"));
 }
 
 TEST(RecordFile, ALaterSchemaAndAForeignFileAreRefused) {
@@ -200,7 +260,11 @@ TEST(RecordFile, ALaterSchemaAndAForeignFileAreRefused) {
         RecordWriter(path, header).finish();
         const std::string command =
             "/usr/bin/python3 -c \"import h5py; f = h5py.File('" + path + "', 'r+'); " + change + "\"";
-        return std::system(command.c_str());
+        if (const int code = std::system(command.c_str()); code != 0) return code;
+        // Edited in place, it looks like a damaged one; whoever edits it takes the checksum away.
+        EXPECT_NE(refusal_to_read(path).find("it is damaged"), std::string::npos);
+        write_bytes(path, without_checksum(bytes_of(path)));
+        return 0;
     };
     const std::string prefix = "cannot read record '" + (folder / "a.h5").string() + "': ";
     ASSERT_EQ(write("f.attrs.modify('schema_version', 2)"), 0);

@@ -1,0 +1,79 @@
+#include "apps/command_line/record_output.hpp"
+
+#include "apps/command_line/documents.hpp"
+#include "apps/record/journal.hpp"
+#include "apps/record/output_file.hpp"
+#include "apps/record/posix_file.hpp"
+#include "apps/record/record_reader.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace swirl::apps {
+
+namespace {
+
+bool leads_to(const std::filesystem::path& written, const std::string& input) {
+    return input == "-" ? is_same_file(written, STDIN_FILENO) : is_same_file(written, input);
+}
+
+/// What a file is, where it is not a record of `command`; else nothing.
+std::optional<std::string> not_a_record_of(const std::string& command, const std::string& file) {
+    try {
+        const RecordReader record(file);
+        if (!record.has_attribute("/", "command")) return "a record that does not say what wrote it";
+        const auto wrote = record.attribute<std::string>("/", "command");
+        if (wrote == command) return std::nullopt;
+        return fmt::format("a record of {}", wrote);
+    } catch (const RecordError&) {
+        return "no record";
+    }
+}
+
+}  // namespace
+
+void require_no_input(const std::string& output, const std::vector<std::string>& inputs) {
+    if (output.empty()) return;
+    for (const std::string& input : inputs) {
+        if (input.empty()) continue;
+        for (const auto& written : {std::filesystem::path(output), partial_path_of(output), journal_path(output)})
+            if (leads_to(written, input))
+                throw BadInput(fmt::format("output '{}' would replace the input {}: name another file", output,
+                                           input == "-" ? "on standard input" : fmt::format("'{}'", input)));
+    }
+}
+
+void require_replaceable(const OutputOptions& output) {
+    std::error_code ignored;
+    if (output.record.empty() || output.force || !std::filesystem::is_regular_file(output.record, ignored)) return;
+    if (const auto other = not_a_record_of(output.command, output.record))
+        throw BadInput(fmt::format(
+            "output '{}' exists and is {}; {} replaces a record of its own only: name another file, or give "
+            "--force",
+            output.record, *other, output.command));
+}
+
+void require_output(const OutputOptions& output, const std::vector<std::string>& inputs) {
+    require_no_input(output.record, inputs);
+    require_replaceable(output);
+}
+
+std::optional<RecordWriter> open_record(const OutputOptions& output, const std::string& title,
+                                        const std::vector<std::string>& inputs) {
+    if (output.record.empty()) return std::nullopt;
+    require_output(output, inputs);
+    try {
+        return create_record(output, title);
+    } catch (const RecordError& error) {
+        throw BadInput(error.what());
+    }
+}
+
+RecordWriter create_record(const OutputOptions& output, const std::string& title) {
+    return {output.record, {title, version(), instruction_set(), output.command}};
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,33 @@
+// Where a record goes: never into what is read, and in place of a file only if that is a record of the same command.
+#pragma once
+
+#include "apps/command_line/output_options.hpp"
+#include "apps/record/record_writer.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swirl::apps {
+
+/// Refuses an output that leads to one of the files that are read: the same name, a link or a hard link to it; so, too,
+/// the files beside it that are written meanwhile. Of the inputs empty ones are none, and "-" is standard input.
+/// @throws BadInput naming both
+void require_no_input(const std::string& output, const std::vector<std::string>& inputs);
+
+/// Refuses an existing file that is not a record of the command, unless --force is given. @throws BadInput
+void require_replaceable(const OutputOptions& output);
+
+/// Both of these, before any work.
+void require_output(const OutputOptions& output, const std::vector<std::string>& inputs);
+
+/// The record of -o, opened before any work; none without -o.
+///   inputs  all files that the command reads
+/// @throws BadInput if it can't be created, is an input, or would replace what it must not
+std::optional<RecordWriter> open_record(const OutputOptions& output, const std::string& title,
+                                        const std::vector<std::string>& inputs);
+
+/// The same after the work, where the record takes only what is finished. @throws RecordError if it can't be created
+RecordWriter create_record(const OutputOptions& output, const std::string& title);
+
+}  // namespace swirl::apps

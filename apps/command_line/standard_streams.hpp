@@ -1,0 +1,17 @@
+// Standard input, output and error, as they are found: closed, full, or with nobody at the other end.
+#pragma once
+
+#include <string>
+
+namespace swirl::apps {
+
+/// At the start of the program. Of the descriptors 0, 1 and 2 those that are closed are taken, so that no file that is
+/// opened later gets their number and, with it, what is printed. Reading from such an input and writing to such an
+/// output fail as on a closed one; what is said on such an error is lost. Writing to a pipe that nobody reads, or
+/// beyond the limit of a file's size, fails like any other writing instead of ending the process.
+void prepare_standard_streams();
+
+/// A line on standard error. Nothing depends on whether it can be written.
+void tell(const std::string& line);
+
+}  // namespace swirl::apps

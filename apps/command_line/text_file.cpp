@@ -1,0 +1,43 @@
+#include "apps/command_line/text_file.hpp"
+
+#include "apps/command_line/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+namespace swirl::apps {
+
+std::string read_text(const std::string& what, const std::string& name, std::size_t most) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(name, ignored))
+        throw BadInput(fmt::format("{} '{}' is a directory; a text file is needed", what, name));
+    using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+    const bool standard_input = name == "-";
+    const File file(
+        standard_input ? stdin : std::fopen(name.c_str(), "rb"),
+        standard_input ? [](std::FILE*) { return 0; } : [](std::FILE* f) { return std::fclose(f); });
+    if (!file) throw BadInput(fmt::format("{} '{}' cannot be opened: {}", what, name, std::strerror(errno)));
+    std::string content;
+    char buffer[65536];
+    for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {
+        if (std::memchr(buffer, '\0', got) != nullptr)
+            throw BadInput(
+                fmt::format("{} '{}' is not a text file: it holds a zero byte (a record of swirl is given "
+                            "without --series)",
+                            what, name));
+        if (content.size() + got > most)
+            throw BadInput(fmt::format("{} '{}' is longer than {} MiB, the most that is read", what, name, most >> 20));
+        content.append(buffer, got);
+    }
+    if (std::ferror(file.get()) != 0)
+        throw BadInput(fmt::format("{} '{}' cannot be read: {}", what, name, std::strerror(errno)));
+    return content;
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,111 @@
+"""Arguments that are easily taken for others: each is refused in one line, and nothing is written.
+arguments_test.py SWIRL"""
+
+import os
+import time
+import unittest
+
+from driving import InFolder, document, run
+
+SCENE = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+POINT = "-0.0829,0.028,-0.5552,0.8908,-0.9783"
+
+#: A command that runs, and its options with a number: (option, whether it is a whole one).
+NUMBERS = {
+    f"simulate {SCENE}": ["--collisions", "--time", "--skip", "--every", "--sample", "--threads", "--x", "--y", "--vx",
+                          "--vy", "--angle", "--spin", "--speed", "--seed"],
+    f"classify {SCENE}": ["--transient", "--collisions", "--threshold", "--max-period", "--runs"],
+    "classify --series m.csv": ["--noise"],
+    f"recurrence {SCENE}": ["--threshold", "--threshold-std", "--recurrence-rate", "--dimension", "--delay", "--image",
+                            "--theiler", "--min-diagonal", "--min-vertical", "--transient", "--collisions"],
+    "recurrence --series m.csv --threshold 0.1": ["--period", "--resample", "--spacing"],
+    f"spectrum {SCENE}": ["--bins", "--segments", "--overlap"],
+    "spectrum --series m.csv": ["--resample"],
+    f"lyapunov {SCENE}": ["--transient", "--collisions"],
+    f"orbits {SCENE}": ["--period", "--max-period", "--starts", "--trajectories", "--collisions"],
+    f"continue {SCENE} --from={POINT} --along beta=0.4:0.6": ["--period", "--switch", "--longest-step"],
+    f"bifurcate {SCENE} --along beta=0.4:0.6:2": ["--starts", "--transient", "--collisions", "--longest-branch"],
+    f"sweep {SCENE} --grid mu=0.1:0.2:2": ["--runs", "--transient", "--collisions", "--threshold"],
+    f"describe {SCENE}": ["--max-time", "--alpha", "--beta", "--mu", "--restitution", "--inertia-factor"],
+}
+
+
+class Arguments(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.series("m.csv", [0.1 * (i % 7) for i in range(100)])
+        self.before = sorted(self.folder.iterdir())
+
+    def refused(self, arguments, *mentions):
+        result = run(arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1),
+                         (arguments, result.stderr))
+        self.assertLess(len(result.stderr), 400, arguments)
+        for mention in mentions:
+            self.assertIn(mention, result.stderr, arguments)
+        self.assertEqual(sorted(self.folder.iterdir()), self.before, arguments)
+
+    def test_the_name_of_another_command(self):
+        self.refused(f"simulate {SCENE} classify --collisions 64", "classify")
+        self.refused(f"simulate {SCENE} classify", "classify")
+        self.refused(f"describe tour {SCENE}", "tour")
+
+    def test_an_option_without_its_value(self):
+        self.refused(f"classify {SCENE} --output= --json", "--output=")
+        self.refused(f"classify {SCENE} -o --json", "-o", "--json")
+        self.refused(f"classify {SCENE} --output --json", "--output", "--json")
+        self.refused(f"simulate --scene --json {SCENE}", "--scene")
+        self.refused(f"simulate {SCENE} --json=", "--json=")
+        self.refused(f"simulate {SCENE} --collisions --time 3", "--collisions")
+
+    def test_an_empty_value(self):
+        for flags in ("--series", f"{SCENE} --scene", f"{SCENE} --point", f"{SCENE} --speed", f"{SCENE} -o",
+                      f"{SCENE} --accuracy", "--series m.csv --column", "--series m.csv --rows"):
+            words = ["classify", *flags.split(), ""]
+            self.refused(words, words[-2])
+        self.refused(["classify", ""], "''")
+
+    def test_no_number_is_read_as_octal(self):
+        ten = document(f"simulate {SCENE} --collisions 10 --threads 010")
+        self.assertEqual(document(f"simulate {SCENE} --collisions 010"), ten)
+        self.assertEqual(document(f"simulate {SCENE} --collisions +0000000000010"), ten)
+        self.assertEqual(len(ten["collisions"]), 10)
+        for text in ("0x10", "1e1", "10.0", "1'000", "10 ", "+-10", "9223372036854775808", "--10"):
+            self.refused(["simulate", *SCENE.split(), f"--collisions={text}"], "collisions", text.strip())
+
+    def test_no_number_is_nan_or_infinite(self):
+        for command, options in NUMBERS.items():
+            for option in options:
+                for value in ("nan", "inf", "-inf", "1e999"):
+                    words = command.split()
+                    if option in words:  # the scene's own: given once
+                        k = words.index(option)
+                        del words[k:k + 2]
+                    self.refused([*words, f"{option}={value}"], option.strip("-"))
+
+    def test_a_limit_is_short(self):
+        for command in ("classify", "sweep --grid mu=0.1:0.2:2"):
+            for value in ("-1", "-1e-300"):
+                self.refused(f"{command} {SCENE} --threshold={value}", "threshold", value, "0 or more")
+
+    def test_what_never_ends_is_no_input(self):
+        os.mkfifo(self.folder / "pipe")
+        self.before = sorted(self.folder.iterdir())
+        begin = time.monotonic()
+        for source in ("/dev/zero", "/dev/urandom"):
+            self.refused(f"simulate --scene {source}", source)
+            self.refused(f"spectrum --series {source}", source)
+            self.refused(f"recurrence {source}", source, "regular")
+            self.refused(f"classify {source}", source, "regular")
+            self.refused(f"plot {source} -o a.png", source, "regular")
+        self.refused("recurrence pipe", "pipe", "regular")
+        self.refused("plot pipe -o a.png", "pipe", "regular")
+        endless = self.folder / "endless"
+        endless.write_bytes(b"# not a scene\n" * 80_000)
+        self.before = sorted(self.folder.iterdir())
+        self.refused("simulate --scene endless", "endless", "1 MiB")
+        self.assertLess(time.monotonic() - begin, 10)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,122 @@
+"""SIGINT, SIGTERM, SIGHUP: every command ends with 130 within half a second, leaves no stray file and keeps what is
+finished. interruption_test.py SWIRL"""
+
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+
+from driving import SWIRL, InFolder, run, start
+
+CHAOS = "--sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1"
+HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+LONG = "--transient 1000000 --collisions 100000000"
+POINT = "-0.0829,0.028,-0.5552,0.8908,-0.9783"
+
+#: They take minutes.
+COMMANDS = [
+    f"simulate {CHAOS} --collisions 1000000000 --every 1000",
+    f"simulate {CHAOS} --collisions 1000000000 --json",
+    f"classify {CHAOS} {LONG}",
+    f"classify {CHAOS} {LONG} --runs 50",
+    f"recurrence {CHAOS} {LONG}",
+    f"spectrum {CHAOS} {LONG}",
+    f"lyapunov {CHAOS} {LONG}",
+    f"orbits {CHAOS} --max-period 12 --starts 1000000",
+    f"orbits {CHAOS} --period 3 --starts 10 --trajectories 1000 --collisions 1000000",
+    f"continue {HEXAGON} --from={POINT} --along alpha=0.0001:0.99 --longest-step 1e-6",
+    f"bifurcate {HEXAGON} --along beta=0.4:0.6:1000 --transient 100000",
+    f"bifurcate {HEXAGON} --along beta=0.4:0.6:1000 --starts 0 --follow --transient 100000",
+    f"sweep {CHAOS} --grid mu=0.1:0.2:1000 {LONG}",
+    "tour",
+]
+
+
+class Interruption(InFolder):
+    def end(self, command, after, number=signal.SIGINT):
+        """Exit code, seconds from the signal to the end, output and errors."""
+        process = start(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder)
+        reader = None
+        if "--json" in command:  # what is printed meanwhile must be taken
+            reader = subprocess.Popen(["cat"], stdin=process.stdout, stdout=subprocess.DEVNULL)
+            process.stdout.close()
+            process.stdout = None
+        time.sleep(after)
+        self.assertIsNone(process.poll(), f"{command} was over before it could be interrupted")
+        begin = time.monotonic()
+        process.send_signal(number)
+        process.wait(60)
+        seconds = time.monotonic() - begin
+        _, errors = process.communicate()
+        if reader:
+            reader.wait(60)
+        return process.returncode, seconds, errors
+
+    def names(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+    def test_every_command_ends_within_half_a_second_and_leaves_no_stray_file(self):
+        for command in COMMANDS:
+            code, seconds, errors = self.end(f"{command} --quiet -o a.h5", 0.3)
+            self.assertEqual((code, errors), (130, ""), command)
+            self.assertLess(seconds, 0.5, command)
+            self.assertLessEqual(set(self.names()), {"a.h5"}, command)
+            for name in self.names():
+                with h5py.File(self.folder / name) as file:  # whole
+                    self.assertEqual(file.attrs["command"], command.split()[0])
+                (self.folder / name).unlink()
+
+    def test_every_command_is_tried(self):
+        listed = set(re.findall(r"^  ([a-z]+) ", run("--help").stdout, re.M))
+        tried = {command.split()[0] for command in COMMANDS}
+        self.assertEqual(listed - tried, {"describe", "plot"})  # over at once; in its own test
+
+    def test_signals_but_sigint(self):
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            for command in (f"classify {CHAOS} {LONG}", f"sweep {CHAOS} --grid mu=0.1:0.2:1000 {LONG}"):
+                code, seconds, _ = self.end(f"{command} -o a.h5", 0.3, number)
+                self.assertEqual((code, self.names()), (130, []), (command, number))
+                self.assertLess(seconds, 0.5)
+
+    def test_nohup_is_heeded(self):
+        process = subprocess.Popen(["nohup", SWIRL, *f"simulate {CHAOS} --collisions 400000 --quiet -o a.h5".split()],
+                                   cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGHUP)
+        self.assertEqual((process.wait(60), self.names()), (0, ["a.h5"]))
+
+    def test_the_finished_runs_of_several_are_kept_though_another_is_in_its_midst(self):
+        command = f"classify {HEXAGON} --transient 1000 --collisions 1000 --runs 100000 --quiet -o a.h5"
+        code, seconds, _ = self.end(command, 2)
+        self.assertEqual(code, 130)
+        self.assertLess(seconds, 0.5)
+        with h5py.File(self.folder / "a.h5") as file:
+            self.assertGreater(len(file["runs/seed"]), 2)
+            self.assertEqual(file["runs"].attrs["wanted"], 100000)
+
+    def test_the_finished_columns_of_a_diagram_are_kept(self):
+        command = f"bifurcate {HEXAGON} --along beta=0.45:0.55:5000 --starts 1 --quiet -o a.h5"
+        code, seconds, _ = self.end(command, 2)
+        self.assertEqual(code, 130)
+        self.assertLess(seconds, 0.5)
+        with h5py.File(self.folder / "a.h5") as file:
+            self.assertGreater(len(file["samples/S"]), 2)
+
+    def test_a_sweep_goes_on_from_every_run_that_had_ended(self):
+        command = f"sweep {HEXAGON} --grid mu=0.3:0.6:2000 --transient 1000 --collisions 1000 -o a.h5".replace(
+            "--mu 0.5 ", "")
+        kept = []
+        for _ in range(2):
+            code, seconds, errors = self.end(command, 1.5)
+            self.assertEqual((code, self.names()), (130, [".a.h5.journal"]), errors)
+            self.assertLess(seconds, 0.5)
+            kept.append(int(re.search(r"(\d+) of 2000 runs are kept", errors)[1]))
+        self.assertGreater(kept[0], 0)
+        self.assertGreater(kept[1], kept[0])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -3,16 +3,19 @@
 
 #include "apps/classify/attractors.hpp"
 #include "apps/classify/classify_command.hpp"
+#include "apps/classify/escape.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace swirl::apps::classify {
 
 /// What was found, of the runs that are finished: all of them, unless interrupted.
 struct RunsFound {
-    std::vector<RunVerdict> runs;       ///< by seed
-    std::vector<Attractor> attractors;  ///< the most shared first
-    NamedMode first;                    ///< the verdict on the first attractor's representative
+    std::vector<RunVerdict> runs;                ///< by seed
+    std::vector<Attractor> attractors;           ///< the most shared first
+    NamedMode first;                             ///< the verdict on the first attractor's representative
+    std::optional<analysis::EscapeRate> escape;  ///< where some have left chaos and others have not
 };
 
 /// One run: what `swirl classify --seed` gives. A pure function of its arguments.

@@ -135,7 +135,7 @@ std::string in_words(const PeriodSearch& search) {
     if (u.found == 0) return words;
     words += fmt::format("; {} were found once, {} twice: ", u.once, u.twice);
     if (u.missed < 0.5)
-        words += "none seems to be missing";
+        words += "fewer than one more, if all are as easy to find";
     else
         words += fmt::format("some {:.0f} more are to be expected (95 %: {:.0f} to {:.0f})", u.missed, u.least_missed,
                              u.most_missed);

@@ -75,8 +75,9 @@ class Orbits(Refusing):
         self.assertEqual((search["found_once"], search["found_twice"]), (once, twice))
         n = search["samples"]
         self.assertAlmostEqual(search["missed"], (n - 1) / n * once * (once - 1) / (2 * (twice + 1)), delta=1e-12)
-        self.assertGreater(search["missed"], 1)  # there are more: a long search finds 61
-        self.assertLess(search["least_missed"], 61 - search["cycles"])
+        self.assertGreater(once, 0)
+        # A long search finds 61, some of them rarely: of so unequal ones the estimate is a lower bound.
+        self.assertLess(search["missed"], 61 - search["cycles"])
         self.assertIsNone(few["fixed_points"])
 
     def test_complete_searches_until_none_seems_missing(self):

@@ -136,6 +136,16 @@ bool describe_size(const Findings& findings, const ClassifyOptions& options, Cla
     return settled;
 }
 
+/// What one orbit in chaos can't exclude: none of n steps led out of it, so that the rate is below 3/n at 95 %.
+void describe_stay(Classification& result) {
+    const auto steps = static_cast<double>(result.steps);
+    const double half_life = std::log(2) * steps / 3;
+    result.evidence.push_back({"steps without leaving chaos", steps, half_life,
+                               "a transient whose half-life is above " + in_words(half_life) +
+                                   " steps is not excluded (95 %): more starts, or steps, would tell",
+                               "nothing: it does not decide"});
+}
+
 }  // namespace
 
 void decide(const Findings& findings, const ClassifyOptions& options, Classification& result) {
@@ -154,6 +164,7 @@ void decide(const Findings& findings, const ClassifyOptions& options, Classifica
     if (chaotic && !findings.has_cycle) {
         result.mode = Mode::chaotic;
         result.kind = Kind::chaotic;
+        describe_stay(result);
         return;
     }
     if (findings.rounding > 0) {

@@ -12,7 +12,8 @@ namespace swirl::analysis {
 /// A k-cycle of F: F(z_i) = z_{i+1}.
 struct Cycle {
     CyclePoints points;
-    double residual = 0;  ///< max-norm of G
+    double residual = 0;     ///< max-norm of G
+    std::int64_t found = 0;  ///< how many candidates of a search led to it; 0: known otherwise
     double return_time = 0;
     double mean = 0;  ///< time mean of the map's observable over the cycle
     std::vector<std::int64_t> word;

@@ -1,7 +1,5 @@
 #include "analysis/cycles/find_cycles.hpp"
 
-#include "analysis/cycles/known_cycles.hpp"
-
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -19,7 +17,7 @@ struct Solved {
 };
 
 std::vector<Solved> solve_all(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
-                              const SearchOptions& options, SearchResult& result) {
+                              const SearchOptions& options, SearchCounts& counts) {
     std::vector<Solved> solved(candidates.size());
     std::mutex mutex;
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
@@ -31,8 +29,8 @@ std::vector<Solved> solve_all(const ShootingMap& map, double p, const std::vecto
                 shot = solve_near_grazing(map, *options.timed, candidates[i], p, options.accept, options.shooting);
             if (shot.converged) solved[i] = {minimal_cycle(map, shot.points, options.same), shot.residual};
             const std::lock_guard lock(mutex);
-            ++result.tried;
-            if (options.progress) options.progress(static_cast<double>(result.tried));
+            ++counts.tried;
+            if (options.progress) options.progress(static_cast<double>(counts.tried));
         });
     });
     return solved;
@@ -40,16 +38,23 @@ std::vector<Solved> solve_all(const ShootingMap& map, double p, const std::vecto
 
 }  // namespace
 
+SearchCounts add_cycles(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
+                        const SearchOptions& options, KnownCycles& known) {
+    SearchCounts counts;
+    for (const Solved& found : solve_all(map, p, candidates, options, counts)) {
+        if (found.points.empty()) continue;
+        ++counts.converged;
+        if (found.points.size() != static_cast<std::size_t>(options.period)) continue;
+        if (!options.wanted || options.wanted(found.points)) known.add(found.points, found.residual);
+    }
+    return counts;
+}
+
 SearchResult find_cycles(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
                          const SearchOptions& options) {
     SearchResult result;
-    const std::vector<Solved> solved = solve_all(map, p, candidates, options, result);
     KnownCycles known(map, p, options.same, options.one_per_family);
-    for (const Solved& found : solved) {
-        if (found.points.empty()) continue;
-        ++result.converged;
-        if (found.points.size() == static_cast<std::size_t>(options.period)) known.add(found.points, found.residual);
-    }
+    result.counts = add_cycles(map, p, candidates, options, known);
     result.cycles = known.completed(options.threads);
     result.stopped = options.stop && options.stop();
     return result;

@@ -1,7 +1,7 @@
 // All cycles of one period that the candidates lead to.
 #pragma once
 
-#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/known_cycles.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
 
 #include <cstdint>
@@ -18,19 +18,30 @@ struct SearchOptions {
     /// Tried where the map's own solver fails: see `solve_near_grazing`. Must outlive the search.
     const TimedMap* timed = nullptr;
     ShootingOptions shooting;
+    /// Of the cycles of minimal period `period` those that are looked for; empty: all.
+    std::function<bool(const CyclePoints& points)> wanted;
     std::function<void(double done)> progress;  ///< candidates tried so far; called from one thread at a time
     std::function<bool()> stop;                 ///< true: solve no more; what is solved is completed
 };
 
-struct SearchResult {
-    std::vector<Cycle> cycles;  ///< of minimal period `period`, in the order in which candidates found them
+struct SearchCounts {
     std::int64_t tried = 0;
     std::int64_t converged = 0;  ///< candidates that led to a cycle, of a divisor of the period included
+};
+
+struct SearchResult {
+    SearchCounts counts;
+    std::vector<Cycle> cycles;  ///< of minimal period `period`, in the order in which candidates found them
     bool stopped = false;
 };
 
-/// Solves from every candidate (k points each), keeps what has the minimal period k, each cycle once.
+/// Solves from every candidate (k points each) and adds what has the minimal period k to `known`, in the candidates'
+/// order. `one_per_family` and `same` are `known`'s.
 /// Cost: one multi-shooting solution a candidate, in parallel.
+SearchCounts add_cycles(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
+                        const SearchOptions& options, KnownCycles& known);
+
+/// The same from nothing known, each cycle once.
 SearchResult find_cycles(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
                          const SearchOptions& options);
 

@@ -16,41 +16,55 @@ double KnownCycles::mean_of(const CyclePoints& points) const {
     return sum / static_cast<double>(points.size());
 }
 
-bool KnownCycles::contains(const CyclePoints& points) const {
+std::optional<std::size_t> KnownCycles::place_of(const CyclePoints& points) const {
     const double mean = mean_of(points);
     const auto begin = by_mean_.lower_bound(mean - 2 * same_), end = by_mean_.upper_bound(mean + 2 * same_);
-    return std::any_of(begin, end, [&](const auto& entry) {
+    const auto known = std::find_if(begin, end, [&](const auto& entry) {
         return distance_between(map_, cycles_[entry.second].points, points) <= same_;
     });
+    if (known == end) return {};
+    return known->second;
 }
 
-bool KnownCycles::contains_family_of(const CyclePoints& points, Eigen::Index dimension) const {
+std::optional<std::size_t> KnownCycles::place_of_family_of(const CyclePoints& points, Eigen::Index dimension) const {
     for (std::size_t i = 0; i < cycles_.size(); ++i) {
         const Cycle& other = cycles_[i];
         if (!other.is_family() || other.period() != points.size()) continue;
-        if (!curves_[i].members.empty() && belongs_to(map_, curves_[i], points)) return true;
+        if (!curves_[i].members.empty() && belongs_to(map_, curves_[i], points)) return i;
         if (other.tangents.cols() > 1 && other.tangents.cols() == dimension &&
             (is_reachable(map_, p_, other.points, points) || is_reachable(map_, p_, points, other.points)))
-            return true;
+            return i;
     }
-    return false;
+    return {};
 }
 
 bool KnownCycles::add(const CyclePoints& points, double residual) {
-    if (contains(points)) return false;
+    const auto seen_again = [this](std::size_t place) {
+        ++cycles_[place].found;
+        return false;
+    };
+    if (const auto place = place_of(points)) return seen_again(*place);
     const ShootingResidual shooting = shooting_residual(map_, points, p_);
     if (!shooting.alive) return false;
     const Eigen::MatrixXd tangents = family_directions(shooting, map_.dimension);
-    if (one_per_family_ && tangents.cols() > 0 && contains_family_of(points, tangents.cols())) return false;
+    if (one_per_family_ && tangents.cols() > 0)
+        if (const auto place = place_of_family_of(points, tangents.cols())) return seen_again(*place);
     Cycle cycle;
     for (const auto& z : points) cycle.points.push_back(map_.normalised(z));
     cycle.residual = residual;
+    cycle.found = 1;
     cycle.tangents = tangents;
     const bool curve = one_per_family_ && tangents.cols() == 1;
     curves_.push_back(curve ? walk_family(map_, p_, cycle) : FamilyCurve{});
     by_mean_.emplace(mean_of(points), cycles_.size());
     cycles_.push_back(std::move(cycle));
     return true;
+}
+
+std::vector<std::int64_t> KnownCycles::times_found() const {
+    std::vector<std::int64_t> times;
+    for (const Cycle& cycle : cycles_) times.push_back(cycle.found);
+    return times;
 }
 
 std::vector<Cycle> KnownCycles::completed(int threads) const {

@@ -4,6 +4,7 @@
 #include "analysis/cycles/family.hpp"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace swirl::analysis {
@@ -16,18 +17,21 @@ public:
     KnownCycles(const ShootingMap& map, double p, double same, bool one_per_family)
         : map_(map), p_(p), same_(same), one_per_family_(one_per_family) {}
 
-    /// Adds the cycle, its angles normalised, unless it, a cyclic shift of it or another member of its family is there.
-    /// False if it was known, or if the map ends on it.
+    /// Adds the cycle, its angles normalised, unless it, a cyclic shift of it or another member of its family is there;
+    /// counts how often each comes (`Cycle::found`). False if it was known, or if the map ends on it.
     bool add(const CyclePoints& points, double residual);
+
+    /// How often each of them came, in the order in which they were added.
+    std::vector<std::int64_t> times_found() const;
 
     /// All of them with everything that is known of a cycle, in the order in which they were added.
     ///   threads  0: all; the result does not depend on it
     std::vector<Cycle> completed(int threads = 0) const;
 
 private:
-    bool contains(const CyclePoints& points) const;
+    std::optional<std::size_t> place_of(const CyclePoints& points) const;
     double mean_of(const CyclePoints& points) const;
-    bool contains_family_of(const CyclePoints& points, Eigen::Index dimension) const;
+    std::optional<std::size_t> place_of_family_of(const CyclePoints& points, Eigen::Index dimension) const;
 
     const ShootingMap& map_;
     double p_;

@@ -3,7 +3,7 @@
 #include "analysis/classification/tail.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/modes/name_mode.hpp"
-#include "apps/system/scene_map.hpp"
+#include "apps/system/chatter_once.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -16,6 +16,20 @@ constexpr std::int64_t longest_death = 100'000;  // impacts for which an orbit's
 constexpr std::int64_t most_settling = 20'000;   // impacts
 constexpr double settled = 1e-13;                // some 10² ε: an orbit dithers by its rounding over 1 − |m|
 
+/// `period` impacts from z on, chatter that lands counted once (chatter_once.hpp); z moves on by them. Fewer where the
+/// map ends.
+template <int D>
+std::vector<analysis::Vector<D>> one_period(const SceneMap<D>& map, std::int64_t period, PostImpactState<double>& z) {
+    std::vector<analysis::Vector<D>> points;
+    for (std::int64_t i = 0; i < period; ++i) {
+        const auto step = advance_as_one(map, z);
+        if (!step.alive) break;
+        points.push_back(map.coordinates(z));
+        z = step.state;
+    }
+    return points;
+}
+
 /// Follows the orbit on until it is on the cycle but for rounding. Returns the distance that is left.
 template <int D>
 double settle_on(const SceneMap<D>& map, const std::vector<analysis::Vector<D>>& cycle, PostImpactState<double>& z) {
@@ -25,24 +39,38 @@ double settle_on(const SceneMap<D>& map, const std::vector<analysis::Vector<D>>&
         for (const auto& point : cycle) nearest = std::min(nearest, analysis::distance(map, point, here));
         return nearest;
     };
-    const auto period = static_cast<std::int64_t>(cycle.size());
     double left = away();
-    for (std::int64_t n = 0; left > settled && n < most_settling; n += period) {
-        if (analysis::follow(map, z, period) < period) break;
+    for (std::int64_t n = 0; left > settled && n < most_settling;) {
+        const auto period = static_cast<std::int64_t>(cycle.size());
+        if (static_cast<std::int64_t>(one_period(map, period, z).size()) < period) break;
+        n += period;
         left = away();
     }
     return left;
+}
+
+/// z, or where it is a rebound the first impact after the landing.
+template <int D>
+PostImpactState<double> past_rebounds(const SceneMap<D>& map, PostImpactState<double> z) {
+    for (std::int64_t n = 0; n < most_settling; ++n) {
+        const auto step = map.advance(z);
+        if (!step.alive) break;
+        z = step.state;
+        if (letter_from(step.letter).through_contact) break;
+    }
+    return z;
 }
 
 /// The orbit's own samples once it is on the cycle that the verdict names.
 template <int D>
 void take_cycle(const SceneMap<D>& map, const analysis::Classification& verdict, PostImpactState<double> z,
                 Attractor& attractor) {
-    const auto point = map.state_at(analysis::Vector<D>(verdict.point.data()));
-    const auto cycle = analysis::follow_tail(map, point, 0, verdict.period).points;
+    auto point = map.state_at(analysis::Vector<D>(verdict.point.data()));
+    const auto cycle = one_period(map, verdict.period, point);
+    if (verdict.kind == analysis::Kind::landing) z = past_rebounds(map, z);
     attractor.distance = settle_on(map, cycle, z);
-    for (const auto& sample : analysis::follow_tail(map, z, 0, verdict.period).points)
-        attractor.states.emplace_back(sample);
+    const bool on_it = attractor.distance <= settled || verdict.kind == analysis::Kind::family;
+    for (const auto& sample : on_it ? one_period(map, verdict.period, z) : cycle) attractor.states.emplace_back(sample);
 }
 
 /// What `classify` says of the start: from fewer impacts where they decide, from as many as it takes where they do not.
@@ -78,6 +106,7 @@ Attractor settle(const Scene<double>& scene, const Start<double>& start, const S
     attractor.kind = named.verdict.kind;
     attractor.period = named.verdict.period;
     attractor.mean_spin = named.verdict.mean;
+    attractor.mean_spin_per_impact = named.verdict.mean_per_step;
     attractor.last = samples.last;
     if (named.outcome != Outcome::completed || is_dissipative_without_drive(scene)) return attractor;
     const bool decided = named.verdict.mode != analysis::Mode::undecided;

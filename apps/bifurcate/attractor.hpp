@@ -29,9 +29,11 @@ struct Attractor {
     analysis::Mode mode = analysis::Mode::undecided;
     analysis::Kind kind = analysis::Kind::none;
     std::int64_t period = 0;          ///< 0: none found
-    double distance = 0;              ///< of the samples from the cycle, where there is one
+    double distance = 0;              ///< of the orbit's last state from the cycle, where there is one
     double mean_spin = std::nan("");  ///< time mean of S over the kept impacts, or over the period; NaN without
-    /// Coordinates: the kept states; where there is a cycle one period of the orbit, settled on it.
+    double mean_spin_per_impact = std::nan("");
+    /// Coordinates: the kept states; where there is a cycle one period of the orbit once it is on it, or of the
+    /// polished cycle where it comes nearer so slowly that it is not on it after some 20,000 impacts.
     std::vector<Eigen::VectorXd> states;
     std::optional<SectionPoint<double>> last;  ///< the orbit's last state; none without impacts
 };

@@ -1,4 +1,5 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
+#include "apps/bifurcate/column_shares.hpp"
 
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
@@ -93,6 +94,34 @@ Table<AttractorRow> sample_table(const BifurcateOptions& options, const Diagram&
                     {"parameter", "S", "value", "column", "start"});
 }
 
+/// What the starts of the columns settle on: one line for each attractor of a column.
+Table<ColumnShare> share_table(const Diagram& diagram) {
+    using Row = ColumnShare;
+    using F = Field<Row>;
+    const auto of = [](auto member) { return [member](const Row& row) { return row.attractor->*member; }; };
+    const auto in_percent = [](const Value& value) {
+        return fmt::format("  {:>6.2f} %", 100 * std::get<double>(value));
+    };
+    const auto parameter = [](const Row& row) { return row.column->parameter; };
+    return {{"share_of_column"},
+            {F{"parameter", parameter, "1", "parameter " + diagram.along.name}.record_only().shown(diagram.along.name,
+                                                                                                   "  {:>14.10g}"),
+             F{"column", &Row::number, "1", "column"}.record_only(),
+             F{"share", &Row::share, "1", "share of the column's starts"}.shown("share", {"  {:>8}", in_percent}),
+             F{"mode", of(&Attractor::mode)}.shown("mode", "  {:<13}"),
+             kind_field<Row>(of(&Attractor::kind)).shown("kind", " {:<20}"), F{"outcome", of(&Attractor::outcome)},
+             period_field<Row>(of(&Attractor::period), "0: none").shown("period", dash_for_zero(" {:>7}")),
+             F{"mean_S", &Row::mean_spin, "omega_s", "mean of the starts' time means"}.shown("mean S", " {:>15.10f}")},
+            {"parameter", "share", "column", "mode", "kind", "outcome", "period"}};
+}
+
+std::vector<ColumnShare> shares_of(const Diagram& diagram) {
+    std::vector<ColumnShare> rows;
+    for (std::size_t c = 0; c < diagram.columns.size(); ++c)
+        for (const ColumnShare& row : shares_of(diagram.columns[c], c)) rows.push_back(row);
+    return rows;
+}
+
 /// The columns, with the attractors of each in JSON.
 Table<DiagramColumn> column_table(const BifurcateOptions& options, const Diagram& diagram) {
     using Row = DiagramColumn;
@@ -107,14 +136,15 @@ Table<DiagramColumn> column_table(const BifurcateOptions& options, const Diagram
     const auto attractors = [table = attractor_table(options, diagram)](JsonWriter& json, const Row& column) {
         write_rows(json, table, attractors_of(column, 0), JsonLayout::line);
     };
+    const auto shares = [table = share_table(diagram)](JsonWriter& json, const Row& column) {
+        write_rows(json, table, shares_of(column, 0), JsonLayout::line);
+    };
     return {{"column"},
-            {F{"parameter", &Row::parameter, "1", "parameter " + diagram.along.name}.shown(diagram.along.name,
-                                                                                           "  {:>14.10g}"),
+            {F{"parameter", &Row::parameter, "1", "parameter " + diagram.along.name},
              {"S", samples},
-             F{"mode", of_usual(&Attractor::mode)}.shown("mode", " {:>14}"),
-             period_field<Row>(of_usual(&Attractor::period), "of most starts; 0: none")
-                 .shown("period", dash_for_zero(" {:>7}")),
-             F{"mean_S", of_usual(&Attractor::mean_spin)}.table_only().shown("mean S", " {:>15.10f}"),
+             F{"mode", of_usual(&Attractor::mode)},
+             period_field<Row>(of_usual(&Attractor::period), "of most starts; 0: none"),
+             {"shares", shares},
              F{"interrupted", [](const Row&) { return true; }}.json_only().json_if(
                  [](const Row& column) { return !column.complete; }),
              {"attractors", attractors}},
@@ -184,6 +214,8 @@ void write_diagram_record(RecordWriter& record, const BifurcateOptions& options,
             for (const auto& z : row.attractor->states) samples.push_back({row.column, row.number, row.attractor, &z});
         }
     if (!diagram.columns.empty()) write_record(root.group("columns"), column_table(options, diagram), diagram.columns);
+    const std::vector<ColumnShare> shares = shares_of(diagram);
+    if (!shares.empty()) write_record(root.group("shares"), share_table(diagram), shares);
     if (!attractors.empty()) write_record(root.group("attractors"), attractor_table(options, diagram), attractors);
     if (!samples.empty()) write_record(root.group("samples"), sample_table(options, diagram), samples);
     if (options.branches) write_branches(root, branches_of(options, diagram), diagram.branches, options.observable);
@@ -199,8 +231,9 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
             ++counts[std::string(name_of(attractor.mode))];
             ++all;
         }
-    const std::size_t lines = diagram.columns.size() <= most_lines ? diagram.columns.size() : 0;
-    print_table(column_table(options, diagram), std::span(diagram.columns).first(lines));
+    const std::vector<ColumnShare> shares_by_column = shares_of(diagram);
+    const std::size_t lines = diagram.columns.size() <= most_lines ? shares_by_column.size() : 0;
+    print_table(share_table(diagram), std::span(shares_by_column).first(lines));
     std::string shares;
     for (const auto& [mode, count] : counts)
         shares += fmt::format("{}{} {:.2f} %", shares.empty() ? "" : ", ", mode,

@@ -58,6 +58,11 @@ public:
         ++diagram_.agreement.without;
     }
 
+    /// The branches that flips and branch points of those lead to, unstable ones too.
+    void switch_branches() {
+        follow_switches(scene_, diagram_.branches, 1, static_cast<std::size_t>(options_.longest_branch));
+    }
+
 private:
     bool is_in_family(const analysis::CyclePoints& points, double p) const {
         const auto shooting = analysis::shooting_residual(scene_.map, points, p);
@@ -90,6 +95,7 @@ void continue_attractors(const BifurcateOptions& options, Diagram& diagram) {
         }
         progress.at(static_cast<double>(++seen));
     }
+    search.switch_branches();
 }
 
 }  // namespace swirl::apps::bifurcate

@@ -131,7 +131,8 @@ std::vector<Field<PointRow>> special_fields() {
     const auto angle = [](const Special& s) {
         return s.kind == SpecialKind::neimark_sacker ? s.normal_form->angle : std::numeric_limits<double>::quiet_NaN();
     };
-    return {F{"located", of(&Special::located), "1", "0: known only to lie between two points"}
+    return {F{"after", of(&Special::after), "1", "point of the branch that it comes after; the first is 0"},
+            F{"located", of(&Special::located), "1", "0: known only to lie between two points"}
                 .stored_as(ElementType::int64)
                 .json_if([](const Row& row) { return !row.special->located; }),
             F{"normal_form", write_normal_form}.json_if(has_form),

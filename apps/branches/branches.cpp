@@ -46,7 +46,8 @@ std::string kind_of(const analysis::SpecialPoint& special) {
                                                          : std::string(analysis::name_of(special.kind));
 }
 
-void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth) {
+void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth,
+                     std::size_t longest) {
     std::size_t begin = 0;
     for (int level = 0; level < depth && scene.map.has_parameter; ++level) {
         const std::size_t end = branches.size();
@@ -58,6 +59,8 @@ void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& 
                 if (special.kind == analysis::SpecialKind::flip && branches[b].parent >= 0 &&
                     branches[static_cast<std::size_t>(branches[b].parent)].period() == 2 * branches[b].period())
                     continue;
+                const bool doubles = special.kind == analysis::SpecialKind::flip;
+                if ((doubles ? 2 : 1) * branches[b].period() > longest) continue;
                 analysis::Branch branch;
                 const auto is_known = [&](const analysis::CurvePoint& start) {
                     return std::any_of(branches.begin(), branches.end(), [&](const analysis::Branch& known) {

@@ -5,6 +5,7 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/parameter_range.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace swirl::apps {
@@ -47,7 +48,9 @@ void print_branches(const SceneBranches& scene, const ParameterRange& along,
                     const std::vector<analysis::Branch>& branches);
 
 /// Follows switches of flips and branch points, `depth` times one after another. `branches` grows.
-void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth);
+///   longest  period of the branches that are switched to
+void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth,
+                     std::size_t longest = std::numeric_limits<std::size_t>::max());
 
 /// A section point as a JSON object.
 void write_point(JsonWriter& json, const Eigen::VectorXd& z);

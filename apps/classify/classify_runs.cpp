@@ -73,6 +73,10 @@ int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     finish_up();
     const bool interrupted = found.runs.size() < static_cast<std::size_t>(options.runs);
     if (!found.runs.empty()) {
+        if (!interrupted)
+            found.escape =
+                escape_of(scene, options.start.speed(), options.settings, found.runs, options.output.threads);
+        if (found.escape) name_remaining(*found.escape, found.runs);
         found.attractors = attractors_of(found.runs);
         for (std::size_t a = 0; a < found.attractors.size(); ++a)
             for (const std::size_t r : found.attractors[a].runs) found.runs[r].attractor = static_cast<std::int64_t>(a);
@@ -80,6 +84,7 @@ int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
         const std::uint64_t seed = found.runs[found.attractors.front().runs.front()].seed;
         if (!interrupted)
             found.first = name_mode(scene, random_start(scene.beta, options.start.speed(), seed, 0), options.settings);
+        if (found.escape && found.first) name_remaining(*found.escape, *found.first);
         if (record) {
             write_runs(record->root(), options, scene, found);
             record->finish();

@@ -3,6 +3,7 @@
 
 #include "apps/classify/attractors.hpp"
 #include "apps/classify/classify_command.hpp"
+#include "apps/classify/escape.hpp"
 
 #include <optional>
 #include <vector>
@@ -14,6 +15,7 @@ struct RunsFound {
     std::vector<RunVerdict> runs;       ///< by seed
     std::vector<Attractor> attractors;  ///< the most shared first
     std::optional<NamedMode> first;     ///< the verdict on the first attractor's representative, unless interrupted
+    std::optional<analysis::EscapeRate> escape;  ///< where some have left chaos and others have not
 };
 
 /// One run: what `swirl classify --seed` gives. A pure function of its arguments, unless it is interrupted: then

@@ -81,6 +81,8 @@ void write_runs_document(const ClassifyCommandOptions& options, const Scene<doub
         write_verdict(json, found.first.value(), options.settings);
         write_shares(json, "modes", found, &RunVerdict::mode);
         write_shares(json, "kinds", found, &RunVerdict::kind);
+        json.key("escape");
+        write_escape(json, found.escape);
         write_json(json, "attractors", attractors_table(found), found.attractors);
         write_json(json, "runs", runs_table(), found.runs);
     });
@@ -91,6 +93,7 @@ void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, 
     write_scene(root, scene, &options.start);
     if (found.first) write_verdict(root.group("mode"), *found.first, options.settings);
     write_record(root.group("attractors"), attractors_table(found), found.attractors);
+    if (found.escape) write_escape(root.group("escape"), *found.escape);
     const RecordGroup runs = root.group("runs");
     runs.attribute("wanted", options.runs);  // more than there are if interrupted
     write_record(runs, runs_table(), found.runs);
@@ -101,6 +104,7 @@ void print_runs(const Scene<double>& scene, const RunsFound& found) {
     for (const auto& [mode, count] : counts_of(found.runs, &RunVerdict::mode))
         fmt::print(" {} {:.4g} %", name_of(mode), 100 * share(count, found));
     fmt::print("\n");
+    if (found.escape) fmt::print("  {}\n", in_words(*found.escape));
     print_table(attractors_table(found), found.attractors);
     fmt::print("the first of them, seed {}:\n{}", found.runs[found.attractors.front().runs.front()].seed,
                table_of(found.first.value()));

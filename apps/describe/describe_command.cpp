@@ -29,25 +29,6 @@ void DescribeOptions::add_to(CLI::App& command) {
         ->type_name("T");
 }
 
-namespace {
-
-std::string none_reason(SteadySet set) {
-    switch (set) {
-        case SteadySet::none_frictionless:
-            return "no steady mode exists: without friction it has chi = 0 and the same |u_n| before and after an "
-                   "impact, but e < 1";
-        case SteadySet::none_lossy_disk:
-            return "no steady mode exists: a disk's has no tangential impulse and the same |u_n| before and after an "
-                   "impact, but e < 1";
-        case SteadySet::points:
-        case SteadySet::families:
-            break;
-    }
-    return "";
-}
-
-}  // namespace
-
 Description description_of(const Scene<double>& scene, double max_time) {
     SteadyOptions search;
     search.longest_flight = max_time;
@@ -55,7 +36,7 @@ Description description_of(const Scene<double>& scene, double max_time) {
     for (SteadyMode& mode : d.steady.modes) analysis::sort_multipliers(mode.multipliers);
     for (const SteadyFamily& family : d.steady.families)
         d.families.push_back({family, member_of(scene, family, 0.5 * (family.from + family.to))});
-    d.none_exist = none_reason(d.steady.set);
+    d.none_exist = why_none(d.steady.set);
     return d;
 }
 

@@ -1,9 +1,12 @@
 #include "apps/modes/name_mode.hpp"
 
 #include "apps/modes/contact_mode.hpp"
+#include "apps/system/chatter_once.hpp"
 #include "apps/system/orbit_ending.hpp"
 
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace swirl::apps {
 
@@ -31,25 +34,69 @@ void judge_contact(const SceneMap<D>& map, const PostImpactState<double>& last, 
     }
 }
 
-/// Does a cycle lead through sustained contact? Then it is a landing.
+/// What is said per impact of a cycle, its impacts being those with these S.
+void count_chatter_once(const std::vector<double>& spins, const analysis::ClassifyOptions& settings,
+                        analysis::Classification& verdict) {
+    const auto impacts = static_cast<std::int64_t>(spins.size());
+    const double fewer = static_cast<double>(verdict.period) / static_cast<double>(impacts);
+    verdict.evidence.push_back(
+        {"rebounds of its chatter", static_cast<double>(verdict.period - impacts), 0,
+         "the cycle leads through sustained contact; rebounds that end there count as one impact",
+         "no contact: a cycle of impacts alone"});
+    for (auto& evidence : verdict.evidence)
+        if (evidence.name == "period") evidence.value = static_cast<double>(impacts);
+    verdict.period = impacts;
+    verdict.largest_exponent *= fewer;
+    verdict.largest_exponent_error *= fewer;
+    double sum = 0, pairs = 0;
+    for (const double a : spins) {
+        sum += a;
+        for (const double b : spins) pairs += std::abs(a - b) <= settings.recurrence_threshold ? 1 : 0;
+    }
+    const auto n = static_cast<double>(impacts);
+    verdict.mean_per_step = sum / n;
+    verdict.recurrence_rate = pairs / (n * n);
+    // Without its diagonal RC is of a series: that of as many impacts as were judged.
+    const double judged = std::floor(static_cast<double>(settings.collisions) / fewer);
+    verdict.recurrence_rate_without_diagonal = (verdict.recurrence_rate * judged - 1) / (judged - 1);
+}
+
+/// The cycle's state after its first landing; none where it leads through no contact.
 template <int D>
-void look_for_landings(const SceneMap<D>& map, analysis::Classification& verdict) {
-    using analysis::Kind;
-    if (verdict.kind != Kind::cycle && verdict.kind != Kind::fixed_point) return;
+std::optional<PostImpactState<double>> after_landing(const SceneMap<D>& map, const analysis::Classification& verdict) {
     auto z = map.state_at(analysis::Vector<D>(verdict.point.data()));
     for (std::int64_t k = 0; k < verdict.period; ++k) {
         const auto step = map.advance(z);
+        if (!step.alive) return {};
+        z = step.state;
+        if (letter_from(step.letter).through_contact) return z;
+    }
+    return {};
+}
+
+/// A cycle that leads through sustained contact is a landing; its rebounds before that count as one impact
+/// (chatter_once.hpp) in the period, and so in all that is said per impact.
+template <int D>
+void look_for_landings(const SceneMap<D>& map, const analysis::ClassifyOptions& settings,
+                       analysis::Classification& verdict) {
+    using analysis::Kind;
+    if (verdict.kind != Kind::cycle && verdict.kind != Kind::fixed_point) return;
+    const auto first = after_landing(map, verdict);
+    if (!first) return;
+    std::vector<double> spins;
+    auto z = *first;
+    for (std::int64_t done = 0; done < verdict.period;) {
+        spins.push_back(map.coordinates(z)[map.integrated]);
+        done += steps_as_one(map, z);
+        const auto step = advance_as_one(map, z);
         if (!step.alive) return;
-        if (letter_from(step.letter).through_contact) {
-            verdict.kind = Kind::landing;
-            verdict.mode = analysis::Mode::quasi_steady;
-            verdict.evidence.push_back({"impact that lands", static_cast<double>(k + 1),
-                                        static_cast<double>(verdict.period),
-                                        "the cycle leads through sustained contact", "none: a cycle of impacts alone"});
-            return;
-        }
         z = step.state;
     }
+    verdict.kind = Kind::landing;
+    verdict.mode = analysis::Mode::quasi_steady;
+    const analysis::Vector<D> point = map.coordinates(*first);
+    verdict.point.assign(point.begin(), point.end());
+    count_chatter_once(spins, settings, verdict);
 }
 
 /// Impacts that only lose must fade, whatever they look like so far.
@@ -112,7 +159,7 @@ NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const anal
     } else if (dissipative) {
         name_dissipative_orbit(named.verdict);
     }
-    look_for_landings(map, named.verdict);
+    look_for_landings(map, settings, named.verdict);
     return named;
 }
 

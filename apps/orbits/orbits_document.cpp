@@ -1,8 +1,10 @@
 #include "apps/branches/branches.hpp"
+#include "apps/orbits/family_members.hpp"
 #include "apps/orbits/orbits_command.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/system/shooting_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace swirl::apps::orbits {
@@ -11,7 +13,14 @@ using analysis::Cycle;
 
 namespace {
 
-void write_family(JsonWriter& json, const analysis::ShootingMap& map, const Cycle& cycle) {
+/// What the fields of a cycle are read with.
+struct CycleTable {
+    const Scene<double>& scene;
+    analysis::ShootingMap map;
+    const FoundOrbits& found;
+};
+
+void write_family(JsonWriter& json, const CycleTable& at, const Cycle& cycle) {
     if (!cycle.is_family()) return json.null();
     json.begin_object();
     json.member("dimension", static_cast<std::int64_t>(cycle.tangents.cols()));
@@ -20,7 +29,7 @@ void write_family(JsonWriter& json, const analysis::ShootingMap& map, const Cycl
     for (Eigen::Index j = 0; j < cycle.tangents.cols(); ++j) write_point(json, cycle.tangents.col(j));
     json.end_array();
     if (cycle.tangents.cols() == 1) {
-        const FamilyRange range = range_of(map, cycle);
+        const FamilyRange range = range_of(at.scene, at.map, at.found.steady, cycle);
         json.member("least_S", range.least_spin);
         json.member("most_S", range.most_spin);
         json.member("shortest_return_time", range.shortest);
@@ -55,10 +64,11 @@ std::string stability_in_words(const Cycle& c) {
 }
 
 /// The cycles of a map. `longest`: the longest period, to which lists of points are filled up.
-Table<Cycle> cycle_table(const analysis::ShootingMap& map, std::size_t longest) {
+Table<Cycle> cycle_table(const Scene<double>& scene, const FoundOrbits& found, std::size_t longest) {
     using F = Field<Cycle>;
-    const auto d = static_cast<std::size_t>(map.dimension);
-    const auto family = [map](JsonWriter& json, const Cycle& c) { write_family(json, map, c); };
+    const CycleTable at{scene, shooting_map_of(scene), found};
+    const auto d = static_cast<std::size_t>(at.map.dimension);
+    const auto family = [at](JsonWriter& json, const Cycle& c) { write_family(json, at, c); };
     const auto re = [](const Cycle& c) { return parts_of(c, std::real); };
     const auto im = [](const Cycle& c) { return parts_of(c, std::imag); };
     return {
@@ -82,6 +92,7 @@ Table<Cycle> cycle_table(const analysis::ShootingMap& map, std::size_t longest) 
              .json_written(family),
          F{"largest_multiplier", [](const Cycle& c) { return std::abs(c.multipliers.front()); }}.table_only().shown(
              "|multiplier|", " {:>14.10f}"),
+         F{"found", &Cycle::found, "1", "candidates that led to it; 0: from the steady modes' equations, or --near"},
          F{"words", stability_in_words}.table_only().shown("stability", "  {}")},
         {"period", "index", "family", "mean_S", "return_time", "residual", "stability", "multiplier_re",
          "multiplier_im"},
@@ -90,6 +101,57 @@ Table<Cycle> cycle_table(const analysis::ShootingMap& map, std::size_t longest) 
 
 constexpr const char* none_reason =
     "no cycle exists: with e < 1 every impact lowers J (without friction) or the energy (without swirl)";
+
+/// How each period was searched.
+Table<PeriodSearch> search_table() {
+    using F = Field<PeriodSearch>;
+    const auto of = [](auto member) { return [member](const PeriodSearch& s) { return s.unseen.*member; }; };
+    using analysis::UnseenCycles;
+    return {{"search"},
+            {F{"period", &PeriodSearch::period, "1", "of period 1 those through contact alone"},
+             F{"candidates", &PeriodSearch::tried, "1"},
+             F{"converged", &PeriodSearch::converged, "1", "candidates that led to a cycle"},
+             F{"cycles", of(&UnseenCycles::found), "1", "of that period, through contact if it is 1"},
+             F{"samples", of(&UnseenCycles::samples), "1", "candidates that led to one of them"},
+             F{"found_once", of(&UnseenCycles::once), "1"}, F{"found_twice", of(&UnseenCycles::twice), "1"},
+             F{"missed", of(&UnseenCycles::missed), "1", "estimate of cycles not found (Chao 1984)"},
+             F{"least_missed", of(&UnseenCycles::least_missed), "1", "its interval at 95 %"},
+             F{"most_missed", of(&UnseenCycles::most_missed), "1", "its interval at 95 %"}}};
+}
+
+std::string in_words(const SteadySearch& steady) {
+    const std::string_view none = why_none(steady.set);
+    if (!none.empty()) return fmt::format("period 1, impacts alone: {}", none);
+    const char* kind = steady.set == SteadySet::families ? "families of fixed points" : "fixed points";
+    const std::string all = fmt::format("period 1, impacts alone: all {} {} with tau <= {:g}", steady.found, kind,
+                                        std::min(steady.complete_to, steady.max_time));
+    return steady.is_complete() ? all : all + "; there are more than are looked at";
+}
+
+std::string in_words(const PeriodSearch& search) {
+    const auto& u = search.unseen;
+    std::string words = fmt::format("period {}{}: {} cycles from {} candidates", search.period,
+                                    search.period == 1 ? ", through contact" : "", u.found, search.tried);
+    if (u.found == 0) return words;
+    words += fmt::format("; {} were found once, {} twice: ", u.once, u.twice);
+    if (u.missed < 0.5)
+        words += "fewer than one more, if all are as easy to find";
+    else
+        words += fmt::format("some {:.0f} more are to be expected (95 %: {:.0f} to {:.0f})", u.missed, u.least_missed,
+                             u.most_missed);
+    return words;
+}
+
+void write_steady(JsonWriter& json, const std::optional<SteadySearch>& steady) {
+    if (!steady) return json.null();
+    json.begin_object();
+    json.member("max_time", steady->max_time);
+    json.member("set", name_of(steady->set));
+    json.member("found", static_cast<std::int64_t>(steady->found));
+    json.member("complete", steady->is_complete());
+    json.member("complete_to", steady->complete_to);
+    json.end_object();
+}
 
 }  // namespace
 
@@ -100,6 +162,9 @@ Settings orbits_settings(const OrbitsOptions& options) {
             {"near", options.near},
             {"pin", options.pin},
             {"starts", options.candidates.starts},
+            {"max_time", options.max_time},
+            {"complete", options.complete},
+            {"most_starts", options.most_starts},
             {"trajectories", options.candidates.trajectories},
             {"collisions", options.candidates.collisions},
             {"seed", options.candidates.seed}};
@@ -108,7 +173,10 @@ Settings orbits_settings(const OrbitsOptions& options) {
 void write_orbits_document(const OrbitsOptions& options, const Scene<double>& scene, const FoundOrbits& found) {
     print_document([&](JsonWriter& json) {
         write_scene(json, scene, options.scene);
-        write_json(json, "orbits", cycle_table(shooting_map_of(scene), 1), found.cycles);
+        write_json(json, "orbits", cycle_table(scene, found, 1), found.cycles);
+        json.key("fixed_points");
+        write_steady(json, found.steady);
+        write_json(json, "searches", search_table(), found.searches);
         json.member("candidates", found.tried);
         json.member("converged", found.converged);
         if (found.none_exist) json.member("none_exist", none_reason);
@@ -124,15 +192,16 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
 }
 
 void print_orbits(const Scene<double>& scene, const FoundOrbits& found) {
-    fmt::print("{}\n  {} candidates, {} led to a cycle{}\n", scene_in_words(scene), found.tried, found.converged,
-               found.interrupted ? "; interrupted" : "");
+    fmt::print("{}\n{}", scene_in_words(scene), found.interrupted ? "  interrupted\n" : "");
+    if (found.steady) fmt::print("  {}\n", in_words(*found.steady));
+    for (const auto& search : found.searches) fmt::print("  {}\n", in_words(search));
     for (const auto& limit : found.limits) fmt::print("  {}\n", limit);
     if (std::isfinite(found.distance)) fmt::print("  nearest point of a cycle at {:.3g} from --near\n", found.distance);
     if (found.cycles.empty()) {
         fmt::print("  {}\n", found.none_exist ? none_reason : "no cycle found");
         return;
     }
-    print_table(cycle_table(shooting_map_of(scene), 1), found.cycles);
+    print_table(cycle_table(scene, found, 1), found.cycles);
 }
 
 void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, const Scene<double>& scene,
@@ -140,18 +209,23 @@ void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, con
     const RecordGroup root = record.root();
     write_attributes(root.group("scene"), scene_settings(scene));
     write_attributes(root.group("settings"), orbits_settings(options));
+    if (!found.searches.empty()) write_record(root.group("searches"), search_table(), found.searches);
     const RecordGroup group = root.group("orbits");
+    if (found.steady) {
+        group.attribute("max_time", found.steady->max_time);
+        group.attribute("fixed_points", static_cast<std::int64_t>(found.steady->found));
+        group.attribute("complete_to", found.steady->complete_to);
+    }
     if (!found.cycles.empty()) {
-        const auto map = shooting_map_of(scene);
         std::size_t longest = 1;
         for (const auto& c : found.cycles) longest = std::max(longest, c.period());
-        const auto names = coordinate_names(map.dimension);
+        const auto names = coordinate_names(found.cycles.front().points.front().size());
         group.dimension("orbit", found.cycles.size());
         group.dimension("multiplier_index", names.size());
         group.dimension("phase", longest);
         group.dimension("coordinate", names.size());
         group.write_strings("coordinate", {"coordinate"}, names);
-        write_columns(group, cycle_table(map, longest), found.cycles);
+        write_columns(group, cycle_table(scene, found, longest), found.cycles);
     }
     record.finish();
 }

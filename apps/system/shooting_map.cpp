@@ -1,5 +1,6 @@
 #include "apps/system/shooting_map.hpp"
 
+#include "apps/system/chatter_once.hpp"
 #include "apps/system/scene_map.hpp"
 #include "map/derivative/timed_collision.hpp"
 
@@ -12,35 +13,43 @@ namespace {
 /// As u_n → 0 every state of a body at rest on the wall solves F(z) = z: an impact that is no faster ends the map.
 constexpr double least_impact_speed = detail::least_impact_speed;
 
-/// Solvers ask for cycles of impacts: contact that lasts longer than a few swings has none.
-constexpr double solver_horizon = 50;
-
 /// u_n before the impact, from the state after it: C = −u_n changes by B₂p + B₃q.
 double impact_speed(const Body<double>& body, const Collision<double>& collision) {
     const ContactKinematics<double> after = contact_kinematics(body, collision.after);
     return after.un + after.b2() * collision.impulse.normal + after.b3() * collision.impulse.tangential;
 }
 
-/// All of a step but its derivatives. False where the map ends.
+/// DF of one step of the return map.
 template <int D>
-bool fill_step(const SceneMap<D>& map, const ReturnStep<double>& known, analysis::ShootingStep& step) {
-    if (!map.goes_on(known)) return false;
-    step.state = map.coordinates(known.collision.after);
-    step.duration = known.collision.flight_time;
-    step.letter = number_of(letter_of(known));
-    step.integral = known.turned;
-    step.margin = impact_speed(map.body(), known.collision);
-    return step.margin > least_impact_speed;
+analysis::Matrix<D> derivative_at(const SceneMap<D>& map, const PostImpactState<double>& z,
+                                  const ReturnStep<double>& known) {
+    return known.contacts.empty() ? map.through_flight(z, known) : map.through_contact(section_point(z), known);
 }
 
-template <int D>
-analysis::ShootingStep step_of(const SceneMap<D>& map, const Eigen::VectorXd& z) {
+/// One step from z on, rebounds that end in contact counted once, with its derivative: all but ∂F/∂p.
+///   derive  DF of one step of the return map
+template <int D, class Derive>
+analysis::ShootingStep step_of(const SceneMap<D>& map, const Eigen::VectorXd& z, const Derive& derive) {
     analysis::ShootingStep step;
-    const auto state = map.state_at(z);
-    const ReturnStep<double> known = map.return_step(state);
-    if (!fill_step(map, known, step)) return step;
-    step.by_state =
-        known.contacts.empty() ? map.through_flight(state, known) : map.through_contact(section_point_of(z), known);
+    PostImpactState<double> state = map.state_at(analysis::Vector<D>(z));
+    const std::int64_t steps = steps_as_one(map, state);
+    analysis::Matrix<D> by_state = analysis::Matrix<D>::Identity();
+    Letter letter;
+    step.duration = 0;
+    for (std::int64_t i = 0; i < steps; ++i) {
+        const ReturnStep<double> known = map.return_step(state);
+        if (!map.goes_on(known)) return step;
+        if (i + 1 == steps) step.margin = impact_speed(map.body(), known.collision);
+        if (!(step.margin > least_impact_speed)) return step;
+        by_state = derive(state, known) * by_state;
+        step.duration += known.collision.flight_time;
+        step.integral += known.turned;
+        letter = i == 0 ? letter_of(known) : joined(letter, letter_of(known), map.body().sides);
+        state = known.collision.after;
+    }
+    step.state = map.coordinates(state);
+    step.letter = number_of(letter);
+    step.by_state = by_state;
     step.alive = step.by_state.allFinite();
     return step;
 }
@@ -74,32 +83,43 @@ struct MapAlongParameter {
         analysis::ShootingStep step;
         if (!is_allowed(parameter, p)) return step;
         const SceneMap<D> map = at(p);
-        const auto state = map.state_at(z);
-        const ReturnStep<double> known = map.return_step(state);
-        if (!fill_step(map, known, step)) return step;
-        if (known.contacts.empty()) {
-            const auto d = map.through_flight(state, known, parameter);
-            step.by_state = d.first;
-            step.by_parameter = d.second;
-        } else {
-            step.by_state = map.through_contact(section_point_of(z), known);
-            step.by_parameter = quotient_along(state, p);
-        }
-        step.alive = step.by_state.allFinite() && step.by_parameter.allFinite();
+        analysis::Vector<D> along = analysis::Vector<D>::Zero();
+        step = step_of(map, z, [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
+            if (!known.contacts.empty()) return derivative_at(map, from, known);
+            const auto d = map.through_flight(from, known, parameter);
+            along = d.first * along + d.second;
+            return d.first;
+        });
+        if (!step.alive) return step;
+        const bool landed = letter_from(step.letter).through_contact;
+        step.by_parameter =
+            landed ? quotient_along(map.state_at(analysis::Vector<D>(z)), p, step.by_state) : Eigen::VectorXd(along);
+        step.alive = step.by_parameter.allFinite();
         return step;
     }
 
-    /// Through contact: a central difference, one-sided at the end of the parameter's range.
-    Eigen::VectorXd quotient_along(const PostImpactState<double>& state, double p) const {
+    /// Through contact: a central difference, one-sided at the end of the parameter's range. A state that lands at once
+    /// leaves with u_n = 0 or nearly so, and would approach the wall in a neighbouring scene: v_n goes along with the
+    /// parameter there, so that u_n stays what it is, and what that does is taken off again by DF.
+    Eigen::VectorXd quotient_along(const PostImpactState<double>& state, double p,
+                                   const Eigen::MatrixXd& by_state) const {
         constexpr double h = 1e-5;
+        constexpr int vn = D - 3;
         const double high = is_allowed(parameter, p + h) ? p + h : p;
         const double low = is_allowed(parameter, p - h) ? p - h : p;
-        const auto above = at(high).advance(state), below = at(low).advance(state);
+        const double un = contact_kinematics(at(p).body(), state).un;
+        const auto from = [&](double q) {
+            PostImpactState<double> z = state;
+            z.vn += un - contact_kinematics(at(q).body(), state).un;
+            return z;
+        };
+        const PostImpactState<double> upper = from(high), lower = from(low);
+        const auto above = advance_as_one(at(high), upper), below = advance_as_one(at(low), lower);
         if (!above.alive || !below.alive) return Eigen::VectorXd::Constant(D, std::nan(""));
         Eigen::VectorXd change = typical.coordinates(above.state) - typical.coordinates(below.state);
         for (int i = 0; i < D; ++i)
             if (typical.angle_period(i) > 0) change[i] = std::remainder(change[i], typical.angle_period(i));
-        return change / (high - low);
+        return (change - by_state.col(vn) * (upper.vn - lower.vn)) / (high - low);
     }
 };
 
@@ -120,7 +140,10 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene) {
         scene,
         [](const auto& map) {
             analysis::ShootingMap result = without_step(map);
-            result.step = [map](const Eigen::VectorXd& z, double) { return step_of(map, z); };
+            result.step = [map](const Eigen::VectorXd& z, double) {
+                return step_of(map, z,
+                               [&map](const auto& from, const auto& known) { return derivative_at(map, from, known); });
+            };
             return result;
         },
         solver_horizon);

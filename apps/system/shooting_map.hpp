@@ -6,8 +6,12 @@
 
 namespace swirl::apps {
 
+/// Solvers ask for cycles of impacts: contact that lasts longer than a few swings has none.
+inline constexpr double solver_horizon = 50;
+
 /// The return map of one scene for solvers, by SceneMap's coordinates; the observable is S, its integral ∫S dt. Through
-/// sustained contact of up to 50 time units. It also ends at an impact with u_n < 10⁻⁶, its `least_margin`: rest on the
+/// sustained contact of up to `solver_horizon`; rebounds that end in contact count as one impact (chatter_once.hpp),
+/// with the product of their derivatives. It also ends at an impact with u_n < 10⁻⁶, its `least_margin`: rest on the
 /// wall is no cycle of impacts. @throws std::invalid_argument for a scene out of range
 analysis::ShootingMap shooting_map_of(const Scene<double>& scene);
 

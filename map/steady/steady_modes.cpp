@@ -25,6 +25,21 @@ std::string_view name_of(SteadySet set) {
     return "none-frictionless";
 }
 
+std::string_view why_none(SteadySet set) {
+    switch (set) {
+        case SteadySet::none_frictionless:
+            return "no steady mode exists: without friction it has chi = 0 and the same |u_n| before and after an "
+                   "impact, but e < 1";
+        case SteadySet::none_lossy_disk:
+            return "no steady mode exists: a disk's has no tangential impulse and the same |u_n| before and after an "
+                   "impact, but e < 1";
+        case SteadySet::points:
+        case SteadySet::families:
+            break;
+    }
+    return "";
+}
+
 namespace {
 
 using namespace steady;

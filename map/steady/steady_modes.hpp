@@ -22,6 +22,8 @@ enum class SteadySet {
     none_frictionless,  ///< μ = 0, e < 1: the same
 };
 std::string_view name_of(SteadySet set);
+/// Why there are none, in words; empty where there may be some.
+std::string_view why_none(SteadySet set);
 
 struct SteadyOptions {
     double longest_flight = 12;  ///< τ, in 1/ω_s; (0, 10⁴]

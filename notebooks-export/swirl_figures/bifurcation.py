@@ -61,24 +61,56 @@ def _pieces(stable):
     return [(first, min(last + 1, len(stable)), stable[first]) for first, last in zip(borders, borders[1:])]
 
 
-def _lines(record, branch, values):
-    """{stable: polylines} of the columns of `values` along one branch."""
-    parameter, stable = record.column("branches", "parameter"), record.column("branches", "stable")
+#: Special points at which stability changes; a border may change it, too.
+_CRITICAL = ("fold", "flip", "neimark-sacker", "branch-point")
+
+
+def _column(record, group, name, rows):
+    """A variable of one branch, a column for each phase of its cycles."""
+    values = record.column(group, name)[rows]
+    return values if values.ndim == 2 else values[:, None]
+
+
+def _with_special(record, branch, name):
+    """(parameter, values, stable) along one branch: its points, and between them the special points that were located, so
+    that stability changes where it does and not at the next point."""
     of = record.column("branches", "branch") == branch
+    parameter = record.column("branches", "parameter")[of]
+    values, stable = _column(record, "branches", name, of), record.column("branches", "stable")[of] != 0
+    if "special" not in record or "after" not in record["special"].variables:
+        return parameter, values, stable
+    on_it = record.column("special", "branch") == branch
+    if "located" in record["special"].variables:
+        on_it &= record.column("special", "located") != 0
+    after = record.column("special", "after")[on_it].astype(int)
+    kinds, places = record.names("special", "kind")[on_it], record.column("special", "parameter")[on_it]
+    special_stable = numpy.zeros(len(after), dtype=bool)
+    for gap in numpy.unique(after):
+        inside = numpy.flatnonzero(after == gap)
+        critical = next((i for i in inside if kinds[i] in _CRITICAL), inside[0])
+        special_stable[inside] = numpy.where(inside < critical, stable[gap], stable[min(gap + 1, len(stable) - 1)])
+    return (numpy.insert(parameter, after + 1, places),
+            numpy.insert(values, after + 1, _column(record, "special", name, on_it), axis=0),
+            numpy.insert(stable, after + 1, special_stable))
+
+
+def _lines(record, branch, name):
+    """{stable: polylines} of a variable along one branch."""
+    parameter, values, stable = _with_special(record, branch, name)
     lines = {True: [], False: []}
-    for first, last, is_stable in _pieces(stable[of] != 0):
-        for column in values[of].T:
-            line = numpy.column_stack([parameter[of], column])[first:last]
+    for first, last, is_stable in _pieces(stable):
+        for column in values.T:
+            line = numpy.column_stack([parameter, column])[first:last]
             if numpy.isfinite(line).all(axis=1).any():
                 lines[bool(is_stable)].append(line)
     return lines
 
 
-def _draw_branches(axes, record, values, colours):
+def _draw_branches(axes, record, name, colours):
     period, branches = record.column("branches", "period"), record.column("branches", "branch")
     for branch in numpy.unique(branches):
         colour = colours[period[branches == branch][0]]
-        for stable, lines in _lines(record, branch, values).items():
+        for stable, lines in _lines(record, branch, name).items():
             axes.add_collection(LineCollection(lines, colors=colour, linewidths=1.5 if stable else 1.1, zorder=2,
                                                linestyles="solid" if stable else (0, (3, 1.6))))
 
@@ -139,7 +171,7 @@ def _limit_ordinate(axes, record):
 
 def _draw_multiplier(axes, record, colours):
     modulus = record.column("branches", "largest_multiplier")
-    _draw_branches(axes, record, modulus[:, None], colours)
+    _draw_branches(axes, record, "largest_multiplier", colours)
     axes.axhline(1, color="0.6", lw=0.8, zorder=0)
     finite = modulus[numpy.isfinite(modulus)]
     top = finite.max(initial=1.0)
@@ -167,7 +199,7 @@ def draw_bifurcation(record):
     if with_branches:
         periods = numpy.unique(record.column("branches", "period"))
         colours = {period: _PERIODS[i % len(_PERIODS)] for i, period in enumerate(periods)}
-        _draw_branches(panels[0], record, record.column("branches", name), colours)
+        _draw_branches(panels[0], record, name, colours)
         _draw_multiplier(panels[1], record, colours)
         handles += _branch_handles(record, colours)
     if "special" in record:

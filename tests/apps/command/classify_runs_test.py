@@ -43,6 +43,31 @@ class Runs(InFolder):
             for r in own:
                 self.assertAlmostEqual(r["mean_S"], attractor["mean_S"], delta=1e-12)
 
+    def test_a_chaotic_transient_has_its_rate_of_escape(self):
+        scene = "--sides 6 --alpha 0.398 --beta 0.893 --mu 0.3 --restitution 0.9 --runs 24"
+        short = document(f"classify {scene} --transient 4000 --collisions 4000")
+        escape = short["escape"]
+        self.assertGreater(escape["left"], 3)
+        self.assertGreater(escape["remaining"], 0)
+        self.assertAlmostEqual(escape["rate"] * escape["impacts"], escape["left"], delta=1e-9)
+        self.assertAlmostEqual(escape["half_life"] * escape["rate"], numpy.log(2), delta=1e-12)
+        self.assertLess(escape["least_rate"], escape["rate"])
+        self.assertTrue(escape["others_will_leave"])
+        self.assertNotIn("chaotic", short["kinds"])  # the rest are transient, and named so
+        self.assertGreater(short["kinds"]["transient"], 0)
+        # A longer look: they did leave, at a rate within both intervals.
+        longer = document(f"classify {scene} --transient 60000 --collisions 4000")
+        self.assertNotIn("chaotic", longer["kinds"])
+        self.assertNotIn("transient", longer["kinds"])
+        self.assertIsNone(longer["escape"])
+
+    def test_chaos_that_none_leaves_stays_chaos_and_says_what_it_cannot_exclude(self):
+        found = document("classify --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 0.95 --runs 4")
+        self.assertEqual((found["kinds"], found["escape"]), ({"chaotic": 1}, None))
+        stay, = (e for e in found["evidence"] if e["name"] == "steps without leaving chaos")
+        self.assertAlmostEqual(stay["threshold"], numpy.log(2) * stay["value"] / 3, delta=1e-9)
+        self.assertGreaterEqual(stay["value"], 20000)
+
     def test_members_of_a_family_are_one_attractor_with_a_spread_of_means(self):
         found = document(f"classify {FAMILY} --runs 6 --seed 3")
         self.assertEqual([a["kind"] for a in found["attractors"]], ["family"])

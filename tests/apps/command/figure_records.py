@@ -79,6 +79,10 @@ def _special(file):
     _write(group, "kind", ["special_point"], [row[0] for row in rows])
     _write(group, "branch", ["special_point"], numpy.array([row[1] for row in rows]))
     _write(group, "parameter", ["special_point"], numpy.array([row[2] for row in rows]))
+    grids = {0: numpy.linspace(2.6, 4, 57), 1: numpy.linspace(3, 4, 41), 2: numpy.array([])}
+    after = [max((grids[row[1]] < row[2]).sum() - 1, 0) for row in rows]
+    _write(group, "after", ["special_point"], numpy.array(after, dtype="i8"))
+    _write(group, "largest_multiplier", ["special_point"], numpy.ones(len(rows)))
     _write(group, "mean_S", ["special_point"], numpy.array([-numpy.mean(row[3]) for row in rows]))
     _write(group, "S", ["special_point", "phase"], -_padded([row[3] for row in rows], 3))
 

@@ -118,6 +118,17 @@ class Figures(WithRecords):
         self.assertIn("hexagon, α = 0.4, β = 0.5, e = 0.9", point)
         self.assertIn(r"$\mu$", point)
 
+    def test_stability_changes_at_the_special_point(self):
+        flip = 1 + numpy.sqrt(6)  # of the logistic map's 2-cycle; between two points of the record's branch
+        ends = {"solid": [], "dashed": []}
+        for lines in draw(self.records["continue"]).axes[0].collections:
+            style = "solid" if lines.get_linestyles()[0][1] is None else "dashed"
+            ends[style] += [(line[0], line[-1]) for line in lines.get_segments()]
+        solid = [last for _, last in ends["solid"] if abs(last[0] - flip) < 1e-12]
+        dashed = [first for first, _ in ends["dashed"] if abs(first[0] - flip) < 1e-12]
+        self.assertEqual((len(solid), len(dashed)), (2, 2))  # both points of the cycle
+        numpy.testing.assert_array_equal(sorted(map(tuple, solid)), sorted(map(tuple, dashed)))
+
     def test_a_name_is_only_a_name(self):
         for name in ("a b.png", "$(touch x).png", "-dash.png", "quote'\".svg"):
             result = run(["plot", str(self.records["single"]), f"--output={name}"], cwd=self.folder)

@@ -155,8 +155,31 @@ class InContact(unittest.TestCase):
     def test_what_contact_annihilates_has_no_exponent(self):
         found = document(f"lyapunov {self.LANDING} --transient 200 --collisions 2000")
         self.assertEqual(found["exponents"][2:], [None, None, None])
-        orbit, = document(f"orbits {self.LANDING} --period 1")["orbits"][:1]
+        orbit, = (o for o in document(f"orbits {self.LANDING} --period 1")["orbits"]
+                  if o["word"][0].get("through_contact"))
         self.assertEqual([m for m in orbit["multipliers"][2:]], [[0, 0]] * 3)
+
+    def test_chatter_counts_once(self):
+        """However many rebounds rounding can tell apart: the pentagon that lands from one vertex to the next has period 1."""
+        scene = "--sides 5 --alpha 0.6433 --beta 0.5562 --mu 2 --seed 803"
+        for e in (0, 0.02, 0.05, 0.1):
+            found = document(f"classify {scene} --restitution {e} --transient 500 --collisions 300")
+            self.assertEqual((found["kind"], found["period"], found["recurrence_rate"]), ("landing", 1, 1), e)
+            self.assertEqual(found["mean_S_per_impact"], found["point"][-1], e)
+            orbit, = (o for o in document(f"orbits {scene} --restitution {e} --starts 60 --trajectories 4 --collisions 300")["orbits"]
+                      if o["word"][0].get("through_contact") and o["stability"] == "stable")
+            self.assertAlmostEqual(orbit["points"][0]["S"], found["point"][-1], delta=1e-9, msg=e)
+            self.assertAlmostEqual(orbit["mean_S"], found["mean_S"], delta=1e-9, msg=e)
+            self.assertEqual(len(orbit["word"]), 1)
+
+    def test_a_landing_has_a_branch(self):
+        scene = "--sides 5 --alpha 0.6433 --beta 0.5562 --mu 2 --seed 803"
+        points = {e: document(f"classify {scene} --restitution {e} --transient 500 --collisions 300")["point"] for e in (0.02, 0.05)}
+        near = ",".join(map(repr, points[0.05]))
+        branch = document(f"continue {scene.split(' --seed')[0]} --restitution 0.05 --from={near} --along restitution=0.02:0.08")["branches"][0]
+        ends = {p["parameter"]: p for p in branch["points"]}
+        self.assertEqual((branch["period"], min(ends), max(ends)), (1, 0.02, 0.08))
+        self.assertAlmostEqual(ends[0.02]["point"]["S"], points[0.02][-1], delta=1e-9)
 
     def test_the_spectrum_has_the_variance_of_the_samples(self):
         scene = f"{self.LANDING} --transient 500 --collisions 501"

@@ -14,32 +14,43 @@
 namespace swirl {
 namespace {
 
-/// S of the closed form, and how many vertices on the next one is: whole for a steady mode.
-double spin_at(const Scene<double>& scene, double tau) {
-    return (scene.beta - (scene.beta + 1 - scene.alpha) * std::sin(tau) / tau) / scene.alpha;
+/// At e = 1 with ψ = χ = 0 (`side` 1) or ψ = π, χ = 0 (−1): R, S and how many vertices on the next one is, whole for a
+/// steady mode.
+double radius_of(const Scene<double>& scene, int side) {
+    return side * scene.beta + 1 - scene.alpha;
 }
-double vertices_on(const Scene<double>& scene, double tau) {
-    return scene.sides * tau * (1 - spin_at(scene, tau)) / (2 * M_PI);
+double spin_at(const Scene<double>& scene, double tau, int side = 1) {
+    return (side * scene.beta - radius_of(scene, side) * std::sin(tau) / tau) / scene.alpha;
+}
+double vertices_on(const Scene<double>& scene, double tau, int side) {
+    return scene.sides * tau * (1 - spin_at(scene, tau, side)) / (2 * M_PI);
 }
 
-/// Every steady mode: roots of vertices_on(τ) = j by bisection, kept where the map itself returns to them.
+/// Every steady mode with χ = 0: roots of vertices_on(τ) = j by bisection, kept where the map itself returns to them.
 std::vector<Eigen::VectorXd> steady_modes(const Scene<double>& scene, double longest) {
     const auto map = apps::shooting_map_of(scene);
     std::vector<Eigen::VectorXd> modes;
     constexpr double step = 0.0037;
-    for (double begin = step; begin < longest; begin += step) {
-        const double a = vertices_on(scene, begin), b = vertices_on(scene, begin + step);
-        for (double j = std::ceil(std::min(a, b)); j <= std::max(a, b); ++j) {
-            double low = begin, high = begin + step;
-            for (int i = 0; i < 60; ++i) {
-                const double middle = 0.5 * (low + high);
-                ((vertices_on(scene, middle) - j) * (a - j) > 0 ? low : high) = middle;
+    for (const int side : {1, -1}) {
+        const double radius = radius_of(scene, side);
+        if (radius <= 0) continue;
+        for (double begin = step; begin < longest; begin += step) {
+            const double a = vertices_on(scene, begin, side), b = vertices_on(scene, begin + step, side);
+            for (double j = std::ceil(std::min(a, b)); j <= std::max(a, b); ++j) {
+                double low = begin, high = begin + step;
+                for (int i = 0; i < 60; ++i) {
+                    const double middle = 0.5 * (low + high);
+                    ((vertices_on(scene, middle, side) - j) * (a - j) > 0 ? low : high) = middle;
+                }
+                if (low > longest) continue;
+                const double half = std::sin(0.5 * low);
+                const Eigen::VectorXd z =
+                    apps::coordinates_of({side > 0 ? 0 : M_PI, 0, -2 * radius / low * half * half,
+                                          radius * std::sin(low) / low, spin_at(scene, low, side)},
+                                         false);
+                const auto image = map.step(z, 0);
+                if (image.alive && map.distance(image.state, z) < 1e-9) modes.push_back(z);
             }
-            const double radius = scene.beta + 1 - scene.alpha, half = std::sin(0.5 * low);
-            const Eigen::VectorXd z = apps::coordinates_of(
-                {0, 0, -2 * radius / low * half * half, radius * std::sin(low) / low, spin_at(scene, low)}, false);
-            const auto image = map.step(z, 0);
-            if (image.alive && map.distance(image.state, z) < 1e-9) modes.push_back(z);
         }
     }
     return modes;
@@ -67,8 +78,10 @@ TEST(ClosedForm, EverySteadyModeOfTenPolygonsIsFound) {
 // As α → 0 S grows as 1/α, and DF with it; every mode is isolated all the same, and none is missing.
 void expect_all_modes_isolated(double alpha) {
     Scene<double> scene{5, alpha, 0.5, 0.5, 1, Law::poisson, uniform_inertia_factor<double>(5)};
-    apps::orbits::CandidateOptions options;
-    options.starts = options.trajectories = 0;
+    constexpr double longest = 3;
+    apps::orbits::FindOptions options;
+    options.candidates.starts = options.candidates.trajectories = 0;
+    options.max_time = longest;
     const auto cycles = tests::cycles_of(scene, 1, options);
     for (const auto& cycle : cycles) {
         double nearest = 1;
@@ -76,13 +89,14 @@ void expect_all_modes_isolated(double alpha) {
         EXPECT_EQ(cycle.is_family(), nearest <= analysis::neutral_margin) << "S = " << cycle.points[0][4];
     }
     const auto map = apps::shooting_map_of(scene);
-    const auto modes = steady_modes(scene, 3);
+    const auto modes = steady_modes(scene, longest);
     std::size_t missing = 0;
     for (const auto& z : modes)
         if (std::none_of(cycles.begin(), cycles.end(),
                          [&](const auto& c) { return tests::distance_to(map, c, z) < 1e-6; }))
             ++missing;
-    std::printf("alpha = %g: %zu modes listed up to tau = 3, %zu found in all\n", alpha, modes.size(), cycles.size());
+    std::printf("alpha = %g: %zu modes with psi = chi = 0 listed, %zu found in all\n", alpha, modes.size(),
+                cycles.size());
     EXPECT_GE(modes.size(), 50U);
     EXPECT_EQ(missing, 0U) << "alpha = " << alpha;
 }

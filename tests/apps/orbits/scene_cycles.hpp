@@ -1,8 +1,7 @@
 // What the tests of orbits share: a search as the command does it, and points of the references as states.
 #pragma once
 
-#include "analysis/cycles/find_cycles.hpp"
-#include "apps/orbits/candidates.hpp"
+#include "apps/orbits/find_orbits.hpp"
 #include "apps/system/section_coordinates.hpp"
 #include "apps/system/shooting_map.hpp"
 #include "tests/references/references.hpp"
@@ -14,14 +13,9 @@
 namespace swirl::tests {
 
 inline std::vector<analysis::Cycle> cycles_of(const Scene<double>& scene, int period,
-                                              const apps::orbits::CandidateOptions& options = {}) {
-    const auto map = apps::shooting_map_of(scene);
-    const auto trajectories = apps::orbits::trajectories_of(scene, options);
-    analysis::SearchOptions search;
-    search.period = period;
-    return analysis::find_cycles(map, 0, apps::orbits::candidates_for(scene, map, period, trajectories, options),
-                                 search)
-        .cycles;
+                                              apps::orbits::FindOptions options = {}) {
+    options.first_period = options.last_period = period;
+    return apps::orbits::find_orbits(scene, apps::shooting_map_of(scene), options).cycles;
 }
 
 /// The distance of a listed point from the nearest point of a cycle.

@@ -1,0 +1,58 @@
+#include "analysis/classification/escape_rate.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace swirl::analysis {
+
+namespace {
+
+constexpr double outside = 0.025;    // of the interval, on either side
+constexpr std::int64_t enough = 3;   // that left, for a forecast of the others
+constexpr double improbable = 0.05;  // at one rate for all
+
+/// P(as few leave late as did): each of the k that left did so late with the late share of all time in chaos.
+double late_share(const std::vector<ChaoticStay>& stays, std::int64_t half) {
+    double early = 0, late = 0;
+    unsigned left = 0, left_late = 0;
+    for (const ChaoticStay& stay : stays) {
+        early += static_cast<double>(std::min(stay.steps, half));
+        late += static_cast<double>(std::max<std::int64_t>(stay.steps - half, 0));
+        left += stay.left ? 1 : 0;
+        left_late += stay.left && stay.steps > half ? 1 : 0;
+    }
+    return left == 0 || late == 0 ? 1 : gsl_cdf_binomial_P(left_late, late / (early + late), left);
+}
+
+}  // namespace
+
+EscapeRate escape_rate(std::span<const ChaoticStay> stays, std::int64_t settling) {
+    std::vector<ChaoticStay> settled;
+    for (const ChaoticStay& stay : stays)
+        if (stay.steps > settling) settled.push_back({stay.steps - settling, stay.left});
+    EscapeRate rate;
+    std::int64_t longest = 0;
+    for (const ChaoticStay& stay : settled) {
+        (stay.left ? rate.left : rate.remaining) += 1;
+        rate.steps += static_cast<double>(stay.steps);
+        longest = std::max(longest, stay.steps);
+    }
+    if (rate.steps == 0) return rate;
+    if (rate.left == 0) {
+        rate.most_rate = 3 / rate.steps;
+        return rate;
+    }
+    const double freedom = 2 * static_cast<double>(rate.left);
+    rate.rate = static_cast<double>(rate.left) / rate.steps;
+    rate.least_rate = gsl_cdf_chisq_Pinv(outside, freedom) / (2 * rate.steps);
+    rate.most_rate = gsl_cdf_chisq_Qinv(outside, freedom) / (2 * rate.steps);
+    rate.half_life = std::log(2) / rate.rate;
+    rate.late_share = late_share(settled, longest / 2);
+    rate.others_will_leave = rate.left >= enough && rate.late_share >= improbable;
+    return rate;
+}
+
+}  // namespace swirl::analysis

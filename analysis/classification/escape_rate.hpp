@@ -1,0 +1,42 @@
+// How fast orbits leave chaos, from when some of several did and how long the others have been in it.
+//
+// A chaotic transient forgets how long it has lasted: the times at which orbits leave are exponential. With k orbits
+// that left and T all the time that was spent in chaos, by those and by the others (censored), the rate is k/T, its
+// interval χ²₂ₖ/(2T), and half of the orbits leave within ln 2/rate.
+// Sources: T. Tél, Y.-C. Lai, Phys. Rep. 460 (2008) 245 (escape from chaotic saddles); B. Epstein, M. Sobel, J. Amer.
+// Statist. Assoc. 48 (1953) 486 (censored exponential lives).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace swirl::analysis {
+
+/// One orbit: the steps that it spent in chaos, and whether it then left.
+struct ChaoticStay {
+    std::int64_t steps = 0;
+    bool left = false;
+};
+
+struct EscapeRate {
+    std::int64_t left = 0;                                       ///< k
+    std::int64_t remaining = 0;                                  ///< still in chaos
+    double steps = 0;                                            ///< T
+    double rate = 0;                                             ///< k/T, per step
+    double least_rate = 0;                                       ///< at 95 %
+    double most_rate = std::numeric_limits<double>::infinity();  ///< at 95 %; for k = 0, 3/T
+    double half_life = std::numeric_limits<double>::infinity();  ///< steps: ln 2/rate
+    /// How likely it is, at one rate for all, that no more left in the later half of the longest stay than did: small
+    /// where those that remain keep to an attractor of their own.
+    double late_share = 1;
+    /// The others are to be expected to leave, too: at least three left, and `late_share` ≥ 0.05.
+    bool others_will_leave = false;
+};
+
+/// Cost: a pass over the stays.
+///   settling  steps at the start that are left out of every stay: orbits that leave earlier may never have been in
+///             chaos
+EscapeRate escape_rate(std::span<const ChaoticStay> stays, std::int64_t settling);
+
+}  // namespace swirl::analysis

@@ -1,0 +1,33 @@
+#include "apps/bifurcate/column_shares.hpp"
+
+#include "apps/classify/attractors.hpp"
+
+#include <algorithm>
+
+namespace swirl::apps::bifurcate {
+
+std::vector<ColumnShare> shares_of(const DiagramColumn& column, std::size_t number) {
+    std::vector<const Attractor*> starts;
+    for (const Attractor& attractor : column.attractors)
+        if (attractor.origin == Origin::random) starts.push_back(&attractor);
+    if (starts.empty())
+        for (const Attractor& attractor : column.attractors) starts.push_back(&attractor);
+    std::vector<classify::RunVerdict> runs;
+    for (const Attractor* start : starts) {
+        classify::RunVerdict run;
+        run.mode = start->mode;
+        run.kind = start->kind;
+        run.outcome = start->outcome;
+        run.period = start->period;
+        run.mean_spin = start->mean_spin;
+        run.mean_spin_per_impact = start->mean_spin_per_impact;
+        runs.push_back(run);
+    }
+    std::vector<ColumnShare> shares;
+    for (const auto& shared : classify::attractors_of(runs))
+        shares.push_back({&column, number, static_cast<double>(shared.runs.size()) / static_cast<double>(runs.size()),
+                          starts[shared.runs.front()], shared.mean_spin});
+    return shares;
+}
+
+}  // namespace swirl::apps::bifurcate

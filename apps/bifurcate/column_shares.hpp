@@ -1,0 +1,20 @@
+// The attractors of a column, each with the share of the starts that settle on it.
+#pragma once
+
+#include "apps/bifurcate/bifurcate_command.hpp"
+
+namespace swirl::apps::bifurcate {
+
+struct ColumnShare {
+    const DiagramColumn* column;
+    std::size_t number;          ///< the column's
+    double share;                ///< of the column's starts
+    const Attractor* attractor;  ///< the first start's
+    double mean_spin;            ///< mean over the starts that share it
+};
+
+/// By falling share; the same attractor for two starts as `swirl classify --runs` tells them apart. Of the random
+/// starts alone where there are any: those followed from column to column keep to one attractor.
+std::vector<ColumnShare> shares_of(const DiagramColumn& column, std::size_t number);
+
+}  // namespace swirl::apps::bifurcate

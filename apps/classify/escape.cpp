@@ -1,0 +1,146 @@
+#include "apps/classify/escape.hpp"
+
+#include "analysis/classification/tail.hpp"
+#include "apps/command_line/start_options.hpp"
+#include "apps/system/chatter_once.hpp"
+#include "apps/system/orbit_ending.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swirl::apps::classify {
+
+namespace {
+
+using analysis::Kind;
+
+constexpr double beside = 0.01;  // of a cycle: chaos may pass so near to it, but not for ever
+
+bool is_on_cycle(const RunVerdict& run) {
+    return run.kind == Kind::fixed_point || run.kind == Kind::cycle || run.kind == Kind::landing;
+}
+
+/// No more impacts: at rest, rolling or sliding on the wall.
+bool is_on_wall(const RunVerdict& run) {
+    return run.outcome == Outcome::in_contact;
+}
+
+/// The last impact at which the orbit was farther than `beside` from the cycle that it settles on.
+template <int D>
+std::int64_t last_impact_away(const SceneMap<D>& map, const Start<double>& start, const NamedMode& named) {
+    std::vector<analysis::Vector<D>> cycle;
+    auto z = map.state_at(analysis::Vector<D>(named.verdict.point.data()));
+    for (std::int64_t i = 0; i < named.verdict.period; ++i) {
+        cycle.push_back(map.coordinates(z));
+        z = advance_as_one(map, z).state;
+    }
+    const OrbitBegin begin = begin_orbit(map, start);
+    z = begin.state;
+    std::int64_t last = 0;
+    for (std::int64_t n = begin.impacts; n < named.impacts;) {
+        const analysis::Vector<D> here = map.coordinates(z);
+        const bool is_near = std::any_of(cycle.begin(), cycle.end(), [&](const auto& point) {
+            return analysis::distance(map, point, here) <= beside;
+        });
+        if (!is_near) last = n;
+        n += steps_as_one(map, z);
+        const auto step = advance_as_one(map, z);
+        if (!step.alive) break;
+        z = step.state;
+    }
+    return last;
+}
+
+}  // namespace
+
+std::optional<analysis::EscapeRate> escape_of(const Scene<double>& scene, double speed,
+                                              const analysis::ClassifyOptions& settings,
+                                              const std::vector<RunVerdict>& runs, int threads) {
+    const auto is_chaotic = [](const RunVerdict& run) { return run.kind == Kind::chaotic; };
+    const auto has_left = [](const RunVerdict& run) { return is_on_cycle(run) || is_on_wall(run); };
+    if (std::none_of(runs.begin(), runs.end(), is_chaotic) || std::none_of(runs.begin(), runs.end(), has_left))
+        return std::nullopt;
+    std::vector<analysis::ChaoticStay> stays(runs.size());
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t r) {
+            const RunVerdict& run = runs[r];
+            if (is_chaotic(run) || is_on_wall(run)) {
+                stays[r] = {run.impacts, !is_chaotic(run)};
+                return;
+            }
+            if (!is_on_cycle(run)) return;
+            const Start<double> start = random_start(scene.beta, speed, run.seed, 0);
+            const NamedMode named = name_mode(scene, start, settings);
+            stays[r] = {with_scene_map(scene, [&](const auto& map) { return last_impact_away(map, start, named); }),
+                        true};
+        });
+    });
+    return analysis::escape_rate(stays, chaos_begins);
+}
+
+void name_remaining(const analysis::EscapeRate& escape, std::vector<RunVerdict>& runs) {
+    if (!escape.others_will_leave) return;
+    for (RunVerdict& run : runs) {
+        if (run.kind != Kind::chaotic) continue;
+        run.kind = Kind::transient;
+        run.mode = analysis::Mode::undecided;
+    }
+}
+
+void name_remaining(const analysis::EscapeRate& escape, NamedMode& named) {
+    if (!escape.others_will_leave || named.verdict.kind != Kind::chaotic) return;
+    named.verdict.kind = Kind::transient;
+    named.verdict.mode = analysis::Mode::undecided;
+    named.verdict.evidence.push_back(
+        {"rate of escape from chaos", escape.rate, escape.least_rate,
+         fmt::format("{} of {} runs have left chaos: half of those that remain will within {:.3g} impacts", escape.left,
+                     escape.left + escape.remaining, escape.half_life),
+         "fewer than 3 runs that left, or none of them late: chaotic"});
+}
+
+void write_escape(JsonWriter& json, const std::optional<analysis::EscapeRate>& escape) {
+    if (!escape) return json.null();
+    json.begin_object();
+    json.member("left", escape->left);
+    json.member("remaining", escape->remaining);
+    json.member("impacts", escape->steps);
+    json.member("rate", escape->rate);
+    json.member("least_rate", escape->least_rate);
+    json.member("most_rate", escape->most_rate);
+    json.member("half_life", escape->half_life);
+    json.member("others_will_leave", escape->others_will_leave);
+    json.end_object();
+}
+
+void write_escape(const RecordGroup& group, const analysis::EscapeRate& escape) {
+    group.attribute("left", escape.left);
+    group.attribute("remaining", escape.remaining);
+    group.attribute("impacts", escape.steps);
+    group.attribute("rate", escape.rate);
+    group.attribute("least_rate", escape.least_rate);
+    group.attribute("most_rate", escape.most_rate);
+    group.attribute("half_life", escape.half_life);
+    group.attribute("others_will_leave", escape.others_will_leave);
+}
+
+std::string in_words(const analysis::EscapeRate& escape) {
+    const std::int64_t all = escape.left + escape.remaining;
+    if (escape.left == 0)
+        return fmt::format(
+            "chaos: {} runs were in it after {} impacts, and none of these has left: half-life above {:.3g}", all,
+            chaos_begins, std::log(2) / escape.most_rate);
+    return fmt::format(
+        "chaos: {} runs were in it after {} impacts, {} of these have left: half-life {:.3g} impacts (95 %: "
+        "{:.3g} to {:.3g}); {}",
+        all, chaos_begins, escape.left, escape.half_life, std::log(2) / escape.most_rate,
+        std::log(2) / escape.least_rate,
+        escape.others_will_leave ? "the others are to be expected to leave, too"
+                                 : "whether the others leave is not told by so few, or so early, escapes");
+}
+
+}  // namespace swirl::apps::classify

@@ -1,0 +1,112 @@
+#include "apps/orbits/find_orbits.hpp"
+
+#include "analysis/cycles/find_cycles.hpp"
+#include "apps/command_line/progress.hpp"
+#include "apps/orbits/steady_cycles.hpp"
+#include "apps/system/letter.hpp"
+#include "apps/system/shooting_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace swirl::apps::orbits {
+
+namespace {
+
+using analysis::CyclePoints;
+
+/// What the search for one period works with.
+struct PeriodWork {
+    const Scene<double>& scene;
+    const analysis::ShootingMap& map;
+    const FindOptions& options;
+    int period;
+    analysis::SearchOptions search;
+};
+
+/// Contact comes of impacts that lose, or of a vertex that friction holds (map/orbit/return_map.hpp).
+bool can_land(const Scene<double>& scene) {
+    return scene.restitution < 1 || (!scene.is_disk() && scene.mu > 0);
+}
+
+void try_candidates(const PeriodWork& work, const std::vector<CyclePoints>& candidates, analysis::KnownCycles& known,
+                    PeriodSearch& result) {
+    const FindOptions& options = work.options;
+    Progress progress(fmt::format("orbits of period {}", work.period), static_cast<double>(candidates.size()),
+                      options.quiet);
+    analysis::SearchOptions search = work.search;
+    search.progress = [&](double done) { progress.at(done); };
+    const auto counts = analysis::add_cycles(work.map, 0, candidates, search, known);
+    result.tried += counts.tried;
+    result.converged += counts.converged;
+    result.unseen = analysis::unseen_cycles(known.times_found());
+}
+
+/// More random starts, twice as many each time, until nothing seems to be missing.
+void search_on(const PeriodWork& work, std::int64_t tried, analysis::KnownCycles& known, PeriodSearch& result) {
+    constexpr double none = 0.5;  // an estimate that rounds to no cycle
+    const FindOptions& options = work.options;
+    const auto stopped = [&] { return options.candidates.stop && options.candidates.stop(); };
+    result.wants_more = true;
+    while (result.wants_more && tried < options.most_starts && !stopped()) {
+        const std::int64_t next = std::min(options.most_starts, std::max<std::int64_t>(2 * tried, 100));
+        const std::int64_t before = result.unseen.found;
+        try_candidates(work, random_candidates(work.scene, work.map, work.period, tried, next, options.candidates),
+                       known, result);
+        tried = next;
+        result.wants_more = result.unseen.missed >= none || result.unseen.found > before;
+    }
+}
+
+void search_period(const PeriodWork& work, const std::vector<CyclePoints>& trajectories, FoundOrbits& found) {
+    const FindOptions& options = work.options;
+    PeriodSearch result;
+    result.period = work.period;
+    analysis::KnownCycles known(work.map, 0, same_cycle, true);
+    auto candidates = returning_candidates(work.map, work.period, trajectories, options.candidates);
+    auto random =
+        random_candidates(work.scene, work.map, work.period, 0, options.candidates.starts, options.candidates);
+    std::move(random.begin(), random.end(), std::back_inserter(candidates));
+    try_candidates(work, candidates, known, result);
+    if (options.complete) search_on(work, options.candidates.starts, known, result);
+    auto cycles = known.completed(options.threads);
+    std::move(cycles.begin(), cycles.end(), std::back_inserter(found.cycles));
+    found.tried += result.tried;
+    found.converged += result.converged;
+    found.searches.push_back(result);
+}
+
+}  // namespace
+
+FoundOrbits find_orbits(const Scene<double>& scene, const analysis::ShootingMap& map, const FindOptions& options) {
+    FoundOrbits found;
+    found.none_exist = is_dissipative_without_drive(scene);
+    if (found.none_exist) return found;
+    const auto stopped = [&] { return options.candidates.stop && options.candidates.stop(); };
+    if (options.first_period == 1)
+        found.steady = find_steady_cycles(scene, map, options.max_time, stopped, options.threads, found.cycles);
+    const bool searches = options.last_period > 1 || can_land(scene);
+    const auto trajectories = searches ? trajectories_of(scene, options.candidates) : std::vector<CyclePoints>{};
+    const auto timed = timed_map_of(scene);
+    for (int k = options.first_period; k <= options.last_period && !stopped(); ++k) {
+        if (k == 1 && !can_land(scene)) continue;
+        PeriodWork work{scene, map, options, k, {}};
+        work.search.period = k;
+        work.search.accept = accepted;
+        work.search.same = same_cycle;
+        work.search.timed = &timed;
+        work.search.threads = options.threads;
+        work.search.stop = options.candidates.stop;
+        if (k == 1)  // those of impacts alone are known from their equations
+            work.search.wanted = [&](const CyclePoints& points) {
+                return letter_from(map.step(points.front(), 0).letter).through_contact;
+            };
+        search_period(work, trajectories, found);
+    }
+    found.interrupted = stopped();
+    return found;
+}
+
+}  // namespace swirl::apps::orbits

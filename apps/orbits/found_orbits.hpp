@@ -1,0 +1,56 @@
+// What `swirl orbits` found, and what is known of what it did not find.
+#pragma once
+
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/unseen_cycles.hpp"
+#include "map/steady/steady_modes.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swirl::apps::orbits {
+
+/// The search for cycles of one period.
+struct PeriodSearch {
+    int period = 1;
+    std::int64_t tried = 0;         ///< guesses
+    std::int64_t converged = 0;     ///< of them that led to a cycle, of a divisor of the period included
+    analysis::UnseenCycles unseen;  ///< of period 1: of the cycles that lead through contact alone
+    bool wants_more = false;        ///< --complete, and the estimate of what was missed did not come to none
+};
+
+/// The fixed points of impacts alone, from their two equations.
+struct SteadySearch {
+    double max_time = 0;                ///< flight time up to which they are sought
+    SteadySet set = SteadySet::points;  ///< none, isolated ones or families
+    std::size_t found = 0;              ///< points or families
+    double complete_to = 0;  ///< all with τ ≤ this are listed; less than max_time where there are too many
+    std::vector<SteadyFamily> families;  ///< where they come in families
+
+    bool is_complete() const { return complete_to >= max_time; }
+};
+
+struct FoundOrbits {
+    std::vector<analysis::Cycle> cycles;
+    std::vector<PeriodSearch> searches;  ///< not with --near
+    std::optional<SteadySearch> steady;  ///< where period 1 was asked for, not with --near
+    std::int64_t tried = 0;
+    std::int64_t converged = 0;
+    int iterations = 0;                                         ///< of the solution from --near
+    double reached = std::numeric_limits<double>::quiet_NaN();  ///< residual that it reached; NaN: nothing to solve
+    double distance = std::numeric_limits<double>::infinity();  ///< of the nearest point of a cycle from --near
+    std::vector<std::string> limits;                            ///< what the search left out
+    bool interrupted = false;
+    bool none_exist = false;  ///< proven: every impact takes (map/model/scene.hpp, `is_dissipative_without_drive`)
+
+    bool wants_more() const {
+        for (const PeriodSearch& search : searches)
+            if (search.wants_more) return true;
+        return false;
+    }
+};
+
+}  // namespace swirl::apps::orbits

@@ -1,0 +1,74 @@
+// Rates of escape from lives whose rate is known.
+#include "analysis/classification/escape_rate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace swirl::analysis {
+namespace {
+
+/// Lives at one rate, watched for `watched` steps.
+std::vector<ChaoticStay> stays_at(std::mt19937_64& engine, double rate, int orbits, double watched) {
+    std::exponential_distribution<double> life(rate);
+    std::vector<ChaoticStay> stays;
+    for (int i = 0; i < orbits; ++i) {
+        const double end = life(engine);
+        stays.push_back({static_cast<std::int64_t>(std::ceil(std::min(end, watched))), end < watched});
+    }
+    return stays;
+}
+
+TEST(EscapeRate, ByHand) {
+    const ChaoticStay stays[] = {{1100, true}, {1300, true}, {1600, false}, {200, true}};
+    const EscapeRate rate = escape_rate(stays, 100);
+    EXPECT_EQ(rate.left, 3);
+    EXPECT_EQ(rate.remaining, 1);
+    EXPECT_DOUBLE_EQ(rate.rate, 3.0 / 3800);
+    EXPECT_DOUBLE_EQ(rate.half_life, std::log(2) * 3800 / 3);
+    // χ² with 6 degrees of freedom: 1.237344 and 14.449375 (tables).
+    EXPECT_NEAR(rate.least_rate * 2 * 3800, 1.237344, 1e-6);
+    EXPECT_NEAR(rate.most_rate * 2 * 3800, 14.449375, 1e-6);
+    EXPECT_TRUE(rate.others_will_leave);
+}
+
+TEST(EscapeRate, NoneThatLeftBoundsTheRate) {
+    const ChaoticStay stays[] = {{1000, false}, {500, false}};
+    const EscapeRate rate = escape_rate(stays, 0);
+    EXPECT_EQ(rate.rate, 0);
+    EXPECT_DOUBLE_EQ(rate.most_rate, 3.0 / 1500);
+    EXPECT_TRUE(std::isinf(rate.half_life));
+    EXPECT_FALSE(rate.others_will_leave);
+}
+
+TEST(EscapeRate, TheIntervalHoldsTheRateAndTheRestWillLeave) {
+    std::mt19937_64 engine(5);
+    constexpr double rate = 1e-4;
+    constexpr int trials = 500;
+    int held = 0, forecast = 0;
+    for (int i = 0; i < trials; ++i) {
+        const EscapeRate found = escape_rate(stays_at(engine, rate, 40, 10'000), 1000);
+        held += found.least_rate <= rate && rate <= found.most_rate ? 1 : 0;
+        forecast += found.others_will_leave ? 1 : 0;
+    }
+    EXPECT_GE(held, 0.92 * trials);      // 95 %, for lives that are cut, in about 20 escapes
+    EXPECT_GE(forecast, 0.92 * trials);  // 5 % look improbable by definition
+}
+
+// Half of the orbits on a chaotic attractor of their own: those are not said to leave.
+TEST(EscapeRate, WhereAnAttractorIsChaoticTheRestStay) {
+    std::mt19937_64 engine(6);
+    constexpr int trials = 200;
+    int wrong = 0;
+    for (int i = 0; i < trials; ++i) {
+        auto stays = stays_at(engine, 1e-3, 40, 10'000);
+        for (int j = 0; j < 40; ++j) stays.push_back({10'000, false});
+        wrong += escape_rate(stays, 500).others_will_leave ? 1 : 0;
+    }
+    EXPECT_LE(wrong, 0.02 * trials);
+}
+
+}  // namespace
+}  // namespace swirl::analysis

@@ -112,7 +112,7 @@ int run_or_fail(const Commands& commands) {
         return fail(exit_io_failed, error.what());
     } catch (const std::bad_alloc&) {
         return fail(exit_io_failed, "out of memory");
-    } catch (const std::exception& error) {  // a library's refusal that no command expects
+    } catch (const std::exception& error) {  // an error of a library that no command expects
         return fail(exit_numerical_ending, fmt::format("unexpected: {}", error.what()));
     }
 }

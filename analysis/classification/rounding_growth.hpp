@@ -1,4 +1,4 @@
-// How far rounding is carried along a cycle that forgets its past.
+// How far rounding is carried along an attracting cycle.
 #pragma once
 
 #include "analysis/classification/tail.hpp"

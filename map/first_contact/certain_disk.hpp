@@ -38,7 +38,7 @@ template <class T>
         const T sixth = derivative_bounds<6, Shape::disk>(body, flight).centre;
         if (!(time > 0 && clear_between<T>(start, gap_at(gap, root), time, sixth))) return false;
         contact.at = instant_at<Shape::disk>(flight, T(near.time + root.first), turn_after(near, root.first));
-        nudge(flight, contact.at, root.second);
+        advance_slightly(flight, contact.at, root.second);
         contact.at.time = time;
         touch_disk(body, contact);
         return true;

@@ -109,8 +109,8 @@ template <class T>
 /// True if g ≤ 0 for a time t, by |g‴| ≤ M: up to t the gap is at most g + g′s + ½b s² with b = (g″ + M t/3)⁺, which is
 /// convex. Backwards in time g′ changes sign.
 template <class T>
-[[gnu::always_inline]] inline bool stays_closed(const T& value, const T& rate, const T& bend, const T& t,
-                                                const T& third) {
+[[gnu::always_inline]] inline bool nonpositive_until(const T& value, const T& rate, const T& bend, const T& t,
+                                                     const T& third) {
     const T b = std::max(T(bend + fraction<T>(1, 3) * third * t), T(0));
     return value <= 0 && value + t * (rate + T(0.5) * b * t) <= 0;
 }

@@ -148,10 +148,10 @@ inline bool clear_by_pairs(const Body<T>& body, const Flight<T>& flight, const I
                                      T(body.inner - bounds.drift * shift))))
         return false;
     const Gap<T> other = neighbour_of(body, flight, start, Candidate<T>{0, flight.arm, struck}).gap;
-    return stays_closed(struck.value, struck.rate, struck.bend, ring.out, bounds.third) &&
-           stays_closed(other.value, other.rate, other.bend, ring.out, bounds.third) &&
-           stays_closed(striking.value, T(-striking.rate), striking.bend, ring.in, bounds.third) &&
-           stays_closed(neighbour.value, T(-neighbour.rate), neighbour.bend, ring.in, bounds.third);
+    return nonpositive_until(struck.value, struck.rate, struck.bend, ring.out, bounds.third) &&
+           nonpositive_until(other.value, other.rate, other.bend, ring.out, bounds.third) &&
+           nonpositive_until(striking.value, T(-striking.rate), striking.bend, ring.in, bounds.third) &&
+           nonpositive_until(neighbour.value, T(-neighbour.rate), neighbour.bend, ring.in, bounds.third);
 }
 
 /// Proves every vertex clear between two moments, or on either half of that interval.
@@ -176,9 +176,9 @@ bool every_vertex_clear(const Body<T>& body, const Flight<T>& flight, const Inst
 /// The further proofs, tried where `clear_by_circumcircle` fails: both vertices' own derivatives, then the quintics of
 /// all vertices. False, too, if the neighbour touches within rounding of the same time: `choose` then decides.
 template <class T>
-[[gnu::noinline]] bool clear_on_inspection(const Body<T>& body, const Flight<T>& flight, const Gap<T>& leaving,
-                                           const Gap<T>& struck, const Instant<T>& at, const Candidate<T>& nearest,
-                                           const T& correction) {
+[[gnu::noinline]] bool clear_by_derivatives(const Body<T>& body, const Flight<T>& flight, const Gap<T>& leaving,
+                                            const Gap<T>& struck, const Instant<T>& at, const Candidate<T>& nearest,
+                                            const T& correction) {
     if (!is_nearest(body, at.centre, nearest.arm)) return false;
     const Instant<T> start = instant_at_start(flight);
     const Gap<T> arriving = gap_after(centre_gap(body, flight, at), correction);
@@ -256,7 +256,7 @@ template <class T>
     if (!clear_by_circumcircle(body, flight, leaving, struck, at, nearest, correction)) [[unlikely]] {
         const Instant<T> here = at;  // copies, so that the others stay in registers
         const Candidate<T> vertex = nearest;
-        if (!clear_on_inspection(body, flight, leaving, struck, here, vertex, T(correction))) return false;
+        if (!clear_by_derivatives(body, flight, leaving, struck, here, vertex, T(correction))) return false;
     }
     advance<Shape::polygon>(flight, at, correction);
     contact.outcome = FirstContactOutcome::contact;

@@ -93,7 +93,7 @@ template <Shape shape, class T>
 
 /// The disk's moment a tiny step later, to third order of the step: no series, and little left to do after it is known.
 template <class T>
-[[gnu::always_inline]] inline void nudge(const Flight<T>& flight, Instant<T>& at, const T& step) {
+[[gnu::always_inline]] inline void advance_slightly(const Flight<T>& flight, Instant<T>& at, const T& step) {
     const T half = T(0.5) * step * step;
     const Vec2<T> turn{-half, step};
     at.time = at.time + step;

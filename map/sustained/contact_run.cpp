@@ -35,13 +35,13 @@ void show(const Problem& problem, const Step& step, double time, double h, const
 /// A disk's pendulum is advanced in closed form if that saves so many steps, and if contact and friction hold with more
 /// than this margin, relative to the scale of the forces, all along the pendulum's orbit: then no event can end it.
 constexpr double long_contact = 20;
-constexpr double certain_hold = 1e-9;
+constexpr double hold_margin = 1e-9;
 
-bool holds_for_ever(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& z) {
+bool holds_throughout(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& z) {
     if (support != Support::rim || (scene.mu > 0 && motion != ContactMotion::sticking)) return false;
     const RimPendulum pendulum = rim_pendulum(scene, z);
     const double scale = (1 + scene.mu) * (scene.body.beta + scene.body.inner * (1 + 2 * pendulum.height));
-    return least_hold(scene, pendulum) > certain_hold * scale;
+    return least_hold(scene, pendulum) > hold_margin * scale;
 }
 
 /// The whole duration at once. Of S the integral is −ρ(t + Δψ)/α rolling; friction's is IΔS/α, at u_t = 0.
@@ -61,7 +61,7 @@ ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion
                        double duration, const ContactSink& sink) {
     const Problem problem{scene, support, motion};
     if (!sink && duration > long_contact * longest_step(scene, support, start) &&
-        holds_for_ever(scene, support, motion, start))
+        holds_throughout(scene, support, motion, start))
         return advanced_at_once(scene, start, duration);
     State y{{start.psi, start.chi, start.ut, start.spin, 0, 0}, {}};
     ContactEnd end;

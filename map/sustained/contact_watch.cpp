@@ -40,7 +40,7 @@ double locate(const Problem& problem, const Step& step, double from, double to, 
 }
 
 /// Number of parts in which a step is examined whose series does not prove that no event ends the motion.
-constexpr int looks_per_step = 16;
+constexpr int parts_per_step = 16;
 
 /// An open condition: a series a − |b| that bounds do not prove to hold all along a step.
 struct OpenCondition {
@@ -58,8 +58,8 @@ struct OpenCondition {
         return against ? rate - std::copysign(1.0, value_at(*against, t)) * derivative_at(*against, t) : rate;
     }
 
-    /// The moment between two looks at which the condition is lowest, if it fails there beyond rounding (some 10⁻¹³ of
-    /// its terms) though it holds at both.
+    /// The moment between two ends of a part at which the condition is lowest, if it fails there beyond rounding (some
+    /// 10⁻¹³ of its terms) though it holds at both.
     ///   before, after  the values at the two
     std::optional<double> dip(double from, double to, double before, double after) const {
         Lowest lowest{-1e-4 * rounding, 0, false};
@@ -217,8 +217,8 @@ Failure first_failure(const Problem& problem, const Step& step, double h) {
     const OpenConditions conditions = open_conditions(problem, step.series(), h);
     if (!conditions.all && conditions.count == 0) return {};
     OpenConditions::Values before = conditions.at(0);
-    for (int look = 1; look <= looks_per_step; ++look) {
-        const double from = h * (look - 1) / looks_per_step, to = h * look / looks_per_step;
+    for (int part = 1; part <= parts_per_step; ++part) {
+        const double from = h * (part - 1) / parts_per_step, to = h * part / parts_per_step;
         const OpenConditions::Values after = conditions.at(to);
         for (const double moment : conditions.dips(from, to, before, after))
             if (const Failure failure = failure_by(problem, step, from, moment); failure.found) return failure;

@@ -40,7 +40,7 @@ ContactState other_end(const ContactScene& scene, const ContactState& z) {
 }
 
 /// An edge lifts one of its vertices: contact goes on at the other, and the lifted one must leave the wall.
-std::optional<MotionChoice> stand_up(const ContactScene& scene, const ContactState& edge, int vertex_step) {
+std::optional<MotionChoice> lift_vertex(const ContactScene& scene, const ContactState& edge, int vertex_step) {
     for (const int step : {0, 1}) {
         const ContactState z = step == 0 ? edge : other_end(scene, edge);
         const auto motion = consistent_motion(scene, Support::vertex, z);
@@ -70,7 +70,7 @@ MotionChoice choose_motion(const ContactScene& scene, Support support, const Con
         return choice;
     }
     if (support == Support::edge)
-        if (const auto up = stand_up(scene, state, vertex_step)) return *up;
+        if (const auto lifted = lift_vertex(scene, state, vertex_step)) return *lifted;
     choice.stays = false;
     if (support == Support::vertex && jams(scene, state)) choice.ends = ContactEvent::jam;
     if (support != Support::edge) return choice;

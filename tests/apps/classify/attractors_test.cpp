@@ -1,5 +1,5 @@
 // Runs grouped by the attractor that they settled on.
-#include "apps/classify/attractors.hpp"
+#include "apps/modes/attractors.hpp"
 
 #include <gtest/gtest.h>
 

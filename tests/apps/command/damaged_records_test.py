@@ -1,6 +1,6 @@
 """Records that are damaged, edited, packed anew: damaged_records_test.py SWIRL [COUNT]
 
-Each of COUNT damaged copies (30 unless given) goes to every reader: exit 2 and one line, whatever was damaged; and once
+Each of COUNT damaged copies (10 unless given) goes to every reader: exit 2 and one line, whatever was damaged; and once
 more without its checksum, where an answer is allowed, but neither a crash nor a hang."""
 
 import random

@@ -8,6 +8,7 @@
 #include "apps/command_line/standard_streams.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace swirl::apps::classify {
 
@@ -42,6 +43,22 @@ void check(const ClassifyCommandOptions& options) {
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
 }
 
+/// What several runs tell together; after an interruption only which attractors they share.
+void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& scene, RunsFound& found) {
+    const double speed = options.start.speed();
+    if (!is_interrupted()) found.escape = escape_of(scene, speed, found.runs, options.output);
+    if (found.escape) name_remaining(*found.escape, found.runs);
+    found.attractors = attractors_of(found.runs);
+    for (std::size_t a = 0; a < found.attractors.size(); ++a)
+        for (const std::size_t r : found.attractors[a].runs) found.runs[r].attractor = static_cast<std::int64_t>(a);
+    // Verdicts with all their evidence are not kept, run by run: this one is made again.
+    const std::uint64_t seed = found.runs[found.attractors.front().runs.front()].seed;
+    NamedMode first = name_mode(scene, random_start(scene.beta, speed, seed, 0), options.settings, is_interrupted);
+    if (is_interrupted()) return;
+    if (found.escape) name_remaining(*found.escape, first);
+    found.first = std::move(first);
+}
+
 }  // namespace
 
 std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
@@ -60,7 +77,8 @@ std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed,
                       v.recurrence_rate,
                       v.largest_exponent,
                       v.largest_exponent_error,
-                      0};
+                      0,
+                      v.point};
 }
 
 int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene) {
@@ -70,25 +88,12 @@ int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     note_interruptions();
     RunsFound found;
     found.runs = follow_all(options, scene);
+    if (!found.runs.empty()) compare_runs(options, scene, found);
+    const bool interrupted = is_interrupted();
     finish_up();
-    const bool interrupted = found.runs.size() < static_cast<std::size_t>(options.runs);
-    if (!found.runs.empty()) {
-        if (!interrupted)
-            found.escape =
-                escape_of(scene, options.start.speed(), options.settings, found.runs, options.output.threads);
-        if (found.escape) name_remaining(*found.escape, found.runs);
-        found.attractors = attractors_of(found.runs);
-        for (std::size_t a = 0; a < found.attractors.size(); ++a)
-            for (const std::size_t r : found.attractors[a].runs) found.runs[r].attractor = static_cast<std::int64_t>(a);
-        // Verdicts with all their evidence are not kept, run by run: this one is made again, if there is time.
-        const std::uint64_t seed = found.runs[found.attractors.front().runs.front()].seed;
-        if (!interrupted)
-            found.first = name_mode(scene, random_start(scene.beta, options.start.speed(), seed, 0), options.settings);
-        if (found.escape && found.first) name_remaining(*found.escape, *found.first);
-        if (record) {
-            write_runs(record->root(), options, scene, found);
-            record->finish();
-        }
+    if (record && !found.runs.empty()) {
+        write_runs(record->root(), options, scene, found);
+        record->finish();
     }
     if (interrupted) {
         if (!options.output.quiet)

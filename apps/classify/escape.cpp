@@ -1,13 +1,14 @@
 #include "apps/classify/escape.hpp"
 
 #include "analysis/classification/tail.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/start_options.hpp"
+#include "apps/output/write_table.hpp"
 #include "apps/system/chatter_once.hpp"
 #include "apps/system/orbit_ending.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,10 @@ bool is_on_cycle(const RunVerdict& run) {
     return run.kind == Kind::fixed_point || run.kind == Kind::cycle || run.kind == Kind::landing;
 }
 
+bool is_chaotic(const RunVerdict& run) {
+    return run.kind == Kind::chaotic;
+}
+
 /// No more impacts: at rest, rolling or sliding on the wall.
 bool is_on_wall(const RunVerdict& run) {
     return run.outcome == Outcome::in_contact;
@@ -31,55 +36,69 @@ bool is_on_wall(const RunVerdict& run) {
 
 /// The last impact at which the orbit was farther than `beside` from the cycle that it settles on.
 template <int D>
-std::int64_t last_impact_away(const SceneMap<D>& map, const Start<double>& start, const NamedMode& named) {
+std::int64_t last_impact_away(const SceneMap<D>& map, const Start<double>& start, const RunVerdict& run) {
     std::vector<analysis::Vector<D>> cycle;
-    auto z = map.state_at(analysis::Vector<D>(named.verdict.point.data()));
-    for (std::int64_t i = 0; i < named.verdict.period; ++i) {
+    auto z = map.state_at(analysis::Vector<D>(run.point.data()));
+    for (std::int64_t i = 0; i < run.period; ++i) {
         cycle.push_back(map.coordinates(z));
         z = advance_as_one(map, z).state;
     }
     const OrbitBegin begin = begin_orbit(map, start);
     z = begin.state;
     std::int64_t last = 0;
-    for (std::int64_t n = begin.impacts; n < named.impacts;) {
+    for (std::int64_t n = begin.impacts; n < run.impacts && !is_interrupted();) {
         const analysis::Vector<D> here = map.coordinates(z);
         const bool is_near = std::any_of(cycle.begin(), cycle.end(), [&](const auto& point) {
             return analysis::distance(map, point, here) <= beside;
         });
         if (!is_near) last = n;
-        n += steps_as_one(map, z);
-        const auto step = advance_as_one(map, z);
+        const auto steps = steps_as_one(map, z);
+        const auto step = sum_of(map, steps);
         if (!step.alive) break;
+        n += static_cast<std::int64_t>(steps.size());
         z = step.state;
     }
     return last;
 }
 
+/// How long a run was in chaos; nothing of one whose date of leaving is not known.
+analysis::ChaoticStay stay_of(const Scene<double>& scene, double speed, const RunVerdict& run) {
+    if (is_chaotic(run) || is_on_wall(run)) return {run.impacts, !is_chaotic(run)};
+    if (!is_on_cycle(run)) return {};
+    const Start<double> start = random_start(scene.beta, speed, run.seed, 0);
+    return {with_scene_map(scene, [&](const auto& map) { return last_impact_away(map, start, run); }), true};
+}
+
+/// What a document, a record says of it.
+Table<analysis::EscapeRate> escape_table() {
+    using E = analysis::EscapeRate;
+    return {{},
+            {{"left", &E::left},
+             {"remaining", &E::remaining},
+             {"impacts", &E::steps},
+             {"rate", &E::rate},
+             {"least_rate", &E::least_rate},
+             {"most_rate", &E::most_rate},
+             {"half_life", &E::half_life},
+             {"others_will_leave", &E::others_will_leave}}};
+}
+
 }  // namespace
 
 std::optional<analysis::EscapeRate> escape_of(const Scene<double>& scene, double speed,
-                                              const analysis::ClassifyOptions& settings,
-                                              const std::vector<RunVerdict>& runs, int threads) {
-    const auto is_chaotic = [](const RunVerdict& run) { return run.kind == Kind::chaotic; };
+                                              const std::vector<RunVerdict>& runs, const OutputOptions& output) {
     const auto has_left = [](const RunVerdict& run) { return is_on_cycle(run) || is_on_wall(run); };
     if (std::none_of(runs.begin(), runs.end(), is_chaotic) || std::none_of(runs.begin(), runs.end(), has_left))
         return std::nullopt;
     std::vector<analysis::ChaoticStay> stays(runs.size());
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t r) {
-            const RunVerdict& run = runs[r];
-            if (is_chaotic(run) || is_on_wall(run)) {
-                stays[r] = {run.impacts, !is_chaotic(run)};
-                return;
-            }
-            if (!is_on_cycle(run)) return;
-            const Start<double> start = random_start(scene.beta, speed, run.seed, 0);
-            const NamedMode named = name_mode(scene, start, settings);
-            stays[r] = {with_scene_map(scene, [&](const auto& map) { return last_impact_away(map, start, named); }),
-                        true};
+    Progress progress("classify: escapes from chaos", static_cast<double>(runs.size()), output.quiet);
+    const bool whole =
+        run_pieces(runs.size(), output.threads, progress, [scene, speed, runs, &stays](std::size_t r) -> KeepResult {
+            const analysis::ChaoticStay stay = stay_of(scene, speed, runs[r]);
+            if (is_interrupted()) return {};  // it was followed no further
+            return [&stays, r, stay] { stays[r] = stay; };
         });
-    });
+    if (!whole) return std::nullopt;
     return analysis::escape_rate(stays, chaos_begins);
 }
 
@@ -104,28 +123,11 @@ void name_remaining(const analysis::EscapeRate& escape, NamedMode& named) {
 }
 
 void write_escape(JsonWriter& json, const std::optional<analysis::EscapeRate>& escape) {
-    if (!escape) return json.null();
-    json.begin_object();
-    json.member("left", escape->left);
-    json.member("remaining", escape->remaining);
-    json.member("impacts", escape->steps);
-    json.member("rate", escape->rate);
-    json.member("least_rate", escape->least_rate);
-    json.member("most_rate", escape->most_rate);
-    json.member("half_life", escape->half_life);
-    json.member("others_will_leave", escape->others_will_leave);
-    json.end_object();
+    escape ? write_object(json, escape_table(), *escape) : json.null();
 }
 
 void write_escape(const RecordGroup& group, const analysis::EscapeRate& escape) {
-    group.attribute("left", escape.left);
-    group.attribute("remaining", escape.remaining);
-    group.attribute("impacts", escape.steps);
-    group.attribute("rate", escape.rate);
-    group.attribute("least_rate", escape.least_rate);
-    group.attribute("most_rate", escape.most_rate);
-    group.attribute("half_life", escape.half_life);
-    group.attribute("others_will_leave", escape.others_will_leave);
+    write_attributes(group, escape_table(), escape);
 }
 
 std::string in_words(const analysis::EscapeRate& escape) {

@@ -3,6 +3,7 @@
 
 #include "analysis/classification/escape_rate.hpp"
 #include "apps/command_line/documents.hpp"
+#include "apps/command_line/output_options.hpp"
 #include "apps/modes/attractors.hpp"
 #include "apps/modes/name_mode.hpp"
 
@@ -17,11 +18,11 @@ inline constexpr std::int64_t chaos_begins = 1000;
 /// The rate of escape where some runs are chaotic and others on a cycle or on the wall; none otherwise. A run on a
 /// cycle left chaos at the last impact farther than 0.01 from it; one that came to stay on the wall at its last impact.
 /// Runs whose leaving has no date (tori, undecided ones) are left out.
+/// None, too, after an interruption.
 ///   speed  of the random starts
-/// Cost: one orbit more for each run on a cycle.
+/// Cost: each run on a cycle is followed once more.
 std::optional<analysis::EscapeRate> escape_of(const Scene<double>& scene, double speed,
-                                              const analysis::ClassifyOptions& settings,
-                                              const std::vector<RunVerdict>& runs, int threads);
+                                              const std::vector<RunVerdict>& runs, const OutputOptions& output);
 
 /// Names the chaotic runs `transient` where they are to be expected to leave, too.
 void name_remaining(const analysis::EscapeRate& escape, std::vector<RunVerdict>& runs);

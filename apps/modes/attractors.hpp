@@ -23,6 +23,7 @@ struct RunVerdict {
     double recurrence_rate = 0;
     double largest_exponent = 0, largest_exponent_error = 0;
     std::int64_t attractor = 0;  ///< its place among those of all runs
+    std::vector<double> point;   ///< of its cycle
 };
 
 /// A set of runs with one verdict, and what they have in common.

@@ -87,8 +87,9 @@ void look_for_landings(const SceneMap<D>& map, const analysis::ClassifyOptions& 
     auto z = *first;
     for (std::int64_t done = 0; done < verdict.period;) {
         spins.push_back(map.coordinates(z)[map.integrated]);
-        done += steps_as_one(map, z);
-        const auto step = advance_as_one(map, z);
+        const auto steps = steps_as_one(map, z);
+        done += static_cast<std::int64_t>(steps.size());
+        const auto step = sum_of(map, steps);
         if (!step.alive) return;
         z = step.state;
     }

@@ -1,10 +1,12 @@
 #include "apps/system/chatter_once.hpp"
 
+#include <utility>
+
 namespace swirl::apps {
 
 namespace {
 
-constexpr std::int64_t most_rebounds = 100'000;
+constexpr std::size_t most_rebounds = 100'000;
 /// ln 2⁵²: flights that fall by a smaller share than this over `most_rebounds` each do not reach rounding in so many. A
 /// body that runs along the wall without loss (e = 1) has such flights, thousands of them.
 constexpr double slowest_fall = 1 - 36.0 / most_rebounds;
@@ -24,29 +26,33 @@ Letter joined(const Letter& first, const Letter& second, int sides) {
 }
 
 template <int D>
-std::int64_t steps_as_one(const SceneMap<D>& map, const PostImpactState<double>& z) {
+std::vector<ReturnStep<double>> steps_as_one(const SceneMap<D>& map, const PostImpactState<double>& z) {
     const int sides = map.body().sides;
-    ReturnStep<double> step = map.return_step(z);
-    if (!step.contacts.empty() || !map.goes_on(step)) return 1;
-    const int first = step.collision.vertex_step;
-    if (!is_on_same_support(sides, first, sides - first, first)) return 1;
-    for (std::int64_t n = 2; n <= most_rebounds; ++n) {
-        const ReturnStep<double> next = map.return_step(step.collision.after);
-        if (!map.goes_on(next)) return 1;
-        if (!next.contacts.empty()) return n;
-        if (!(next.collision.flight_time < slowest_fall * step.collision.flight_time)) return 1;
-        if (!is_on_same_support(sides, first, step.collision.vertex_step, next.collision.vertex_step)) return 1;
-        step = next;
+    std::vector<ReturnStep<double>> steps{map.return_step(z)};
+    if (!steps.front().contacts.empty() || !map.goes_on(steps.front())) return steps;
+    const int first = steps.front().collision.vertex_step;
+    if (!is_on_same_support(sides, first, sides - first, first)) return steps;
+    while (steps.size() < most_rebounds) {
+        const Collision<double>& before = steps.back().collision;
+        ReturnStep<double> next = map.return_step(before.after);
+        if (!map.goes_on(next)) break;
+        const bool lands = !next.contacts.empty();
+        if (!lands && !(next.collision.flight_time < slowest_fall * before.flight_time &&
+                        is_on_same_support(sides, first, before.vertex_step, next.collision.vertex_step)))
+            break;
+        steps.push_back(std::move(next));
+        if (lands) return steps;
     }
-    return 1;
+    steps.erase(steps.begin() + 1, steps.end());
+    return steps;
 }
 
 template <int D>
-analysis::Advance<D, PostImpactState<double>> advance_as_one(const SceneMap<D>& map, const PostImpactState<double>& z) {
-    const std::int64_t steps = steps_as_one(map, z);
-    auto whole = map.advance(z);
-    for (std::int64_t i = 1; i < steps && whole.alive; ++i) {
-        const auto step = map.advance(whole.state);
+analysis::Advance<D, PostImpactState<double>> sum_of(const SceneMap<D>& map,
+                                                     const std::vector<ReturnStep<double>>& steps) {
+    auto whole = map.advance_by(steps.front());
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+        const auto step = map.advance_by(steps[i]);
         whole.state = step.state;
         whole.alive = step.alive;
         whole.duration += step.duration;
@@ -56,11 +62,12 @@ analysis::Advance<D, PostImpactState<double>> advance_as_one(const SceneMap<D>& 
     return whole;
 }
 
-template std::int64_t steps_as_one(const SceneMap<disk_dimension>&, const PostImpactState<double>&);
-template std::int64_t steps_as_one(const SceneMap<polygon_dimension>&, const PostImpactState<double>&);
-template analysis::Advance<disk_dimension, PostImpactState<double>> advance_as_one(const SceneMap<disk_dimension>&,
-                                                                                   const PostImpactState<double>&);
-template analysis::Advance<polygon_dimension, PostImpactState<double>> advance_as_one(
-    const SceneMap<polygon_dimension>&, const PostImpactState<double>&);
+template std::vector<ReturnStep<double>> steps_as_one(const SceneMap<disk_dimension>&, const PostImpactState<double>&);
+template std::vector<ReturnStep<double>> steps_as_one(const SceneMap<polygon_dimension>&,
+                                                      const PostImpactState<double>&);
+template analysis::Advance<disk_dimension, PostImpactState<double>> sum_of(const SceneMap<disk_dimension>&,
+                                                                           const std::vector<ReturnStep<double>>&);
+template analysis::Advance<polygon_dimension, PostImpactState<double>> sum_of(const SceneMap<polygon_dimension>&,
+                                                                              const std::vector<ReturnStep<double>>&);
 
 }  // namespace swirl::apps

@@ -11,26 +11,37 @@
 
 #include "apps/system/scene_map.hpp"
 
+#include <vector>
+
 namespace swirl::apps {
 
-/// How many steps of the return map count as one from z on: more than 1 where z is the first of rebounds that end in
-/// contact. Cost: the steps that it looks ahead, two or three where nothing lands.
+/// The steps of the return map that count as one from z on: more than one where z is the first of rebounds that end in
+/// contact. Cost: one step, and one or two that are looked ahead where nothing lands.
 template <int D>
-std::int64_t steps_as_one(const SceneMap<D>& map, const PostImpactState<double>& z);
+std::vector<ReturnStep<double>> steps_as_one(const SceneMap<D>& map, const PostImpactState<double>& z);
 
-/// One such step. Its duration and integral are sums; its letter has the vertices on and the contact mode of the impact
-/// that it ends with.
+/// The one step that they make: its duration and integral are sums; its letter has the vertices on and the contact mode
+/// of the impact that it ends with.
 template <int D>
-analysis::Advance<D, PostImpactState<double>> advance_as_one(const SceneMap<D>& map, const PostImpactState<double>& z);
+analysis::Advance<D, PostImpactState<double>> sum_of(const SceneMap<D>& map,
+                                                     const std::vector<ReturnStep<double>>& steps);
+
+/// One such step from z on.
+template <int D>
+analysis::Advance<D, PostImpactState<double>> advance_as_one(const SceneMap<D>& map, const PostImpactState<double>& z) {
+    return sum_of(map, steps_as_one(map, z));
+}
 
 /// The sum of two letters of a word: vertices on from both, the later one's contact mode, through contact if either is.
 Letter joined(const Letter& first, const Letter& second, int sides);
 
-extern template std::int64_t steps_as_one(const SceneMap<disk_dimension>&, const PostImpactState<double>&);
-extern template std::int64_t steps_as_one(const SceneMap<polygon_dimension>&, const PostImpactState<double>&);
-extern template analysis::Advance<disk_dimension, PostImpactState<double>> advance_as_one(
-    const SceneMap<disk_dimension>&, const PostImpactState<double>&);
-extern template analysis::Advance<polygon_dimension, PostImpactState<double>> advance_as_one(
-    const SceneMap<polygon_dimension>&, const PostImpactState<double>&);
+extern template std::vector<ReturnStep<double>> steps_as_one(const SceneMap<disk_dimension>&,
+                                                             const PostImpactState<double>&);
+extern template std::vector<ReturnStep<double>> steps_as_one(const SceneMap<polygon_dimension>&,
+                                                             const PostImpactState<double>&);
+extern template analysis::Advance<disk_dimension, PostImpactState<double>> sum_of(
+    const SceneMap<disk_dimension>&, const std::vector<ReturnStep<double>>&);
+extern template analysis::Advance<polygon_dimension, PostImpactState<double>> sum_of(
+    const SceneMap<polygon_dimension>&, const std::vector<ReturnStep<double>>&);
 
 }  // namespace swirl::apps

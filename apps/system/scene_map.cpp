@@ -56,8 +56,7 @@ const ContactScene& SceneMap<D>::contact() const {
 }
 
 template <int D>
-auto SceneMap<D>::advance(const State& z) const -> analysis::Advance<D, State> {
-    const ReturnStep<double> known = return_step(z);
+auto SceneMap<D>::advance_by(const ReturnStep<double>& known) const -> analysis::Advance<D, State> {
     analysis::Advance<D, State> step;
     step.alive = goes_on(known);
     if (step.alive) fill(step, known);

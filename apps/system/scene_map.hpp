@@ -42,7 +42,9 @@ public:
     /// What contact needs of the scene; only where ReturnMap has it.
     const ContactScene& contact() const;
 
-    analysis::Advance<D, State> advance(const State& z) const;
+    analysis::Advance<D, State> advance(const State& z) const { return advance_by(return_step(z)); }
+    /// The step where it is known already.
+    analysis::Advance<D, State> advance_by(const ReturnStep<double>& known) const;
     analysis::Linearised<D, State> linearise(const State& z) const;
     /// See analysis::follow. In place, and what repeats itself to the bit (ExactReturn) is not followed again.
     std::int64_t follow(State& z, std::int64_t steps, const analysis::Stop& stop) const;

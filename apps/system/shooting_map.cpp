@@ -32,14 +32,14 @@ template <int D, class Derive>
 analysis::ShootingStep step_of(const SceneMap<D>& map, const Eigen::VectorXd& z, const Derive& derive) {
     analysis::ShootingStep step;
     PostImpactState<double> state = map.state_at(analysis::Vector<D>(z));
-    const std::int64_t steps = steps_as_one(map, state);
+    const auto steps = steps_as_one(map, state);
     analysis::Matrix<D> by_state = analysis::Matrix<D>::Identity();
     Letter letter;
     step.duration = 0;
-    for (std::int64_t i = 0; i < steps; ++i) {
-        const ReturnStep<double> known = map.return_step(state);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const ReturnStep<double>& known = steps[i];
         if (!map.goes_on(known)) return step;
-        if (i + 1 == steps) step.margin = impact_speed(map.body(), known.collision);
+        if (i + 1 == steps.size()) step.margin = impact_speed(map.body(), known.collision);
         if (!(step.margin > least_impact_speed)) return step;
         by_state = derive(state, known) * by_state;
         step.duration += known.collision.flight_time;

@@ -87,22 +87,23 @@ class Interruption(InFolder):
         process.send_signal(signal.SIGHUP)
         self.assertEqual((process.wait(60), self.names()), (0, ["a.h5"]))
 
-    def test_the_finished_runs_of_several_are_kept_though_another_is_in_its_midst(self):
-        command = f"classify {HEXAGON} --transient 1000 --collisions 1000 --runs 100000 --quiet -o a.h5"
-        code, seconds, _ = self.end(command, 2)
+    def kept(self, command):
+        """The record that is there when the command was interrupted after two seconds."""
+        code, seconds, _ = self.end(f"{command} --quiet -o a.h5", 2)
         self.assertEqual(code, 130)
         self.assertLess(seconds, 0.5)
-        with h5py.File(self.folder / "a.h5") as file:
-            self.assertGreater(len(file["runs/seed"]), 2)
-            self.assertEqual(file["runs"].attrs["wanted"], 100000)
+        file = h5py.File(self.folder / "a.h5")
+        self.addCleanup(file.close)
+        return file
+
+    def test_the_finished_runs_of_several_are_kept_though_another_is_in_its_midst(self):
+        file = self.kept(f"classify {HEXAGON} --transient 1000 --collisions 1000 --runs 100000")
+        self.assertGreater(len(file["runs/seed"]), 2)
+        self.assertEqual(file["runs"].attrs["wanted"], 100000)
 
     def test_the_finished_columns_of_a_diagram_are_kept(self):
-        command = f"bifurcate {HEXAGON} --along beta=0.45:0.55:5000 --starts 1 --quiet -o a.h5"
-        code, seconds, _ = self.end(command, 2)
-        self.assertEqual(code, 130)
-        self.assertLess(seconds, 0.5)
-        with h5py.File(self.folder / "a.h5") as file:
-            self.assertGreater(len(file["samples/S"]), 2)
+        file = self.kept(f"bifurcate {HEXAGON} --along beta=0.45:0.55:5000 --starts 1")
+        self.assertGreater(len(file["samples/S"]), 2)
 
     def test_a_sweep_goes_on_from_every_run_that_had_ended(self):
         command = f"sweep {HEXAGON} --grid mu=0.3:0.6:2000 --transient 1000 --collisions 1000 -o a.h5".replace(

@@ -85,10 +85,16 @@ void write_attributes(const RecordGroup& group, const Settings& settings) {
     for (const auto& [name, value] : settings) group.attribute(name, value);
 }
 
-std::optional<RecordWriter> open_record(const std::string& path, const std::string& title) {
+std::optional<RecordWriter> open_record(const std::string& path, const std::string& title,
+                                        const std::optional<Units>& units) {
     if (path.empty()) return std::nullopt;
     try {
-        return RecordWriter(path, {title, version(), instruction_set()});
+        RecordWriter record(path, {title, version(), instruction_set()});
+        if (units) {
+            write_attributes(record.root().group("units"), unit_settings(*units));
+            record.scale_units([units = *units](const std::string& unit) { return physical_scale(units, unit); });
+        }
+        return record;
     } catch (const RecordError& error) {
         throw BadInput(error.what());
     }

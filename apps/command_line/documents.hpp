@@ -47,8 +47,10 @@ void print_document(const WriteMembers& write_all) {
     json.finish();
 }
 
-/// A record to be written, opened before any work; none for an empty path. @throws BadInput if it can't be created
-std::optional<RecordWriter> open_record(const std::string& path, const std::string& title);
+/// A record to be written, opened before any work; none for an empty path. With `units` it has a group `units`, and its
+/// columns the attribute physical_scale. @throws BadInput if it can't be created
+std::optional<RecordWriter> open_record(const std::string& path, const std::string& title,
+                                        const std::optional<Units>& units = {});
 
 /// "hexagon α = 0.4 …" in one line, for tables and titles.
 std::string scene_in_words(const Scene<double>& scene);

@@ -115,7 +115,8 @@ int continue_orbit(ContinueOptions& options) {
                                    : "not a member of a family of one parameter: --along a parameter of the scene");
         cycle.clear();
     }
-    std::optional<RecordWriter> record = open_record(options.output.record, "Branches of cycles of a swirled polygon");
+    std::optional<RecordWriter> record =
+        open_record(options.output.record, "Branches of cycles of a swirled polygon", options.scene.units());
     note_interruptions();
     std::vector<analysis::Branch> branches(1);
     Progress progress("continue", along.high - along.low, options.output.quiet);

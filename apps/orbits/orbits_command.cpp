@@ -220,7 +220,8 @@ int orbits(OrbitsOptions& options) {
     const std::optional<Pin> pin = pin_from(options.pin);
     if (pin && !options.near.empty()) throw BadInput("--pin and --near are both given; give one");
     const auto map = shooting_map_of(scene);
-    std::optional<RecordWriter> record = open_record(options.output.record, "Cycles of a swirled polygon");
+    std::optional<RecordWriter> record =
+        open_record(options.output.record, "Cycles of a swirled polygon", options.scene.units());
     note_interruptions();
     options.candidates.stop = is_interrupted;
     FoundOrbits found = options.near.empty() ? find_all(options, scene, map) : find_near(options, scene, map);

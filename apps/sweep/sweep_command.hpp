@@ -30,6 +30,7 @@ struct Sweep {
     std::int64_t runs = 1;
     Settings settings;  ///< everything that the results depend on, in the order in which it is compared
     std::vector<RunResult> results;
+    std::optional<Units> units = {};  ///< of a scene in physical units
 
     std::span<const RunResult> cell(std::size_t index) const {
         return std::span(results).subspan(index * static_cast<std::size_t>(runs), static_cast<std::size_t>(runs));

@@ -72,7 +72,7 @@ class Simulate(unittest.TestCase):
     def test_a_chatter_is_a_line(self):
         text = run(f"simulate {ROLLING} --collisions 100").stdout
         impacts = document(f"simulate {ROLLING} --collisions 100", code=3)["collisions"]
-        said = re.findall(r"^ +chatter .* impacts (\d+) to (\d+) on 0: flights from ([\d.e-]+) down to ([\d.e-]+)$",
+        said = re.findall(r"^ +chatter .* impacts (\d+) to (\d+) on 0: flights from ([\d.e+-]+) down to ([\d.e+-]+)$",
                           text, re.M)
         self.assertEqual(len(said), 1)
         first, last = int(said[0][0]), int(said[0][1])

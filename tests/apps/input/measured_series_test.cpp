@@ -17,7 +17,12 @@ using Numbers = std::vector<double>;
 MeasuredSeries read(const std::string& content, const std::string& column = "", const std::string& time = "",
                     double spacing = 1) {
     const WrittenFile file(content);
-    return read_series({file.path(), column, time, spacing});
+    SeriesChoice choice;
+    choice.file = file.path();
+    choice.column = column;
+    choice.time = time;
+    choice.spacing = spacing;
+    return read_series(choice);
 }
 
 std::string refusal(const std::string& content, const std::string& column = "", const std::string& time = "") {

@@ -1,6 +1,6 @@
 #include "apps/bifurcate/column_shares.hpp"
 
-#include "apps/classify/attractors.hpp"
+#include "apps/modes/attractors.hpp"
 
 #include <algorithm>
 
@@ -12,9 +12,9 @@ std::vector<ColumnShare> shares_of(const DiagramColumn& column, std::size_t numb
         if (attractor.origin == Origin::random) starts.push_back(&attractor);
     if (starts.empty())
         for (const Attractor& attractor : column.attractors) starts.push_back(&attractor);
-    std::vector<classify::RunVerdict> runs;
+    std::vector<RunVerdict> runs;
     for (const Attractor* start : starts) {
-        classify::RunVerdict run;
+        RunVerdict run;
         run.mode = start->mode;
         run.kind = start->kind;
         run.outcome = start->outcome;
@@ -24,7 +24,7 @@ std::vector<ColumnShare> shares_of(const DiagramColumn& column, std::size_t numb
         runs.push_back(run);
     }
     std::vector<ColumnShare> shares;
-    for (const auto& shared : classify::attractors_of(runs))
+    for (const auto& shared : attractors_of(runs))
         shares.push_back({&column, number, static_cast<double>(shared.runs.size()) / static_cast<double>(runs.size()),
                           starts[shared.runs.front()], shared.mean_spin});
     return shares;

@@ -1,9 +1,9 @@
 // `swirl classify --runs R`: the modes that random starts of one scene settle on.
 #pragma once
 
-#include "apps/classify/attractors.hpp"
 #include "apps/classify/classify_command.hpp"
 #include "apps/classify/escape.hpp"
+#include "apps/modes/attractors.hpp"
 
 #include <optional>
 #include <vector>

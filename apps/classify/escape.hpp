@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analysis/classification/escape_rate.hpp"
-#include "apps/classify/attractors.hpp"
 #include "apps/command_line/documents.hpp"
+#include "apps/modes/attractors.hpp"
 #include "apps/modes/name_mode.hpp"
 
 #include <optional>

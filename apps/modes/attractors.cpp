@@ -1,4 +1,4 @@
-#include "apps/classify/attractors.hpp"
+#include "apps/modes/attractors.hpp"
 
 #include <gsl/gsl_statistics_double.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace swirl::apps::classify {
+namespace swirl::apps {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::vector<Attractor> attractors_of(std::span<const RunVerdict> runs) {
     return found;
 }
 
-}  // namespace swirl::apps::classify
+}  // namespace swirl::apps

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace swirl::apps::classify {
+namespace swirl::apps {
 
 /// What is kept of the verdict on one run. NaN where not measured.
 struct RunVerdict {
@@ -44,4 +44,4 @@ inline constexpr double same_mean = 1e-6;
 /// chaotic runs and undecided ones have means of their own, run by run: they are grouped by kind and outcome alone.
 std::vector<Attractor> attractors_of(std::span<const RunVerdict> runs);
 
-}  // namespace swirl::apps::classify
+}  // namespace swirl::apps

@@ -1,12 +1,12 @@
 // Runs grouped by the attractor that they settled on.
-#include "apps/classify/attractors.hpp"
+#include "apps/modes/attractors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace swirl::apps::classify {
+namespace swirl::apps {
 namespace {
 
 using analysis::Kind;
@@ -56,4 +56,4 @@ TEST(Attractors, WhatEndsOtherwiseIsAnother) {
 }
 
 }  // namespace
-}  // namespace swirl::apps::classify
+}  // namespace swirl::apps

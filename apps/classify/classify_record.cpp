@@ -13,6 +13,18 @@ bool has_ended(const OrbitColumns& columns) {
     return columns.outcome != "completed" && columns.outcome != "interrupted";
 }
 
+/// An edited record may say anything of itself. @throws BadInput unless its columns are as long as it says
+void require_rows(const std::string& file, const OrbitColumns& columns) {
+    const auto rows = std::ssize(columns.values.back());
+    const std::int64_t skipped = columns.range.transient, impacts = columns.impacts, every = columns.every;
+    const bool counted = every > 0 && skipped >= 0 && impacts > skipped && (impacts - skipped - 1) / every + 1 == rows;
+    const auto as_long = [&](const std::vector<double>& column) { return std::ssize(column) == rows; };
+    if (!counted || !std::all_of(columns.values.begin(), columns.values.end(), as_long))
+        throw BadInput(
+            fmt::format("record '{}' is not whole: of {} impacts it leaves out {} and lists one in {}, in {} rows",
+                        file, impacts, skipped, every, rows));
+}
+
 /// The row of the tail's first impact; in a thinned record the last that is not later.
 std::size_t first_row(const RecordedOrbit& orbit) {
     return static_cast<std::size_t>((orbit.first - orbit.columns.range.transient) / orbit.columns.every);
@@ -47,6 +59,7 @@ RecordedOrbit recorded_orbit(const std::string& file, std::optional<std::int64_t
     RecordedOrbit orbit;
     orbit.columns =
         disk ? read_orbit(file, {}, {"psi", "vn", "vt", "S"}) : read_orbit(file, {}, {"psi", "chi", "vn", "vt", "S"});
+    require_rows(file, orbit.columns);
     set_from_record(orbit.columns, scene, start);
     const std::int64_t skipped = orbit.columns.range.transient, listed = orbit.columns.impacts - skipped;
     const std::int64_t left_out = transient.value_or(skipped > 0 ? 0 : listed / 2);

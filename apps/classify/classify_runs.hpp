@@ -12,9 +12,9 @@ namespace swirl::apps::classify {
 
 /// What was found, of the runs that are finished: all of them, unless interrupted.
 struct RunsFound {
-    std::vector<RunVerdict> runs;       ///< by seed
-    std::vector<Attractor> attractors;  ///< the most shared first
-    std::optional<NamedMode> first;     ///< the verdict on the first attractor's representative, unless interrupted
+    std::vector<RunVerdict> runs;             ///< by seed
+    std::vector<SharedAttractor> attractors;  ///< the most shared first
+    std::optional<NamedMode> first;  ///< the verdict on the first attractor's representative, unless interrupted
     std::optional<analysis::EscapeRate> escape;  ///< where some have left chaos and others have not
 };
 

@@ -48,30 +48,32 @@ Table<RunVerdict> runs_table() {
              {"largest_exponent_error", &Run::largest_exponent_error, "1", "its standard error"}}};
 }
 
-Table<Attractor> attractors_table(const RunsFound& found) {
-    using F = Field<Attractor>;
+Table<SharedAttractor> attractors_table(const RunsFound& found) {
+    using F = Field<SharedAttractor>;
     const auto first = [&found](auto member) {
-        return [&found, member](const Attractor& a) { return found.runs[a.runs.front()].*member; };
+        return [&found, member](const SharedAttractor& a) { return found.runs[a.runs.front()].*member; };
     };
     const auto in_percent = [](const Value& value) {
         return fmt::format("  {:>6.2f} %", 100 * std::get<double>(value));
     };
     return {
         {"attractor"},
-        {F{"share", [&found](const Attractor& a) { return share(a.runs.size(), found); }, "1", "share of the runs"}
+        {F{"share", [&found](const SharedAttractor& a) { return share(a.runs.size(), found); }, "1",
+           "share of the runs"}
              .shown("share", {"  {:>8}", in_percent}),
          F{"mode", first(&RunVerdict::mode)}.shown("mode", "  {:<13}"),
-         kind_field<Attractor>(first(&RunVerdict::kind)).shown("kind", " {:<20}"),
+         kind_field<SharedAttractor>(first(&RunVerdict::kind)).shown("kind", " {:<20}"),
          F{"outcome", first(&RunVerdict::outcome)},
-         period_field<Attractor>(first(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
-         F{"mean_S", &Attractor::mean_spin, "omega_s", "mean of the runs' time means"}.shown("mean S", " {:>14.8g}"),
-         F{"mean_S_error", &Attractor::mean_spin_error, "omega_s", "its standard error over the runs"}.shown(
+         period_field<SharedAttractor>(first(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
+         F{"mean_S", &SharedAttractor::mean_spin, "omega_s", "mean of the runs' time means"}.shown("mean S",
+                                                                                                   " {:>14.8g}"),
+         F{"mean_S_error", &SharedAttractor::mean_spin_error, "omega_s", "its standard error over the runs"}.shown(
              "error", " {:>9.2g}"),
-         F{"largest_exponent", &Attractor::largest_exponent, "1", "mean over the runs, per impact"}.shown("exponent",
-                                                                                                          " {:>11.4g}"),
+         F{"largest_exponent", &SharedAttractor::largest_exponent, "1", "mean over the runs, per impact"}.shown(
+             "exponent", " {:>11.4g}"),
          F{"ln_multiplier", first(&RunVerdict::ln_multiplier), "1", "of a cycle: ln of its largest |multiplier|"}.shown(
              "ln|multiplier|", " {:>14.4g}"),
-         F{"recurrence_rate", &Attractor::recurrence_rate, "1", "mean over the runs"}.shown("RC", " {:>11.4g}"),
+         F{"recurrence_rate", &SharedAttractor::recurrence_rate, "1", "mean over the runs"}.shown("RC", " {:>11.4g}"),
          F{"seed", first(&RunVerdict::seed)}.stored_as(ElementType::string).shown("seed", "  {}")},
         {"seed", "mode", "kind", "outcome", "period"}};
 }

@@ -18,7 +18,7 @@ CLI::Validator whole_number(std::int64_t least, std::int64_t most) {
         const char* end = text.data() + text.size();
         const auto [stop, error] = std::from_chars(begin, end, value);
         if (error != std::errc() || stop != end || value < least || value > most)
-            return fmt::format("Value {} not in range [{} - {}]", text, least, most);
+            return fmt::format("Value {} not in range {} to {}", text, least, most);
         text = fmt::format("{}", value);
         return std::string();
     };

@@ -45,7 +45,7 @@ bool same_attractor(const RunVerdict& a, const RunVerdict& b) {
            (agree(a.mean_spin, b.mean_spin) && agree(a.mean_spin_per_impact, b.mean_spin_per_impact));
 }
 
-void summarise(std::span<const RunVerdict> runs, Attractor& attractor) {
+void summarise(std::span<const RunVerdict> runs, SharedAttractor& attractor) {
     const auto measured = [&](double RunVerdict::*member) {
         std::vector<double> values;
         for (const std::size_t r : attractor.runs)
@@ -66,10 +66,10 @@ void summarise(std::span<const RunVerdict> runs, Attractor& attractor) {
 
 }  // namespace
 
-std::vector<Attractor> attractors_of(std::span<const RunVerdict> runs) {
-    std::vector<Attractor> found;
+std::vector<SharedAttractor> attractors_of(std::span<const RunVerdict> runs) {
+    std::vector<SharedAttractor> found;
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const auto same = std::find_if(found.begin(), found.end(), [&](const Attractor& attractor) {
+        const auto same = std::find_if(found.begin(), found.end(), [&](const SharedAttractor& attractor) {
             return same_attractor(runs[attractor.runs.front()], runs[r]);
         });
         if (same != found.end())
@@ -79,7 +79,7 @@ std::vector<Attractor> attractors_of(std::span<const RunVerdict> runs) {
     }
     for (auto& attractor : found) summarise(runs, attractor);
     std::stable_sort(found.begin(), found.end(),
-                     [](const Attractor& a, const Attractor& b) { return a.runs.size() > b.runs.size(); });
+                     [](const SharedAttractor& a, const SharedAttractor& b) { return a.runs.size() > b.runs.size(); });
     return found;
 }
 

@@ -27,7 +27,7 @@ struct RunVerdict {
 };
 
 /// A set of runs with one verdict, and what they have in common.
-struct Attractor {
+struct SharedAttractor {
     std::vector<std::size_t> runs;  ///< their places, in order; the first is the representative
     double mean_spin = 0;           ///< mean over the runs that measured it; so are the next two
     double mean_spin_error = 0;     ///< its standard error over the runs, NaN for fewer than two
@@ -42,6 +42,6 @@ inline constexpr double same_mean = 1e-6;
 /// The most shared first; of equally shared ones that of the earlier run. Runs of one kind and period are one attractor
 /// where their mean S (by time and by impact) agree. Members of a continuum (family, torus, libration, circulation),
 /// chaotic runs and undecided ones have means of their own, run by run: they are grouped by kind and outcome alone.
-std::vector<Attractor> attractors_of(std::span<const RunVerdict> runs);
+std::vector<SharedAttractor> attractors_of(std::span<const RunVerdict> runs);
 
 }  // namespace swirl::apps

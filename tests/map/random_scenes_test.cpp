@@ -169,6 +169,7 @@ void check_orbits(const std::vector<RandomScene>& cases) {
         if (c.tally.exchanged > 0 && c.scene.beta > 0)
             balance = std::max(balance, std::abs(c.tally.balance) / (c.tally.exchanged + 1));
     }
+    EXPECT_LE(balance, 1e-9);  // as in sustained contact: the tolerance of the series, over some 10³ pieces
     std::printf("most events per unit time %.0f, at most %.2g of the bound; outside by %.1e; balance %.1e\n", busiest,
                 fullest, outside, balance);
 }

@@ -174,7 +174,8 @@ void keep_earliest(Search& search) {
     auto& all = search.candidates;
     std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.tau < b.tau; });
     if (all.size() > search.options.most) {
-        search.complete_to = std::min(search.complete_to, all[search.options.most].tau);
+        const double last = all[search.options.most - 1].tau, next = all[search.options.most].tau;
+        search.complete_to = std::min(search.complete_to, 0.5 * (last + next));  // their last digits are still to come
         all.resize(search.options.most);
     }
     while (!all.empty() && all.back().tau > search.complete_to) all.pop_back();
@@ -234,6 +235,7 @@ SteadyModes steady_modes(const Scene<double>& scene, const SteadyOptions& option
     validated(scene);
     if (!(options.longest_flight > 0 && options.longest_flight <= 1e4))
         detail::out_of_range("longest-flight", options.longest_flight, "0 < longest-flight <= 10000");
+    if (options.most < 1) detail::out_of_range("most", static_cast<double>(options.most), "1 <= most");
     if (!(options.fastest_spin >= 1 && options.fastest_spin <= 1e6))
         detail::out_of_range("fastest-spin", options.fastest_spin, "1 <= fastest-spin <= 1e6");
     SteadyModes result;

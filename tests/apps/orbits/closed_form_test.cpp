@@ -62,7 +62,9 @@ TEST(ClosedForm, EverySteadyModeOfTenPolygonsIsFound) {
     for (int i = 0; i < 10; ++i) {
         const auto scene = tests::random_scene(random, 3 + i, random.between(0.1, 1), 1, Law::poisson);
         const auto modes = steady_modes(scene, 12);
-        const auto cycles = tests::cycles_of(scene, 1);
+        apps::orbits::FindOptions options;
+        options.candidates.starts = options.candidates.trajectories = 0;  // those through contact are not asked for
+        const auto cycles = tests::cycles_of(scene, 1, options);
         const auto map = apps::shooting_map_of(scene);
         for (const auto& z : modes) {
             double nearest = 1;

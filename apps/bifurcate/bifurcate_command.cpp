@@ -96,12 +96,14 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
 
 int bifurcate(BifurcateOptions& options) {
     options.scene.read_file();
+    options.start.take_units(options.scene);
     Diagram diagram;
     diagram.along = parameter_range_from(options.along, true, false);
     check(options, diagram.along);
     for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}});
     std::optional<RecordWriter> record =
-        open_record(options.output, "Attractors of a swirled polygon over one parameter", {options.scene.file()});
+        open_record(options.output, "Attractors of a swirled polygon over one parameter", {options.scene.file()},
+                    options.scene.units());
     note_interruptions();
     const auto begin = std::chrono::steady_clock::now();
     sample_columns(options, diagram);

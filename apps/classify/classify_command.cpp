@@ -4,6 +4,7 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/modes/verdict_document.hpp"
 
@@ -51,17 +52,21 @@ void ClassifyCommandOptions::add_to(CLI::App& command) {
     command.add_option("--runs", runs, "random starts, from --seed on: the shares of coexisting modes")
         ->type_name("R")
         ->transform(whole_number(1, 1'000'000));
+    command.add_flag("--verbose", verbose, "the table lists the numbers and all of the evidence")->group("Output");
     input.add_to(command);
 }
 
 namespace {
 
-int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene) {
+int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
+                 const std::optional<RecordedOrbit>& recorded) {
     const Start<double> start = options.start.start<double>(scene);
     std::optional<RecordWriter> record =
-        open_record(options.output, "Mode of a swirled polygon", {options.scene.file(), options.input.record});
+        open_record(options.output, "Mode of a swirled polygon", {options.scene.file(), options.input.record},
+                    options.scene.units());
     exit_when_interrupted();
-    const NamedMode named = name_mode(scene, start, options.settings);
+    const NamedMode named =
+        recorded ? name_recorded(scene, start, *recorded, options.settings) : name_mode(scene, start, options.settings);
     if (record) {
         const RecordGroup root = record->root();
         write_scene(root, scene, &options.start);
@@ -73,8 +78,9 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene) {
             write_scene(json, scene, options.scene, &options.start);
             write_verdict(json, named, options.settings);
         });
-    } else {
-        fmt::print("{}\n{}", scene_in_words(scene), table_of(named));
+    } else if (!options.output.quiet) {
+        const auto units = options.scene.units();
+        fmt::print("{}\n{}{}", scene_in_words(scene), units_in_words(units), table_of(named, options.verbose, units));
     }
     return exit_done;
 }
@@ -87,13 +93,20 @@ int classify_scene(ClassifyCommandOptions& options) {
         throw BadInput(
             fmt::format("runs = {}: several runs are of a scene; a record or a series is one", options.runs));
     require_output(options.output, {options.scene.file(), options.input.record, options.input.series.file});
-    if (options.input.is_series(options.scene, options.start)) return classify_measured(options.input, options.output);
-    options.input.take_record(options.scene, options.start, options.output.quiet);
+    if (options.input.is_series(options.scene, options.start))
+        return classify_measured(options.input, options.scene, options.start, options.output, options.verbose);
+    const auto recorded = options.input.recorded(options.scene, options.start);
+    if (recorded) {
+        warn_without_checksum(options.input.record, options.output.quiet);
+        options.settings.transient = recorded->first;
+        options.settings.collisions = recorded->collisions;
+    }
     options.scene.read_file();
+    options.start.take_units(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: classify works in double", options.output.accuracy_name));
-    return several ? classify_runs(options, scene) : classify_one(options, scene);
+    return several ? classify_runs(options, scene) : classify_one(options, scene, recorded);
 }
 
 }  // namespace swirl::apps::classify

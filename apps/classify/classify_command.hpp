@@ -18,6 +18,7 @@ struct ClassifyCommandOptions {
     OutputOptions output;
     analysis::ClassifyOptions settings;
     ClassifyInput input;
+    bool verbose = false;   ///< the table for people has the evidence
     std::int64_t runs = 0;  ///< random starts; 0: one verdict, on the start that is given
 
     void add_to(CLI::App& command);

@@ -7,6 +7,7 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -59,6 +60,12 @@ void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     found.first = std::move(first);
 }
 
+/// NaN without a cycle; its multipliers come by falling modulus.
+double ln_multiplier_of(const analysis::Classification& verdict) {
+    return verdict.multipliers.empty() ? analysis::Classification::unknown
+                                       : std::log(std::abs(verdict.multipliers.front()));
+}
+
 }  // namespace
 
 std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
@@ -77,14 +84,16 @@ std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed,
                       v.recurrence_rate,
                       v.largest_exponent,
                       v.largest_exponent_error,
+                      ln_multiplier_of(v),
                       0,
                       v.point};
 }
 
 int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene) {
     check(options);
-    std::optional<RecordWriter> record = open_record(options.output, "Modes of a swirled polygon from several starts",
-                                                     {options.scene.file(), options.input.record});
+    std::optional<RecordWriter> record =
+        open_record(options.output, "Modes of a swirled polygon from several starts",
+                    {options.scene.file(), options.input.record}, options.scene.units());
     note_interruptions();
     RunsFound found;
     found.runs = follow_all(options, scene);
@@ -103,7 +112,7 @@ int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     if (options.output.json)
         write_runs_document(options, scene, found);
     else if (!options.output.quiet)
-        print_runs(scene, found);
+        print_runs(options, scene, found);
     return exit_done;
 }
 

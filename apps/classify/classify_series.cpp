@@ -1,9 +1,9 @@
 #include "apps/classify/classify_series.hpp"
 
+#include "analysis/classification/classify_angle.hpp"
 #include "analysis/classification/classify_series.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
-#include "apps/command_line/standard_streams.hpp"
 #include "apps/input/input_options.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/verdict_document.hpp"
@@ -19,8 +19,9 @@
 namespace swirl::apps::classify {
 
 const char* const classify_series_details =
-    R"(A record of simulate holds its scene and start: the orbit is followed again from there. A measured series
-(--series, or a record without a scene) is judged without the map: does it repeat within its noise, are there
+    R"(Of a record of simulate the orbit that it holds is judged: its second half, or all of it if --skip left out its
+beginning, unless --transient and --collisions say which impacts. A measured series (--series, or a record without a
+scene) is judged without the map: does it repeat within its noise, are there
 lines in its spectrum, is it predicted better than noise and do neighbours part at a rate that all embeddings
 agree on? Little or disagreeing evidence gives undecided. With --noise SIGMA a constant with noise is known for
 steady. The longest segment without a gap counts.)";
@@ -69,6 +70,7 @@ Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
              period_field<SeriesVerdict>(of(&Verdict::period)),
              {"mean_S",
               [=](const SeriesVerdict& row) {
+                  if (row.whole.quantity == distance_of_position) return none;
                   return flow ? row.verdict.mean : row.used.time.empty() ? none : time_mean(row.used);
               }},
              {"mean_S_per_impact", per_impact(&Verdict::mean_per_step)},
@@ -80,8 +82,12 @@ Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
              {"largest_exponent_per_time_error", per_time(&Verdict::largest_exponent_error)}}};
 }
 
+std::string rows_of(const SeriesVerdict& v) {
+    return v.options.sampled_flow ? "samples" : "impacts";
+}
+
 Settings settings_of(const SeriesVerdict& v) {
-    return {{"rows", std::string(v.options.sampled_flow ? "samples" : "impacts")},
+    return {{"rows", rows_of(v)},
             {"samples_used", static_cast<std::int64_t>(v.used.values.size())},
             {"first_time_used", v.used.times.front()},
             {"noise", v.options.noise},
@@ -107,37 +113,42 @@ void write_to_record(const RecordGroup& root, const SeriesVerdict& v) {
     write_evidence(group, v.verdict.evidence);
 }
 
-void print_verdict(const SeriesVerdict& v) {
-    fmt::print("series of {} samples\n  {}\n{}{}", v.used.values.size(), mode_in_words(v.verdict),
-               lines_of(verdict_table(v), v), table_of(v.verdict.evidence));
+void print_verdict(const SeriesVerdict& v, bool verbose) {
+    fmt::print("series: {}; rows are {}, {} used\n  {}\n  {}\n  because: {}\n", series_in_words(v.whole), rows_of(v),
+               v.used.values.size(), mode_in_words(v.verdict), sureness_in_words(v.verdict),
+               reason_in_words(v.verdict));
+    if (verbose) fmt::print("{}{}", lines_of(verdict_table(v), v), table_of(v.verdict.evidence));
+}
+
+/// Of an angle from the angle itself, whose differences its S are; 0 at the first row.
+analysis::Classification verdict_of(const SeriesVerdict& v) {
+    const bool enough = v.used.values.size() + 1 >= analysis::fewest_angles;
+    if (v.whole.quantity != spin_of_angle || !v.used.even || !enough)
+        return analysis::classify_series(v.used.values, v.options);
+    const double spacing = v.used.spacing * v.used.swirl_rate;
+    std::vector<double> angle{0};
+    for (const double spin : v.used.values) angle.push_back(angle.back() + spin * spacing);
+    return analysis::classify_angle(angle, spacing, v.options);
 }
 
 bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {
     if (input.rows == "samples") return true;
     if (input.rows == "impacts") return false;
     if (!input.rows.empty()) throw BadInput(fmt::format("rows = '{}' is none of: impacts, samples", input.rows));
-    return !series.time.empty() && series.even;
+    return series.is_motion() || (!series.time.empty() && series.even);
 }
 
 }  // namespace
 
 void ClassifyInput::add_to(CLI::App& command) {
-    command.add_option("RECORD,--record", record, "a record of swirl simulate, followed on from its scene and start")
+    command.add_option("RECORD,--record", record, "a record of swirl simulate: the orbit that it holds")
         ->type_name("FILE.h5")
         ->group("Input");
-    command.add_option("--series", series.file, "a measured series, text; - reads standard input")
-        ->type_name("FILE.csv")
-        ->group("Input");
-    command.add_option("--column", series.column, "the series' values: name or number of the column")
-        ->type_name("NAME")
-        ->group("Input");
-    command.add_option("--time", series.time, "the series' times: name or number of the column, or none")
-        ->type_name("NAME")
-        ->group("Input");
+    series.add_to(command, false);
     command.add_option("--rows", rows, "of a series: impacts, or samples in time (default: samples if times are even)")
         ->type_name("NAME")
         ->group("Input");
-    command.add_option("--noise", noise, "standard deviation of a series' noise, if known")
+    command.add_option("--noise", noise, "standard deviation of a series' noise, if known; of --angle in its unit")
         ->type_name("SIGMA")
         ->group("Input");
     transient_ = command.get_option("--transient");
@@ -147,45 +158,52 @@ void ClassifyInput::add_to(CLI::App& command) {
 }
 
 bool ClassifyInput::is_series(const SceneOptions& scene, const StartOptions& start) const {
-    const bool from_scene = scene.given() || start.given();
+    const bool from_series = !series.file.empty();  // then two flags of scene and start are the series'
+    const bool from_scene =
+        from_series ? scene.given("swirl-rate") || start.given_beside_angle() : scene.given() || start.given();
     if (!record.empty() && !series.file.empty()) throw BadInput("a record and --series are both given; give one");
     if (from_scene && !record.empty()) throw BadInput("a scene and a record are both given; give one");
     if (from_scene && !series.file.empty()) throw BadInput("a scene and --series are both given; give one");
     if (!series.file.empty()) return true;
     if (record.empty() || !is_series_record(record)) {
-        if (!(series.column.empty() && series.time.empty() && rows.empty() && noise == 0))
-            throw BadInput("--column, --time, --rows and --noise are a series'; --series FILE is missing");
+        if (series.given() || !rows.empty() || noise != 0)
+            throw BadInput(
+                "--column, --position, --time, --degrees, --symmetry, --rows and --noise are a series'; --series FILE "
+                "is missing");
         return false;
     }
     return true;
 }
 
-void ClassifyInput::take_record(SceneOptions& scene, StartOptions& start, bool quiet) const {
-    if (record.empty()) return;
-    const OrbitColumns orbit = read_orbit(record, {}, {"S"});
-    set_from_record(orbit, scene, start);
-    warn_without_checksum(record, quiet);
-    if (!quiet) tell("record: the orbit is followed again from its scene and start");
+std::optional<RecordedOrbit> ClassifyInput::recorded(SceneOptions& scene, StartOptions& start) const {
+    if (record.empty()) return std::nullopt;
+    const auto given = [](const CLI::Option* option) {
+        return option->count() > 0 ? std::optional(option->as<std::int64_t>()) : std::nullopt;
+    };
+    return recorded_orbit(record, given(transient_), given(collisions_), scene, start);
 }
 
-int classify_measured(const ClassifyInput& input, const OutputOptions& output) {
+int classify_measured(const ClassifyInput& input, const SceneOptions& scene, const StartOptions& start,
+                      const OutputOptions& output, bool verbose) {
     if (output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {} is an orbit's that is followed", output.accuracy_name));
     InputOptions source;
     source.series = input.series;
+    source.scene = scene;
+    source.start = start;
     if (input.transient_->count() > 0) source.transient = input.transient_->as<std::int64_t>();
     if (input.collisions_->count() > 0) source.collisions = input.collisions_->as<std::int64_t>();
     SeriesVerdict v;
     v.whole = input.record.empty() ? source.measured() : read_series_record(input.record);
     warn_without_checksum(input.record, output.quiet);
     v.used = longest_stretch(v.whole);
-    v.options.noise = input.noise;
+    v.options.noise = input.noise * (input.series.degrees ? pi<double>() / 180 : 1);
     v.options.sampled_flow = is_sampled_flow(input, v.used);
     if (input.threshold_->count() > 0) v.options.recurrence_threshold = input.threshold_->as<double>();
     if (input.max_period_->count() > 0) v.options.max_period = input.max_period_->as<int>();
     std::optional<RecordWriter> record =
         open_record(output, "Mode of a measured series", {input.record, input.series.file});
-    v.verdict = analysis::classify_series(v.used.values, v.options);
+    v.verdict = verdict_of(v);
     if (record) {
         write_to_record(record->root(), v);
         record->finish();
@@ -193,7 +211,7 @@ int classify_measured(const ClassifyInput& input, const OutputOptions& output) {
     if (output.json)
         write_document(v);
     else if (!output.quiet)
-        print_verdict(v);
+        print_verdict(v, verbose);
     return exit_done;
 }
 

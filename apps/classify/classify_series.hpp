@@ -1,12 +1,12 @@
-// `swirl classify` on what is not a scene: a record, whose scene and start are followed on, or a measured series.
+// `swirl classify` on what is not a scene: a record of an orbit, or a measured series.
 #pragma once
 
+#include "apps/classify/classify_record.hpp"
 #include "apps/command_line/cli_names.hpp"
 #include "apps/command_line/output_options.hpp"
-#include "apps/command_line/scene_options.hpp"
-#include "apps/command_line/start_options.hpp"
 #include "apps/input/measured_series.hpp"
 
+#include <optional>
 #include <string>
 
 namespace swirl::apps::classify {
@@ -20,20 +20,24 @@ struct ClassifyInput {
     /// After the command's own --transient, --collisions, --threshold and --max-period.
     void add_to(CLI::App& command);
 
-    /// Takes scene and start from the record, if one was given. @throws BadInput if it holds no orbit
-    void take_record(SceneOptions& scene, StartOptions& start, bool quiet) const;
+    /// The record's orbit, if a record was given, whose scene and start are set. @throws BadInput if it holds none
+    std::optional<RecordedOrbit> recorded(SceneOptions& scene, StartOptions& start) const;
 
     /// A series, or a record without a scene. @throws BadInput if flags gave a scene, too
     bool is_series(const SceneOptions& scene, const StartOptions& start) const;
 
 private:
-    friend int classify_measured(const ClassifyInput& input, const OutputOptions& output);
+    friend int classify_measured(const ClassifyInput& input, const SceneOptions& scene, const StartOptions& start,
+                                 const OutputOptions& output, bool verbose);
     CLI::Option *transient_ = nullptr, *collisions_ = nullptr, *threshold_ = nullptr, *max_period_ = nullptr;
 };
 
 extern const char* const classify_series_details;
 
+///   scene, start  have --swirl-rate and --angle, if anything
+///   verbose  the table has all of the evidence
 /// @return the exit code
-int classify_measured(const ClassifyInput& input, const OutputOptions& output);
+int classify_measured(const ClassifyInput& input, const SceneOptions& scene, const StartOptions& start,
+                      const OutputOptions& output, bool verbose);
 
 }  // namespace swirl::apps::classify

@@ -43,6 +43,7 @@ Table<RunVerdict> runs_table() {
              {"mean_S", &Run::mean_spin, "omega_s", "time mean of S"},
              {"mean_S_per_impact", &Run::mean_spin_per_impact, "omega_s", "mean of S over impacts"},
              {"recurrence_rate", &Run::recurrence_rate, "1", "RC of S"},
+             {"ln_multiplier", &Run::ln_multiplier, "1", "of a cycle: ln of its largest |multiplier|, DF^period"},
              {"largest_exponent", &Run::largest_exponent, "1", "largest Lyapunov exponent per impact"},
              {"largest_exponent_error", &Run::largest_exponent_error, "1", "its standard error"}}};
 }
@@ -70,6 +71,8 @@ Table<SharedAttractor> attractors_table(const RunsFound& found) {
              "error", " {:>9.2g}"),
          F{"largest_exponent", &SharedAttractor::largest_exponent, "1", "mean over the runs, per impact"}.shown(
              "exponent", " {:>11.4g}"),
+         F{"ln_multiplier", first(&RunVerdict::ln_multiplier), "1", "of a cycle: ln of its largest |multiplier|"}.shown(
+             "ln|multiplier|", " {:>14.4g}"),
          F{"recurrence_rate", &SharedAttractor::recurrence_rate, "1", "mean over the runs"}.shown("RC", " {:>11.4g}"),
          F{"seed", first(&RunVerdict::seed)}.stored_as(ElementType::string).shown("seed", "  {}")},
         {"seed", "mode", "kind", "outcome", "period"}};
@@ -101,15 +104,16 @@ void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, 
     write_record(runs, runs_table(), found.runs);
 }
 
-void print_runs(const Scene<double>& scene, const RunsFound& found) {
-    fmt::print("{}\n  {} runs:", scene_in_words(scene), found.runs.size());
+void print_runs(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found) {
+    const auto units = options.scene.units();
+    fmt::print("{}\n{}  {} runs:", scene_in_words(scene), units_in_words(units), found.runs.size());
     for (const auto& [mode, count] : counts_of(found.runs, &RunVerdict::mode))
         fmt::print(" {} {:.4g} %", name_of(mode), 100 * share(count, found));
     fmt::print("\n");
     if (found.escape) fmt::print("  {}\n", in_words(*found.escape));
-    print_table(attractors_table(found), found.attractors);
+    print_table(in_units(attractors_table(found), units), found.attractors);
     fmt::print("the first of them, seed {}:\n{}", found.runs[found.attractors.front().runs.front()].seed,
-               table_of(found.first.value()));
+               table_of(found.first.value(), options.verbose, units));
 }
 
 }  // namespace swirl::apps::classify

@@ -13,6 +13,6 @@ void write_runs_document(const ClassifyCommandOptions& options, const Scene<doub
 void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, const Scene<double>& scene,
                 const RunsFound& found);
 
-void print_runs(const Scene<double>& scene, const RunsFound& found);
+void print_runs(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found);
 
 }  // namespace swirl::apps::classify

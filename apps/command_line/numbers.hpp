@@ -50,4 +50,10 @@ std::vector<T> numbers_from(const std::string& name, const std::string& text, st
     return numbers;
 }
 
+/// `count` points from the decimal `a` to the decimal `b` in equal steps, each the double nearest to A + (B − A)
+/// i/(count − 1), so that the seventh of 0.1 … 1 in tenths is the number that a user writes as 0.7: an orbit of its
+/// scene is then the same in every command. (In double the sum would give 0.7000000000000001.) @throws BadInput naming
+/// A or B
+std::vector<double> points_between(const std::string& a, const std::string& b, long count);
+
 }  // namespace swirl::apps

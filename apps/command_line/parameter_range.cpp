@@ -56,10 +56,7 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
     along.low = std::min(a, b);
     along.high = std::max(a, b);
     along.falling = a > b;
-    const long count = counted ? count_from(text, parts[2]) : 0;
-    for (long i = 0; i < count; ++i)
-        along.columns.push_back(i == count - 1 ? b
-                                               : a + (b - a) * static_cast<double>(i) / static_cast<double>(count - 1));
+    if (counted) along.columns = points_between(parts[0], parts[1], count_from(text, parts[2]));
     return along;
 }
 

@@ -62,18 +62,23 @@ void require_output(const OutputOptions& output, const std::vector<std::string>&
 }
 
 std::optional<RecordWriter> open_record(const OutputOptions& output, const std::string& title,
-                                        const std::vector<std::string>& inputs) {
+                                        const std::vector<std::string>& inputs, const std::optional<Units>& units) {
     if (output.record.empty()) return std::nullopt;
     require_output(output, inputs);
     try {
-        return create_record(output, title);
+        return create_record(output, title, units);
     } catch (const RecordError& error) {
         throw BadInput(error.what());
     }
 }
 
-RecordWriter create_record(const OutputOptions& output, const std::string& title) {
-    return {output.record, {title, version(), instruction_set(), output.command}};
+RecordWriter create_record(const OutputOptions& output, const std::string& title, const std::optional<Units>& units) {
+    RecordWriter record(output.record, {title, version(), instruction_set(), output.command});
+    if (units) {
+        write_attributes(record.root().group("units"), unit_settings(*units));
+        record.scale_units([units = *units](const std::string& unit) { return physical_scale(units, unit); });
+    }
+    return record;
 }
 
 }  // namespace swirl::apps

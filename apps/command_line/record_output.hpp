@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/command_line/output_options.hpp"
+#include "apps/output/units.hpp"
 #include "apps/record/record_writer.hpp"
 
 #include <optional>
@@ -23,11 +24,14 @@ void require_output(const OutputOptions& output, const std::vector<std::string>&
 
 /// The record of -o, opened before any work; none without -o.
 ///   inputs  all files that the command reads
+///   units   of a scene in physical units: the record gets a group `units`, and its columns the attribute
+///   physical_scale
 /// @throws BadInput if it can't be created, is an input, or would replace what it must not
 std::optional<RecordWriter> open_record(const OutputOptions& output, const std::string& title,
-                                        const std::vector<std::string>& inputs);
+                                        const std::vector<std::string>& inputs, const std::optional<Units>& units = {});
 
 /// The same after the work, where the record takes only what is finished. @throws RecordError if it can't be created
-RecordWriter create_record(const OutputOptions& output, const std::string& title);
+RecordWriter create_record(const OutputOptions& output, const std::string& title,
+                           const std::optional<Units>& units = {});
 
 }  // namespace swirl::apps

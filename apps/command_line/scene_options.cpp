@@ -27,7 +27,7 @@ constexpr std::array<SceneName, 12> scene_names = {{
     {"inertia-factor", "kappa, I = kappa m R_p^2 (default: the uniform lamina's)"},
     {"container-radius", "R_c, in your unit of length"},
     {"swirl-radius", "r_s, instead of --beta"},
-    {"swirl-rate", "omega_s, in radians per your unit of time (default 1)"},
+    {"swirl-rate", "omega_s, in radians per your unit of time (default 1); also with --series and --angle"},
     {"polygon-radius", "R_p, instead of --alpha"},
     {"mass", "m, in your unit of mass (default 1)"},
 }};
@@ -44,7 +44,7 @@ bool is_scene_name(const std::string& name) {
 std::string text_of(const std::string& file, const std::string& key, const toml::node& node) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
-    if (const auto* number = node.as_floating_point()) return fmt::format("{:.17g}", number->get());
+    if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());  // 0.4 as a flag has it
     throw BadInput(fmt::format("scene file '{}': key '{}' must be a number or a string", file, key));
 }
 

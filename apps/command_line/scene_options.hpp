@@ -3,6 +3,7 @@
 
 #include "apps/command_line/cli_names.hpp"
 #include "apps/command_line/numbers.hpp"
+#include "apps/output/units.hpp"
 #include "map/model/scene.hpp"
 
 #include <map>
@@ -10,13 +11,6 @@
 #include <string>
 
 namespace swirl::apps {
-
-/// The units of physical input: lengths in R_c, times in 1/ω_s, masses in m.
-struct Units {
-    double length = 1;
-    double time = 1;
-    double mass = 1;
-};
 
 /// The texts that were given for the scene, by the names of the flags.
 class SceneOptions {
@@ -27,15 +21,25 @@ public:
     /// Reads --scene FILE if it was given; flags win. Call once after parsing. @throws BadInput
     void read_file();
 
-    /// The scene, every number read as a T. @throws BadInput (missing), std::invalid_argument (out of range)
+    /// The scene, every number read as a T. @throws BadInput (missing, units that are none), std::invalid_argument (out
+    /// of range)
     template <class T>
     Scene<T> scene() const;
 
     /// The units, if any physical number was given. @throws BadInput
     std::optional<Units> units() const;
 
-    /// True if any flag of a scene, or a scene file, was given.
-    bool given() const { return !flags_.empty() || !file_.empty(); }
+    /// True if any flag of a scene, or a scene file, was given; the flag `but` apart.
+    bool given(const std::string& but = "") const { return flags_.size() > flags_.count(but) || !file_.empty(); }
+    /// What a flag itself was given, without the file's or another's word.
+    std::string flag(const std::string& name, const std::string& otherwise) const {
+        return flags_.count(name) != 0 ? flags_.at(name) : otherwise;
+    }
+
+    /// What was given for a parameter, `otherwise` where nothing was.
+    std::string text(const std::string& name, const std::string& otherwise) const {
+        return has(name) ? values_.at(name) : otherwise;
+    }
 
     /// The scene file; empty: none.
     const std::string& file() const { return file_; }
@@ -43,8 +47,10 @@ public:
     /// Replaces one parameter (a sweep's or continuation's), as if its flag had been given.
     void set(const std::string& name, const std::string& text);
 
-private:
+    /// True if the parameter was given, by a flag, the scene file or `set`.
     bool has(const std::string& name) const { return values_.count(name) != 0; }
+
+private:
     const std::string& required(const std::string& name, const std::string& instead) const;
     /// A dimensionless ratio, given itself or as two lengths.
     template <class T>
@@ -80,6 +86,7 @@ T SceneOptions::ratio(const std::string& name, const std::string& length) const 
 
 template <class T>
 Scene<T> SceneOptions::scene() const {
+    units();  // refuses those that are none, whether or not anything is converted
     Scene<T> scene;
     scene.sides = sides_from(required("sides", ""));
     scene.alpha = ratio<T>("alpha", "polygon-radius");

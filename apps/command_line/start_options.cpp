@@ -27,6 +27,9 @@ LabStart<double> random_start(double beta, double speed, std::uint64_t seed, std
 
 namespace {
 
+// Named in the help, over the flags.
+constexpr const char* start_group = "Start (in your own units where the scene has --container-radius or --swirl-rate)";
+
 std::uint64_t seed_from(const std::string& text) {
     std::uint64_t seed = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
@@ -47,26 +50,30 @@ CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const std::string&
 
 void StartOptions::add_to(CLI::App& command) {
     constexpr std::pair<const char*, const char*> lab_names[] = {
-        {"x", "centre, from the swirl's centre (default beta)"},
-        {"y", "centre"},
-        {"vx", "velocity"},
-        {"vy", "velocity"},
-        {"angle", "vertex 0's direction, radians"},
-        {"spin", "S"}};
+        {"x", "centre, from the swirl's centre, in R_c (default: the container's centre, beta)"},
+        {"y", "centre, in R_c (default 0)"},
+        {"vx", "velocity, in R_c omega_s (default 0)"},
+        {"vy", "velocity, in R_c omega_s (default 0)"},
+        {"angle", "vertex 0's direction, in radians (default 0); with --series the column of a measured angle"},
+        {"spin", "in omega_s: S (default 0)"}};
     for (const auto& [name, help] : lab_names)
         command
             .add_option_function<std::string>(
                 std::string("--") + name,
                 [this, key = std::string(name)](const std::string& text) { lab_[key] = text; }, help)
             ->type_name("")
-            ->group("Start");
-    command.add_option("--point", point_, "psi,chi,vn,vt,S just after an impact (a disk drops chi)")
+            ->group(start_group);
+    command
+        .add_option("--point", point_,
+                    "psi,chi,vn,vt,S just after an impact (a disk drops chi): radians, R_c omega_s, omega_s")
         ->type_name("")
-        ->group("Start");
-    command.add_option("--speed", speed_, "random start at the container's centre with this speed (default 1/7)")
+        ->group(start_group);
+    command
+        .add_option("--speed", speed_,
+                    "random start at the container's centre with this speed, in R_c omega_s (default 1/7 R_c omega_s)")
         ->type_name("")
-        ->group("Start");
-    add_seed(command, seed_, "of the random start (default 1)", &seed_given_)->group("Start");
+        ->group(start_group);
+    add_seed(command, seed_, "of the random start (default 1)", &seed_given_)->group(start_group);
 }
 
 void StartOptions::set(const std::string& name, const std::string& text) {
@@ -87,7 +94,7 @@ double StartOptions::speed() const {
     const double value = number_from<double>("speed", speed_);
     if (!(value >= 0 && std::isfinite(value)))
         throw BadInput(fmt::format("speed = {} is outside its range: speed >= 0, finite", speed_));
-    return value;
+    return value / (number_from<double>("container-radius", length_) * number_from<double>("swirl-rate", rate_));
 }
 
 void StartOptions::require_one_way() const {

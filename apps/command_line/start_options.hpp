@@ -3,6 +3,7 @@
 
 #include "apps/command_line/cli_names.hpp"
 #include "apps/command_line/numbers.hpp"
+#include "apps/command_line/scene_options.hpp"
 #include "map/orbit/laboratory.hpp"
 
 #include <cstdint>
@@ -33,8 +34,21 @@ public:
     bool is_random() const { return lab_.empty() && point_.empty(); }
     /// True if any flag of a start was given.
     bool given() const { return !is_random() || !speed_.empty() || seed_given_; }
+    /// The same but for --angle, which with --series names a column: angle_text().
+    bool given_beside_angle() const {
+        return lab_.size() > lab_.count("angle") || !point_.empty() || !speed_.empty() || seed_given_;
+    }
+    std::string angle_text() const { return lab_.count("angle") != 0 ? lab_.at("angle") : ""; }
     /// As if the flag `name` had been given (a record's start). @throws BadInput for a seed out of range
     void set(const std::string& name, const std::string& text);
+    /// Numbers are in the scene's physical units from now on, if it has any: lengths in that of R_c, velocities in that
+    /// of R_c ω_s, spins in that of ω_s. Call once after SceneOptions::read_file().
+    void take_units(const SceneOptions& scene) {
+        if (!scene.units()) return;
+        length_ = scene.text("container-radius", length_);
+        rate_ = scene.text("swirl-rate", rate_);
+    }
+    /// Of the random start, in R_c ω_s. @throws BadInput
     double speed() const;
     std::uint64_t seed() const { return seed_; }
 
@@ -50,6 +64,7 @@ private:
     std::map<std::string, std::string> lab_;
     std::string point_;
     std::string speed_;
+    std::string length_ = "1", rate_ = "1";  ///< R_c and ω_s in the user's units
     std::uint64_t seed_ = 1;
     bool seed_given_ = false;
 };
@@ -64,23 +79,28 @@ SectionPoint<T> section_point_from(const std::string& name, const std::string& t
 template <class T>
 Start<T> StartOptions::start(const Scene<T>& scene, std::uint64_t run) const {
     require_one_way();
-    if (!point_.empty()) return section_point_from<T>("--point", point_, scene.is_disk());
+    const T length = number_from<T>("container-radius", length_), rate = number_from<T>("swirl-rate", rate_);
+    const T velocity = length * rate;
+    if (!point_.empty()) {
+        SectionPoint<T> z = section_point_from<T>("--point", point_, scene.is_disk());
+        return SectionPoint<T>{z.psi, z.chi, z.vn / velocity, z.vt / velocity, z.spin / rate};
+    }
     if (is_random()) {
         const LabStart<double> s = random_start(static_cast<double>(scene.beta), speed(), seed_, run);
         return LabStart<T>{scene.beta, T(0), T(s.vx), T(s.vy), T(s.angle), T(0)};
     }
     LabStart<T> start;
     start.x = scene.beta;
-    const auto read = [&](const char* name, T& value) {
+    const auto read = [&](const char* name, T& value, const T& unit) {
         const auto found = lab_.find(name);
-        if (found != lab_.end()) value = number_from<T>(name, found->second);
+        if (found != lab_.end()) value = number_from<T>(name, found->second) / unit;
     };
-    read("x", start.x);
-    read("y", start.y);
-    read("vx", start.vx);
-    read("vy", start.vy);
-    read("angle", start.angle);
-    read("spin", start.spin);
+    read("x", start.x, length);
+    read("y", start.y, length);
+    read("vx", start.vx, velocity);
+    read("vy", start.vy, velocity);
+    read("angle", start.angle, T(1));
+    read("spin", start.spin, rate);
     return start;
 }
 

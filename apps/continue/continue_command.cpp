@@ -119,8 +119,8 @@ int continue_orbit(ContinueOptions& options) {
                              : "not a member of a family of one parameter: --along a parameter of the scene"));
         cycle.clear();
     }
-    std::optional<RecordWriter> record =
-        open_record(options.output, "Branches of cycles of a swirled polygon", {options.scene.file()});
+    std::optional<RecordWriter> record = open_record(options.output, "Branches of cycles of a swirled polygon",
+                                                     {options.scene.file()}, options.scene.units());
     note_interruptions();
     std::vector<analysis::Branch> branches(1);
     Progress progress("continue", along.high - along.low, options.output.quiet);

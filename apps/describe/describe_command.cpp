@@ -43,13 +43,12 @@ Description description_of(const Scene<double>& scene, double max_time) {
 int describe(DescribeOptions& options) {
     options.scene.read_file();
     const Scene<double> scene = options.scene.scene<double>();
-    options.scene.units();  // wrong ones are refused, whatever is written
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: describe works in double", options.output.accuracy_name));
     if (!(options.max_time > 0 && options.max_time <= 1e4))
         throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= 10000", options.max_time));
-    std::optional<RecordWriter> record =
-        open_record(options.output, "What is known of a swirled polygon", {options.scene.file()});
+    std::optional<RecordWriter> record = open_record(options.output, "What is known of a swirled polygon",
+                                                     {options.scene.file()}, options.scene.units());
     exit_when_interrupted();
     const Description d = description_of(scene, options.max_time);
     const Settings settings = {{"max_time", options.max_time},
@@ -62,7 +61,7 @@ int describe(DescribeOptions& options) {
     if (options.output.json)
         write_description_document(options, d, settings);
     else if (!options.output.quiet)
-        print_description(d);
+        print_description(d, options.scene.units());
     return exit_done;
 }
 

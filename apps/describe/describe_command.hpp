@@ -43,7 +43,7 @@ struct Description {
 Description description_of(const Scene<double>& scene, double max_time);
 
 void write_description_document(const DescribeOptions& options, const Description& d, const Settings& settings);
-void print_description(const Description& d);
+void print_description(const Description& d, const std::optional<Units>& units);
 /// Groups scene, settings, facts (attributes), rim (of a disk), steady_modes and families (if there are any).
 void write_description_record(const RecordGroup& root, const Description& d, const Settings& settings);
 

@@ -158,9 +158,10 @@ Table<DescribedFamily> family_table(bool disk) {
 }
 
 /// Where S is free, the families are searched for up to some |S|.
-std::string spins_in_words(const Description& d) {
+///   time  1/ω_s in the units of the table
+std::string spins_in_words(const Description& d, double time) {
     const bool free = d.steady.set == SteadySet::families && !d.scene.is_disk();
-    return free ? fmt::format(" and |S| <= {:g}", d.search.fastest_spin) : "";
+    return free ? fmt::format(" and |S| <= {:g}", d.search.fastest_spin / time) : "";
 }
 
 std::string counted(const Description& d) {
@@ -191,18 +192,21 @@ void write_description_document(const DescribeOptions& options, const Descriptio
     });
 }
 
-void print_description(const Description& d) {
+void print_description(const Description& d, const std::optional<Units>& units) {
+    const double time = units.value_or(Units{}).time;
     const bool disk = d.scene.is_disk();
-    fmt::print("{}\n{}", scene_in_words(d.scene), shown_lines_of(fact_table(disk), d));
-    if (d.facts.rim) fmt::print("{}", shown_lines_of(rim_table(), *d.facts.rim));
+    fmt::print("{}\n{}{}", scene_in_words(d.scene), units_in_words(units),
+               shown_lines_of(in_units(fact_table(disk), units), d));
+    if (d.facts.rim) fmt::print("{}", shown_lines_of(in_units(rim_table(), units), *d.facts.rim));
     if (!d.none_exist.empty()) return fmt::print("  {}\n", d.none_exist);
-    fmt::print("  steady modes with tau <= {:g}{}: {}{}\n", d.search.longest_flight, spins_in_words(d), counted(d),
-               d.is_complete()
-                   ? ""
-                   : fmt::format("; all up to tau = {:.6g}: there are more than are looked at", d.steady.complete_to));
+    fmt::print("  steady modes with tau <= {:g}{}: {}{}\n", d.search.longest_flight * time, spins_in_words(d, time),
+               counted(d),
+               d.is_complete() ? ""
+                               : fmt::format("; all up to tau = {:.6g}: there are more than are looked at",
+                                             d.steady.complete_to * time));
     if (d.steady.phase_is_free) fmt::print("  psi of a steady mode is any constant (beta = 0); listed is psi = 0\n");
-    if (!d.steady.modes.empty()) print_table(mode_table(disk, 0), d.steady.modes);
-    if (!d.families.empty()) print_table(family_table(disk), d.families);
+    if (!d.steady.modes.empty()) print_table(in_units(mode_table(disk, 0), units), d.steady.modes);
+    if (!d.families.empty()) print_table(in_units(family_table(disk), units), d.families);
 }
 
 void write_description_record(const RecordGroup& root, const Description& d, const Settings& settings) {

@@ -15,8 +15,9 @@ const char* const input_details =
 or --series FILE: a text file (- for standard input), a sample a line, cells separated by tabs, semicolons,
 commas or blanks, with a header or none; lines that begin with # or % are skipped. The times are the column
 --time NAME (or its number from 1 on, or none), by default the header's t or time, without a header the first of
-several columns. The values are --column NAME, by default S or spin, else the last other column. Times must
-rise; an empty cell, nan or NA is a gap.)";
+several columns. The values are --column NAME, by default S or spin, else the last other column; or S of an angle
+(--angle COLUMN --swirl-rate W), or a distance (--position X Y). Times must rise; an empty cell, nan or NA is a gap,
+and so is a row that is not there between times that are otherwise even.)";
 
 void InputOptions::add_to(CLI::App& command) {
     scene.add_to(command);
@@ -25,19 +26,7 @@ void InputOptions::add_to(CLI::App& command) {
     command.add_option("RECORD,--record", record, "a record that swirl simulate -o wrote")
         ->type_name("FILE.h5")
         ->group("Input");
-    command.add_option("--series", series.file, "a measured series, text; - reads standard input")
-        ->type_name("FILE.csv")
-        ->group("Input");
-    command.add_option("--column", series.column, "the series' values: name or number of the column")
-        ->type_name("NAME")
-        ->group("Input");
-    command.add_option("--time", series.time, "the series' times: name or number of the column, or none")
-        ->type_name("NAME")
-        ->group("Input");
-    command
-        .add_option("--spacing", series.spacing, "time between samples where there is no column of times (default 1)")
-        ->type_name("DT")
-        ->group("Input");
+    series.add_to(command, true);
     command.add_option("--transient", transient, "impacts (samples) left out first (scene: 10000, else 0)")
         ->type_name("K")
         ->transform(counts)
@@ -49,12 +38,15 @@ void InputOptions::add_to(CLI::App& command) {
 }
 
 InputKind InputOptions::kind() const {
-    const bool from_scene = scene.given() || start.given();
+    const bool from_series = !series.file.empty();  // then two flags of scene and start are the series'
+    const bool from_scene =
+        from_series ? scene.given("swirl-rate") || start.given_beside_angle() : scene.given() || start.given();
     if (!record.empty() && !series.file.empty()) throw BadInput("a record and --series are both given; give one");
     if (from_scene && !record.empty()) throw BadInput("a scene and a record are both given; give one");
     if (from_scene && !series.file.empty()) throw BadInput("a scene and --series are both given; give one");
-    if (series.file.empty() && !(series.column.empty() && series.time.empty()))
-        throw BadInput("--column and --time are a series'; --series FILE is missing");
+    if (series.file.empty() && series.given())
+        throw BadInput(
+            "--column, --position, --time, --degrees and --symmetry are a series'; --series FILE is missing");
     if (!record.empty()) return InputKind::record;
     if (!series.file.empty()) return InputKind::series;
     if (!from_scene) throw BadInput("nothing to analyse: give a scene (--sides ...), a record, or --series FILE");
@@ -69,11 +61,15 @@ ImpactRange InputOptions::range() const {
 OrbitColumns InputOptions::orbit(const OutputOptions& output, const std::vector<std::string>& names) {
     if (kind() == InputKind::record) return read_orbit(record, range(), names);
     scene.read_file();
+    start.take_units(scene);
     return follow_orbit(scene, start, output, range(), names);
 }
 
 MeasuredSeries InputOptions::measured() const {
-    MeasuredSeries whole = read_series(series);
+    SeriesChoice choice = series;
+    choice.angle = start.angle_text();
+    choice.swirl_rate = number_from<double>("swirl-rate", scene.flag("swirl-rate", "1"));
+    MeasuredSeries whole = read_series(choice);
     if (!transient && !collisions) return whole;
     const auto rows = static_cast<std::int64_t>(whole.values.size());
     const std::int64_t first = transient.value_or(0);
@@ -101,14 +97,21 @@ void write_orbit(const RecordGroup& root, const OrbitColumns& orbit) {
 }
 
 Settings series_settings(const MeasuredSeries& s) {
-    return {{"column", s.column},
-            {"time", s.time},
-            {"samples", static_cast<std::int64_t>(s.values.size())},
-            {"missing", static_cast<std::int64_t>(s.missing)},
-            {"even", s.even},
-            {"spacing", s.spacing},
-            {"largest_step", s.largest_step},
-            {"largest_deviation", s.largest_deviation}};
+    Settings settings = {{"column", s.column},
+                         {"quantity", s.quantity},
+                         {"time", s.time},
+                         {"rows", static_cast<std::int64_t>(s.rows)},
+                         {"samples", static_cast<std::int64_t>(s.values.size())},
+                         {"missing", static_cast<std::int64_t>(s.missing)},
+                         {"gaps", static_cast<std::int64_t>(s.gaps)},
+                         {"even", s.even},
+                         {"spacing", s.spacing},
+                         {"largest_step", s.largest_step},
+                         {"largest_deviation", s.largest_deviation}};
+    if (s.quantity != spin_of_angle) return settings;
+    settings.emplace_back("swirl_rate", s.swirl_rate);
+    settings.emplace_back("largest_turn", s.largest_turn);
+    return settings;
 }
 
 bool is_series_record(const std::string& file) {
@@ -131,6 +134,15 @@ MeasuredSeries read_series_record(const std::string& file) {
         if (series.times.size() != series.values.size())
             throw BadInput(
                 fmt::format("record '{}' has {} times of {} values", file, series.times.size(), series.values.size()));
+        series.rows = series.times.size();
+        if (record.has_attribute("/series", "rows"))
+            series.rows = static_cast<std::size_t>(record.attribute<std::int64_t>("/series", "rows"));
+        if (record.has_attribute("/series", "quantity"))
+            series.quantity = record.attribute<std::string>("/series", "quantity");
+        if (record.has_attribute("/series", "swirl_rate"))
+            series.swirl_rate = record.attribute<double>("/series", "swirl_rate");
+        if (record.has_attribute("/series", "largest_turn"))
+            series.largest_turn = record.attribute<double>("/series", "largest_turn");
         return part_of(series, 0, series.values.size());
     } catch (const RecordError& error) {  // a named file that can't be read is bad input: no work has begun
         throw BadInput(error.what());

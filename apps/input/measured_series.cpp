@@ -1,10 +1,13 @@
 #include "apps/input/measured_series.hpp"
 
 #include "apps/command_line/errors.hpp"
+#include "apps/command_line/number_checks.hpp"
 #include "apps/input/delimited_file.hpp"
+#include "apps/input/series_of_motion.hpp"
 #include "map/model/scene.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -71,6 +74,7 @@ void require_not_too_large(const DelimitedFile& file, const std::vector<double>&
 /// be held
 void describe(MeasuredSeries& series) {
     series.missing = 0;
+    series.gaps = count_gaps(series.values);
     double largest = 0;
     for (const double v : series.values) {
         series.missing += std::isnan(v) ? 1 : 0;
@@ -95,31 +99,99 @@ void describe(MeasuredSeries& series) {
     series.even = series.largest_deviation <= even_within;
 }
 
+void check(const SeriesChoice& choice) {
+    if (!choice.angle.empty() + !choice.position.empty() + !choice.column.empty() > 1)
+        throw BadInput("--column, --angle and --position each say what is analysed; give one");
+    if (choice.angle.empty() && (choice.degrees || choice.symmetry != 1 || choice.swirl_rate != 1))
+        throw BadInput("--degrees, --symmetry and --swirl-rate of a series are an angle's; --angle COLUMN is missing");
+    if (!(choice.swirl_rate > 0 && detail::is_holdable(choice.swirl_rate)))
+        throw BadInput(fmt::format("swirl-rate = {} is outside its range: {:g} to {:g}", choice.swirl_rate,
+                                   detail::smallest_magnitude, detail::largest_magnitude));
+    if (!(choice.spacing > 0 && detail::is_holdable(choice.spacing)))
+        throw BadInput(fmt::format("spacing = {} is outside its range: {:g} to {:g}", choice.spacing,
+                                   detail::smallest_magnitude, detail::largest_magnitude));
+}
+
+std::vector<std::size_t> value_columns(const DelimitedFile& file, const SeriesChoice& choice,
+                                       std::optional<std::size_t> time) {
+    if (!choice.position.empty())
+        return {column_of(file, "--position", choice.position.front()),
+                column_of(file, "--position", choice.position.back())};
+    if (!choice.angle.empty()) return {column_of(file, "--angle", choice.angle)};
+    return {value_column(file, choice.column, time)};
+}
+
+/// Values, and of an angle their times, of the columns.
+void take_values(const SeriesChoice& choice, std::vector<std::vector<double>>& columns, MeasuredSeries& series) {
+    series.quantity = as_measured;
+    series.values = std::move(columns[0]);
+    if (!choice.position.empty()) {
+        series.quantity = distance_of_position;
+        for (std::size_t i = 0; i < series.values.size(); ++i)
+            series.values[i] = std::hypot(series.values[i], columns[1][i]);
+    } else if (!choice.angle.empty()) {
+        series.quantity = spin_of_angle;
+        if (choice.degrees)
+            for (double& angle : series.values) angle *= pi<double>() / 180;
+        AngleRates rates =
+            rates_of_angle(series.times, series.values, 2 * pi<double>() / choice.symmetry, choice.swirl_rate);
+        series.times = std::move(rates.times);
+        series.values = std::move(rates.values);
+        series.largest_turn = rates.largest_turn;
+        series.swirl_rate = choice.swirl_rate;
+    }
+}
+
 }  // namespace
 
+void SeriesChoice::add_to(CLI::App& command, bool with_spacing) {
+    const auto text = [&](const char* name, std::string& target, const char* type, const char* help) {
+        command.add_option(name, target, help)->type_name(type)->group("Input");
+    };
+    text("--series", file, "FILE.csv", "a measured series, text; - reads standard input");
+    text("--column", column, "NAME", "the series' values: name or number of the column");
+    text("--time", time, "NAME", "the series' times: name or number of the column, or none");
+    if (with_spacing)
+        command.add_option("--spacing", spacing, "time between samples where there is no column of times (default 1)")
+            ->type_name("DT")
+            ->group("Input");
+    command.add_flag("--degrees", degrees, "of --angle COLUMN, whose rate over --swirl-rate is S: it is in degrees")
+        ->group("Input");
+    command.add_option("--symmetry", symmetry, "of --angle COLUMN: it is known modulo 1/N of a turn (default 1)")
+        ->type_name("N")
+        ->transform(whole_number(1, 1'000'000))
+        ->group("Input");
+    command
+        .add_option("--position", position,
+                    "in place of --column: two columns, of which the distance from (0, 0) is analysed: the swirl's "
+                    "centre in the laboratory, or the container's in its own frame")
+        ->type_name("X Y")
+        ->expected(2)
+        ->group("Input");
+}
+
 MeasuredSeries read_series(const SeriesChoice& choice) {
+    check(choice);
     const DelimitedFile file = read_delimited(choice.file);
     const auto time = time_column(file, choice.time);
-    const std::size_t value = value_column(file, choice.column, time);
+    const auto wanted = value_columns(file, choice, time);
     MeasuredSeries series;
-    series.column = column_name(file, value);
-    std::vector<std::vector<double>> columns;
+    for (const std::size_t k : wanted) series.column += (series.column.empty() ? "" : ", ") + column_name(file, k);
+    std::vector<std::vector<double>> columns = numbers_of(file, wanted, std::vector<bool>(wanted.size(), true));
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+        require_not_too_large(file, columns[k], column_name(file, wanted[k]));
     if (time) {
-        columns = numbers_of(file, {value, *time}, {true, false});
         series.time = column_name(file, *time);
-        require_not_too_large(file, columns[1], series.time);
-        require_rising(file, columns[1], series.time);
-        series.times = std::move(columns[1]);
+        series.times = numbers_of(file, {*time}, {false})[0];
+        require_not_too_large(file, series.times, series.time);
+        require_rising(file, series.times, series.time);
     } else {
-        if (!(choice.spacing > 0 && detail::is_holdable(choice.spacing)))
-            throw BadInput(fmt::format("spacing = {} is outside its range: {:g} to {:g}", choice.spacing,
-                                       detail::smallest_magnitude, detail::largest_magnitude));
-        columns = numbers_of(file, {value}, {true});
         for (std::size_t i = 0; i < columns[0].size(); ++i)
             series.times.push_back(static_cast<double>(i) * choice.spacing);
     }
-    require_not_too_large(file, columns[0], series.column);
-    series.values = std::move(columns[0]);
+    series.rows = columns[0].size();
+    fill_lost_rows(series.times, columns);
+    take_values(choice, columns, series);
     describe(series);
     return series;
 }
@@ -134,6 +206,15 @@ MeasuredSeries part_of(const MeasuredSeries& series, std::size_t first, std::siz
     cut(part.times);
     describe(part);
     return part;
+}
+
+std::string series_in_words(const MeasuredSeries& series) {
+    const std::string quantity = series.is_motion() ? fmt::format(" ({})", series.quantity) : "";
+    const std::string gaps = series.gaps == 0 ? "no gaps"
+                                              : fmt::format("{} gap{} ({} samples missing)", series.gaps,
+                                                            series.gaps == 1 ? "" : "s", series.missing);
+    return fmt::format("column {}{}, {} rows, {} {:.6g}, {}", series.column, quantity, series.rows,
+                       series.even ? "spacing" : "mean spacing", series.spacing, gaps);
 }
 
 }  // namespace swirl::apps

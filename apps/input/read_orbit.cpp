@@ -23,10 +23,11 @@ T setting(const Settings& settings, const std::string& name, T otherwise) {
     return otherwise;
 }
 
-/// A number or a word as its flag would give it; 17 digits give the same double back.
+/// A number or a word as its flag would give it: the shortest decimal, which in more digits than double is the number
+/// that the user gave.
 std::string text_of(const AttributeValue& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.17g}", *number);
+    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
     if (const auto* natural = std::get_if<std::uint64_t>(&value)) return fmt::format("{}", *natural);
     throw BadInput("record: a value of its scene or start is neither a number nor a word");

@@ -4,6 +4,7 @@
 
 #include <boost/locale/utf.hpp>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <system_error>
@@ -94,7 +95,9 @@ void JsonWriter::value(double number) {
     if (number == 0 && std::signbit(number)) {
         buffer_ += "-0.0";
     } else {
-        fmt::format_to(std::back_inserter(buffer_), "{:.17g}", number);
+        char digits[32];  // the longest, -2.2250738585072014e-308, has 24
+        const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
+        buffer_.append(digits, end);
     }
 }
 

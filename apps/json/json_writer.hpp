@@ -36,7 +36,7 @@ public:
     void end_array() { end(false); }
     void key(std::string_view name);
 
-    /// 17 significant digits, so that reading gives the same bits back (-0.0 too); null when not finite.
+    /// The shortest decimal that reads back to the same bits (-0.0 too); null when not finite.
     void value(double number);
     void value(bool truth);
     template <std::integral Integer>

@@ -114,11 +114,11 @@ void write_document(const LyapunovCommandOptions& options, const Scene<double>& 
     });
 }
 
-void print_spectrum(const Scene<double>& scene, const OrbitSpectrum& s) {
-    fmt::print("{}\n  outcome {}; {} collisions counted, time {:.6g}\n", scene_in_words(scene), name_of(s.outcome),
-               s.spectrum.steps, s.spectrum.time);
+void print_spectrum(const Scene<double>& scene, const OrbitSpectrum& s, const std::optional<Units>& units) {
+    fmt::print("{}\n{}  outcome {}; {} collisions counted, time {:.6g}\n", scene_in_words(scene), units_in_words(units),
+               name_of(s.outcome), s.spectrum.steps, s.spectrum.time * units.value_or(Units{}).time);
     if (s.signs.empty()) return;
-    print_table(exponent_table(s), places_of(s, false));
+    print_table(in_units(exponent_table(s), units), places_of(s, false));
     fmt::print("  sum {:.9g}\n", s.sum);
     if (std::isfinite(s.jacobi_residual))
         fmt::print("  J is conserved: its gradient is carried along to {:.1e}\n", s.jacobi_residual);
@@ -139,12 +139,13 @@ void write_spectrum(const RecordGroup& root, const LyapunovCommandOptions& optio
 
 int lyapunov(LyapunovCommandOptions& options) {
     options.scene.read_file();
+    options.start.take_units(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
     if (options.output.accuracy() != Accuracy::double_precision)
         throw BadInput(fmt::format("accuracy = {}: lyapunov works in double", options.output.accuracy_name));
     const Start<double> start = options.start.start<double>(scene);
-    std::optional<RecordWriter> record =
-        open_record(options.output, "Lyapunov spectrum of a swirled polygon", {options.scene.file()});
+    std::optional<RecordWriter> record = open_record(options.output, "Lyapunov spectrum of a swirled polygon",
+                                                     {options.scene.file()}, options.scene.units());
     exit_when_interrupted();
     const OrbitSpectrum s = spectrum_of(scene, start, options.transient, options.collisions);
     const Settings settings = {{"transient", options.transient},
@@ -157,7 +158,7 @@ int lyapunov(LyapunovCommandOptions& options) {
     if (options.output.json)
         write_document(options, scene, settings, s);
     else if (!options.output.quiet)
-        print_spectrum(scene, s);
+        print_spectrum(scene, s, options.scene.units());
     return s.outcome == Outcome::completed ? exit_done : exit_numerical_ending;
 }
 

@@ -22,6 +22,7 @@ struct RunVerdict {
     double mean_spin = 0, mean_spin_per_impact = 0;
     double recurrence_rate = 0;
     double largest_exponent = 0, largest_exponent_error = 0;
+    double ln_multiplier = 0;    ///< of a cycle: ln of its largest |multiplier|
     std::int64_t attractor = 0;  ///< its place among those of all runs
     std::vector<double> point;   ///< of its cycle
 };

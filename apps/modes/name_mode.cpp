@@ -146,7 +146,10 @@ NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const anal
         name_ending(named.outcome, named.impacts, named.verdict);
         return named;
     }
-    const auto tail = analysis::follow_tail(map, begin.state, settings.transient, settings.collisions, stop);
+    // A point of the section is no impact of the orbit: its first is one step on. So the tail begins after as many
+    // impacts as `simulate --skip` leaves out, whatever the start.
+    const std::int64_t before = settings.transient + 1 - begin.impacts;
+    const auto tail = analysis::follow_tail(map, begin.state, before, settings.collisions, stop);
     named.finished = !tail.stopped;
     if (tail.stopped) return named;
     if (samples) keep_samples(tail, *samples);

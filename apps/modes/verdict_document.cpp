@@ -3,6 +3,8 @@
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
 
+#include <cmath>
+
 namespace swirl::apps {
 
 namespace {
@@ -26,8 +28,8 @@ Table<NamedMode> verdict_table() {
             {{"mode", of(&Verdict::mode)},
              kind_field<NamedMode>(of(&Verdict::kind)),
              period_field<NamedMode>(of(&Verdict::period)),
-             {"mean_S", of(&Verdict::mean)},
-             {"mean_S_per_impact", of(&Verdict::mean_per_step)},
+             {"mean_S", of(&Verdict::mean), "omega_s"},
+             {"mean_S_per_impact", of(&Verdict::mean_per_step), "omega_s"},
              {"recurrence_rate", of(&Verdict::recurrence_rate)},
              {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal)},
              {"largest_exponent", of(&Verdict::largest_exponent)},
@@ -64,9 +66,14 @@ void write_verdict(const RecordGroup& group, const NamedMode& named, const analy
     write_evidence(group, named.verdict.evidence);
 }
 
-std::string table_of(const NamedMode& named) {
-    return fmt::format("  {}; outcome {} after {} impacts\n{}{}", mode_in_words(named.verdict), name_of(named.outcome),
-                       named.impacts, lines_of(verdict_table(), named), table_of(named.verdict.evidence));
+std::string table_of(const NamedMode& named, bool verbose, const std::optional<Units>& units) {
+    const analysis::Classification& verdict = named.verdict;
+    const double mean_spin = verdict.mean / units.value_or(Units{}).time;
+    const std::string mean = std::isfinite(mean_spin) ? fmt::format("; mean S {:.8g}", mean_spin) : "";
+    const std::string text =
+        fmt::format("  {}{}; outcome {} after {} impacts\n  {}\n  because: {}\n", mode_in_words(verdict), mean,
+                    name_of(named.outcome), named.impacts, sureness_in_words(verdict), reason_in_words(verdict));
+    return verbose ? text + lines_of(in_units(verdict_table(), units), named) + table_of(verdict.evidence) : text;
 }
 
 void write_evidence(JsonWriter& json, const std::vector<analysis::Evidence>& evidence) {
@@ -75,20 +82,6 @@ void write_evidence(JsonWriter& json, const std::vector<analysis::Evidence>& evi
 
 void write_evidence(const RecordGroup& group, const std::vector<analysis::Evidence>& evidence) {
     if (!evidence.empty()) write_record(group, evidence_table(), evidence);
-}
-
-std::string table_of(const std::vector<analysis::Evidence>& evidence) {
-    std::string text;
-    for (const auto& e : evidence)
-        text += fmt::format("  evidence: {:<40} {:>12.4g}  against {:>10.4g}  {}\n            changes if: {}\n", e.name,
-                            e.value, e.threshold, e.says, e.changes_if);
-    return text;
-}
-
-std::string mode_in_words(const analysis::Classification& verdict) {
-    return fmt::format("mode {}{}{}", name_of(verdict.mode),
-                       verdict.kind == analysis::Kind::none ? "" : fmt::format(" ({})", name_of(verdict.kind)),
-                       verdict.period > 0 ? fmt::format(", period {}", verdict.period) : "");
 }
 
 }  // namespace swirl::apps

@@ -3,6 +3,7 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/modes/name_mode.hpp"
+#include "apps/modes/verdict_in_words.hpp"
 
 #include <string>
 
@@ -14,17 +15,13 @@ void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::Cla
 /// The same as attributes; the evidence as datasets along dimension `evidence`.
 void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings);
 
-/// Several lines, the last ends with a newline.
-std::string table_of(const NamedMode& named);
+/// The verdict, how sure and why, a line each; with `verbose` the numbers and all of the evidence after it. Mean S is
+/// in the user's units, if there are any.
+std::string table_of(const NamedMode& named, bool verbose, const std::optional<Units>& units = {});
 
 /// Member `evidence`: name, value, threshold, says, changes_if.
 void write_evidence(JsonWriter& json, const std::vector<analysis::Evidence>& evidence);
 /// The same along dimension `evidence`; nothing if there is none.
 void write_evidence(const RecordGroup& group, const std::vector<analysis::Evidence>& evidence);
-/// Two lines each.
-std::string table_of(const std::vector<analysis::Evidence>& evidence);
-
-/// "mode quasi-steady (cycle), period 4"
-std::string mode_in_words(const analysis::Classification& verdict);
 
 }  // namespace swirl::apps

@@ -123,7 +123,7 @@ int orbits(OrbitsOptions& options) {
     const auto near = near_point(options, scene);
     const auto map = shooting_map_of(scene);
     std::optional<RecordWriter> record =
-        open_record(options.output, "Cycles of a swirled polygon", {options.scene.file()});
+        open_record(options.output, "Cycles of a swirled polygon", {options.scene.file()}, options.scene.units());
     note_interruptions();
     options.candidates.stop = is_interrupted;
     const auto [first, last] = options.periods();

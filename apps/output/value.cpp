@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -76,9 +77,11 @@ Look look_of(const std::string& format) {
     std::string heading = format;  // "{:>14.8g}" -> "{:>14}"
     const auto precision = heading.find('.');
     if (precision != std::string::npos) heading.erase(precision, heading.find('}') - precision);
-    return {heading, [format](const Value& value) {
+    return {heading, [format, heading](const Value& value) {
                 const auto fill = [&](const auto& content) -> std::string {
                     using Content = std::decay_t<decltype(content)>;
+                    if constexpr (std::is_floating_point_v<Content>)
+                        if (std::isnan(content)) return fmt::format(fmt::runtime(heading), "-");
                     if constexpr (std::is_arithmetic_v<Content> || std::is_same_v<Content, std::string>)
                         return fmt::format(fmt::runtime(format), content);
                     throw std::logic_error("a list as a column of a table");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/output/table.hpp"
+#include "apps/output/units.hpp"
 
 #include <fmt/format.h>
 
@@ -150,6 +151,20 @@ private:
 };
 
 // Tables for people, of shown_fields().
+
+/// The same table with what it shows in the user's units: numbers of a field are multiplied by what its units ask for.
+template <class Row>
+Table<Row> in_units(Table<Row> table, const std::optional<Units>& units) {
+    for (auto& field : table.fields) {
+        const auto scale = units ? physical_scale(*units, field.description.units) : std::nullopt;
+        if (!scale || !field.look) continue;
+        field.look->text = [text = field.look->text, scale = *scale](const Value& value) {
+            const auto* number = std::get_if<double>(&value);
+            return text(number != nullptr ? Value(*number * scale) : value);
+        };
+    }
+    return table;
+}
 
 template <class Row>
 std::string heading_of(const std::vector<Field<Row>>& shown) {

@@ -152,6 +152,7 @@ void ColumnStore::describe() {
     };
     if (!description.units.empty()) write("units", description.units);
     if (!description.long_name.empty()) write("long_name", description.long_name);
+    if (description.physical_scale) write("physical_scale", *description.physical_scale);
     // xarray's own mark: such bytes open as booleans.
     if (layout_.type == ElementType::boolean) write("dtype", std::string("bool"));
     if (!description.flag_meanings.empty()) {

@@ -161,8 +161,9 @@ ColumnStore& RecordStore::column(const std::string& group_path, const std::strin
     std::vector<std::uint64_t> shape;
     shape.reserve(dimensions.size());
     for (const std::string& dimension : dimensions) shape.push_back(find_dimension(group, dimension).size);
-    group.columns.emplace_back(group.handle.id(), ColumnLayout{file_name(), group.path, name, type, dimensions,
-                                                               std::move(shape), description});
+    ColumnLayout layout{file_name(), group.path, name, type, dimensions, std::move(shape), description};
+    if (scale_) layout.description.physical_scale = scale_(description.units);
+    group.columns.emplace_back(group.handle.id(), std::move(layout));
     return group.columns.back();
 }
 

@@ -2,7 +2,9 @@
 
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,8 @@ public:
     void dimension(const std::string& group, const std::string& name, std::uint64_t size);
     ColumnStore& column(const std::string& group, const std::string& name, ElementType type,
                         const std::vector<std::string>& dimensions, const Description& description);
+    /// Columns get a physical_scale by their units from now on.
+    void scale_units(std::function<std::optional<double>(const std::string&)> scale) { scale_ = std::move(scale); }
     void finish();
 
 private:
@@ -51,6 +55,7 @@ private:
 
     OutputFile output_;
     hdf5::File file_;
+    std::function<std::optional<double>(const std::string&)> scale_;
     std::deque<Group> groups_;  // in the order of their creation; closed before the file
 };
 

@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -42,6 +43,8 @@ struct Description {
     std::string long_name;
     /// For integers that stand for names: value i (from 0) means flag_meanings[i]; names without blanks.
     std::vector<std::string> flag_meanings;
+    /// A number times this is in the user's physical units. Not CF's scale_factor: readers do not apply it themselves.
+    std::optional<double> physical_scale = {};
 };
 
 }  // namespace swirl::apps

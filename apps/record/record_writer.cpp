@@ -56,6 +56,10 @@ RecordGroup RecordWriter::root() {
     return {*store_, "/"};
 }
 
+void RecordWriter::scale_units(std::function<std::optional<double>(const std::string&)> scale) {
+    store_->scale_units(std::move(scale));
+}
+
 void RecordWriter::finish() {
     store_->finish();
 }

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -97,6 +99,9 @@ public:
     RecordWriter& operator=(RecordWriter&&) noexcept;
 
     [[nodiscard]] RecordGroup root();
+
+    /// Columns that are made from now on get the attribute `physical_scale` that `scale` gives for their units, if any.
+    void scale_units(std::function<std::optional<double>(const std::string&)> scale);
 
     /// Writes what is buffered, labels the dimensions, closes, syncs and renames. Once; nothing may be written after
     /// it. RecordError if something cannot be written; std::invalid_argument if a dataset has not its full length.

@@ -172,6 +172,7 @@ void print_table(const RecurrenceReport& report) {
     const auto& result = report.result;
     if (report.points.orbit)
         fmt::print("{} after {} impacts\n", report.points.orbit->outcome, report.points.orbit->impacts);
+    if (report.points.series) fmt::print("series: {}\n", series_in_words(*report.points.series));
     fmt::print("{:<22} {:>18}\n{:<22}", "points", report.points.points.count, "threshold");
     for (const double value : result.thresholds.delta) fmt::print(" {:>18.12g}", value);
     for (const auto& field : measure_table().fields) {

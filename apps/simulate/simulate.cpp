@@ -72,7 +72,6 @@ void write_run(const RecordGroup& root, const SimulateOptions& options, const Sc
     write_scene(root, scene, &options.start);
     write_attributes(root.group("settings"), settings_of(options));
     write_attributes(root.group("result"), result_of(ending));
-    if (const auto units = options.scene.units()) write_attributes(root.group("units"), unit_settings(*units));
 }
 
 }  // namespace
@@ -99,6 +98,7 @@ void SimulateOptions::add_to(CLI::App& command) {
 
 int simulate(SimulateOptions& options) {
     options.scene.read_file();
+    options.start.take_units(options.scene);
     check_limits(options);
     const Scene<double> scene = options.scene.scene<double>();
     options.output.accuracy();  // a wrong name is told before any work
@@ -106,7 +106,7 @@ int simulate(SimulateOptions& options) {
     note_interruptions();
 
     std::optional<RecordWriter> record =
-        open_record(options.output, "Orbit of a swirled polygon", {options.scene.file()});
+        open_record(options.output, "Orbit of a swirled polygon", {options.scene.file()}, options.scene.units());
     std::optional<JsonWriter> json;
     if (options.output.json) {
         json.emplace(stdout);
@@ -129,8 +129,10 @@ int simulate(SimulateOptions& options) {
         json->end_object();
         json->finish();
     } else if (!options.output.quiet) {
-        fmt::print("{}: {} after {} impacts, t = {:.10g}, time mean of S = {:.8g}\n", scene_in_words(scene),
-                   ending.outcome, ending.impacts, ending.time, ending.mean_spin);
+        const Units units = options.scene.units().value_or(Units{});
+        fmt::print("{}: {} after {} impacts, t = {:.10g}, time mean of S = {:.8g}\n{}", scene_in_words(scene),
+                   ending.outcome, ending.impacts, ending.time * units.time, ending.mean_spin / units.time,
+                   units_in_words(options.scene.units()));
     }
     if (ending.outcome == "interrupted") return exit_interrupted;
     return ending.outcome == "completed" ? exit_done : exit_numerical_ending;

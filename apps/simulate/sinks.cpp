@@ -80,9 +80,26 @@ Table<ContactRow> contact_table() {
 }
 
 /// A line of the table of impacts.
-std::string contact_in_words(const ContactRow& row) {
-    return fmt::format("  contact {} to {}  {:<8} on {}: {}, then {}\n", number_in(row.t_start, 14),
-                       number_in(row.t_end, 14), row.motion, fmt::join(row.vertices, "+"), row.begin, row.end);
+///   time  1/ω_s in its units
+std::string contact_in_words(const ContactRow& row, double time) {
+    return fmt::format("  contact {} to {}  {:<8} on {}: {}, then {}\n", number_in(row.t_start * time, 14),
+                       number_in(row.t_end * time, 14), row.motion, fmt::join(row.vertices, "+"), row.begin, row.end);
+}
+
+constexpr std::size_t shortest_chatter = 4;    // rows: fewer say more themselves
+constexpr std::size_t longest_chatter = 1024;  // rows that are held back
+
+/// Does this impact follow on the other as in a chatter: of the same vertex, after a shorter flight?
+bool fades(const ImpactRow& before, const ImpactRow& row) {
+    return row.number == before.number + 1 && row.vertex == before.vertex && row.flight_time < before.flight_time;
+}
+
+/// The impacts between a chatter's first and the landing, in a line of the table.
+std::string chatter_in_words(const std::vector<ImpactRow>& rows, double time) {
+    const ImpactRow &second = rows[1], &last = rows.back();
+    return fmt::format("  chatter {} to {}  impacts {} to {} on {}: flights from {:.2e} down to {:.2e}\n",
+                       number_in(second.t * time, 14), number_in(last.t * time, 14), second.number, last.number,
+                       last.vertex, second.flight_time * time, last.flight_time * time);
 }
 
 /// Group `samples`.
@@ -100,7 +117,8 @@ Table<SampleRow> sample_table() {
 
 Sinks::Sinks(const SimulateOptions& options, const Scene<double>& scene, RecordWriter* record, JsonWriter* json)
     : impacts_(impact_table(scene.is_disk())),
-      shown_(shown_fields(impacts_)),
+      shown_(shown_fields(in_units(impacts_, options.scene.units()))),
+      time_(options.scene.units().value_or(Units{}).time),
       json_(json),
       prints_(json == nullptr && record == nullptr && !options.output.quiet),
       samples_(options.sample.has_value()) {
@@ -119,13 +137,28 @@ Sinks::Sinks(const SimulateOptions& options, const Scene<double>& scene, RecordW
 void Sinks::add(const ImpactRow& row) {
     if (record_impacts_) record_impacts_->add(row);
     if (json_ != nullptr) write_object(*json_, impacts_, row);
-    if (prints_) fmt::print("{}", line_of(shown_, row));
+    if (!prints_) return;
+    if (!fading_.empty() && (!fades(fading_.back(), row) || fading_.size() >= longest_chatter)) print_fading();
+    fading_.push_back(row);
+}
+
+void Sinks::print_fading() {
+    for (const ImpactRow& row : fading_) fmt::print("{}", line_of(shown_, row));
+    fading_.clear();
 }
 
 void Sinks::add(ContactRow row) {
     row.number = ++contact_count_;
     if (record_contacts_) record_contacts_->add(row);
-    if (prints_) fmt::print("{}", contact_in_words(row));
+    if (prints_) {
+        const bool chatter = row.begin == name_of(ContactEvent::landing) && fading_.size() >= shortest_chatter;
+        if (chatter) {
+            fmt::print("{}{}", line_of(shown_, fading_.front()), chatter_in_words(fading_, time_));
+            fading_.clear();
+        }
+        print_fading();
+        fmt::print("{}", contact_in_words(row, time_));
+    }
     if (json_ != nullptr) json_contacts_.push_back(std::move(row));
 }
 
@@ -135,6 +168,7 @@ void Sinks::add(const SampleRow& row) {
 }
 
 void Sinks::finish() {
+    print_fading();
     if (json_ == nullptr) return;
     json_->end_array();
     write_json(*json_, "contacts", contact_table(), json_contacts_);

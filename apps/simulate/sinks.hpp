@@ -26,13 +26,17 @@ public:
     void finish();
 
 private:
+    void print_fading();
+
     Table<ImpactRow> impacts_;
     std::vector<Field<ImpactRow>> shown_;
+    double time_;  ///< 1/ω_s in the units of the table
     std::optional<RecordRows<ImpactRow>> record_impacts_;
     std::optional<RecordRows<ContactRow>> record_contacts_;
     std::optional<RecordRows<SampleRow>> record_samples_;
     JsonWriter* json_;
     bool prints_, samples_;
+    std::vector<ImpactRow> fading_;  ///< the table's last rows while they may be a chatter
     std::int64_t contact_count_ = 0;
     std::vector<ContactRow> json_contacts_;
     std::vector<SampleRow> json_samples_;

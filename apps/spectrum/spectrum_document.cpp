@@ -100,6 +100,7 @@ void write_record(const RecordGroup& root, const SpectrumReport& report) {
 void print_table(const SpectrumReport& report) {
     if (report.signal.orbit)
         fmt::print("{} after {} impacts\n", report.signal.orbit->outcome, report.signal.orbit->impacts);
+    if (report.signal.series) fmt::print("series: {}\n", series_in_words(*report.signal.series));
     const auto& s = report.spectrum;
     fmt::print("{} samples at {:g}, {} segments of {}; variance {:.8g}, entropy {:.4f}, {} ({:.1f} % in lines)\n",
                s.samples, report.signal.spacing, s.segments, s.segment_length, s.variance, report.entropy,

@@ -9,7 +9,9 @@ namespace swirl::apps::sweep {
 
 namespace {
 
-constexpr std::array<const char*, 6> axis_names = {"alpha", "beta", "mu", "restitution", "inertia-factor", "sides"};
+constexpr std::array<const char*, 7> axis_names = {"alpha",          "beta",  "mu",   "restitution",
+                                                   "inertia-factor", "sides", "speed"};
+constexpr const char* start_speed = "speed";  // of the random starts; the other axes are the scene's
 constexpr std::size_t most_axes = 3;
 constexpr long most_points = 1'000'000;
 
@@ -33,19 +35,20 @@ GridAxis axis_from(const std::string& text) {
         refuse(text, "NAME=A:B:COUNT is wanted");
     GridAxis axis{text.substr(0, equals), text, {}};
     if (std::find(axis_names.begin(), axis_names.end(), axis.name) == axis_names.end())
-        refuse(text, "NAME is none of: alpha, beta, mu, restitution, inertia-factor, sides");
-    const double a = number_from<double>("A", text.substr(equals + 1, first - equals - 1));
-    const double b = number_from<double>("B", text.substr(first + 1, second - first - 1));
+        refuse(text, "NAME is none of: alpha, beta, mu, restitution, inertia-factor, sides, speed");
+    const std::string low = text.substr(equals + 1, first - equals - 1);
+    const std::string high = text.substr(first + 1, second - first - 1);
+    const double a = number_from<double>("A", low), b = number_from<double>("B", high);
     const long count = count_from(text, text.substr(second + 1));
     if (!std::isfinite(a) || !std::isfinite(b)) refuse(text, "A and B must be finite");
     if (count == 1 && a != b) refuse(text, "COUNT = 1 needs A = B");
     if (count > 1 && a == b) refuse(text, "A = B needs COUNT = 1");
-    for (long i = 0; i < count; ++i) {
-        const double share = count == 1 ? 0 : static_cast<double>(i) / static_cast<double>(count - 1);
-        axis.points.push_back(i == count - 1 ? b : a + (b - a) * share);
-        if (axis.name == "sides" && axis.points.back() != std::round(axis.points.back()))
-            refuse(text, fmt::format("sides = {} is not a whole number", axis.points.back()));
-    }
+    axis.points = points_between(low, high, count);
+    for (const double point : axis.points)
+        if (axis.name == start_speed && point < 0)
+            refuse(text, fmt::format("speed = {} is outside its range: speed >= 0", point));
+        else if (axis.name == "sides" && point != std::round(point))
+            refuse(text, fmt::format("sides = {} is not a whole number", point));
     return axis;
 }
 
@@ -82,9 +85,17 @@ std::vector<double> cell_point(const std::vector<GridAxis>& grid, std::size_t ce
 Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, std::size_t cell) {
     const auto point = cell_point(grid, cell);
     for (std::size_t k = 0; k < grid.size(); ++k)
-        scene.set(grid[k].name,
-                  grid[k].name == "sides" ? fmt::format("{:.0f}", point[k]) : fmt::format("{:.17g}", point[k]));
+        if (grid[k].name != start_speed)
+            scene.set(grid[k].name,
+                      grid[k].name == "sides" ? fmt::format("{:.0f}", point[k]) : fmt::format("{:.17g}", point[k]));
     return scene.scene<double>();
+}
+
+double cell_speed(double otherwise, const std::vector<GridAxis>& grid, std::size_t cell) {
+    const auto point = cell_point(grid, cell);
+    for (std::size_t k = 0; k < grid.size(); ++k)
+        if (grid[k].name == start_speed) return point[k];
+    return otherwise;
 }
 
 }  // namespace swirl::apps::sweep

@@ -1,4 +1,5 @@
-// The grid of a sweep: one to three parameters of the scene, each from A to B in COUNT steps.
+// The grid of a sweep: one to three parameters of the scene or the speed of its starts, each from A to B in COUNT
+// steps.
 #pragma once
 
 #include "apps/command_line/scene_options.hpp"
@@ -9,9 +10,9 @@
 
 namespace swirl::apps::sweep {
 
-/// NAME=A:B:COUNT. Point i is A + (B − A) i/(COUNT − 1).
+/// NAME=A:B:COUNT. Point i is A + (B − A) i/(COUNT − 1), the double nearest to it (points_between).
 struct GridAxis {
-    std::string name;  ///< as the scene's flag
+    std::string name;  ///< as the flag
     std::string text;  ///< as it was given
     std::vector<double> points;
 };
@@ -27,5 +28,8 @@ std::vector<double> cell_point(const std::vector<GridAxis>& grid, std::size_t ce
 
 /// The scene of a cell. @throws BadInput, std::invalid_argument if the scene is not complete or out of range
 Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, std::size_t cell);
+
+/// The speed of a cell's starts: the grid's, or `otherwise`.
+double cell_speed(double otherwise, const std::vector<GridAxis>& grid, std::size_t cell);
 
 }  // namespace swirl::apps::sweep

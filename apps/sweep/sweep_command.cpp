@@ -22,9 +22,9 @@ namespace swirl::apps::sweep {
 
 const char* const sweep_details =
     R"(Names the mode of R random starts in every cell of a grid over one to three of alpha, beta, mu, restitution,
-inertia-factor, sides. Run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's scene. A cell's
-mean_S, recurrence_rate and largest_exponent are means over its runs, mean_S_error the standard error over them. With -o
-an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
+inertia-factor, sides and the starts' speed. Run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's
+scene. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
+mean_S_error the standard error over them. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
 
 Examples:
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:5 --collisions 500
@@ -63,12 +63,15 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
         return std::any_of(grid.begin(), grid.end(), [&](const GridAxis& axis) { return axis.name == name; });
     };
     for (const auto& parameter : scene_settings(first)) {
-        const bool follows =
-            parameter.first == "inertia-factor" && gridded("sides");  // the uniform lamina's depends on N
-        if (!gridded(parameter.first) && !follows) settings.push_back(parameter);
+        const bool inertia = parameter.first == "inertia_factor";
+        if (gridded(inertia ? "inertia-factor" : parameter.first)) continue;
+        if (inertia && gridded("sides") && !options.scene.has("inertia-factor"))
+            settings.emplace_back("inertia_factor", std::string("uniform"));  // the lamina's, which depends on N
+        else
+            settings.push_back(parameter);
     }
     settings.emplace_back("runs", options.runs);
-    settings.emplace_back("speed", options.start.speed());
+    if (!gridded("speed")) settings.emplace_back("speed", options.start.speed());
     settings.emplace_back("seed", options.start.seed());
     settings.emplace_back("transient", options.settings.transient);
     settings.emplace_back("collisions", options.settings.collisions);
@@ -147,8 +150,8 @@ bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done,
     const bool all = run_pieces(left.size(), options.output.threads, progress, [&](std::size_t i) -> KeepResult {
         const std::size_t index = left[i];
         const Scene<double> scene = cell_scene(options.scene, sweep.grid, index / runs);
-        const auto result =
-            sweep_run(scene, options.start.speed(), options.start.seed(), index % runs, options.settings);
+        const double speed = cell_speed(options.start.speed(), sweep.grid, index / runs);
+        const auto result = sweep_run(scene, speed, options.start.seed(), index % runs, options.settings);
         if (!result) return {};
         return [&sweep, &done, journal, index, result] {
             sweep.results[index] = *result;
@@ -173,7 +176,8 @@ void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
         throw BadInput(fmt::format("cells x runs = {:.0f} is outside its range: 1 to {}", results, most_results));
     for (std::size_t c = 0; c < cell_count(grid); ++c) {
         const Scene<double> scene = cell_scene(options.scene, grid, c);
-        flight_from(make_body(scene), random_start(scene.beta, options.start.speed(), options.start.seed(), 0));
+        const double speed = cell_speed(options.start.speed(), grid, c);
+        flight_from(make_body(scene), random_start(scene.beta, speed, options.start.seed(), 0));
     }
 }
 
@@ -204,6 +208,7 @@ void keep_sweep(const SweepOptions& options, const Sweep& sweep) {
 
 int sweep(SweepOptions& options) {
     options.scene.read_file();
+    options.start.take_units(options.scene);
     Sweep sweep{grid_from(options.grid), options.runs, {}, {}};
     check_all(options, sweep.grid);
     sweep.settings = settings_of(options, sweep.grid, cell_scene(options.scene, sweep.grid, 0));

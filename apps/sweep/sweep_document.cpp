@@ -41,18 +41,55 @@ struct RunColumn {
     double RunResult::*member;
     const char* units;
     const char* long_name;
+    ElementType type = ElementType::float64;
+    std::vector<std::string> meanings = {};  ///< of a name's number
 };
 
-constexpr RunColumn run_columns[] = {
-    {"run_mode", &RunResult::mode, "1", "mode: steady 0, quasi-steady 1, chaotic 2, undecided 3"},
-    {"run_kind", &RunResult::kind, "1", "kind, by the names in attribute kinds of the settings"},
-    {"run_outcome", &RunResult::outcome, "1", "outcome, by the names in attribute outcomes of the settings"},
-    {"run_period", &RunResult::period, "1", "period, 0: none"},
-    {"run_mean_S", &RunResult::mean_spin, "omega_s", "time mean of S"},
-    {"run_recurrence_rate", &RunResult::recurrence_rate, "1", "RC of S"},
-    {"run_largest_exponent", &RunResult::largest_exponent, "1", "largest Lyapunov exponent per impact"},
-    {"run_impacts", &RunResult::impacts, "1", "impacts followed"},
-};
+/// What a record holds of each run.
+std::vector<RunColumn> run_columns() {
+    const auto names = ElementType::uint8, count = ElementType::int64;
+    std::vector<std::string> modes;
+    for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
+    return {
+        {"run_mode", &RunResult::mode, "1", "mode", names, modes},
+        {"run_kind", &RunResult::kind, "1", "kind", names, names_up_to(analysis::Kind::transient)},
+        {"run_outcome", &RunResult::outcome, "1", "outcome", names, names_up_to(Outcome::unresolved)},
+        {"run_period", &RunResult::period, "1", "period, 0: none", count},
+        {"run_mean_S", &RunResult::mean_spin, "omega_s", "time mean of S"},
+        {"run_mean_S_per_impact", &RunResult::mean_spin_per_impact, "omega_s", "mean of S over impacts"},
+        {"run_recurrence_rate", &RunResult::recurrence_rate, "1", "RC of S"},
+        {"run_largest_exponent", &RunResult::largest_exponent, "1", "largest Lyapunov exponent per impact"},
+        {"run_impacts", &RunResult::impacts, "1", "impacts followed", count},
+    };
+}
+
+template <class T>
+void write_runs(const RecordGroup& group, const std::vector<std::string>& axes, const RunColumn& column,
+                const Sweep& sweep) {
+    std::vector<T> values;
+    for (const auto& result : sweep.results) values.push_back(static_cast<T>(result.*column.member));
+    group.write<T>(column.name, axes, values, {column.units, column.long_name, column.meanings});
+}
+
+template <class T>
+void read_runs(const RecordReader& record, const std::string& path, const RunColumn& column, Sweep& sweep) {
+    const auto values = record.read<T>(std::string("/sweep/") + column.name);
+    if (values.size() != sweep.results.size())
+        throw BadInput(
+            fmt::format("record '{}' has another grid: name another file, or replace it with --force", path));
+    for (std::size_t i = 0; i < values.size(); ++i) sweep.results[i].*column.member = static_cast<double>(values[i]);
+}
+
+/// `use.template operator()<T>()` with the column's type in a record.
+template <class Use>
+void in_type_of(const RunColumn& column, const Use& use) {
+    if (column.type == ElementType::uint8)
+        use.template operator()<std::uint8_t>();
+    else if (column.type == ElementType::int64)
+        use.template operator()<std::int64_t>();
+    else
+        use.template operator()<double>();
+}
 
 std::string dimension_of(const GridAxis& axis) {
     std::string name = axis.name;
@@ -75,6 +112,7 @@ Table<RunResult> run_table() {
              {"outcome", [](const RunResult& run) { return static_cast<Outcome>(static_cast<int>(run.outcome)); }},
              period_field<RunResult>(period),
              {"mean_S", &RunResult::mean_spin},
+             {"mean_S_per_impact", &RunResult::mean_spin_per_impact},
              {"largest_exponent", &RunResult::largest_exponent}}};
 }
 
@@ -109,6 +147,8 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
              F{"share", shares, "1", "share of the runs with this mode"}.along({"mode"}, mode_count).record_only(),
              {"mean_S", of(&CellSummary::mean_spin), "omega_s", "mean over the runs of the time mean of S"},
              {"mean_S_error", of(&CellSummary::mean_spin_error), "omega_s", "its standard error over the runs"},
+             {"mean_S_per_impact", of(&CellSummary::mean_spin_per_impact), "omega_s",
+              "mean over the runs of the mean of S over impacts"},
              {"recurrence_rate", of(&CellSummary::recurrence_rate), "1", "mean over the runs of RC of S"},
              {"largest_exponent", of(&CellSummary::largest_exponent), "1", "mean over the runs, per impact"},
              {"runs", runs}}};
@@ -140,7 +180,8 @@ void write_sweep_document(const SweepOptions& options, const Sweep& sweep) {
 }
 
 void write_sweep(const SweepOptions& options, const Sweep& sweep) {
-    RecordWriter record = create_record(options.output, "Modes of a swirled polygon across parameters");
+    RecordWriter record =
+        create_record(options.output, "Modes of a swirled polygon across parameters", options.scene.units());
     const RecordGroup root = record.root();
     const RecordGroup settings = root.group("settings");
     write_attributes(settings, sweep.settings);
@@ -164,11 +205,8 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     write_columns(group, cell_table(sweep, axes), cells_of(sweep));
     auto by_run = axes;
     by_run.push_back("run");
-    for (const auto& column : run_columns) {
-        std::vector<double> values;
-        for (const auto& result : sweep.results) values.push_back(result.*column.member);
-        group.write<double>(column.name, by_run, values, {column.units, column.long_name, {}});
-    }
+    for (const auto& column : run_columns())
+        in_type_of(column, [&]<class T>() { write_runs<T>(group, by_run, column, sweep); });
     record.finish();
 }
 
@@ -177,18 +215,20 @@ void read_sweep(const std::string& path, Sweep& sweep) {
     if (!record.contains("/sweep/run_mode"))
         throw BadInput(
             fmt::format("record '{}' is not a sweep's: name another file, or replace it with --force", path));
+    const auto differs = [&](const std::string& name) {
+        throw BadInput(
+            fmt::format("record '{}' was made with another {}; give the same, or another file, or replace it with "
+                        "--force",
+                        path, name));
+    };
     for (const auto& [name, value] : sweep.settings)
-        if (!record.has_attribute("/settings", name) || record.attribute("/settings", name) != value)
-            throw BadInput(fmt::format(
-                "record '{}' was made with another {}; give the same, or another file, or replace it with --force",
-                path, name));
-    for (const auto& column : run_columns) {
-        const auto values = record.read<double>(std::string("/sweep/") + column.name);
-        if (values.size() != sweep.results.size())
-            throw BadInput(
-                fmt::format("record '{}' has another grid: name another file, or replace it with --force", path));
-        for (std::size_t i = 0; i < values.size(); ++i) sweep.results[i].*column.member = values[i];
-    }
+        if (!record.has_attribute("/settings", name) || record.attribute("/settings", name) != value) differs(name);
+    for (const auto& name : record.attributes("/settings"))
+        if (name != "kinds" && name != "outcomes" &&
+            std::none_of(sweep.settings.begin(), sweep.settings.end(), [&](const auto& s) { return s.first == name; }))
+            differs(name);
+    for (const auto& column : run_columns())
+        in_type_of(column, [&]<class T>() { read_runs<T>(record, path, column, sweep); });
 }
 
 }  // namespace swirl::apps::sweep

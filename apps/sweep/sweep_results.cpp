@@ -37,6 +37,7 @@ std::optional<RunResult> sweep_run(const Scene<double>& scene, double speed, std
                      static_cast<double>(named.outcome),
                      static_cast<double>(v.period),
                      v.mean,
+                     v.mean_per_step,
                      v.recurrence_rate,
                      v.largest_exponent,
                      static_cast<double>(named.impacts)};
@@ -54,6 +55,7 @@ CellSummary summary_of(std::span<const RunResult> runs) {
     cell.mean_spin_error =
         spins.size() < 2 ? unknown
                          : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
+    cell.mean_spin_per_impact = mean_of(measured(runs, &RunResult::mean_spin_per_impact));
     cell.recurrence_rate = mean_of(measured(runs, &RunResult::recurrence_rate));
     cell.largest_exponent = mean_of(measured(runs, &RunResult::largest_exponent));
     return cell;

@@ -12,9 +12,9 @@ namespace swirl::apps::sweep {
 
 /// One start of one cell. All numbers, so that it is its own entry of the journal.
 struct RunResult {
-    double mode = 0, kind = 0, outcome = 0;                           ///< the enumerators' numbers
-    double period = 0;                                                ///< 0: none
-    double mean_spin = 0, recurrence_rate = 0, largest_exponent = 0;  ///< NaN where not measured
+    double mode = 0, kind = 0, outcome = 0;  ///< the enumerators' numbers
+    double period = 0;                       ///< 0: none
+    double mean_spin = 0, mean_spin_per_impact = 0, recurrence_rate = 0, largest_exponent = 0;  ///< NaN: not measured
     double impacts = 0;
 };
 
@@ -32,8 +32,9 @@ struct CellSummary {
     std::array<double, mode_count> shares{};  ///< by all_modes
     double mean_spin = 0;                     ///< mean of the runs' mean_S
     double mean_spin_error = 0;               ///< its standard error over the runs; NaN for fewer than two
-    double recurrence_rate = 0;               ///< mean over the runs
-    double largest_exponent = 0;              ///< mean over the runs
+    double mean_spin_per_impact = 0;          ///< mean over the runs, and the next two
+    double recurrence_rate = 0;
+    double largest_exponent = 0;
 };
 
 CellSummary summary_of(std::span<const RunResult> runs);

@@ -6,6 +6,7 @@
 #include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <array>
 #include <optional>
@@ -41,7 +42,21 @@ Scene<double> scene_of(const Stop& stop) {
                                    uniform_inertia_factor<double>(stop.sides)});
 }
 
+void print_stop(const TourOptions& options, const Stop& stop, const Scene<double>& scene, const NamedMode& named) {
+    if (options.verbose)
+        fmt::print("{}: {}\n{}\n", stop.name, scene_in_words(scene), table_of(named, true));
+    else
+        fmt::print("{:<22} {:<46} mean S {:>11.8f}  {} after {} impacts\n", stop.name, mode_in_words(named.verdict),
+                   named.verdict.mean, name_of(named.outcome), named.impacts);
+}
+
 }  // namespace
+
+void TourOptions::add_to(CLI::App& command) {
+    output.add_to(command);
+    command.add_flag("--verbose", verbose, "the table lists the numbers and the evidence of each verdict")
+        ->group("Output");
+}
 
 int tour(TourOptions& options) {
     if (options.output.accuracy() != Accuracy::double_precision)
@@ -72,8 +87,8 @@ int tour(TourOptions& options) {
             write_json(*json, "scene", scene_settings(scene));
             write_verdict(*json, named, settings);
             json->end_object();
-        } else {
-            fmt::print("{}: {}\n{}\n", stops[i].name, scene_in_words(scene), table_of(named));
+        } else if (!options.output.quiet) {
+            print_stop(options, stops[i], scene, named);
         }
     }
     if (json) {

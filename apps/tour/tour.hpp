@@ -7,8 +7,9 @@ namespace swirl::apps::tour {
 
 struct TourOptions {
     OutputOptions output;
+    bool verbose = false;  ///< the table has why, and the evidence
 
-    void add_to(CLI::App& command) { output.add_to(command); }
+    void add_to(CLI::App& command);
 };
 
 extern const char* const tour_details;

@@ -172,7 +172,8 @@ def _limit_ordinate(axes, record):
 def _draw_multiplier(axes, record, colours):
     modulus = record.column("branches", "largest_multiplier")
     _draw_branches(axes, record, "largest_multiplier", colours)
-    axes.axhline(1, color="0.6", lw=0.8, zorder=0)
+    axes.axhline(1, color="0.6", lw=0.8, zorder=0, label="$|\\lambda| = 1$: stable below")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     finite = modulus[numpy.isfinite(modulus)]
     top = finite.max(initial=1.0)
     if top > 5:

@@ -43,8 +43,10 @@ def mode_figure(width, height, grid, remark=""):
     figure.suptitle(sweep_title(grid) + remark)
     middle, strip = figure.subfigures(2, 1, height_ratios=(height - 0.3, 0.3))
     present = [mode for index, mode in enumerate(grid.modes) if (grid.share[..., index] > 0).any()]
-    strip.legend(handles=[Patch(fc=MODE_COLOURS[mode], ec="0.3", lw=0.5, label=mode) for mode in present],
-                 loc="center", ncols=len(present))
+    handles = [Patch(fc=MODE_COLOURS[mode], ec="0.3", lw=0.5, label=mode) for mode in present]
+    if not numpy.isfinite(grid.mean_spin).all():
+        handles.append(Patch(fc=NO_VALUE, ec="0.3", lw=0.5, label="no mean spin"))
+    strip.legend(handles=handles, loc="center", ncols=len(handles))
     return figure, middle
 
 

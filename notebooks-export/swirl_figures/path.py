@@ -131,7 +131,7 @@ def draw_path_into(figure, panels, record):
 
 #: What the lines are that no axis names.
 CAPTION = ("black: the container, red: the body, both at the last impact;  +: the swirl's centre;  "
-           "dashed: the circle on which the container's centre runs")
+           "dashed: the circle on which the container's centre runs;  thick: on the wall")
 
 
 @styled

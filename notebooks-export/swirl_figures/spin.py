@@ -49,12 +49,36 @@ def _contacts(record, after=-numpy.inf):
     return start[kept], end[kept], mean[kept]
 
 
+def spin_on_wall(record, after=-numpy.inf):
+    """([(t, S)] through the contact that the record's samples show, simulate --sample; and whether each piece of
+    _contacts lies within them)."""
+    start, end, _ = _contacts(record, after)
+    curves, shown = [], numpy.zeros(len(start), dtype=bool)
+    if "samples" not in record:
+        return curves, shown
+    t, spin, on_wall = (record.column("samples", name) for name in ("t", "spin", "in_contact"))
+    kept = t >= after
+    t, spin, on_wall = t[kept], spin[kept], on_wall[kept]
+    borders = numpy.flatnonzero(numpy.diff(on_wall.astype(int))) + 1
+    for part in numpy.split(numpy.arange(len(t)), borders):
+        if len(part) < 2 or not on_wall[part[0]]:
+            continue
+        curves.append((t[part], spin[part]))
+        between = t[1] - t[0]  # a piece may begin and end up to a sample beside it
+        shown |= (start >= t[part[0]] - between) & (end <= t[part[-1]] + between)
+    return curves, shown
+
+
 def _draw_contacts(axes, record, after=-numpy.inf):
     start, end, mean = _contacts(record, after)
-    if len(start) == 0:
-        return
-    lines = numpy.stack([numpy.column_stack([start, mean]), numpy.column_stack([end, mean])], axis=1)
-    axes.add_collection(LineCollection(lines, colors=ORANGE, linewidths=2.2, label="on the wall (mean of each piece)"))
+    curves, shown = spin_on_wall(record, after)
+    if curves:
+        axes.add_collection(LineCollection([numpy.column_stack(curve) for curve in curves], colors=ORANGE,
+                                           linewidths=1.6, label="S on the wall"))
+    lines = numpy.stack([numpy.column_stack([start, mean]), numpy.column_stack([end, mean])], axis=1)[~shown]
+    if len(lines):
+        axes.add_collection(LineCollection(lines, colors=ORANGE, linewidths=2.2,
+                                           label="on the wall (mean of each piece)"))
 
 
 def _draw_mean(axes, times, means):

@@ -13,6 +13,7 @@ _PARAMETERS = {
     "restitution": ("e", r"$e$  (restitution)"),
     "inertia_factor": ("κ", r"$\kappa = I/(m R_p^2)$  (inertia)"),
     "sides": ("N", r"$N$  (number of sides)"),
+    "speed": ("V", r"$V$  (speed of the starts, in $R_c\omega_s$)"),
 }
 
 _OBSERVABLES = {"psi": r"$\psi$", "chi": r"$\chi$", "vn": r"$v_n$", "vt": r"$v_t$", "S": SPIN}
@@ -60,7 +61,9 @@ def scene_title(scene, leave_out=()):
             parts.append(f"{symbol(name)} = {number(scene[name])}")
     if "law" in scene:
         parts.append(f"{str(scene['law']).capitalize()}'s law")
-    if "inertia_factor" in scene and not {"inertia_factor", "sides"} & left_out and "sides" in scene:
-        if abs(scene["inertia_factor"] - _uniform_inertia(scene["sides"])) > 1e-9:
-            parts.append(f"κ = {number(scene['inertia_factor'])}")
+    inertia = scene.get("inertia_factor", "uniform")  # of a sweep over N it is that word, or was given
+    if not isinstance(inertia, str) and "inertia_factor" not in left_out:
+        known = "sides" in scene and "sides" not in left_out
+        if not known or abs(inertia - _uniform_inertia(scene["sides"])) > 1e-9:
+            parts.append(f"κ = {number(inertia)}")
     return ", ".join(parts)

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace swirl::apps::classify {
+namespace swirl::apps {
 namespace {
 
 using analysis::Kind;
@@ -56,4 +56,4 @@ TEST(Attractors, WhatEndsOtherwiseIsAnother) {
 }
 
 }  // namespace
-}  // namespace swirl::apps::classify
+}  // namespace swirl::apps

@@ -154,6 +154,20 @@ class Edited(InFolder):
                 old.copy(name, new)
         self.check_warning(packed)  # h5py's copy does not carry the references that plot follows
 
+    def test_one_that_says_of_itself_what_is_not_so_is_not_classified(self):
+        kept = self.record.read_bytes()
+        for group, name, value in (("settings", "every", 0), ("settings", "every", 7), ("settings", "skip", -1),
+                                   ("settings", "skip", 300), ("result", "impacts", 2**62), ("result", "impacts", -2**63)):
+            self.record.write_bytes(kept)
+            with h5py.File(self.record, "r+") as file:
+                file[group].attrs.modify(name, value)
+            with self.record.open("r+b") as file:
+                file.write(bytes(HEAD))
+            result = run(f"classify {self.record}")
+            self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1),
+                             (name, value, result.stderr))
+            self.assertIn("is not whole", result.stderr)
+
     def test_one_whose_numbers_were_changed_in_place_is_refused_until_the_checksum_is_taken_away(self):
         with h5py.File(self.record, "r+") as file:
             file["result"].attrs.modify("mean_S", 0.5)

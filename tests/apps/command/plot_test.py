@@ -22,7 +22,7 @@ import figure_records
 from swirl_figures import draw, kinds_of, open_record, save
 from swirl_figures.flights import flights_of
 from swirl_figures.path import FRAMES, sample, stays
-from swirl_figures.spin import running_mean
+from swirl_figures.spin import running_mean, spin_on_wall
 
 STEADY = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 RECORDS = {
@@ -166,6 +166,25 @@ class Orbits(WithRecords):
             away = numpy.hypot(*FRAMES["Container (not turning)"](x, y, t, 0.05))
             self.assertLess(abs(away - 0.9).max(), 1e-12)
         self.assertEqual(stays(open_record(self.records["contact"])), [])
+
+    def test_spin_through_contact_is_that_of_the_samples(self):
+        record = open_record(self.records["sampled"])
+        curves, shown = spin_on_wall(record)
+        self.assertTrue(shown.all())
+        self.assertEqual(sum(len(t) for t, _ in curves), record.column("samples", "in_contact").sum())
+        start, end, mean = (record.column("contacts", name) for name in ("t_start", "t_end", "mean_S"))
+        t, spin = (numpy.concatenate(columns) for columns in zip(*curves))
+        longest = (end - start).argmax()
+        inside = (t >= start[longest]) & (t <= end[longest])
+        between = 0.05  # the trapezium rule over whole samples: the ends are missing
+        self.assertAlmostEqual(numpy.trapz(spin[inside], t[inside]) / numpy.ptp(t[inside]), mean[longest],
+                               delta=2 * between * numpy.ptp(spin[inside]) / (end - start)[longest])
+        curves, shown = spin_on_wall(open_record(self.records["contact"]))  # without samples: means of the pieces
+        self.assertEqual((curves, shown.any()), ([], False))
+        labels = [text.get_text() for axes in draw(self.records["sampled"], "spin").axes
+                  for text in axes.get_legend().get_texts()]
+        self.assertIn("S on the wall", labels)
+        self.assertNotIn("on the wall (mean of each piece)", labels)
 
     def test_no_path_leaves_the_container(self):
         for name in ("steps", "chaotic", "every", "contact"):

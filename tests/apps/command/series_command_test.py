@@ -83,6 +83,87 @@ class MeasuredRegimes(InFolder):
         self.assertAlmostEqual(found["variance_scale"], 1, delta=1e-12)
 
 
+class Motion(InFolder):
+    """Lost rows, angles and positions."""
+
+    TURNS = 2 * math.pi
+
+    def rows(self, name, header, rows):
+        return self.file(name, "\n".join([header] + [",".join(repr(v) for v in row) for row in rows]) + "\n")
+
+    def test_a_lost_frame_is_a_gap_and_changes_no_verdict(self):
+        rows = [(i / 30, math.sin(0.31 * i) + 0.5 * math.sin(0.31 * (1 + GOLDEN) * i)) for i in range(3600)]
+        for lost in ([], [1700], [900, 901, 2600]):
+            file = self.rows("s.csv", "t,S", [row for i, row in enumerate(rows) if i not in lost])
+            found = document(f"classify --series {file}")
+            self.assertEqual((found["mode"], found["settings"]["rows"]), ("quasi-steady", "samples"), lost)
+            series = found["series"]
+            self.assertEqual((series["column"], series["rows"], series["missing"], series["even"]),
+                             ("S", 3600 - len(lost), len(lost), True))
+            self.assertEqual(series["gaps"], {0: 0, 1: 1, 3: 2}[len(lost)])
+            self.assertAlmostEqual(series["spacing"], 1 / 30, delta=1e-12)
+            for command in ("classify", "recurrence", "spectrum"):
+                text = run(f"{command} --series {file}").stdout
+                self.assertIn(f"series: column S, {3600 - len(lost)} rows, spacing 0.0333333, ", text)
+                self.assertIn(f"{len(lost)} samples missing" if lost else "no gaps", text)
+
+    def test_uneven_times_stay_as_they_are(self):
+        times = [0.0]
+        for i in range(200):
+            times.append(times[-1] + [0.4, 1.3, 0.8, 2.1][i % 4])
+        file = self.series("u.csv", [[-1.0, 0.2, 0.9, 0.5][i % 4] for i in range(201)], times)
+        series = document(f"classify --series {file}")["series"]
+        self.assertEqual((series["gaps"], series["samples"], series["even"]), (0, 201, False))
+
+    def test_an_angle_gives_S_however_it_is_wrapped(self):
+        rate, dt, count = 6.0, 1 / 30, 900
+        spin = [-0.7 + 0.4 * math.sin(0.05 * i) for i in range(count)]
+        angle = [0.3]
+        for s in spin:
+            angle.append(angle[-1] + rate * s * dt)
+        degrees = 180 / math.pi
+        columns = {"unwound": (angle, ""), "wrapped": ([math.remainder(a, self.TURNS) for a in angle], ""),
+                   "degrees": ([a * degrees % 360 for a in angle], "--degrees"),
+                   "sixth": ([a * degrees % 60 for a in angle], "--degrees --symmetry 6")}
+        for name, (values, flags) in columns.items():
+            file = self.rows(f"{name}.csv", "t,theta", [(i * dt, a) for i, a in enumerate(values)])
+            record = self.folder / "r.h5"
+            found = document(f"recurrence --series {file} --angle theta --swirl-rate {rate} {flags} --threshold 0.1 "
+                             f"-o {record}")
+            with xarray.open_dataset(record, group="series", engine="h5netcdf") as data:
+                for k, expected in enumerate(spin):
+                    self.assertAlmostEqual(float(data["value"][k]), expected, delta=1e-11, msg=name)
+                self.assertAlmostEqual(float(data["time"][0]), dt / 2, delta=1e-15)
+            record.unlink()
+            series = found["series"]
+            self.assertEqual((series["quantity"], series["swirl_rate"], series["rows"]), ("S of an angle", rate, count + 1))
+            half = math.pi / (6 if name == "sixth" else 1)
+            self.assertAlmostEqual(series["largest_turn"], rate * 1.1 * dt / half, delta=1e-3)
+
+    def test_a_position_gives_its_distance(self):
+        rows = [(0.1 * i, 3 * math.cos(i), 4 * math.sin(i)) for i in range(200)]
+        file = self.rows("p.csv", "t,x,y", rows)
+        record = self.folder / "r.h5"
+        found = document(f"recurrence --series {file} --position x y --threshold 0.1 -o {record}")
+        self.assertEqual((found["series"]["column"], found["series"]["quantity"]), ("x, y", "distance of a position"))
+        with xarray.open_dataset(record, group="series", engine="h5netcdf") as data:
+            for k, (_, x, y) in enumerate(rows):
+                self.assertAlmostEqual(float(data["value"][k]), math.hypot(x, y), delta=1e-14)
+        self.assertIsNone(document(f"classify --series {file} --position x y")["mean_S"])
+
+    def test_flags_that_do_not_go_together(self):
+        file = self.rows("p.csv", "t,x,y", [(0.1 * i, math.cos(i), math.sin(i)) for i in range(200)])
+        for flags, said in (("--angle x --column y", "give one"), ("--degrees", "--angle COLUMN is missing"),
+                            ("--swirl-rate 3", "--angle COLUMN is missing"), ("--angle x --swirl-rate 0", "swirl-rate = 0"),
+                            ("--angle z", "--angle = 'z'"), ("--angle x --symmetry 0", "symmetry"),
+                            ("--angle x --alpha 0.4", "a scene and --series"), ("--angle x --spin 1", "a scene and --series")):
+            for command in ("classify", "recurrence", "spectrum"):
+                result = run(f"{command} --series {file} {flags}")
+                self.assertEqual((result.returncode, result.stdout), (2, ""), (command, flags))
+                self.assertEqual(len(result.stderr.splitlines()), 1)
+                self.assertIn(said, result.stderr)
+
+
 class ClassifySeries(InFolder):
     def test_each_regime_by_its_series_alone(self):
         noise = random.Random(5)
@@ -114,16 +195,14 @@ class ClassifySeries(InFolder):
         known = document(f"classify --series {file} --noise 0.0025")
         self.assertEqual((known["mode"], known["kind"], known["period"]), ("steady", "fixed-point", 1))
 
-    def test_a_record_is_followed_on_from_its_scene_and_start(self):
+    def test_a_record_is_judged_whatever_its_start(self):
         record = self.folder / "o.h5"
         for begin in ("", "--seed 3 --speed 0.2", "--x 0.45 --vx 0.1 --spin 0.3",
                       "--point -0.0839222884192122,0.0279667948111745,-0.554206442503235,"
                       "0.889793543857900,-0.97926606"):
-            self.assertEqual(run(f"simulate {STEADY} {begin} --collisions 5 --quiet -o {record}").returncode, 0)
-            found, scene = document(f"classify {record} --quiet"), document(f"classify {STEADY} {begin}")
-            found.pop("swirl_version"), scene.pop("swirl_version")
-            self.assertEqual(found, scene)
-        self.assertIn("followed", run(f"classify {record}").stderr)
+            self.assertEqual(run(f"simulate {STEADY} {begin} --collisions 600 --quiet -o {record}").returncode, 0)
+            found = document(f"classify {record}")
+            self.assertEqual(found, document(f"classify {STEADY} {begin} --transient 300 --collisions 300"))
 
     def test_a_record_without_a_scene_is_a_series(self):
         file = self.series("s.csv", [[-1.0, 0.2, 0.9][i % 3] for i in range(300)], [0.5 * i for i in range(300)])

@@ -17,7 +17,12 @@ using Numbers = std::vector<double>;
 MeasuredSeries read(const std::string& content, const std::string& column = "", const std::string& time = "",
                     double spacing = 1) {
     const WrittenFile file(content);
-    return read_series({file.path(), column, time, spacing});
+    SeriesChoice choice;
+    choice.file = file.path();
+    choice.column = column;
+    choice.time = time;
+    choice.spacing = spacing;
+    return read_series(choice);
 }
 
 std::string refusal(const std::string& content, const std::string& column = "", const std::string& time = "") {
@@ -71,17 +76,39 @@ TEST(MeasuredSeries, GapsStayAndAreCounted) {
 
 TEST(MeasuredSeries, TimesThatAreEvenUpToPrintingAreEven) {
     // 30 frames a second in whole milliseconds: half a millisecond off, and the grid through both ends as much again.
-    std::string frames = "t,S\n", dropped = "t,S\n";
-    for (int i = 0; i < 60; ++i) {
-        const std::string row = std::to_string(std::lround(i * 1000 / 30.0)) + "," + std::to_string(i) + "\n";
-        frames += row;
-        if (i != 20) dropped += row;
-    }
+    std::string frames = "t,S\n";
+    for (int i = 0; i < 60; ++i)
+        frames += std::to_string(std::lround(i * 1000 / 30.0)) + "," + std::to_string(i) + "\n";
     EXPECT_TRUE(read(frames).even);
     EXPECT_LE(read(frames).largest_deviation, 0.03);
     EXPECT_GT(read(frames).largest_deviation, 0);
-    EXPECT_FALSE(read(dropped).even);
-    EXPECT_EQ(read(dropped).largest_step, 67);
+}
+
+TEST(MeasuredSeries, ARowThatIsLostBetweenEvenTimesIsAGap) {
+    std::string dropped = "t,S\n";
+    for (int i = 0; i < 60; ++i)
+        if (i != 20 && i != 40 && i != 41)
+            dropped += std::to_string(std::lround(i * 1000 / 30.0)) + "," + std::to_string(i) + "\n";
+    const auto series = read(dropped);
+    EXPECT_TRUE(series.even);
+    EXPECT_EQ(series.rows, 57u);
+    EXPECT_EQ(series.missing, 3u);
+    EXPECT_EQ(series.gaps, 2u);
+    ASSERT_EQ(series.values.size(), 60u);
+    for (std::size_t i = 0; i < 60; ++i) {
+        EXPECT_NEAR(series.times[i], static_cast<double>(i) * 1000 / 30, 0.5 + 1e-9);
+        if (i == 20 || i == 40 || i == 41)
+            EXPECT_TRUE(std::isnan(series.values[i]));
+        else
+            EXPECT_EQ(series.values[i], static_cast<double>(i));
+    }
+}
+
+TEST(MeasuredSeries, ALongBreakAndUnevenTimesAreNotFilled) {
+    std::string broken = "t,S\n";
+    for (int i = 0; i < 60; ++i) broken += std::to_string(i < 30 ? i : i + 1'000'000'000) + ",1\n";
+    EXPECT_EQ(read(broken).values.size(), 60u);  // a thousand million rows of nothing
+    EXPECT_EQ(read("t,S\n0,1\n1,2\n3,3\n4,4\n6,5\n").missing, 0u);
 }
 
 TEST(MeasuredSeries, TimesMustRise) {

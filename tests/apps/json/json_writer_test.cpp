@@ -57,7 +57,10 @@ TEST(JsonWriter, NumbersLookAsExpected) {
     EXPECT_EQ(text_of(1.0), "1\n");
     EXPECT_EQ(text_of(0.5), "0.5\n");
     EXPECT_EQ(text_of(-0.0), "-0.0\n");
-    EXPECT_EQ(text_of(0.1), "0.10000000000000001\n");
+    EXPECT_EQ(text_of(0.1), "0.1\n");
+    EXPECT_EQ(text_of(1e-6), "1e-06\n");
+    EXPECT_EQ(text_of(0.1 + 0.2), "0.30000000000000004\n");
+    EXPECT_EQ(text_of(std::numeric_limits<double>::lowest()), "-1.7976931348623157e+308\n");
     EXPECT_EQ(text_of(true), "true\n");
     EXPECT_EQ(text_of(7), "7\n");
     EXPECT_EQ(text_of(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808\n");

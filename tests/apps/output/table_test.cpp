@@ -144,5 +144,32 @@ TEST(Table, ATextThatIsNoFlagIsRefused) {
     EXPECT_THROW(write_record(record.root().group("balls"), table, balls), std::logic_error);
 }
 
+TEST(Table, ShowsNumbersInTheUsersUnitsAndADashForWhatIsNotThere) {
+    struct Motion {
+        double time, speed, angle;
+    };
+    const Table<Motion> table{{"motion"},
+                              {Field<Motion>{"t", &Motion::time, "1/omega_s"}.shown("t", " {:>6.2f}"),
+                               Field<Motion>{"v", &Motion::speed, "R_c omega_s"}.shown("v", " {:>6.2f}"),
+                               Field<Motion>{"psi", &Motion::angle, "rad"}.shown("psi", " {:>6.2f}")}};
+    const Motion motion{3, 0.5, std::numeric_limits<double>::quiet_NaN()};
+    const auto line = [&](const std::optional<apps::Units>& units) {
+        return line_of(shown_fields(in_units(table, units)), motion);
+    };
+    EXPECT_EQ(line({}), "   3.00   0.50      -\n");
+    EXPECT_EQ(line(apps::Units{2, 0.25, 8}), "   0.75   4.00      -\n");
+}
+
+TEST(Units, ScaleByWhatTheUnitsOfAColumnSay) {
+    const apps::Units units{2, 0.25, 8};  // R_c, 1/omega_s, m
+    const auto scale = [&](const char* unit) { return apps::physical_scale(units, unit); };
+    EXPECT_EQ(scale("R_c"), 2);
+    EXPECT_EQ(scale("omega_s"), 4);
+    EXPECT_EQ(scale("1/omega_s"), 0.25);
+    EXPECT_EQ(scale("R_c omega_s"), 8);
+    EXPECT_EQ(scale("m R_c^2 omega_s^2"), 8 * 4 * 16);
+    for (const char* none : {"", "1", "rad", "s", "R_c rad", "omega"}) EXPECT_FALSE(scale(none)) << none;
+}
+
 }  // namespace
 }  // namespace swirl::tests

@@ -1,0 +1,29 @@
+// What is analysed of a measured motion: gaps in its times, S of an angle, a distance of a position.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace swirl::apps {
+
+/// Where times are otherwise even (nine steps in ten within a tenth of their median), a step of 2, 3, … such steps (to
+/// a quarter of one) has lost the samples between: rows of NaN are put there, at their times. Uneven times stay as they
+/// are, and so do steps that would make more rows than there are.
+///   columns  as long as `times`, and kept so
+/// @return how many rows were put in. O(rows).
+std::size_t fill_lost_rows(std::vector<double>& times, std::vector<std::vector<double>>& columns);
+
+/// So many runs of missing values.
+std::size_t count_gaps(const std::vector<double>& values);
+
+/// S = Δθ / (ω_s Δt) between neighbouring rows, at the times half-way; NaN beside a missing angle. An angle is known
+/// modulo `period`: Δθ is its representative in [−period/2, period/2), which is the true one if the body turns by less
+/// than half a period from row to row.
+struct AngleRates {
+    std::vector<double> times, values;
+    double largest_turn = 0;  ///< the largest |Δθ| / (period/2): near 1 the unwrapping is a guess
+};
+AngleRates rates_of_angle(const std::vector<double>& times, const std::vector<double>& angles, double period,
+                          double swirl_rate);
+
+}  // namespace swirl::apps

@@ -1,0 +1,87 @@
+#include "apps/modes/verdict_in_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace swirl::apps {
+
+namespace {
+
+using analysis::Classification, analysis::Evidence, analysis::Kind, analysis::Mode;
+
+const Evidence* evidence_of(const Classification& verdict, std::string_view name) {
+    const auto found = std::find_if(verdict.evidence.begin(), verdict.evidence.end(),
+                                    [&](const Evidence& e) { return e.name == name; });
+    return found == verdict.evidence.end() ? nullptr : &*found;
+}
+
+std::string sureness_of_cycle(const Classification& verdict) {
+    if (evidence_of(verdict, "rank of the derivative along the cycle") != nullptr)
+        return "settled: superstable, the cycle annihilates every direction";
+    const Evidence* multiplier = evidence_of(verdict, "slowest multiplier");
+    if (multiplier == nullptr || !(multiplier->value < multiplier->threshold))
+        return "as far as it was followed: the orbit has stayed on a cycle that does not attract";
+    return fmt::format("settled: {}attracts, slowest multiplier {:.6g}",
+                       verdict.kind == Kind::family ? "a member of a family, which " : "the cycle ", multiplier->value);
+}
+
+std::string sureness_of_exponent(const Classification& verdict) {
+    const double value = verdict.largest_exponent, error = verdict.largest_exponent_error;
+    if (std::isnan(value)) return "as far as it was followed";
+    return fmt::format("as far as it was followed: largest exponent {:.4g}{} per impact", value,
+                       std::isnan(error) ? "" : fmt::format(" +- {:.2g}", error));
+}
+
+}  // namespace
+
+std::string mode_in_words(const Classification& verdict) {
+    return fmt::format("mode {}{}{}", name_of(verdict.mode),
+                       verdict.kind == Kind::none ? "" : fmt::format(" ({})", name_of(verdict.kind)),
+                       verdict.period > 0 ? fmt::format(", period {}", verdict.period) : "");
+}
+
+std::string sureness_in_words(const Classification& verdict) {
+    if (verdict.mode == Mode::undecided)
+        return verdict.evidence.empty() ? "open" : "open; decided by: " + verdict.evidence.back().changes_if;
+    if (!verdict.multipliers.empty() || evidence_of(verdict, "closure throughout") != nullptr)
+        return sureness_of_cycle(verdict);
+    if (const Evidence* contact = evidence_of(verdict, "time in contact"); contact != nullptr)
+        return fmt::format("{}: no impact for {:.6g} units of time",
+                           verdict.kind == Kind::rolling ? "settled, at rest" : "as far as it was followed",
+                           contact->value);
+    if (const Evidence* noise = evidence_of(verdict, "noise of the angle in radians"); noise != nullptr)
+        return fmt::format("as far as it was measured: with {:.3g} radians of noise in the angle", noise->value);
+    if (const Evidence* residual = evidence_of(verdict, "residual about the phase means");
+        residual != nullptr && verdict.period > 0)
+        return fmt::format("as far as it was measured: residual {:.3g}, at most {:.3g} is noise", residual->value,
+                           residual->threshold);
+    return sureness_of_exponent(verdict);
+}
+
+std::string reason_in_words(const Classification& verdict) {
+    if (verdict.evidence.empty()) return "there is no evidence";
+    const auto says = [](const Evidence& e) { return fmt::format("{} {:.4g}: {}", e.name, e.value, e.says); };
+    if (const Evidence* closure = evidence_of(verdict, "closure"); closure != nullptr && verdict.period > 0)
+        return fmt::format("{}, after {} impact{}, to {:.2g}", closure->says, verdict.period,
+                           verdict.period == 1 ? "" : "s", closure->value);
+    if (verdict.mode == Mode::undecided) return says(verdict.evidence.back());
+    for (const char* decides :
+         {"share of the continuum in S", "rotation number", "largest exponent", "work of slip, last quarter",
+          "spread of the periods", "range of S", "divergence of neighbours per sample",
+          "logarithmic separation of neighbours", "residual about the phase means"})
+        if (const Evidence* e = evidence_of(verdict, decides)) return says(*e);
+    return says(verdict.evidence.back());
+}
+
+std::string table_of(const std::vector<Evidence>& evidence) {
+    std::string text;
+    for (const auto& e : evidence)
+        text += fmt::format("  evidence: {:<40} {:>12.4g}  against {:>10.4g}  {}\n            changes if: {}\n", e.name,
+                            e.value, e.threshold, e.says, e.changes_if);
+    return text;
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,23 @@
+// A verdict in a few lines for people: what it is, how sure, and why.
+#pragma once
+
+#include "analysis/classification/classify.hpp"
+
+#include <string>
+
+namespace swirl::apps {
+
+/// "mode quasi-steady (cycle), period 4"
+std::string mode_in_words(const analysis::Classification& verdict);
+
+/// How sure, in one line. `settled`: nothing that follows can change it (an attracting cycle, rest). `as far as it was
+/// followed`: nothing settles chaos or a torus. `open`: undecided, and what is missing.
+std::string sureness_in_words(const analysis::Classification& verdict);
+
+/// What decided, in one line: of the evidence the piece that the verdict rests on.
+std::string reason_in_words(const analysis::Classification& verdict);
+
+/// All of the evidence, two lines each.
+std::string table_of(const std::vector<analysis::Evidence>& evidence);
+
+}  // namespace swirl::apps

@@ -135,7 +135,7 @@ TEST(MeasuredSeries, FramesLostFromTimesOfFewDigitsAreFound) {
     std::string film = "t,theta\n";
     for (int i = 0; i < 600; ++i) {
         if (i == 100 || i == 200 || i == 201) continue;
-        film += std::to_string(std::lround(i * 100 / 30.0) / 100.0) + ",0.5\n";
+        film += std::to_string(std::round(i * 100 / 30.0) / 100) + ",0.5\n";
     }
     const WrittenFile file(film);
     SeriesChoice choice;

@@ -1,6 +1,5 @@
 #include "analysis/classification/classify_angle.hpp"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

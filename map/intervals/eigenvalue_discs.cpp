@@ -50,8 +50,8 @@ Disc disc_about(acb_srcptr ball, double more) {
     arb_set(re.raw(), acb_realref(ball));
     arb_set(im.raw(), acb_imagref(ball));
     Disc disc{middle(re), middle(im), 0};
-    const Ball far = sqrt(square(re - Ball(disc.re)) + square(im - Ball(disc.im)));
-    disc.radius = up(upper(far) + more);
+    const double across = upper(abs(re - Ball(disc.re))), along = upper(abs(im - Ball(disc.im)));
+    disc.radius = up(up(std::hypot(across, along) * (1 + 1e-15)) + more);
     return disc;
 }
 

@@ -1,0 +1,31 @@
+#include "apps/tradeoff/rung_in.hpp"
+
+#include <limits>
+
+namespace swirl::apps::tradeoff {
+
+// Each is compiled in a file of its own, rungs_in_*.cpp.
+extern template Rung rung<InNumbers<double>>(std::string_view, std::string_view, bool);
+extern template Rung rung<InNumbers<long double>>(std::string_view, std::string_view, bool);
+extern template Rung rung<InNumbers<Quad>>(std::string_view, std::string_view, bool);
+
+namespace {
+
+constexpr bool has_extended = std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits;
+
+std::vector<Rung> table() {
+    std::vector<Rung> rungs;
+    rungs.push_back(rung<InNumbers<double>>("double", "double precision: the first contact proven, to rounding", true));
+    if (has_extended) rungs.push_back(rung<InNumbers<long double>>("extended", "the same in long double", true));
+    rungs.push_back(rung<InNumbers<Quad>>("quad", "the same in 113 bits: what the others are compared with", true));
+    return rungs;
+}
+
+}  // namespace
+
+std::span<const Rung> all_rungs() {
+    static const std::vector<Rung> rungs = table();
+    return rungs;
+}
+
+}  // namespace swirl::apps::tradeoff

@@ -49,7 +49,7 @@ public:
 private:
     template <class Step>
     void fill(Step& step, const RungStep& found) const {
-        step.alive = found.outcome == Outcome::completed && !budget_.is_spent(counted_share);
+        step.alive = found.outcome == Outcome::completed && !budget_.is_spent(orbits_share);
         step.state = found.after;
         step.duration = found.rounded.collision.flight_time;
         step.integral = found.rounded.turned;
@@ -68,7 +68,7 @@ analysis::Tail<RungSectionMap<D>> follow(const RungMap& map, PostImpactState<Qua
     analysis::Tail<RungSectionMap<D>> tail;
     tail.first = z;
     double drift = 0;
-    while (tail.steps < count && !budget.is_spent(counted_share)) {
+    while (tail.steps < count && !budget.is_spent(orbits_share)) {
         const RungStep step = map.advance(z);
         orbit.outcome = step.outcome;
         if (step.outcome != Outcome::completed) {
@@ -119,7 +119,7 @@ std::optional<RungOrbit> orbit_in(const SceneMap<D>& exact, const Rung& rung, co
         orbit.largest_exponent = verdict.largest_exponent;
         orbit.largest_exponent_error = verdict.largest_exponent_error;
     }
-    if (budget.is_spent(counted_share)) return std::nullopt;  // a verdict on what was cut is none
+    if (budget.is_spent(orbits_share)) return std::nullopt;  // a verdict on what was cut is none
     return orbit;
 }
 

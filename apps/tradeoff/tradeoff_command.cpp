@@ -6,7 +6,6 @@
 #include "apps/tradeoff/tradeoff_document.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <optional>
 
@@ -29,7 +28,7 @@ Examples:
   swirl tradeoff --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --budget 2
   swirl tradeoff --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --budget 2 --json)";
 
-void TradeoffOptions::add_to(CLI::App& command) {
+void TradeoffOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);

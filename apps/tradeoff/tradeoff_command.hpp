@@ -13,7 +13,7 @@ struct TradeoffOptions {
     OutputOptions output;
     double budget = 10;  ///< seconds
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const tradeoff_details;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "apps/classify/classify_command.hpp"
-#include "apps/classify/escape.hpp"
 #include "apps/modes/attractors.hpp"
+#include "apps/modes/escape.hpp"
 
 #include <optional>
 #include <vector>

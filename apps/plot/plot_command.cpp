@@ -27,6 +27,7 @@ const char* const plot_details =
   sweep               modes: bands, a map or panels, by the number of parameters
   bifurcate, continue bifurcation: samples, branches and the points where they change
   orbits              multipliers: in the complex plane, with the mean spin of each orbit
+  tradeoff            tradeoff: work against precision, how the verdict settles, what pieces of the model add
 It is drawn by the Python package swirl_figures, which notebooks can use as well. The environment's SWIRL_FIGURES names
 another folder that holds plot_record.py, SWIRL_PYTHON another interpreter than /usr/bin/python3.
 

@@ -7,6 +7,7 @@ from .path import draw_path
 from .record import RecordError, open_record
 from .spin import draw_spin
 from .sweep import draw_sweep
+from .tradeoff import draw_tradeoff
 
 #: name: (the groups of which a record must hold one, what draws it); a record's first match is its default
 KINDS = {
@@ -16,6 +17,7 @@ KINDS = {
     "modes": ({"sweep"}, draw_sweep),
     "bifurcation": ({"samples", "branches", "special", "attractors"}, draw_bifurcation),
     "multipliers": ({"orbits"}, draw_multipliers),
+    "tradeoff": ({"rungs"}, draw_tradeoff),
 }
 
 

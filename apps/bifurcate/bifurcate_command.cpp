@@ -38,12 +38,14 @@ void BifurcateOptions::add_to(CLI::App& command) {
     command.add_option("--starts", starts, "random starts per column (default 4)")
         ->type_name("R")
         ->transform(whole_number(0, 1'000'000));
-    command.add_option("--transient", settings.transient, "impacts before those that are kept (default 2500)")
+    command.add_option("--transient", settings.transient, "impacts before those that are kept, at most (default 2500)")
         ->type_name("K")
         ->transform(whole_number(0, most));
-    command.add_option("--collisions", settings.collisions, "impacts that are kept, 64 or more (default 500)")
+    command.add_option("--collisions", settings.collisions, "impacts that are kept, at most; 64 or more (default 500)")
         ->type_name("K")
         ->transform(whole_number(64, most));
+    command.add_flag("--exhaustive", settings.exhaustive,
+                     "follow every orbit through all of these impacts, whatever its verdict needs");
     command.add_flag("--follow", follow, "follow the attractor upwards and downwards too");
     command.add_flag("--branches", branches, "continue every cycle that was found");
     command.add_option("--longest-branch", longest_branch, "longest period that --branches continues (default 12)")

@@ -174,6 +174,7 @@ Settings diagram_settings(const BifurcateOptions& options, const Diagram& diagra
             {"seed", options.start.seed()},
             {"transient", options.settings.transient},
             {"collisions", options.settings.collisions},
+            {"exhaustive", options.settings.exhaustive},
             {"follow", std::int64_t{options.follow}},
             {"branches", std::int64_t{options.branches}},
             {"longest_branch", std::int64_t{options.longest_branch}}};

@@ -23,7 +23,7 @@ namespace swirl::apps::sweep {
 const char* const sweep_details =
     R"(Names the mode of R random starts in every cell of a grid over one to three of alpha, beta, mu, restitution,
 inertia-factor, sides and the starts' speed. Run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's
-scene. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
+scene: an orbit is followed until its verdict is settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
 mean_S_error the standard error over them. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
 
 Examples:
@@ -38,12 +38,14 @@ void SweepOptions::add_to(CLI::App& command) {
     command.add_option("--runs", runs, "random starts in each cell (default 1)")
         ->type_name("R")
         ->transform(whole_number(1, 1'000'000));
-    command.add_option("--transient", settings.transient, "impacts before the tail (default 10000)")
+    command.add_option("--transient", settings.transient, "impacts before the tail, at most (default 10000)")
         ->type_name("K")
         ->transform(whole_number(0, 1'000'000'000));
-    command.add_option("--collisions", settings.collisions, "impacts of the tail, 64 or more (default 10000)")
+    command.add_option("--collisions", settings.collisions, "impacts of the tail, at most; 64 or more (default 10000)")
         ->type_name("K")
         ->transform(whole_number(64, 100'000'000));
+    command.add_flag("--exhaustive", settings.exhaustive,
+                     "follow every orbit through all of these impacts, whatever its verdict needs");
     command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
         ->type_name("D")
         ->check(finite_number_from(0));
@@ -75,6 +77,7 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     settings.emplace_back("seed", options.start.seed());
     settings.emplace_back("transient", options.settings.transient);
     settings.emplace_back("collisions", options.settings.collisions);
+    settings.emplace_back("exhaustive", options.settings.exhaustive);
     settings.emplace_back("threshold", options.settings.recurrence_threshold);
     return settings;
 }

@@ -113,7 +113,8 @@ Table<RunResult> run_table() {
              period_field<RunResult>(period),
              {"mean_S", &RunResult::mean_spin},
              {"mean_S_per_impact", &RunResult::mean_spin_per_impact},
-             {"largest_exponent", &RunResult::largest_exponent}}};
+             {"largest_exponent", &RunResult::largest_exponent},
+             {"impacts", [](const RunResult& run) { return static_cast<std::int64_t>(run.impacts); }}}};
 }
 
 void write_parameters(JsonWriter& json, const Sweep& sweep, const Cell& cell) {
@@ -137,6 +138,7 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
     const auto shares = [](const Cell& cell) {
         return std::vector<double>(cell.summary.shares.begin(), cell.summary.shares.end());
     };
+    const auto impacts_spent = [](const Cell& cell) { return static_cast<std::int64_t>(cell.summary.impacts_spent); };
     const auto parameters = [&sweep](JsonWriter& json, const Cell& cell) { write_parameters(json, sweep, cell); };
     const auto runs = [&sweep, table = run_table()](JsonWriter& json, const Cell& cell) {
         write_rows(json, table, sweep.cell(cell.index), JsonLayout::line);
@@ -151,6 +153,7 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
               "mean over the runs of the mean of S over impacts"},
              {"recurrence_rate", of(&CellSummary::recurrence_rate), "1", "mean over the runs of RC of S"},
              {"largest_exponent", of(&CellSummary::largest_exponent), "1", "mean over the runs, per impact"},
+             {"impacts_spent", impacts_spent, "1", "impacts that were followed, by all runs"},
              {"runs", runs}}};
 }
 

@@ -58,6 +58,7 @@ CellSummary summary_of(std::span<const RunResult> runs) {
     cell.mean_spin_per_impact = mean_of(measured(runs, &RunResult::mean_spin_per_impact));
     cell.recurrence_rate = mean_of(measured(runs, &RunResult::recurrence_rate));
     cell.largest_exponent = mean_of(measured(runs, &RunResult::largest_exponent));
+    for (const auto& run : runs) cell.impacts_spent += run.impacts;
     return cell;
 }
 

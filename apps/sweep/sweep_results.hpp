@@ -35,6 +35,7 @@ struct CellSummary {
     double mean_spin_per_impact = 0;          ///< mean over the runs, and the next two
     double recurrence_rate = 0;
     double largest_exponent = 0;
+    double impacts_spent = 0;  ///< by all runs
 };
 
 CellSummary summary_of(std::span<const RunResult> runs);

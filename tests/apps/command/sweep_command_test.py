@@ -43,6 +43,22 @@ class Sweeps(InFolder):
                                  (found["mode"], found["mean_S"], found["largest_exponent"]))
             self.assertAlmostEqual(sum(cell["modes"].values()), 1, delta=1e-15)
 
+    def test_fewer_impacts_give_the_verdicts_of_all(self):
+        scene = GRID.replace("--transient 300 --collisions 300", "--transient 3000 --collisions 3000")
+        few, all_ = document(f"sweep {scene}"), document(f"sweep {scene} --exhaustive")
+        self.assertEqual((few["settings"]["exhaustive"], all_["settings"]["exhaustive"]), (False, True))
+        spent = {"few": 0, "all": 0}
+        for a, b in zip(few["cells"], all_["cells"]):
+            for one, other in zip(a["runs"], b["runs"]):
+                self.assertEqual([one[key] for key in ("mode", "kind", "period", "outcome")],
+                                 [other[key] for key in ("mode", "kind", "period", "outcome")], a["parameters"])
+                self.assertAlmostEqual(one["mean_S"], other["mean_S"], delta=1e-9)
+                self.assertLessEqual(one["impacts"], other["impacts"])
+            self.assertEqual(a["impacts_spent"], sum(run_["impacts"] for run_ in a["runs"]))
+            spent["few"] += a["impacts_spent"]
+            spent["all"] += b["impacts_spent"]
+        self.assertLess(spent["few"], 0.8 * spent["all"])
+
     def test_threads_do_not_change_a_bit_and_xarray_opens_the_grid(self):
         for threads in (1, 2):
             swept = run(f"sweep {GRID} --threads {threads} -o {self.folder}/{threads}.h5 --quiet")
@@ -92,7 +108,7 @@ class Sweeps(InFolder):
         first = document(f"sweep {GRID} -o {file}")
         bytes_ = file.read_bytes()
         self.assertEqual(document(f"sweep {GRID} -o {file} --quiet"), first)
-        for change, name in (("--seed 2", "seed"), ("--runs 3", "runs"), ("--collisions 400", "collisions")):
+        for change, name in (("--seed 2", "seed"), ("--exhaustive", "exhaustive"), ("--runs 3", "runs"), ("--collisions 400", "collisions")):
             grid = GRID.replace({"runs": "--runs 2", "collisions": "--collisions 300"}.get(name, "nothing"), "")
             refused = run(f"sweep {grid} {change} -o {file}")
             self.assertEqual(refused.returncode, 2, refused.stderr)

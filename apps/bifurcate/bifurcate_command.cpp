@@ -102,7 +102,7 @@ int bifurcate(BifurcateOptions& options) {
     Diagram diagram;
     diagram.along = parameter_range_from(options.along, true, false);
     check(options, diagram.along);
-    for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}});
+    for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}, {}});
     std::optional<RecordWriter> record =
         open_record(options.output, "Attractors of a swirled polygon over one parameter", {options.scene.file()},
                     options.scene.units());
@@ -111,6 +111,7 @@ int bifurcate(BifurcateOptions& options) {
     sample_columns(options, diagram);
     if (options.follow) follow_columns(options, diagram);
     keep_finished(diagram);
+    find_steady_modes(options, diagram);
     if (options.branches && !is_interrupted()) continue_attractors(options, diagram);
     diagram.interrupted = is_interrupted();
     finish_up();

@@ -24,7 +24,8 @@ const char* const sweep_details =
     R"(Names the mode of R random starts in every cell of a grid over one to three of alpha, beta, mu, restitution,
 inertia-factor, sides and the starts' speed. Run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's
 scene: an orbit is followed until its verdict is settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
-mean_S_error the standard error over them. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
+mean_S_error the standard error over them. Each cell also lists the attracting steady modes that follow from the scene's
+equations, with their shares of the runs: 0 of one that no start came to. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
 
 Examples:
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:5 --collisions 500
@@ -228,11 +229,12 @@ int sweep(SweepOptions& options) {
             throw BadInput(error.what());
         }
         if (!options.output.quiet) tell(fmt::format("swirl: '{}' holds this sweep already", path));
+        if (!find_steady_modes(options, sweep)) return exit_interrupted;
     } else {
         std::vector<char> done(sweep.results.size(), 0);
         std::optional<SweepJournal> journal;
         if (!path.empty()) journal.emplace(path, sweep, done);
-        if (!run_all(options, sweep, done, journal ? &*journal : nullptr)) {
+        if (!run_all(options, sweep, done, journal ? &*journal : nullptr) || !find_steady_modes(options, sweep)) {
             if (journal && std::count(done.begin(), done.end(), 1) == 0) journal->remove();  // nothing to go on from
             if (journal && !options.output.quiet)
                 tell(fmt::format("swirl: interrupted; {} of {} runs are kept: the same command goes on from there",

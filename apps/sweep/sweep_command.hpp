@@ -3,6 +3,7 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
+#include "apps/modes/steady_shares.hpp"
 #include "apps/sweep/grid.hpp"
 #include "apps/sweep/sweep_results.hpp"
 
@@ -30,11 +31,15 @@ struct Sweep {
     std::int64_t runs = 1;
     Settings settings;  ///< everything that the results depend on, in the order in which it is compared
     std::vector<RunResult> results;
+    std::vector<std::vector<SteadyShare>> steady;  ///< of each cell
 
     std::span<const RunResult> cell(std::size_t index) const {
         return std::span(results).subspan(index * static_cast<std::size_t>(runs), static_cast<std::size_t>(runs));
     }
 };
+
+/// The attracting steady modes of every cell, with their shares of the runs. False if interrupted.
+bool find_steady_modes(const SweepOptions& options, Sweep& sweep);
 
 /// A record of a finished sweep. @throws RecordError
 void write_sweep(const SweepOptions& options, const Sweep& sweep);

@@ -131,6 +131,13 @@ void write_shares(JsonWriter& json, const Cell& cell) {
     json.end_object();
 }
 
+/// Of the cell that has most, 1 at least: a dimension of no length is nothing to plot.
+std::size_t most_steady_modes(const Sweep& sweep) {
+    std::size_t most = 1;
+    for (const auto& modes : sweep.steady) most = std::max(most, modes.size());
+    return most;
+}
+
 /// The cells, along the dimensions `axes` of a record.
 Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes = {}) {
     using F = Field<Cell>;
@@ -140,6 +147,13 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
     };
     const auto impacts_spent = [](const Cell& cell) { return static_cast<std::int64_t>(cell.summary.impacts_spent); };
     const auto parameters = [&sweep](JsonWriter& json, const Cell& cell) { write_parameters(json, sweep, cell); };
+    const auto steady = [&sweep, table = steady_share_table()](JsonWriter& json, const Cell& cell) {
+        write_rows(json, table, sweep.steady[cell.index], JsonLayout::line);
+    };
+    const std::size_t most = most_steady_modes(sweep);
+    const auto steady_column = [&sweep, most](double SteadyShare::*member) {
+        return [&sweep, most, member](const Cell& cell) { return filled(sweep.steady[cell.index], member, most); };
+    };
     const auto runs = [&sweep, table = run_table()](JsonWriter& json, const Cell& cell) {
         write_rows(json, table, sweep.cell(cell.index), JsonLayout::line);
     };
@@ -154,6 +168,19 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
              {"recurrence_rate", of(&CellSummary::recurrence_rate), "1", "mean over the runs of RC of S"},
              {"largest_exponent", of(&CellSummary::largest_exponent), "1", "mean over the runs, per impact"},
              {"impacts_spent", impacts_spent, "1", "impacts that were followed, by all runs"},
+             {"steady_modes", steady},
+             F{"steady_S", steady_column(&SteadyShare::spin), "omega_s", "S of an attracting steady mode; NaN: no more"}
+                 .along({"steady_mode"}, most)
+                 .record_only(),
+             F{"steady_share", steady_column(&SteadyShare::share), "1", "share of the runs that came to it"}
+                 .along({"steady_mode"}, most)
+                 .record_only(),
+             F{"steady_flight_time", steady_column(&SteadyShare::flight_time), "1/omega_s", "its flight time"}
+                 .along({"steady_mode"}, most)
+                 .record_only(),
+             F{"steady_multiplier", steady_column(&SteadyShare::multiplier), "1", "its largest |multiplier|"}
+                 .along({"steady_mode"}, most)
+                 .record_only(),
              {"runs", runs}}};
 }
 
@@ -199,6 +226,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     }
     group.dimension("run", static_cast<std::uint64_t>(sweep.runs));
     group.dimension("mode", mode_count);
+    group.dimension("steady_mode", most_steady_modes(sweep));
     std::vector<std::string> modes;
     for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
     group.write_strings("mode", {"mode"}, modes);

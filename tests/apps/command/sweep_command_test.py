@@ -30,6 +30,44 @@ class BadGrids(InFolder):
             self.assertEqual(list(self.folder.iterdir()), [])
 
 
+class SteadyModes(InFolder):
+    """What no start reaches: the attracting steady modes of a cell, with their shares, 0 included."""
+    SCENE = "--sides 6 --mu 0.5 --restitution 0.95 --transient 2000 --collisions 500"
+
+    def test_a_mode_that_no_start_came_to_is_listed_all_the_same(self):
+        # alpha = 0.38, beta = 0.9: beside chaos it takes one start in a hundred
+        swept = document(f"sweep {self.SCENE} --grid alpha=0.38:0.4:2 --grid beta=0.9:0.9:1 --runs 2")
+        modes = swept["cells"][0]["steady_modes"]
+        self.assertEqual([(m["period"], m["share"]) for m in modes], [(1, 0)])
+        known = document("describe --sides 6 --mu 0.5 --restitution 0.95 --alpha 0.38 --beta 0.9")["steady_modes"]
+        stable = [m for m in known if m["stability"] == "stable"]
+        self.assertEqual(len(stable), 1)
+        for key, ours in (("S", "S"), ("tau", "flight_time")):
+            self.assertAlmostEqual(stable[0][key], modes[0][ours], delta=1e-12)
+        runs = document(f"classify {self.SCENE} --alpha 0.38 --beta 0.9 --runs 2")
+        self.assertEqual(runs["steady_modes"], modes)
+        column = document(f"bifurcate {self.SCENE} --beta 0.9 --along alpha=0.38:0.4:2 --starts 2")["columns"][0]
+        self.assertEqual(column["steady_modes"], modes)
+
+    def test_shares_are_those_of_the_runs_and_the_record_opens(self):
+        grid = f"{self.SCENE} --grid alpha=0.3:0.7:5 --grid beta=0.3:0.7:5 --runs 2"
+        swept = document(f"sweep {grid} -o {self.folder}/a.h5")
+        listed = 0
+        for cell in swept["cells"]:
+            steady = [run_["mean_S"] for run_ in cell["runs"] if run_["kind"] == "fixed-point"]
+            for mode in cell["steady_modes"]:
+                listed += 1
+                self.assertLess(mode["multiplier"], 1)
+                self.assertEqual(mode["share"], sum(abs(S - mode["S"]) < 1e-6 for S in steady) / 2)
+            for S in steady:  # none is steady without its mode
+                self.assertTrue(any(abs(S - mode["S"]) < 1e-6 for mode in cell["steady_modes"]), cell["parameters"])
+        self.assertGreater(listed, 0)
+        with xarray.open_dataset(self.folder / "a.h5", group="sweep", engine="h5netcdf") as record:
+            self.assertEqual(record["steady_S"].dims, ("alpha", "beta", "steady_mode"))
+            self.assertEqual(int(record["steady_S"].notnull().sum()), listed)
+        self.assertEqual(document(f"sweep {grid} -o {self.folder}/a.h5 --quiet"), swept)
+
+
 class Sweeps(InFolder):
     def test_a_run_is_what_classify_gives(self):
         swept = document(f"sweep {GRID} --seed 5")

@@ -83,7 +83,7 @@ Table<SharedAttractor> attractors_table(const RunsFound& found) {
 void write_runs_document(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found) {
     print_document([&](JsonWriter& json) {
         write_scene(json, scene, options.scene, &options.start);
-        write_verdict(json, found.first.value(), options.settings);
+        if (found.first) write_verdict(json, *found.first, options.settings);
         write_shares(json, "modes", found, &RunVerdict::mode);
         write_shares(json, "kinds", found, &RunVerdict::kind);
         json.key("escape");
@@ -91,6 +91,7 @@ void write_runs_document(const ClassifyCommandOptions& options, const Scene<doub
         write_json(json, "attractors", attractors_table(found), found.attractors);
         write_json(json, "steady_modes", steady_share_table(), found.steady);
         write_json(json, "runs", runs_table(), found.runs);
+        if (!found.first) json.member("outcome", "interrupted");
     });
 }
 
@@ -119,8 +120,9 @@ void print_runs(const ClassifyCommandOptions& options, const Scene<double>& scen
             fmt::print("  no start came to the steady mode with S {:.10g} (|multiplier| {:.4g}, flight time {:.4g})\n",
                        mode.spin / units.value_or(Units{}).time, mode.multiplier,
                        mode.flight_time * units.value_or(Units{}).time);
-    fmt::print("the first of them, seed {}:\n{}", found.runs[found.attractors.front().runs.front()].seed,
-               table_of(found.first.value(), options.verbose, units));
+    if (found.first)
+        fmt::print("the first of them, seed {}:\n{}", found.runs[found.attractors.front().runs.front()].seed,
+                   table_of(*found.first, options.verbose, units));
 }
 
 }  // namespace swirl::apps::classify

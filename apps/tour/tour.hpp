@@ -10,7 +10,7 @@ struct TourOptions {
     bool verbose = false;     ///< the table has why, and the evidence
     bool exhaustive = false;  ///< all impacts, whatever the verdict needs
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const tour_details;

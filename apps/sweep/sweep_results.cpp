@@ -4,6 +4,7 @@
 
 #include <gsl/gsl_statistics_double.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -41,6 +42,13 @@ std::optional<RunResult> sweep_run(const Scene<double>& scene, double speed, std
                      v.recurrence_rate,
                      v.largest_exponent,
                      static_cast<double>(named.impacts)};
+}
+
+Interval wilson_interval(double share, double n) {
+    constexpr double z = 1.959963984540054;  // of the normal distribution: 2.5 % lie above
+    const double narrowed = 1 + z * z / n, middle = share + z * z / (2 * n);
+    const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+    return {std::max(0.0, (middle - half) / narrowed), std::min(1.0, (middle + half) / narrowed)};
 }
 
 CellSummary summary_of(std::span<const RunResult> runs) {

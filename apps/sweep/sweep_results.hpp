@@ -38,6 +38,14 @@ struct CellSummary {
     double impacts_spent = 0;  ///< by all runs
 };
 
+/// Wilson's interval of a share that was found in n of independent runs: of the probabilities p those from which it is
+/// less than 1.96 of their standard deviations √(p(1 − p)/n) away (95 %). E. B. Wilson, J. Amer. Statist. Assoc. 22
+/// (1927) 209.
+struct Interval {
+    double low = 0, high = 1;
+};
+Interval wilson_interval(double share, double n);
+
 CellSummary summary_of(std::span<const RunResult> runs);
 
 }  // namespace swirl::apps::sweep

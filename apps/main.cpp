@@ -73,6 +73,8 @@ Commands add_commands(CLI::App& app) {
                                          sweep::sweep),
         add_command<tradeoff::TradeoffOptions>(app, "tradeoff", "accuracy against cost, measured on a scene",
                                                tradeoff::tradeoff_details, tradeoff::tradeoff),
+        add_command<sweep::JoinOptions>(app, "join", "one record of the shards of a sweep", sweep::join_details,
+                                        sweep::join),
         add_command<describe::DescribeOptions>(app, "describe", "what is known of a scene in closed form",
                                                describe::describe_details, describe::describe),
         add_command<plot::PlotOptions>(app, "plot", "a figure of a record", plot::plot_details, plot::plot),

@@ -52,6 +52,9 @@ void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     found.attractors = attractors_of(found.runs);
     for (std::size_t a = 0; a < found.attractors.size(); ++a)
         for (const std::size_t r : found.attractors[a].runs) found.runs[r].attractor = static_cast<std::int64_t>(a);
+    std::vector<SettledRun> settled;
+    for (const RunVerdict& run : found.runs) settled.push_back({run.kind, run.mean_spin});
+    found.steady = steady_shares(scene, settled);
     // Verdicts with all their evidence are not kept, run by run: this one is made again.
     const std::uint64_t seed = found.runs[found.attractors.front().runs.front()].seed;
     NamedMode first = name_mode(scene, random_start(scene.beta, speed, seed, 0), options.settings, is_interrupted);

@@ -25,7 +25,7 @@ const char* const plot_details =
   lyapunov            lyapunov: exponents and their convergence
   orbits              multipliers: in the complex plane, with the mean spin of each orbit
   bifurcate, continue bifurcation: samples, branches and the points where they change; of special points of one kind
-                      that lie on one another (within 1.2 % of both axes) the first is drawn, and their number told
+                      that lie within a marker of one another the first is drawn, and their number told
   sweep               modes: bands, a map or panels, by the number of parameters
   describe, tour      steady-modes; tour
 Several records: below one another, (a), (b), ...; section portraits in the same axes. Widths of columns by name: aps,

@@ -4,7 +4,7 @@ import numpy
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
-from .look import NARROW, LegendBelow
+from .look import NARROW, LegendBelow, is_narrow
 from .record import RecordError
 from .style import BLACK, BLUE, GREEN, MANY_POINTS, ORANGE, PURPLE, SKY, VERMILION
 from .symbols import SPIN, axis_label, number, observable_label, scene_title
@@ -126,9 +126,18 @@ def _branch_handles(record, colours):
     return handles
 
 
-#: Special points of one kind that are nearer to one already drawn than this share of the axes, in both directions, are
-#: left out, and the legend says how many: crowded, they would hide the branches that they are on.
-_LEAST_APART = 0.012
+#: Size, in points, of a special point's marker. Of one kind those that lie within a marker of one already drawn, in both
+#: directions, are left out, and the legend says how many: crowded, they would hide the branches that they are on.
+_MARKER = 5.5
+
+
+def _size_of_a_marker(axes, points):
+    """(along the abscissa, along the ordinate) in the axes' numbers; the panel takes some 0.85 of the width and 0.55 of the
+    height of its figure."""
+    figure = axes.figure
+    size = (0.85 * figure.bbox.width, 0.55 * figure.bbox.height)
+    return [points / 72 * figure.figure.dpi / length * abs(end - begin)
+            for length, (begin, end) in zip(size, (axes.get_xlim(), axes.get_ylim()))]
 
 
 def _draw_special(axes, record):
@@ -138,14 +147,14 @@ def _draw_special(axes, record):
         located = record.column("special", "located") != 0
         kinds = numpy.where(located, kinds, [f"{kind}, not located" for kind in kinds])
     handles = []
-    scale = 1 if numpy.isfinite(spin).sum() <= 60 else 0.75
-    near = [_LEAST_APART * abs(end - begin) for begin, end in (axes.get_xlim(), axes.get_ylim())]
+    scale = (1 if numpy.isfinite(spin).sum() <= 60 else 0.75) * (0.8 if is_narrow(axes.figure) else 1)
+    near = _size_of_a_marker(axes, scale * _MARKER)
     limits = axes.axis()
     for kind in dict.fromkeys(kinds):
         of = kinds == kind
         plain = kind.split(",")[0]
         marker = {"marker": _MARKERS.get(plain, "o"), "mec": BLACK if kind == plain else "0.6", "mfc": "white",
-                  "mew": 0.9 * scale, "ms": scale * (9 if plain == "branch-point" else 5.5)}
+                  "mew": 0.9 * scale, "ms": scale * (9 if plain == "branch-point" else _MARKER)}
         x, y = numpy.repeat(parameter[of], spin.shape[1]), spin[of].ravel()
         shown = numpy.flatnonzero(numpy.isfinite(y))
         kept = shown[apart(x[shown], y[shown], *near)]
@@ -177,8 +186,10 @@ def _limit_ordinate(axes, record):
         return
     outside = int(((values < low) | (values > high)).sum())
     axes.set_ylim(low - 0.03 * (high - low), high + 0.03 * (high - low))
-    axes.annotate(f"{outside:,} of {len(values):,} points lie outside: from {number(values.min())} to "
-                  f"{number(values.max())}", (0.995, 0.012), xycoords="axes fraction", ha="right", fontsize="small", color="0.35")
+    between = "\n" if is_narrow(axes.figure) else " "
+    axes.annotate(f"{outside:,} of {len(values):,} points lie outside:{between}from {number(values.min())} to "
+                  f"{number(values.max())}", (0.995, 0.012), xycoords="axes fraction", ha="right", fontsize="small",
+                  color="0.25", bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 1}, zorder=5)
 
 
 def _draw_multiplier(axes, record, colours):
@@ -190,7 +201,9 @@ def _draw_multiplier(axes, record, colours):
     top = finite.max(initial=1.0)
     if top > 5:
         axes.set_yscale("symlog", linthresh=1, linscale=1)
-        axes.set_yticks([0, 1] + [10.0**k for k in range(1, int(numpy.log10(top)) + 1)])
+        most = int(numpy.log10(top))
+        axes.set_yticks([0, 1] + [10.0**k for k in range(1, most + 1)][::-(-most // 4) or 1])
+        axes.minorticks_off()
     axes.set(ylabel="largest $|\\lambda|$", ylim=(0, top * 1.15))
 
 

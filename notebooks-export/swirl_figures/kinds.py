@@ -1,5 +1,6 @@
 """The kinds of figure by name, and which of them a record can be drawn as."""
 
+import dataclasses
 from dataclasses import dataclass
 from typing import Callable
 
@@ -99,12 +100,30 @@ def _draw_together(records, name, look):
     return figure
 
 
+#: Their legends may be as high as their panels: how high shows when they are drawn.
+_OF_ANY_HEIGHT = ("bifurcation", "multipliers")
+
+
+def _height(record, name, look):
+    if name in _OF_ANY_HEIGHT:
+        return _draw_one(record, name, look).get_size_inches()[1]
+    return KINDS[name].size(record, look.width)[1]
+
+
+def _see_through(figure):
+    """Parts are drawn after what stands in the whole, and would cover it."""
+    for part in figure.subfigs:
+        part.patch.set_visible(False)
+        _see_through(part)
+
+
 def _draw_below_one_another(records, names, look):
     width = look.width or max(KINDS[name].size(record, None)[0] for record, name in zip(records, names))
-    heights = [KINDS[name].size(record, width)[1] for record, name in zip(records, names)]
+    heights = [_height(record, name, dataclasses.replace(look, width=width)) for record, name in zip(records, names)]
     figure = blank_figure(width, sum(heights))
     parts = figure.subfigures(len(records), 1, height_ratios=heights, squeeze=False)[:, 0]
     for letter, part, record, name in zip("abcdefgh", parts, records, names):
         limit_abscissa(KINDS[name].draw_into(part, record, look), look, name)
-        part.text(0.004, 0.995, f"({letter})", va="top", ha="left", weight="bold", zorder=10)  # above parts of the part
+        _see_through(part)
+        part.text(0.004, 0.995, f"({letter})", va="top", ha="left", weight="bold")
     return figure

@@ -62,11 +62,25 @@ def rows_of(width, count, least):
     return math.ceil(count / max(1, min(count, int(width / least))))
 
 
+#: Of a legend, in its letters' size: the width of a letter in the mean, of what stands beside a label, and a line's height.
+_LETTER, _BESIDE, _LINE = 0.55, 4.2, 1.65
+
+
 def legend_lines(handles, width, letters):
-    """(number of columns, of lines) of a legend below a figure of that width."""
-    longest = max((len(handle.get_label()) for handle in handles), default=1)
-    columns = max(1, min(len(handles), int(72 * width / ((0.55 * longest + 5) * 0.89 * letters))))
-    return columns, math.ceil(len(handles) / columns)
+    """(number of columns, of lines) of a legend below a figure of that width: as many columns as fit, each as wide as its
+    longest label (matplotlib fills one after the other)."""
+    lengths = [len(handle.get_label()) for handle in handles]
+    room = 72 * width / (0.89 * letters)
+    for columns in range(len(handles), 1, -1):
+        lines = math.ceil(len(handles) / columns)
+        longest = [max(lengths[first:first + lines]) for first in range(0, len(lengths), lines)]
+        if sum(_LETTER * length + _BESIDE for length in longest) <= room:
+            return len(longest), lines
+    return 1, len(handles)
+
+
+#: Of a figure's height, that a legend may take.
+_SHARE = 0.2
 
 
 class LegendBelow:
@@ -79,9 +93,13 @@ class LegendBelow:
         self._below = figure.add_subfigure(self._grid[1])
 
     def fill(self, handles, look):
+        """Of a whole figure the legend's height is added to that of the panels if it takes more than a fifth of it."""
         columns, lines = legend_lines(handles, width_of(self._figure), look.letters)
-        strip = (1.35 * 0.89 * look.letters * lines + 10) / 72
+        strip = (_LINE * 0.89 * look.letters * lines + 8) / 72
         height = self._figure.bbox.height / self._figure.figure.dpi
+        if strip > _SHARE * height and self._figure is self._figure.figure:
+            height += strip - _SHARE * height
+            self._figure.set_size_inches(width_of(self._figure), height)
         self._grid.set_height_ratios((max(height - strip, 0.5), strip))
         self._below.legend(handles=handles, loc="center", ncols=columns, columnspacing=1.2, handlelength=1.6,
                            borderaxespad=0)

@@ -191,6 +191,8 @@ class Options(WithRecords):
         self.assertEqual([axes.get_xlim() for axes in figure.axes], [(0, 3)] * 2)
         self.assertEqual([axes.xaxis.label.get_fontsize() for axes in figure.axes], [7] * 2)
         self.assertEqual([part._suptitle for part in figure.subfigs], [None] * 2)
+        letters = imread(self.folder / "two.png")[:30, :30, :3]  # (a), which no part of the figure covers
+        self.assertLess(letters.min(), 0.3)
         self.assertIn("hexagon", draw(self.records["spectrum"])._suptitle.get_text())
 
     def test_several_orbits_share_a_portrait(self):

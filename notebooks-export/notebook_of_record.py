@@ -24,8 +24,9 @@ def main():
     options = script.Parser("The notebook of a record of swirl.", "notebook, an .ipynb file,").parse_args()
     script.leave_when_interrupted()
     figures, notebooks = script.load_figures(), load_notebooks()
-    book, kind = script.made_from(options.record, lambda: notebooks.of_record.notebook_of_record(options.record[0],
-                                                                                                 options.output))
+    book, kind = script.made_from(
+        options.record, lambda: notebooks.of_record.notebook_of_record(options.record[0], options.output),
+        done="make a notebook of")
     content = notebooks.cells.as_bytes(book)
     script.saved("notebook", options.output, lambda: figures.output.write_whole(content, options.output))
     script.report(options, "notebook", kind)

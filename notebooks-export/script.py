@@ -72,7 +72,7 @@ def value_of(convert, text):
         fail(2, error)
 
 
-def made_from(records, make):
+def made_from(records, make, done="draw"):
     """make(), with what may be wrong with a record in one line."""
     figures = load_figures()
     names = "', '".join(records)
@@ -83,7 +83,7 @@ def made_from(records, make):
     except OSError as error:  # a damaged part that opening did not touch
         fail(2, f"cannot read record '{names}': {error}")
     except Exception as error:  # an edited record, or another program's, in which something is not as swirl writes it
-        fail(2, f"cannot draw record '{names}': {type(error).__name__}: {error}")
+        fail(2, f"cannot {done} record '{names}': {type(error).__name__}: {error}")
 
 
 def report(options, noun, kind):

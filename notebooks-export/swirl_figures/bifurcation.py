@@ -4,7 +4,7 @@ import numpy
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
-from .look import NARROW, LegendBelow, is_narrow
+from .look import NARROW, LegendBelow, is_narrow, widen
 from .record import RecordError
 from .style import BLACK, BLUE, GREEN, MANY_POINTS, ORANGE, PURPLE, SKY, VERMILION
 from .symbols import SPIN, axis_label, number, observable_label, scene_title
@@ -245,6 +245,7 @@ def _draw_above(axes, record, look):
     if look.xlim:
         axes.set_xlim(look.xlim)
     _limit_ordinate(axes, record)
+    widen(axes, abscissa=False)
     axes.set_ylabel(f"{label}, just after each impact")
     return handles
 

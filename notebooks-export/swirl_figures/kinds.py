@@ -22,8 +22,9 @@ class Kind:
     together: Callable = None
 
 
-def _with(*groups):
-    return lambda record: any(group in record for group in groups)
+def _with(group, column=None):
+    """Has the group, and in it the column: a result of nothing has its group alone."""
+    return lambda record: group in record and (column is None or column in record[group].variables)
 
 
 _simulate = _with("collisions")
@@ -39,11 +40,11 @@ KINDS = {
     "modes": Kind(_with("sweep"), sweep.draw_into, sweep.size),
     "bifurcation": Kind(bifurcation.is_diagram, bifurcation.draw_into, bifurcation.size),
     "multipliers": Kind(_with("orbits"), multipliers.draw_into, multipliers.size),
-    "shares": Kind(_with("runs"), shares.draw_into, shares.size),
+    "shares": Kind(_with("runs", "mode"), shares.draw_into, shares.size),
     "verdict": Kind(verdict.has_verdict, verdict.draw_into, verdict.size),
-    "spectrum": Kind(_with("spectrum"), spectrum.draw_into, spectrum.size),
-    "recurrence": Kind(_with("recurrence"), recurrence.draw_into, recurrence.size),
-    "lyapunov": Kind(_with("lyapunov"), lyapunov.draw_into, lyapunov.size),
+    "spectrum": Kind(_with("spectrum", "frequency"), spectrum.draw_into, spectrum.size),
+    "recurrence": Kind(_with("recurrence", "RR"), recurrence.draw_into, recurrence.size),
+    "lyapunov": Kind(_with("lyapunov", "exponents"), lyapunov.draw_into, lyapunov.size),
     "steady-modes": Kind(_with("steady_modes"), steady_modes.draw_into, steady_modes.size),
     "tour": Kind(tour.is_tour, tour.draw_into, tour.size),
 }

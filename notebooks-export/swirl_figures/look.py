@@ -117,3 +117,17 @@ def limit_abscissa(axes, look, kind):
 
 def blank_figure(width, height):
     return Figure(figsize=(width, height), layout="constrained")
+
+
+#: Values that differ by less are one value and its rounding: an axis of them spans LEAST_SPAN in place of that.
+ROUNDING, LEAST_SPAN = 1e-6, 0.02
+
+
+def widen(axes, abscissa=True):
+    """Axes of one value, or one point."""
+    pairs = ((axes.get_ylim, axes.set_ylim), (axes.get_xlim, axes.set_xlim))
+    for limits, limit in pairs if abscissa else pairs[:1]:
+        begin, end = limits()
+        if end - begin < ROUNDING:
+            middle = (begin + end) / 2
+            limit(middle - LEAST_SPAN / 2, middle + LEAST_SPAN / 2)

@@ -4,7 +4,7 @@ import numpy
 from matplotlib.colors import Normalize
 from matplotlib.lines import Line2D
 
-from .look import LegendBelow
+from .look import LegendBelow, widen
 from .record import RecordError
 from .style import CYCLE, MANY_POINTS, TIMES
 from .symbols import TIME, observable_label, scene_title
@@ -25,18 +25,6 @@ def _coordinate(record, name):
 def dot_size(count):
     """Points², small where many dots would cover one another."""
     return float(numpy.clip(3000 / max(count, 1), 0.4, 12))
-
-
-#: An axis spans so much at least: one point, and what rounding makes of it, is one point.
-LEAST_SPAN = 0.02
-
-
-def widen(axes):
-    """To LEAST_SPAN."""
-    for limits, limit in ((axes.get_xlim(), axes.set_xlim), (axes.get_ylim(), axes.set_ylim)):
-        if limits[1] - limits[0] < LEAST_SPAN:
-            middle = sum(limits) / 2
-            limit(middle - LEAST_SPAN / 2, middle + LEAST_SPAN / 2)
 
 
 def _label(axes, look):

@@ -4,7 +4,7 @@ import numpy
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from .look import LegendBelow, is_narrow
+from .look import LegendBelow, is_narrow, widen
 from .record import RecordError
 from .style import MODE_COLOURS
 from .symbols import MEAN_SPIN, number, scene_title
@@ -60,6 +60,7 @@ def _draw_runs(axes, record):
         axes.plot(numpy.flatnonzero(of) + 1, mean[of], "o", ms=4, color=colour, mec="0.3", mew=0.4)
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.margins(y=0.15)
+    widen(axes, abscissa=False)
     axes.set(xlabel="run", ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$", title="Every run")
 
 

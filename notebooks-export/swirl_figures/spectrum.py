@@ -94,6 +94,8 @@ def draw_into(figure, record, look):
         axes.set_xlim(look.xlim or _range_of_power(frequency, power))
         inside = positive & (frequency >= axes.get_xlim()[0]) & (frequency <= axes.get_xlim()[1])
         axes.set_ylim(max(power[inside].min(), floor) * 0.5, power.max() * 300)
+    else:
+        axes.text(0.5, 0.5, "constant: no power at any frequency", ha="center", transform=axes.transAxes)
     handles = [Line2D([], [], color=BLUE, lw=0.9, label="power density")] + _draw_peaks(axes, record, frequency, power)
     axes.set(xlabel=_frequency_label(record), ylabel=f"power of {_observable(record)} per unit of frequency")
     parts.fill(handles, look)

@@ -46,13 +46,14 @@ def _draw_families(axes, record):
     return set(branch), set(stability) & set(_FILLS)
 
 
-def _handles(branches, states, families):
+def _handles(branches, states, families, free):
     handles = [Line2D([], [], ls="", marker=marker, ms=5.5, color=colour, label=label)
                for name, (colour, marker, label) in _BRANCHES.items() if name in branches]
     handles += [Line2D([], [], ls="", marker="o", ms=5.5, color="0.3", fillstyle=fill, markerfacecoloralt="white",
                        label=name) for name, fill in _FILLS.items() if name in states]
     if families:
-        handles.append(Line2D([], [], color="0.3", lw=2, alpha=0.5, label="a family: its flight times, S of its middle"))
+        what = "S is free" if free else "S of its middle"
+        handles.append(Line2D([], [], color="0.3", lw=2, alpha=0.5, label=f"a family: its flight times, {what}"))
     return handles
 
 
@@ -67,7 +68,8 @@ def draw_into(figure, record, look):
     axes.axhline(0, color="0.8", lw=0.7, zorder=0)
     axes.set(xlabel=r"flight time $\omega_s\tau$", ylabel=SPIN)
     axes.margins(0.04)
-    parts.fill(_handles(modes[0] | families[0], modes[1] | families[1], bool(families[0])), look)
+    parts.fill(_handles(modes[0] | families[0], modes[1] | families[1], bool(families[0]),
+                        bool(families[0]) and bool(record.column("families", "S_is_free").any())), look)
     facts = record.attributes("facts")
     complete = facts.get("complete_to")
     limit = f"\nall steady modes with $\\omega_s\\tau \\leq$ {complete:g}" if complete is not None else ""

@@ -9,8 +9,8 @@ from matplotlib.colors import Normalize
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from .look import is_narrow, width_of
-from .section import dot_size, widen
+from .look import is_narrow, widen, width_of
+from .section import dot_size
 from .style import BLACK, BLUE, MODE_COLOURS, TIMES
 from .symbols import SPIN, number, observable_label, scene_title
 

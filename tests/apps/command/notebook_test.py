@@ -42,6 +42,8 @@ COMMANDS = {
     "map": "sweep --sides 6 --beta 0.5 --restitution 0.9 --grid mu=0.2:0.5:2 --grid alpha=0.3:0.5:3 --transient 100 --collisions 100",
     "orbits": f"orbits {STEADY} --period 1",
     "tour": "tour",
+    "in contact": "classify --sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9",
+    "no steady mode": "describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9",
 }
 MOST_BYTES = 300_000
 TOLERANCE = 0.5  # of numbers in lines that begin with ~
@@ -54,8 +56,8 @@ def printed(book):
 class OfARecord(InFolder):
     def notebook(self, name, command):
         record, file = self.folder / f"{name}.h5", self.folder / f"{name}.ipynb"
-        self.assertEqual(run(f"{command} --quiet -o {record}").returncode, 0, command)
-        result = run(f"notebook {record} -o {file} --json")
+        self.assertEqual(run(f"{command} --quiet -o '{record}'").returncode, 0, command)
+        result = run(f"notebook '{record}' -o '{file}' --json")
         self.assertEqual((result.returncode, result.stderr), (0, ""), command)
         self.assertEqual(json.loads(result.stdout)["notebook"], str(file))
         return record, file, nbformat.read(file, as_version=4)

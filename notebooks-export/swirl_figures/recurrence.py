@@ -42,14 +42,16 @@ def _draw_image(axes, record):
     points = int(record.attributes("settings").get("points", len(image)))
     shade = image ** _GAMMA
     cross = bool(record.attributes("settings").get("cross", 0))
-    axes.imshow(shade, origin="lower", cmap="Greys", vmin=0, vmax=max(min(1.5 * numpy.quantile(shade, _DARKEST), shade.max()), 1e-9), 
-                extent=(0, points, 0, 1 if cross else points), interpolation="nearest", aspect="auto" if cross else "equal")
+    darkest = max(min(1.5 * numpy.quantile(shade, _DARKEST), shade.max()), 1e-9)
+    axes.imshow(shade, origin="lower", cmap="Greys", vmin=0, vmax=darkest, interpolation="nearest",
+                extent=(0, points, 0, 1 if cross else points), aspect="auto" if cross else "equal")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
     for spine in axes.spines.values():
         spine.set_visible(True)
     counted = "impact" if "orbit" in record else "sample"
-    axes.set(xlabel=f"{counted} $i$", ylabel="place in the other series" if cross else f"{counted} $j$", title="Recurrences (darker: more in a cell)")
+    axes.set(xlabel=f"{counted} $i$", ylabel="place in the other series" if cross else f"{counted} $j$",
+             title="Recurrences (darker: more in a cell)")
 
 
 def _value(record, name):

@@ -6,7 +6,8 @@
 #
 # The orbit, after it has settled, and the film:
 # %% [commands]
-# swirl simulate --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95 --time 2200 --sample 0.20943951023931953 -o orbit.h5
+# swirl simulate --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95 \
+#     --time 2200 --sample 0.20943951023931953 -o orbit.h5
 # %% [made]
 # import h5py, numpy
 # with h5py.File("orbit.h5") as record:

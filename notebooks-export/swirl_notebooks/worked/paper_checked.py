@@ -1,13 +1,14 @@
 # %% [markdown]
 # # The paper, checked
 # What G. Sun, *The Dynamics of a Polygon in a Swirling System* (research report, 2019), says of a swirled hexagon at e = 1,
-# looked at with exact orbits. Each heading is a statement of the report; below it is what is found. The numbers here are from runs of seconds;
-# the report's own were 50 starts of 2,000 to 4,000 impacts for each set of parameters.
+# looked at with exact orbits. Each heading is a statement of the report; below it is what is found. The numbers here are
+# from runs of seconds; the report's own were 50 starts of 2,000 to 4,000 impacts for each set of parameters.
 # %% [commands]
 # swirl simulate --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1 --collisions 4000 -o chaotic.h5
 # swirl simulate --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95 --skip 10000 --collisions 14000 -o cycle.h5
 # swirl simulate --sides 6 --alpha 0.3 --beta 0.1 --mu 0 --restitution 1 --collisions 4000 -o frictionless.h5
-# swirl sweep --sides 6 --alpha 0.3 --beta 0.1 --restitution 1 --grid mu=0:1:6 --runs 8 --transient 1000 --collisions 4000 -o friction.h5
+# swirl sweep --sides 6 --alpha 0.3 --beta 0.1 --restitution 1 --grid mu=0:1:6 --runs 8 \
+#     --transient 1000 --collisions 4000 -o friction.h5
 # %% [made]
 # # What of these records the notebook needs: a smaller one.
 # import h5py, xarray
@@ -54,8 +55,9 @@ print(f"n = {n}: RC >= 1/n: {bool(rate[0] >= 1 / n)}; RC < 1e-4: {bool(rate[0] <
 assert rate[0] >= 1 / n and rate[1] < 1e-4
 # %% [markdown]
 # ## The energy is constant in the steady mode: what is conserved at all
-# Without friction and at e = 1 J, the energy in the swirling frame, is conserved at every impact: a test of impact, flight and frames at once. Written as
-# J = ½|V − ẑ×X|² − ½|X|² + ½I(S − 1)² − ½I it says that S is 1 in the mean, if the orbit visits all that J allows.
+# Without friction and at e = 1 J, the energy in the swirling frame, is conserved at every impact: a test of impact, flight
+# and frames at once. Written as J = ½|V − ẑ×X|² − ½|X|² + ½I(S − 1)² − ½I it says that S is 1 in the mean, if the orbit
+# visits all that J allows.
 # %%
 change = abs(J - J[0]).max()
 print(f"J changes by less than 1e-12 in {len(J)} impacts: {bool(change < 1e-12)}")

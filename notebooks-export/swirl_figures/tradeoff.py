@@ -1,12 +1,12 @@
 """A tradeoff record: what accuracy costs, how a verdict settles, and what each piece of the model adds."""
 
 import numpy
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from .record import RecordError, open_record
-from .style import BLUE, GREY, MODE_COLOURS, VERMILION, styled
+from .look import NARROW, is_narrow
+from .record import RecordError
+from .style import BLUE, GREY, MODE_COLOURS, VERMILION
 from .symbols import MEAN_SPIN, scene_title
 
 
@@ -109,20 +109,27 @@ def _draw_model(axes, record):
                          Patch(fc="white", ec=GREY, hatch="////", label="this scene does without")], loc="lower right")
 
 
-@styled
-def draw_tradeoff(record):
-    """The figure: work against precision, and beside it the evidence and the model."""
-    record = open_record(record)
+def size(record, width):
+    if width is None:
+        return 12, 6.6
+    return (width, 1.9 * width) if width < NARROW else (width, max(0.55 * width, 5.2))
+
+
+def draw_into(figure, record, look):
+    """Work against precision, and beside it (in a column: below it) the evidence and the model."""
     if "model" not in record:
         raise RecordError(f"record '{record.path}' holds no times ({record.attributes('result').get('reason', '')}): "
                           "there is nothing to draw")
     recommended = str(record.attributes("result").get("recommended", ""))
-    figure = Figure(figsize=(12, 6.6), layout="constrained")
-    left, right = figure.subfigures(1, 2, width_ratios=(1.05, 1))
-    _draw_precision(left.subplots(), record, recommended)
+    if is_narrow(figure):
+        left, right = figure.subfigures(2, 1, height_ratios=(1, 1.5))
+    else:
+        left, right = figure.subfigures(1, 2, width_ratios=(1.05, 1))
+    axes = left.subplots()
+    _draw_precision(axes, record, recommended)
     panels = right.subplots(2, 1, height_ratios=(1, 1.15)) if "evidence" in record else [None, right.subplots()]
     if panels[0] is not None:
         _draw_evidence(panels[0], record)
     _draw_model(panels[1], record)
-    figure.suptitle(scene_title(record.scene()))
-    return figure
+    look.title(figure, scene_title(record.scene()))
+    return [axes]

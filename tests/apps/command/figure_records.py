@@ -95,6 +95,20 @@ def write_bifurcation(path, groups=("samples", "branches", "special")):
                 write(file)
 
 
+def write_crowded_special(path, count):
+    """A branch with `count` flips that all but lie on one another, from r = 3.2 to 3.4."""
+    with _record(path, {"along": "alpha"}, SCENE) as file:
+        _branches(file)
+        group = file.create_group("special")
+        _dimension(group, "special_point", count)
+        _dimension(group, "phase", 3)
+        r = numpy.linspace(3.2, 3.4, count)
+        _write(group, "kind", ["special_point"], ["flip"] * count)
+        _write(group, "branch", ["special_point"], numpy.zeros(count, dtype="i8"))
+        _write(group, "parameter", ["special_point"], r)
+        _write(group, "S", ["special_point", "phase"], -_padded([[1 - 1 / value] for value in r], 3))
+
+
 def write_orbits(path, count, largest):
     """`count` orbits in the layout of `swirl orbits`, their largest multipliers up to `largest`."""
     periods = 1 + numpy.arange(count) % 5
@@ -149,3 +163,9 @@ def write_tradeoff(path):
         _columns(file.create_group("model"), "rung", {
             "name": names, "seconds_per_collision": [1e-9 * t for t in with_it],
             "seconds_without": [1e-9 * t for t in without], "paid_by": paid_by})
+
+
+def write_without_results(path):
+    """A record of a scene, and of nothing that was found about it."""
+    with _record(path, {}, SCENE):
+        pass

@@ -12,6 +12,7 @@ namespace {
 Settings settings_of(const analysis::ClassifyOptions& s) {
     return {{"transient", s.transient},
             {"collisions", s.collisions},
+            {"exhaustive", s.exhaustive},
             {"threshold", s.recurrence_threshold},
             {"sigmas", s.sigmas},
             {"max_period", s.period.max_period},

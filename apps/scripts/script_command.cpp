@@ -19,10 +19,11 @@
 namespace swirl::apps::scripts {
 
 void ScriptFiles::add_to(Flags& command, const ScriptOutput& kind, int most_records) {
+    most = most_records;
     command
         .add_option("record", records, most_records > 1 ? "records of other commands" : "a record of another command")
         ->type_name("RECORD.h5")
-        ->expected(1, most_records)
+        ->expected(most_records > 1 ? -1 : 1)  // one or more
         ->required();
     command
         .add_option("-o,--output", output,
@@ -82,6 +83,8 @@ void add_argument(std::vector<std::string>& arguments, const char* name, const s
 }
 
 int run_script(const ScriptOutput& kind, const ScriptFiles& files, const std::vector<std::string>& own) {
+    if (std::ssize(files.records) > files.most)
+        throw BadInput(fmt::format("{} records are outside the range: 1 to {}", files.records.size(), files.most));
     for (const auto& record : files.records) check_record(record);
     check_output(kind, files);
     std::vector<std::string> arguments;

@@ -21,6 +21,7 @@ struct ScriptOutput {
 struct ScriptFiles {
     std::vector<std::string> records;
     std::string output;
+    int most = 1;  ///< records
     bool json = false;
     bool quiet = false;
     bool force = false;

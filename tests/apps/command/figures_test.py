@@ -43,6 +43,8 @@ KINDS_OF = {"wall": ["orbit", "spin", "path", "section", "balance", "contacts"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
             "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
             "diagram": ["bifurcation"], "cycles": ["multipliers"]}
+#: Drawn by plot_test.py, on a screen; here with --all alone.
+DRAWN_ELSEWHERE = {"orbit", "spin", "path", "modes", "bifurcation", "multipliers"}
 HEADS = {".png": b"\x89PNG\r\n", ".svg": b"<?xml", ".pdf": b"%PDF-"}
 MOST_BYTES = 5_000_000
 
@@ -80,6 +82,8 @@ class EveryRecord(WithRecords):
         number = 0
         for name, kinds in KINDS_OF.items():
             for kind in kinds if name in self.records else []:
+                if kind in DRAWN_ELSEWHERE and not ALL:
+                    continue
                 number += 1
                 looks = [Look(width=length_of("aps"), titles=False), Look()]
                 for look in looks if ALL else looks[number % 2:][:1]:

@@ -20,6 +20,7 @@
 #include "apps/spectrum/spectrum_command.hpp"
 #include "apps/sweep/sweep_command.hpp"
 #include "apps/tour/tour.hpp"
+#include "apps/tradeoff/tradeoff_command.hpp"
 
 #include <fmt/format.h>
 
@@ -79,6 +80,10 @@ Commands add_commands(CLI::App& app) {
                                                  bifurcate::bifurcate_details, bifurcate::bifurcate),
         add_command<sweep::SweepOptions>(app, "sweep", "the modes across parameters", sweep::sweep_details,
                                          sweep::sweep),
+        add_command<tradeoff::TradeoffOptions>(app, "tradeoff", "accuracy against cost, measured on a scene",
+                                               tradeoff::tradeoff_details, tradeoff::tradeoff),
+        add_command<sweep::JoinOptions>(app, "join", "one record of the shards of a sweep", sweep::join_details,
+                                        sweep::join),
         add_command<describe::DescribeOptions>(app, "describe", "what is known of a scene in closed form",
                                                describe::describe_details, describe::describe),
         add_command<plot::PlotOptions>(app, "plot", "a figure of a record", plot::plot_details, plot::plot),

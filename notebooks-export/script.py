@@ -115,5 +115,8 @@ def saved(noun, path, save, hold=True):
 
 
 def say_names_as_they_are():
-    for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="surrogateescape")  # file names that are no UTF-8 are said as they are
+    """File names that are no UTF-8, too. What HDF5 or the allocator prints as a damaged record ends the process is no
+    answer: only sys.stderr speaks."""
+    sys.stdout.reconfigure(errors="surrogateescape")
+    sys.stderr = os.fdopen(os.dup(2), "w", errors="surrogateescape")
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)

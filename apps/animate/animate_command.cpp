@@ -1,7 +1,5 @@
 #include "apps/animate/animate_command.hpp"
 
-#include <CLI/CLI.hpp>
-
 namespace swirl::apps::animate {
 
 namespace {
@@ -25,7 +23,7 @@ Example:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 12 -o orbit.h5
   swirl animate orbit.h5 -o orbit.gif --duration 2 --fps 10)";
 
-void AnimateOptions::add_to(CLI::App& command) {
+void AnimateOptions::add_to(Flags& command) {
     files.add_to(command, film);
     command.add_option("--frame", frame, "container (default), laboratory or co-rotating")->type_name("NAME");
     command.add_option("--fps", fps, "pictures a second (default 20)")->type_name("N");

@@ -9,7 +9,7 @@ struct AnimateOptions {
     scripts::ScriptFiles files;
     std::string frame, fps, duration, from, to, orbit;  ///< empty: the script's default
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const animate_details;

@@ -5,8 +5,6 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <optional>
@@ -27,7 +25,7 @@ Examples:
   swirl bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.35:0.42:15 --starts 2
   swirl bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.36:0.4:9 --branches -o diagram.h5)";
 
-void BifurcateOptions::add_to(CLI::App& command) {
+void BifurcateOptions::add_to(Flags& command) {
     constexpr std::int64_t most = 1'000'000'000;
     scene.add_to(command);
     start.add_to(command);
@@ -38,12 +36,14 @@ void BifurcateOptions::add_to(CLI::App& command) {
     command.add_option("--starts", starts, "random starts per column (default 4)")
         ->type_name("R")
         ->transform(whole_number(0, 1'000'000));
-    command.add_option("--transient", settings.transient, "impacts before those that are kept (default 2500)")
+    command.add_option("--transient", settings.transient, "impacts before those that are kept, at most (default 2500)")
         ->type_name("K")
         ->transform(whole_number(0, most));
-    command.add_option("--collisions", settings.collisions, "impacts that are kept, 64 or more (default 500)")
+    command.add_option("--collisions", settings.collisions, "impacts that are kept, at most; 64 or more (default 500)")
         ->type_name("K")
         ->transform(whole_number(64, most));
+    command.add_flag("--exhaustive", settings.exhaustive,
+                     "follow every orbit through all of these impacts, whatever its verdict needs");
     command.add_flag("--follow", follow, "follow the attractor upwards and downwards too");
     command.add_flag("--branches", branches, "continue every cycle that was found");
     command.add_option("--longest-branch", longest_branch, "longest period that --branches continues (default 12)")
@@ -100,7 +100,7 @@ int bifurcate(BifurcateOptions& options) {
     Diagram diagram;
     diagram.along = parameter_range_from(options.along, true, false);
     check(options, diagram.along);
-    for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}});
+    for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}, {}});
     std::optional<RecordWriter> record =
         open_record(options.output, "Attractors of a swirled polygon over one parameter", {options.scene.file()},
                     options.scene.units());
@@ -109,6 +109,7 @@ int bifurcate(BifurcateOptions& options) {
     sample_columns(options, diagram);
     if (options.follow) follow_columns(options, diagram);
     keep_finished(diagram);
+    find_steady_modes(options, diagram);
     if (options.branches && !is_interrupted()) continue_attractors(options, diagram);
     diagram.interrupted = is_interrupted();
     finish_up();

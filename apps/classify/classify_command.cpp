@@ -10,7 +10,6 @@
 #include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -21,7 +20,8 @@ const char* const classify_details =
     R"(Modes: steady (one state), quasi-steady (a cycle or a torus of states), chaotic, undecided. A verdict lists its
 evidence. An orbit that comes to stay on the wall (outcome in-contact) is named by its contact: rolling (at rest in the
 co-rotating frame, steady; also called snaking), rolling-librating, rolling-circulating, sliding, two-vertex; a cycle
-that lands and leaves again is a landing. Without any contact the mode is undecided.
+that lands and leaves again is a landing. Without any contact the mode is undecided. An orbit is followed until nothing
+can change its verdict (an attracting cycle), at most through --transient and --collisions; --exhaustive: through all.
 
 With --runs R run r is the verdict of --seed SEED+r; the shares of modes and kinds and the attractors that coexist are
 listed, the most shared first, with the seed of one run each. Runs of one kind and period with the same mean S (to 1e-6)
@@ -32,17 +32,19 @@ Examples:
   swirl classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9
   swirl classify --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95 --runs 16)";
 
-void ClassifyCommandOptions::add_to(CLI::App& command) {
+void ClassifyCommandOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
     const auto counts = whole_number(0, 1'000'000'000);
-    command.add_option("--transient", settings.transient, "impacts before the tail (default 10000)")
+    command.add_option("--transient", settings.transient, "impacts before the tail, at most (default 10000)")
         ->type_name("K")
         ->transform(counts);
-    command.add_option("--collisions", settings.collisions, "impacts of the tail, 64 or more (default 10000)")
+    command.add_option("--collisions", settings.collisions, "impacts of the tail, at most; 64 or more (default 10000)")
         ->type_name("K")
         ->transform(whole_number(64, 100'000'000));
+    command.add_flag("--exhaustive", settings.exhaustive,
+                     "follow every orbit through all of these impacts, whatever its verdict needs");
     command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
         ->type_name("D")
         ->check(finite_number_from(0));

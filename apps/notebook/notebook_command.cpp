@@ -1,7 +1,5 @@
 #include "apps/notebook/notebook_command.hpp"
 
-#include <CLI/CLI.hpp>
-
 namespace swirl::apps::notebook {
 
 namespace {
@@ -21,7 +19,7 @@ Example:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 200 -o orbit.h5
   swirl notebook orbit.h5 -o orbit.ipynb)";
 
-void NotebookOptions::add_to(CLI::App& command) {
+void NotebookOptions::add_to(Flags& command) {
     files.add_to(command, document);
 }
 

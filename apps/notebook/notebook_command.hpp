@@ -8,7 +8,7 @@ namespace swirl::apps::notebook {
 struct NotebookOptions {
     scripts::ScriptFiles files;
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const notebook_details;

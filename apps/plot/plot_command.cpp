@@ -1,7 +1,5 @@
 #include "apps/plot/plot_command.hpp"
 
-#include <CLI/CLI.hpp>
-
 namespace swirl::apps::plot {
 
 namespace {
@@ -26,6 +24,7 @@ const char* const plot_details =
   bifurcate, continue bifurcation: samples, branches and the points where they change; of special points of one kind
                       that lie within a marker of one another the first is drawn, and their number told
   sweep               modes: bands, a map or panels, by the number of parameters
+  tradeoff            tradeoff: work against precision, how the verdict settles, what pieces of the model add
   describe, tour      steady-modes; tour
 Several records: below one another, (a), (b), ...; section portraits in the same axes. Widths of columns by name: aps,
 aps-2, nature, nature-2, elsevier, elsevier-2. Figures narrower than 127 mm have their panels below one another.
@@ -37,7 +36,7 @@ Example:
   swirl plot orbit.h5 -o orbit.png
   swirl plot orbit.h5 -o section.pdf --kind section --x psi --y vt --width aps --no-title)";
 
-void PlotOptions::add_to(CLI::App& command) {
+void PlotOptions::add_to(Flags& command) {
     files.add_to(command, figure, true);
     command.add_option("--kind", kind, "which figure, where there are several")->type_name("NAME");
     command.add_option("--width", width, "of the figure: millimetres, 3.4in, or a journal's column by name")

@@ -11,7 +11,7 @@ struct PlotOptions {
     std::string width, font_size, xlim, x, y;
     bool no_title = false;
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const plot_details;

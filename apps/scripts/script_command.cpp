@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -20,7 +18,7 @@
 
 namespace swirl::apps::scripts {
 
-void ScriptFiles::add_to(CLI::App& command, const ScriptOutput& kind, bool several) {
+void ScriptFiles::add_to(Flags& command, const ScriptOutput& kind, bool several) {
     command.add_option("record", records, several ? "records of other commands" : "a record of another command")
         ->type_name("RECORD.h5")
         ->expected(several ? -1 : 1)

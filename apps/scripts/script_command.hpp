@@ -1,7 +1,7 @@
 // What `swirl plot`, `animate` and `notebook` share: records in, one file out, and a Python script that makes it.
 #pragma once
 
-#include "apps/command_line/cli_names.hpp"
+#include "apps/command_line/flags.hpp"
 
 #include <string>
 #include <vector>
@@ -26,7 +26,7 @@ struct ScriptFiles {
     bool force = false;
 
     /// The record (or several), -o, --force, --json, --quiet.
-    void add_to(CLI::App& command, const ScriptOutput& kind, bool several = false);
+    void add_to(Flags& command, const ScriptOutput& kind, bool several = false);
 };
 
 /// Checks what it can, then becomes the script; of a record without a checksum it runs it in a child process.

@@ -7,9 +7,10 @@ namespace swirl::apps::tour {
 
 struct TourOptions {
     OutputOptions output;
-    bool verbose = false;  ///< the table has why, and the evidence
+    bool verbose = false;     ///< the table has why, and the evidence
+    bool exhaustive = false;  ///< all impacts, whatever the verdict needs
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const tour_details;

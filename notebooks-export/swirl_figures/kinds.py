@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Callable
 
 from . import (balance, bifurcation, contacts, lyapunov, multipliers, orbit, path, recurrence, section, shares, spectrum,
-               spin, steady_modes, sweep, tour, verdict)
+               spin, steady_modes, sweep, tour, tradeoff, verdict)
 from .look import Look, blank_figure, limit_abscissa
 from .record import RecordError, open_record
 from .style import styled_with
@@ -47,6 +47,7 @@ KINDS = {
     "lyapunov": Kind(_with("lyapunov", "exponents"), lyapunov.draw_into, lyapunov.size),
     "steady-modes": Kind(_with("steady_modes"), steady_modes.draw_into, steady_modes.size),
     "tour": Kind(tour.is_tour, tour.draw_into, tour.size),
+    "tradeoff": Kind(_with("rungs"), tradeoff.draw_into, tradeoff.size),
 }
 
 #: Records below one another; more would be too small to read, or too high for a page.

@@ -131,6 +131,40 @@ def write_orbits(path, count, largest):
         _write(group, "stability", ["orbit"], stability)
 
 
+RUNGS = [("double", 2.3e-7, 4e-16, 6e-14, 3e-10, 1e4, 0), ("extended", 1.9e-6, 2e-19, 3e-17, 2e-13, 1e4, 0),
+         ("paper", 4.4e-6, 3e-14, 9e-14, 4e-9, 1e4, 37), ("fixed-step", 3.2e-5, 2e-3, 2e-2, 4e-1, 1e4, 412),
+         ("quad", 6.1e-5, *[numpy.nan] * 5)]
+PIECES = [("flight and impact", 231, numpy.nan, "every command"), ("friction", 231, 224, "every command"),
+          ("watch for contact", 236, 231, "nothing: e = 1"), ("derivative", 1400, 260, "classify, lyapunov"),
+          ("laboratory frame", 330, 240, "simulate")]
+
+
+def _columns(group, dimension, columns):
+    _dimension(group, dimension, len(columns["name" if "name" in columns else "collisions"]))
+    for name, values in columns.items():
+        _write(group, name, [dimension], values if isinstance(values[0], str) else numpy.array(values, dtype="f8"))
+
+
+def write_tradeoff(path):
+    """What `swirl tradeoff` writes, of made-up times: one rung of each kind."""
+    names, seconds, error, most_of, largest, flights, missed = (list(column) for column in zip(*RUNGS))
+    with _record(path, {"budget": 10.0}, {**SCENE, "alpha": 0.3}) as file:
+        file.create_group("result").attrs.update({"recommended": "double", "reason": "double missed 0 of 10000"})
+        _columns(file.create_group("rungs"), "rung", {
+            "name": names, "seconds_per_collision": seconds, "error": error, "error_99": most_of,
+            "error_largest": largest,
+            "seconds_per_collision_lower": [0.95 * t for t in seconds], "flights": flights, "missed_contacts": missed,
+            "seconds_per_collision_upper": [1.1 * t for t in seconds], "missed_rate_most": [3e-4] * len(names)})
+        _columns(file.create_group("evidence"), "rung", {
+            "collisions": [100, 300, 1000, 3000, 10000], "mean_S": [-0.2, -0.31, -0.28, -0.291, -0.2902],
+            "mode": ["undecided", "chaotic", "chaotic", "chaotic", "quasi-steady"], "changed": [8, 5, 5, 2, 0],
+            "mean_S_error": [0.09, 0.05, 0.02, 0.01, 0.0], "runs": [8] * 5})
+        names, with_it, without, paid_by = (list(column) for column in zip(*PIECES))
+        _columns(file.create_group("model"), "rung", {
+            "name": names, "seconds_per_collision": [1e-9 * t for t in with_it],
+            "seconds_without": [1e-9 * t for t in without], "paid_by": paid_by})
+
+
 def write_without_results(path):
     """A record of a scene, and of nothing that was found about it."""
     with _record(path, {}, SCENE):

@@ -64,6 +64,8 @@ class WithRecords(unittest.TestCase):
         for name, count, largest in (("orbits", 4, 1.3), ("many-orbits", 40, 5000.0)):
             cls.records[name] = cls.folder / f"{name}.h5"
             figure_records.write_orbits(cls.records[name], count, largest)
+        cls.records["tradeoff"] = cls.folder / "tradeoff.h5"
+        figure_records.write_tradeoff(cls.records["tradeoff"])
 
 
 class Figures(WithRecords):

@@ -42,6 +42,7 @@ COMMANDS = {
     "map": "sweep --sides 6 --beta 0.5 --restitution 0.9 --grid mu=0.2:0.5:2 --grid alpha=0.3:0.5:3 --transient 100 --collisions 100",
     "orbits": f"orbits {STEADY} --period 1",
     "tour": "tour",
+    "tradeoff": f"tradeoff {STEADY} --budget 1",
     "in contact": "classify --sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9",
     "no steady mode": "describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9",
 }

@@ -18,12 +18,10 @@
 
 namespace swirl::apps::scripts {
 
-void ScriptFiles::add_to(Flags& command, const ScriptOutput& kind, int most_records) {
-    most = most_records;
-    command
-        .add_option("record", records, most_records > 1 ? "records of other commands" : "a record of another command")
+void ScriptFiles::add_to(Flags& command, const ScriptOutput& kind, bool several) {
+    command.add_option("record", records, several ? "records of other commands" : "a record of another command")
         ->type_name("RECORD.h5")
-        ->expected(most_records > 1 ? -1 : 1)  // one or more
+        ->expected(several ? -1 : 1)
         ->required();
     command
         .add_option("-o,--output", output,
@@ -83,8 +81,6 @@ void add_argument(std::vector<std::string>& arguments, const char* name, const s
 }
 
 int run_script(const ScriptOutput& kind, const ScriptFiles& files, const std::vector<std::string>& own) {
-    if (std::ssize(files.records) > files.most)
-        throw BadInput(fmt::format("{} records are outside the range: 1 to {}", files.records.size(), files.most));
     for (const auto& record : files.records) check_record(record);
     check_output(kind, files);
     std::vector<std::string> arguments;

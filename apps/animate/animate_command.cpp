@@ -24,7 +24,7 @@ Example:
   swirl animate orbit.h5 -o orbit.gif --duration 2 --fps 10)";
 
 void AnimateOptions::add_to(Flags& command) {
-    files.add_to(command, film, 1);
+    files.add_to(command, film);
     command.add_option("--frame", frame, "container (default), laboratory or co-rotating")->type_name("NAME");
     command.add_option("--fps", fps, "pictures a second (default 20)")->type_name("N");
     command.add_option("--duration", duration, "of the film, in seconds (default 8)")->type_name("SECONDS");

@@ -20,7 +20,7 @@ Example:
   swirl notebook orbit.h5 -o orbit.ipynb)";
 
 void NotebookOptions::add_to(Flags& command) {
-    files.add_to(command, document, 1);
+    files.add_to(command, document);
 }
 
 int notebook(NotebookOptions& options) {

@@ -6,7 +6,6 @@ namespace {
 
 const scripts::ScriptOutput figure{
     "plot_record.py", "figure", "swirl plot", {".png", ".svg", ".pdf"}, "drawn by swirl plot"};
-constexpr int most_records = 8;
 
 }  // namespace
 
@@ -38,7 +37,7 @@ Example:
   swirl plot orbit.h5 -o section.pdf --kind section --x psi --y vt --width aps --no-title)";
 
 void PlotOptions::add_to(Flags& command) {
-    files.add_to(command, figure, most_records);
+    files.add_to(command, figure, true);
     command.add_option("--kind", kind, "which figure, where there are several")->type_name("NAME");
     command.add_option("--width", width, "of the figure: millimetres, 3.4in, or a journal's column by name")
         ->type_name("WIDTH");

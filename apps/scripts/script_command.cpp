@@ -18,11 +18,10 @@
 
 namespace swirl::apps::scripts {
 
-void ScriptFiles::add_to(Flags& command, const ScriptOutput& kind, int most_records) {
-    command
-        .add_option("record", records, most_records > 1 ? "records of other commands" : "a record of another command")
+void ScriptFiles::add_to(Flags& command, const ScriptOutput& kind, bool several) {
+    command.add_option("record", records, several ? "records of other commands" : "a record of another command")
         ->type_name("RECORD.h5")
-        ->expected(1, most_records)
+        ->expected(several ? -1 : 1)
         ->required();
     command
         .add_option("-o,--output", output,

@@ -25,8 +25,8 @@ struct ScriptFiles {
     bool quiet = false;
     bool force = false;
 
-    /// The records (at most so many), -o, --force, --json, --quiet.
-    void add_to(Flags& command, const ScriptOutput& kind, int most_records);
+    /// The record (or several), -o, --force, --json, --quiet.
+    void add_to(Flags& command, const ScriptOutput& kind, bool several = false);
 };
 
 /// Checks what it can, then becomes the script; of a record without a checksum it runs it in a child process.

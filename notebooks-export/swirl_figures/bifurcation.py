@@ -203,6 +203,7 @@ def _draw_multiplier(axes, record, colours):
         axes.set_yscale("symlog", linthresh=1, linscale=1)
         most = int(numpy.log10(top))
         axes.set_yticks([0, 1] + [10.0**k for k in range(1, most + 1)][::-(-most // 4) or 1])
+        axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}" if value <= 10 else f"$10^{{{round(numpy.log10(value))}}}$")
         axes.minorticks_off()
     axes.set(ylabel="largest $|\\lambda|$", ylim=(0, top * 1.15))
 

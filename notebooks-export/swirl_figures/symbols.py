@@ -23,6 +23,10 @@ _OBSERVABLES = {"psi": r"$\psi$, in radians", "chi": r"$\chi$, in radians", "vn"
 _POLYGONS = {3: "triangle", 4: "square", 5: "pentagon", 6: "hexagon", 7: "heptagon", 8: "octagon"}
 
 
+def is_parameter(name):
+    return name.replace("-", "_") in _PARAMETERS
+
+
 def symbol(name):
     """α of alpha; what has no symbol keeps its name."""
     return _PARAMETERS.get(name.replace("-", "_"), (name, name))[0]

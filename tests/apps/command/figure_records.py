@@ -165,6 +165,24 @@ def write_tradeoff(path):
             "seconds_without": [1e-9 * t for t in without], "paid_by": paid_by})
 
 
+def write_sampled_sweep(path, names, count):
+    """A sweep over `count` random points of these parameters, in the layout of `swirl sweep --sample`."""
+    chance = numpy.random.default_rng(1)
+    with _record(path, {}, {name: value for name, value in {**SCENE, "alpha": 0.4}.items() if name not in names}) as file:
+        group = file.create_group("sweep")
+        _dimension(group, "cell", count)
+        group.create_dataset("run", data=[0, 1]).make_scale("run")
+        group.create_dataset("mode", data=["steady", "quasi-steady", "chaotic", "undecided"], dtype=h5py.string_dtype())
+        group["mode"].make_scale("mode")
+        points = {name: chance.uniform(0.1, 0.9, count) for name in names}
+        for name, values in points.items():
+            _write(group, name, ["cell"], values)
+        steady = points[names[0]] < 0.5
+        _write(group, "share", ["cell", "mode"], numpy.column_stack([steady, 0 * steady, ~steady, 0 * steady]).astype("f8"))
+        _write(group, "mean_S", ["cell"], points[names[0]] - 1)
+        _write(group, "mean_S_error", ["cell"], 0 * points[names[0]])
+
+
 def write_without_results(path):
     """A record of a scene, and of nothing that was found about it."""
     with _record(path, {}, SCENE):

@@ -39,10 +39,14 @@ COMMANDS = {
     "families": "describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 1",
     "sweep": f"sweep --sides 6 --beta 0.5 --restitution 0.9 --alpha 0.4 --grid mu=0.1:0.9:3 --transient 100 --collisions 100",
 }
-KINDS_OF = {"wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "runs": ["shares"],
+#: Of seconds each: with --all alone.
+SLOW = {"tour": "tour", "tradeoff": f"tradeoff {HEXAGON} --budget 2"}
+KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
             "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
             "diagram": ["bifurcation"], "cycles": ["multipliers"]}
+#: Drawn by plot_test.py, on a screen; here with --all alone.
+DRAWN_ELSEWHERE = {"orbit", "spin", "path", "modes", "bifurcation", "multipliers"}
 HEADS = {".png": b"\x89PNG\r\n", ".svg": b"<?xml", ".pdf": b"%PDF-"}
 MOST_BYTES = 5_000_000
 
@@ -57,13 +61,16 @@ class WithRecords(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         unittest.addModuleCleanup(temporary.cleanup)
         WithRecords.folder = Path(temporary.name)
-        commands = {**COMMANDS, **({"tour": "tour"} if ALL else {})}
+        commands = {**COMMANDS, **(SLOW if ALL else {})}
         for name, command in commands.items():
             cls.records[name] = cls.folder / f"{name}.h5"
             result = run(f"{command} --quiet -o {cls.records[name]}")
             assert result.returncode == 0, (command, result.stderr)
         for name in ("diagram", "cycles"):
             cls.records[name] = cls.folder / f"{name}.h5"
+        for count in (1, 2, 3):
+            cls.records[f"points{count}"] = cls.folder / f"points{count}.h5"
+            figure_records.write_sampled_sweep(cls.records[f"points{count}"], ["alpha", "beta", "mu"][:count], 150)
         figure_records.write_bifurcation(cls.records["diagram"])
         figure_records.write_orbits(cls.records["cycles"], 30, 100.0)
 
@@ -80,6 +87,8 @@ class EveryRecord(WithRecords):
         number = 0
         for name, kinds in KINDS_OF.items():
             for kind in kinds if name in self.records else []:
+                if kind in DRAWN_ELSEWHERE and not name.startswith("points") and not ALL:
+                    continue
                 number += 1
                 looks = [Look(width=length_of("aps"), titles=False), Look()]
                 for look in looks if ALL else looks[number % 2:][:1]:

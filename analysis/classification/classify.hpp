@@ -80,6 +80,7 @@ std::vector<double> series_of(const M& map, const Tail<M>& tail, int observable)
     std::vector<double> series;
     series.reserve(tail.durations.size());
     for (const auto& point : tail.points) series.push_back(point[observable]);
+    if (!series.empty()) return series;
     for (const auto& z : tail.states) series.push_back(coordinate(map, z, observable));
     return series;
 }

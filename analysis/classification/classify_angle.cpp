@@ -1,6 +1,5 @@
 #include "analysis/classification/classify_angle.hpp"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -38,11 +37,17 @@ std::string words_of_lines(const AngleSpectrum& found) {
     return found.uncertain > 0 ? "none but what rounding may have made" : "S has no period";
 }
 
+/// Without lines rounding explains a continuum, or leaves open whether there is any (the last evidence).
+double believed_share(const AngleSpectrum& found) {
+    return found.lines > 0 ? found.largest_continuum_share() : found.continuum_share();
+}
+
 std::string words_of_continuum(const AngleSpectrum& found) {
-    const double share = found.largest_continuum_share();
-    if (found.is_straight()) return "nothing but the rounding of a straight line";
-    if (share <= few_continuum)
-        return found.lines > 0 ? "nothing above the noise but lines" : "nothing above the noise";
+    const double share = believed_share(found);
+    if (share == 0)
+        return found.lines > 0 ? "nothing above the noise but lines"
+                               : "nothing above noise and rounding: S is constant";
+    if (share <= few_continuum) return "lines, and what their faint ones leave";
     if (!(found.in_continuum > 0)) return "rounding may have made it";
     if (share < much_continuum || found.blocks < fewest_blocks)
         return "more than lines leave, less than chaos: weak chaos, or a torus too short a time";
@@ -68,7 +73,7 @@ void describe(const AngleSpectrum& found, double given, Classification& result) 
                                words_of_lines(found),
                                found.lines > 0 ? "none: steady, if there is no continuum"
                                                : "one or more: quasi-steady, if there is no continuum"});
-    result.evidence.push_back({"share of the continuum in S", found.largest_continuum_share(), few_continuum,
+    result.evidence.push_back({"share of the continuum in S", believed_share(found), few_continuum,
                                words_of_continuum(found),
                                "at most " + in_words(few_continuum) + ": steady or quasi-steady; at least " +
                                    in_words(much_continuum) + ": chaotic; between: undecided"});

@@ -37,22 +37,42 @@ Classification verdict_on_cycle(const M& map, const FollowedOrbit<M>& orbit, int
     return result;
 }
 
-/// The exponent of the steps from `first` on: of as many of the n as tell that it is positive, 256 or more, else of
-/// all. The errors of a sum that scatters fall like the root of its steps, so that what is missing tells how many are
-/// asked next; never so many that the whole would not have cost half more.
+/// Has the observable grown out of proportion along a tail, as on an orbit that gains energy without end? Then no part
+/// of the tail stands for the whole.
+inline bool runs_away(const std::vector<double>& series) {
+    constexpr double out_of_proportion = 10;
+    const auto largest = [](auto begin, auto end) {
+        double size = 0;
+        for (auto x = begin; x != end; ++x) size = std::max(size, std::abs(*x));
+        return size;
+    };
+    const auto quarter = static_cast<std::ptrdiff_t>(series.size() / 4);
+    return largest(series.end() - quarter, series.end()) >
+           out_of_proportion * largest(series.begin(), series.begin() + quarter);
+}
+
+/// The exponent of a tail: of as many of its n steps as tell that it is positive, 256 or more, else of all. It has to
+/// be positive on the tail's last steps, too: chaos that ends on the way, or comes late, is told by all. The errors of
+/// a sum that scatters fall like the root of its steps, so that what is missing tells how many are asked next.
 template <SectionMap M>
-LyapunovSpectrum exponent_of_few(const M& map, const State<M>& first, std::int64_t n, const SignOptions& sign) {
+LyapunovSpectrum exponent_of_few(const M& map, const Tail<M>& tail, const SignOptions& sign) {
     constexpr std::int64_t fewest = 256;
-    for (std::int64_t steps = fewest; 2 * steps <= n;) {
-        auto spectrum = exponent_from(map, first, steps);
+    const auto n = static_cast<std::int64_t>(tail.durations.size());
+    const auto clearly = [&](const LyapunovSpectrum& spectrum) {
+        return spectrum.outcome == LyapunovOutcome::completed && is_clearly_positive(judge_sign(spectrum, 0, sign));
+    };
+    for (std::int64_t steps = fewest; 4 * steps <= n && !tail.states.empty();) {
+        auto spectrum = exponent_from(map, tail.first, steps);
         if (spectrum.outcome != LyapunovOutcome::completed) break;
-        const SignEvidence e = judge_sign(spectrum, 0, sign);
-        if (is_clearly_positive(e)) return spectrum;
-        const std::int64_t needed = steps_until_positive(e, steps, sign);
+        if (clearly(spectrum)) {
+            const State<M>& late = tail.states[static_cast<std::size_t>(n - steps)];
+            if (clearly(exponent_from(map, late, steps))) return spectrum;
+        }
+        const std::int64_t needed = steps_until_positive(judge_sign(spectrum, 0, sign), steps, sign);
         if (needed <= 0) break;
         steps = std::max(2 * steps, needed);
     }
-    return exponent_from(map, first, n);
+    return exponent_from(map, tail.first, n);
 }
 
 /// The verdict on a tail whose orbit has not settled: that of `classify_tail`, without what can't change it. Where it
@@ -66,18 +86,19 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, cons
     const std::int64_t longest = std::min(options.period.max_period, n / 2);
     FoundCycle<M> cycle;
     if (tail.states.empty() || may_return(map, tail.states, longest, options.period.vicinity)) {
-        if (tail.points.empty()) find_points(map, tail);
+        if (tail.points.empty()) add_points(map, tail);
         cycle = find_period(map, tail, options.period);
         take_cycle(map, cycle, options, observable, findings, result);
     }
-    take_exponent(cycle.period == 0 ? exponent_of_few(map, tail.first, n, sign_options(options))
-                                    : exponent_from(map, tail.first, n),
-                  options, findings, result);
+    const bool stands_for_all = cycle.period == 0 && !runs_away(series_of(map, tail, observable));
+    take_exponent(
+        stands_for_all ? exponent_of_few(map, tail, sign_options(options)) : exponent_from(map, tail.first, n), options,
+        findings, result);
     if (cycle.period == 0 && findings.exponent.sign == ExponentSign::positive) {
         decide(findings, options, result);
         return result;
     }
-    if (tail.points.empty()) find_points(map, tail);
+    if (tail.points.empty()) add_points(map, tail);
     look_further(map, tail, observable, options, findings, result);
     return result;
 }

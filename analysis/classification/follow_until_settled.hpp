@@ -60,7 +60,7 @@ FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, 
     } else {
         seen.states.assign(tail.states.end() - count, tail.states.end());
         if (!may_return(map, seen.states, window / 3, options.vicinity)) return {};
-        find_points(map, seen);
+        add_points(map, seen);
     }
     seen.last = tail.last;
     return settled_cycle(map, seen, options);

@@ -14,7 +14,7 @@ namespace swirl::analysis {
 template <SectionMap M>
 struct Tail {
     std::vector<Vector<M::dimension>> points;  ///< coordinates of n states
-    std::vector<State<M>> states;              ///< the states themselves, where `points` are not known yet
+    std::vector<State<M>> states;              ///< the states themselves, of a tail that keeps them
     std::vector<double> durations;             ///< durations[i]: from points[i] to the next
     std::vector<double> integrals;             ///< Advance::integral on that way
     State<M> first{};                          ///< the state at points.front(): where others follow the same orbit from
@@ -77,12 +77,11 @@ void reserve(Tail<M>& tail, std::int64_t count, Keep keep) {
     tail.integrals.reserve(room);
 }
 
-/// Turns the states of a tail into points.
+/// The points of a tail that has states.
 template <SectionMap M>
-void find_points(const M& map, Tail<M>& tail) {
+void add_points(const M& map, Tail<M>& tail) {
     tail.points.reserve(tail.states.size());
     for (const State<M>& z : tail.states) tail.points.push_back(coordinates(map, z));
-    tail.states = {};
 }
 
 /// Follows `transient` steps, then keeps the points of `count` states. Cost: one step of the map each.

@@ -144,8 +144,10 @@ analysis::FollowedOrbit<SceneMap<D>> followed(const SceneMap<D>& map, const Post
                                               bool dissipative, const analysis::Stop& stop) {
     if (settings.exhaustive || dissipative)
         return {analysis::follow_tail(map, first, before, settings.collisions, stop), {}};
-    return analysis::follow_until_settled(map, first, before, settings.collisions, settings.period, !settings.conserves,
-                                          stop);
+    // In 100 digits the eigenvalues of one cycle take as long as the orbit; double's are taken where they decide.
+    analysis::PeriodOptions period = settings.period;
+    period.exact_multipliers = false;
+    return analysis::follow_until_settled(map, first, before, settings.collisions, period, !settings.conserves, stop);
 }
 
 template <int D>
@@ -189,8 +191,6 @@ NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, cons
                     const analysis::Stop& stop, OrbitSamples* samples) {
     analysis::ClassifyOptions settings = options;
     settings.conserves = scene.mu == 0 && scene.restitution == 1;
-    // In 100 digits the eigenvalues of one cycle take as long as the orbit; double's are taken where they decide.
-    if (!settings.exhaustive) settings.period.exact_multipliers = false;
     return with_scene_map(scene, [&](const auto& map) {
         return name_in(map, start, settings, is_dissipative_without_drive(scene), stop, samples);
     });

@@ -26,7 +26,7 @@ class Classify(unittest.TestCase):
                  "multiplier 0.895", "after 8 impacts"),
                 (CHAOS, "mode chaotic (chaotic)", "as far as it was followed: largest exponent 1.", "positive"),
                 (ROLLING, "mode quasi-steady (rolling-librating)", "as far as it was followed: no impact for",
-                 "they come to a limit"),  # the periods still change
+                 "psi settles on the pendulum"),  # whose mean S is named, though the periods still change
                 ("--sides disk --alpha 0.4 --beta 0 --mu 0 --restitution 0", "after 1 impact", "no impact for",
                  "range of S 0: S is constant")):
             lines = self.lines(f"classify {flags} {SHORT}")

@@ -15,7 +15,6 @@
 #include "map/orbit/orbit.hpp"
 
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 
 #include <cerrno>
 #include <filesystem>
@@ -42,21 +41,16 @@ Examples:
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --near=-0.084,0.028,-0.554,0.89,-0.979
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --period 1 --max-time 12)";
 
-void CertifyOptions::add_to(CLI::App& command) {
+void CertifyOptions::add_to(Flags& command) {
     scene.add_to(command);
     output.add_to(command, false);
     add_file(command, "record", record, "a record of orbits, continue or bifurcate: its cycles")->type_name("RECORD");
     command.add_option("--near", near, "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)")->type_name("");
-    command
-        .add_option_function<int>(
-            "--period", [this](int k) { period = k, period_given = true; }, "of that cycle (default 1)")
+    command.add_option("--period", its_period, "of that cycle (default 1)")
         ->type_name("K")
         ->transform(whole_number(1, 256));
     command.add_flag("--all", all, "all fixed points, with proof that there are no others");
-    command
-        .add_option_function<double>(
-            "--max-time", [this](double t) { max_time = t, time_given = true; },
-            "longest flight time of --all, in 1/omega_s (default 12)")
+    command.add_option("--max-time", longest, "longest flight time of --all, in 1/omega_s (default 12)")
         ->type_name("T");
     add_file(command, "--check", check, "prove a certificate again")->type_name("CERT.json");
     add_file(command, "-o,--output", certificate, "write the document, a certificate, to a file")
@@ -77,13 +71,13 @@ void require_one_input(const CertifyOptions& options) {
     const bool scene_is_there = !options.record.empty() || !options.check.empty();
     if (scene_is_there && options.scene.given())
         throw BadInput("a scene is given, but the record or certificate has its own; leave one out");
-    if (options.all && options.period != 1)
-        throw BadInput(fmt::format("period = {}: --all proves fixed points, period 1", options.period));
-    if (options.period_given && options.near.empty() && !options.all)
+    if (options.all && options.period() != 1)
+        throw BadInput(fmt::format("period = {}: --all proves fixed points, period 1", options.period()));
+    if (options.its_period && options.near.empty() && !options.all)
         throw BadInput("--period goes with --near; a record's cycles have their own");
-    if (options.time_given && !options.all) throw BadInput("--max-time goes with --all");
-    if (options.all && !(options.max_time > 0 && options.max_time <= 1000))
-        throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= 1000", options.max_time));
+    if (options.longest && !options.all) throw BadInput("--max-time goes with --all");
+    if (options.all && !(options.max_time() > 0 && options.max_time() <= 1000))
+        throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= 1000", options.max_time()));
     if (!options.check.empty() && !options.certificate.empty())
         throw BadInput("--check and --output are both given; --check writes nothing");
 }
@@ -160,7 +154,7 @@ Certified certified_near(const CertifyOptions& options, const Scene<double>& sce
     const auto z = section_point_from<double>("--near", options.near, scene.is_disk());
     require_leaving(make_body(scene), z);
     const auto map = shooting_map_of(scene);
-    const auto found = orbits::find_near(scene, map, z, options.period, options.period, is_interrupted);
+    const auto found = orbits::find_near(scene, map, z, options.period(), options.period(), is_interrupted);
     Certified certified{scene, {}, {}, {}, !found.cycles.empty()};
     for (const analysis::Cycle& cycle : found.cycles) {
         CyclePlace place{scene, {}};
@@ -171,7 +165,7 @@ Certified certified_near(const CertifyOptions& options, const Scene<double>& sce
 }
 
 Certified certified_all(const CertifyOptions& options, const Scene<double>& scene) {
-    Certified certified{scene, {}, {}, proof::all_fixed_points(scene, options.max_time, is_interrupted), true};
+    Certified certified{scene, {}, {}, proof::all_fixed_points(scene, options.max_time(), is_interrupted), true};
     for (const proof::CycleProof& proof : certified.all->proven)
         certified.orbits.push_back({scene, 1, proof.points.front(), proof});
     return certified;
@@ -231,7 +225,7 @@ int certify(CertifyOptions& options) {
     if (options.output.json)
         fmt::print("{}", text);
     else if (!options.output.quiet)
-        print_certified(certified);
+        print_certified(options, certified);
     const bool as_asked = certified.found && certified.proven() == certified.orbits.size() &&
                           (!certified.all || certified.all->complete());
     return as_asked ? exit_done : exit_numerical_ending;

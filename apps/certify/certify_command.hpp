@@ -5,6 +5,8 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace swirl::apps::certify {
@@ -12,24 +14,24 @@ namespace swirl::apps::certify {
 struct CertifyOptions {
     SceneOptions scene;
     OutputOptions output;
-    std::string record;       ///< whose cycles are proven
-    std::string near;         ///< psi,chi,vn,vt,S
-    int period = 1;           ///< of the cycle near it
-    bool all = false;         ///< all fixed points
-    double max_time = 12;     ///< up to this flight time
-    std::string check;        ///< a certificate to check
-    std::string certificate;  ///< where to write one
+    std::string record;                      ///< whose cycles are proven
+    std::string near;                        ///< psi,chi,vn,vt,S
+    std::optional<std::int64_t> its_period;  ///< of the cycle near it; given only where it means something
+    bool all = false;                        ///< all fixed points …
+    std::optional<double> longest;           ///< … up to this flight time
+    std::string check;                       ///< a certificate to check
+    std::string certificate;                 ///< where to write one
 
-    void add_to(CLI::App& command);
-    /// True where `flag` was given, so that one that means nothing there can be refused.
-    bool period_given = false, time_given = false;
+    void add_to(Flags& command);
+    int period() const { return static_cast<int>(its_period.value_or(1)); }
+    double max_time() const { return longest.value_or(12); }
 };
 
 extern const char* const certify_details;
 
 /// All that was proven, as a document or certificate without its checksum and last brace.
 std::string certificate_text(const CertifyOptions& options, const Certified& certified);
-void print_certified(const Certified& certified);
+void print_certified(const CertifyOptions& options, const Certified& certified);
 
 int certify(CertifyOptions& options);
 /// --check.

@@ -82,7 +82,7 @@ Table<Orbit> orbit_table(const std::string& along) {
              F{"inertia", inertia_of}.json_only(),
              F{"value", value}.table_only().shown(along, " {:>16.12g}").when(parameter.has_value()),
              {"point", [](JsonWriter& json, const Orbit& o) { write_point_of(json, o.scene, o.point); }},
-             F{"S", [](const Orbit& o) { return o.point.spin; }}.table_only().shown("S", " {:>16.12f}"),
+             F{"S", [](const Orbit& o) { return o.point.spin; }, "omega_s"}.table_only().shown("S", " {:>16.12f}"),
              F{"radius", radius}.shown("radius", " {:>8.1e}"),
              {"multipliers", write_discs},
              F{"stability", [](const Orbit& o) { return std::string(name_of(o.proof.stability)); }}.json_as(
@@ -145,8 +145,9 @@ std::string certificate_text(const CertifyOptions& options, const Certified& cer
     return text.substr(0, text.rfind("\n}"));
 }
 
-void print_certified(const Certified& certified) {
-    fmt::print("{}\n", scene_in_words(certified.scene));
+void print_certified(const CertifyOptions& options, const Certified& certified) {
+    const auto units = options.scene.units();
+    fmt::print("{}\n{}", scene_in_words(certified.scene), units_in_words(units));
     if (certified.all) {
         const proof::AllFixedPoints& all = *certified.all;
         if (!all.none.empty()) fmt::print("  no fixed point exists: {}\n", all.none);
@@ -160,7 +161,7 @@ void print_certified(const Certified& certified) {
     if (!certified.found) fmt::print("  no cycle found\n");
     if (certified.orbits.empty()) return;
     if (!certified.all) fmt::print("  {} of {} proven\n", certified.proven(), certified.orbits.size());
-    print_table(orbit_table(certified.along), certified.orbits);
+    print_table(in_units(orbit_table(certified.along), units), certified.orbits);
 }
 
 }  // namespace swirl::apps::certify

@@ -27,7 +27,7 @@ struct CertifiedOrbit {
     Scene<double> scene;
     std::size_t period = 1;
     SectionPoint<double> point;
-    proof::CycleProof proof;
+    swirl::proof::CycleProof proof;
 };
 
 struct Certified {

@@ -1,6 +1,7 @@
 #include "apps/certify/certified_orbit.hpp"
-#include "apps/command_line/parameter_range.hpp"
+#include "apps/command_line/errors.hpp"
 #include "apps/record/record_reader.hpp"
+#include "apps/system/letter.hpp"
 #include "apps/system/section_coordinates.hpp"
 #include "apps/system/shooting_map.hpp"
 #include "map/derivative/parameter.hpp"
@@ -69,8 +70,9 @@ Candidate candidate_at(const CyclePlace& place) {
     return candidate;
 }
 
-RecordCycles cycles_of_record(const std::string& file) {
-    const RecordReader record(file);
+namespace {
+
+RecordCycles cycles_in(const RecordReader& record, const std::string& file) {
     const std::string group = record.contains("/branches/points") ? "/branches" : "/orbits";
     if (!record.contains(group + "/points") || !record.contains("/scene"))
         throw BadInput(
@@ -97,6 +99,16 @@ RecordCycles cycles_of_record(const std::string& file) {
         result.places.push_back({scene, points_at(points, row, shape.at(1), shape.at(2), period)});
     }
     return result;
+}
+
+}  // namespace
+
+RecordCycles cycles_of_record(const std::string& file) {
+    try {
+        return cycles_in(RecordReader(file), file);
+    } catch (const RecordError& error) {
+        throw BadInput(error.what());
+    }
 }
 
 }  // namespace swirl::apps::certify

@@ -57,12 +57,16 @@ OpenCell open_cell(const Cell& cell, std::string reason) {
     return {cell.low[0], cell.high[0], cell.low[1], cell.high[1], std::move(reason)};
 }
 
-/// A solution that was found twice, at φ and φ + 2π: it lies in the box of another, which holds one alone.
-bool is_known(const AllFixedPoints& all, const BallPoint<Ball>& z, const Ball& tau) {
-    const auto holds = [&](const CycleProof& other) { return is_the_one(z, tau, other); };
-    return std::any_of(all.proven.begin(), all.proven.end(), holds) ||
-           std::any_of(all.refuted.begin(), all.refuted.end(), holds);
-}
+/// The solutions of one set of equations, each judged.
+struct JudgedSet {
+    std::vector<CycleProof> proven, refuted;
+
+    /// A solution that was found twice, at φ and φ + 2π, lies in the box of another, which holds one alone.
+    bool holds(const BallPoint<Ball>& z, const Ball& tau) const {
+        const auto here = [&](const CycleProof& other) { return is_the_one(z, tau, other); };
+        return std::any_of(proven.begin(), proven.end(), here) || std::any_of(refuted.begin(), refuted.end(), here);
+    }
+};
 
 void look_at(const Scene<double>& scene, const BallScene& balls, const FixedPointSet& set,
              const std::function<bool()>& stop, AllFixedPoints& all) {
@@ -70,6 +74,7 @@ void look_at(const Scene<double>& scene, const BallScene& balls, const FixedPoin
     for (const Cell& start : set.start) solve(set.problem, start, stop, result);
     all.cells += result.cells;
     for (const Cell& cell : result.open) all.open.push_back(open_cell(cell, "neither excluded nor closed"));
+    JudgedSet judged_here;
     for (const PlaneSolution& solution : result.solutions) {
         if (intervals::lower(solution.tau) > all.max_time) continue;
         if (!(intervals::upper(solution.tau) <= all.max_time)) {
@@ -77,14 +82,16 @@ void look_at(const Scene<double>& scene, const BallScene& balls, const FixedPoin
             continue;
         }
         const BallPoint<Ball> z = fixed_point_of(balls, set, solution);
-        if (is_known(all, z, solution.tau)) continue;
+        if (judged_here.holds(z, solution.tau)) continue;
         const int step = static_cast<int>(((solution.j % scene.sides) + scene.sides) % scene.sides);
         CycleProof proof = judged(scene, z, solution.tau, step, modes_of(balls, set, solution));
         if (proof.verdict == Verdict::undecided)
             all.open.push_back(open_cell(solution.cell, "one solution, undecided: " + proof.reason));
         else
-            (proof.proven() ? all.proven : all.refuted).push_back(std::move(proof));
+            (proof.proven() ? judged_here.proven : judged_here.refuted).push_back(std::move(proof));
     }
+    all.proven.insert(all.proven.end(), judged_here.proven.begin(), judged_here.proven.end());
+    all.refuted.insert(all.refuted.end(), judged_here.refuted.begin(), judged_here.refuted.end());
 }
 
 void sort_by_branch(std::vector<CycleProof>& proofs) {

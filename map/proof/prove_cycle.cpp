@@ -96,7 +96,7 @@ std::vector<BallVector> product(const std::vector<BallVector>& a, const std::vec
 void set_exact(std::vector<Disc>& discs, double known) {
     std::size_t place = discs.size(), meeting = 0;
     for (std::size_t i = 0; i < discs.size(); ++i) {
-        if (std::hypot(discs[i].re - known, discs[i].im) > discs[i].radius) continue;
+        if (!(std::hypot(discs[i].re - known, discs[i].im) <= discs[i].radius)) continue;
         place = i;
         ++meeting;
     }
@@ -149,9 +149,7 @@ void take_box(const CycleSystem& system, const BallVector& centre, const BallVec
 
 }  // namespace
 
-bool has_interval_arithmetic() {
-    return true;
-}
+void require_interval_arithmetic() {}
 
 CycleProof prove_cycle(const Scene<double>& scene, const CycleClaim& claim) {
     CycleProof proof;
@@ -178,7 +176,7 @@ CycleProof prove_cycle(const Scene<double>& scene, const CycleClaim& claim) {
         return proof;
     }
     const auto equations = [&](const BallVector& box) { return evaluate(system, box); };
-    const BallVector cycle = intervals::narrowed(equations, found.box, prepared.inverse);
+    const BallVector cycle = intervals::narrowed(equations, found.box);
     const std::vector<Disc> discs = multipliers_of(system, cycle);
     for (const Disc& disc : discs) proof.multipliers.push_back({disc.re, disc.im, disc.radius});
     proof.stability = stability_of(discs);

@@ -42,7 +42,8 @@ std::string check_points_differ(const CheckedSystem& system, const Balls& box) {
             const auto d = intervals::sine_cosine(a->f - b->f);
             apart = apart || !contains_zero(d.sine) || !contains_zero(d.cosine - Ball(1));
         }
-        if (!apart) return "its period is not shown to be the smallest: points 1 and " + std::to_string(i + 1) + " may be one";
+        if (!apart)
+            return "its period is not shown to be the smallest: points 1 and " + std::to_string(i + 1) + " may be one";
     }
     return {};
 }
@@ -91,19 +92,23 @@ std::string check_multipliers(const CheckedSystem& system, const StatedCycle& cy
     if (system.kept.size() == 3) own.push_back({1, 0, 0});
     if (own.size() != cycle.multipliers.size()) return "it states another number of multipliers than there are";
     bool sticks = false;
-    for (const StatedStep& step : cycle.steps) sticks = sticks || step.contact_mode.find("sticking") != std::string::npos;
+    for (const StatedStep& step : cycle.steps)
+        sticks = sticks || step.contact_mode.find("sticking") != std::string::npos;
     std::vector<bool> taken(own.size(), false);
     for (const auto& stated : cycle.multipliers) {
         // An exact 0 or 1 is known from the impact's rank or the family: its disc is to hold that one alone.
         const bool known = (is_exactly(stated, 0) && sticks) || (is_exactly(stated, 1) && cycle.phase);
         std::size_t match = own.size(), near = 0;
+        bool own_is_exact = false;
         for (std::size_t i = 0; i < own.size(); ++i) {
             const double apart = std::hypot(stated.re - own[i].re, stated.im - own[i].im);
             const bool fits = known ? apart <= own[i].radius : (apart + own[i].radius) * (1 + 1e-12) <= stated.radius;
             if (known && fits) ++near;
-            if (fits && !taken[i]) match = i;
+            if (!fits || taken[i] || own_is_exact) continue;
+            match = i;
+            own_is_exact = known && own[i].radius == 0;
         }
-        if (match == own.size() || (known && near != 1)) {
+        if (match == own.size() || (known && near != 1 && !own_is_exact)) {
             char text[120];
             std::snprintf(text, sizeof text, "the multiplier %.9g %+.9gi is not in its disc", stated.re, stated.im);
             return text;
@@ -126,7 +131,7 @@ std::string check_stability(const StatedCycle& cycle) {
     }
     const std::size_t n = cycle.multipliers.size();
     const std::string& word = cycle.stability;
-    const bool holds = word == "attracting"   ? inside == n
+    const bool holds = word == "attracting"  ? inside == n
                        : word == "repelling" ? outside == n
                        : word == "saddle"    ? inside > 0 && outside > 0
                        : word == "neutral"   ? one > 0 && one + inside == n

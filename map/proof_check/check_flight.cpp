@@ -45,7 +45,9 @@ struct Motion {
 };
 
 /// Half the rate at which the squared distance grows.
-Ball rate(const Place& at) { return at.x * at.rate_x + at.y * at.rate_y; }
+Ball rate(const Place& at) {
+    return at.x * at.rate_x + at.y * at.rate_y;
+}
 
 struct Piece {
     double from, to;

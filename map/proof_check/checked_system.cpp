@@ -35,7 +35,8 @@ Rows rows_of(const CheckedSystem& system, const Balls& unknowns) {
     const std::size_t n = system.size(), k = system.steps.size(), width = system.width();
     Rows rows{{}, {}};
     for (std::size_t i = 0; i < k; ++i) {
-        const StepEquations all = step_equations(system.scene, system.steps[i], system.variables_of(unknowns, i), nullptr);
+        const StepEquations all =
+            step_equations(system.scene, system.steps[i], system.variables_of(unknowns, i), nullptr);
         for (const Gradient* equation : equations_of(system, all)) {
             if (system.shortage == Shortage::symmetric && equation == &all.restitution) continue;
             Balls row(n);
@@ -67,8 +68,8 @@ void require(bool holds, const char* what) {
 void require_word(const StatedCycle& cycle) {
     for (const StatedStep& step : cycle.steps) {
         const std::string& mode = step.contact_mode;
-        const bool known = mode == "frictionless" || mode == "sliding" || mode == "c-sticking" || mode == "r-sticking" ||
-                           mode == "c-reversed" || mode == "r-reversed";
+        const bool known = mode == "frictionless" || mode == "sliding" || mode == "c-sticking" ||
+                           mode == "r-sticking" || mode == "c-reversed" || mode == "r-reversed";
         require(known, "its word has a contact mode that is none");
         require((mode == "frictionless") == (cycle.mu == 0), "its word does not go with the scene's friction");
         require(mode == "frictionless" || mode == "c-sticking" ? std::abs(step.slip) <= 1 : std::abs(step.slip) == 1,
@@ -110,18 +111,22 @@ CheckedSystem checked_system(const StatedCycle& cycle) {
     if (disk && cycle.mu == 0) system.kept.pop_back();
     for (const StatedStep& step : cycle.steps) {
         require(!disk || (step.point[1] == 0 && step.radius[1] == 0), "a disk has chi = 0");
-        require(!(disk && cycle.mu == 0) || (step.point[spin] == cycle.steps.front().point[spin] && step.radius[spin] == 0),
-                "a disk's S does not change without friction");
-        for (const std::size_t place : system.kept) require(step.radius[place] > 0, "a half-width of its box is not positive");
+        require(
+            !(disk && cycle.mu == 0) || (step.point[spin] == cycle.steps.front().point[spin] && step.radius[spin] == 0),
+            "a disk's S does not change without friction");
+        for (const std::size_t place : system.kept)
+            require(step.radius[place] > 0, "a half-width of its box is not positive");
         require(step.time_radius > 0, "a half-width of its box is not positive");
     }
     if (cycle.restitution == 1 && cycle.mu == 0) system.shortage = Shortage::conserved;
-    if (cycle.restitution == 1 && cycle.mu > 0 && disk && cycle.steps.size() == 1) system.shortage = Shortage::symmetric;
+    if (cycle.restitution == 1 && cycle.mu > 0 && disk && cycle.steps.size() == 1)
+        system.shortage = Shortage::symmetric;
     require((system.shortage != Shortage::none) == cycle.phase.has_value(),
             "a family's member needs its phase, and an isolated cycle has none");
     if (!cycle.phase) return system;
     system.phase = *cycle.phase;
-    require(system.phase.by_time || system.kept.back() == spin, "the phase S does not tell members of this family apart");
+    require(system.phase.by_time || system.kept.back() == spin,
+            "the phase S does not tell members of this family apart");
     std::array<Ball, 5> z;
     for (std::size_t i = 0; i < 5; ++i) z[i] = Ball(cycle.steps.front().point[i]);
     const auto gradient = gradient_of_energy(system.scene, z);
@@ -132,7 +137,8 @@ CheckedSystem checked_system(const StatedCycle& cycle) {
 Balls stated_box(const CheckedSystem& system) {
     Balls box;
     for (const StatedStep& step : system.steps) {
-        for (const std::size_t place : system.kept) box.push_back(intervals::around(step.point[place], step.radius[place]));
+        for (const std::size_t place : system.kept)
+            box.push_back(intervals::around(step.point[place], step.radius[place]));
         box.push_back(intervals::around(step.time, step.time_radius));
     }
     if (system.shortage == Shortage::conserved) box.push_back(intervals::around(0, system.steps.front().time_radius));

@@ -37,13 +37,19 @@ inline Gradient operator+(const Gradient& x, const Gradient& y) {
 inline Gradient operator-(const Gradient& x, const Gradient& y) {
     return combined(x.f - y.f, Ball(1), x, Ball(-1), y);
 }
-inline Gradient operator*(const Gradient& x, const Gradient& y) { return combined(x.f * y.f, y.f, x, x.f, y); }
+inline Gradient operator*(const Gradient& x, const Gradient& y) {
+    return combined(x.f * y.f, y.f, x, x.f, y);
+}
 inline Gradient operator/(const Gradient& x, const Gradient& y) {
     const Ball ratio = x.f / y.f;
     return combined(ratio, Ball(1) / y.f, x, -(ratio / y.f), y);
 }
-inline Gradient operator*(const Ball& a, const Gradient& x) { return combined(a * x.f, a, x, Ball(0), x); }
-inline Gradient operator+(const Ball& a, const Gradient& x) { return combined(a + x.f, Ball(1), x, Ball(0), x); }
+inline Gradient operator*(const Ball& a, const Gradient& x) {
+    return combined(a * x.f, a, x, Ball(0), x);
+}
+inline Gradient operator+(const Ball& a, const Gradient& x) {
+    return combined(a + x.f, Ball(1), x, Ball(0), x);
+}
 inline Gradient sine(const Gradient& x) {
     const auto at = intervals::sine_cosine(x.f);
     return combined(at.sine, at.cosine, x, Ball(0), x);

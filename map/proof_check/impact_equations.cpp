@@ -24,9 +24,8 @@ StatedScene scene_of(const StatedCycle& cycle) {
     Ball kappa = decimal(cycle.inertia_factor);
     if (cycle.sides != 0) scene.spacing = Ball(2) * intervals::pi_ball() / Ball(cycle.sides);
     if (cycle.uniform_lamina) {
-        const Ball uniform = cycle.sides == 0
-                                 ? Ball(0.5)
-                                 : (Ball(2) + intervals::sine_cosine(scene.spacing).cosine) / Ball(6);
+        const Ball uniform =
+            cycle.sides == 0 ? Ball(0.5) : (Ball(2) + intervals::sine_cosine(scene.spacing).cosine) / Ball(6);
         if (!(intervals::upper(abs(uniform - kappa)) < 1e-15))
             throw std::invalid_argument("its inertia factor is not that of the uniform lamina");
         kappa = uniform;

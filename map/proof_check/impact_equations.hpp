@@ -20,7 +20,8 @@ struct StatedScene {
 StatedScene scene_of(const StatedCycle& cycle);
 
 /// All equations of a step, in this order; a disk's `turn` and `spin` may be without content.
-///   place_x, place_y  the centre after the flight is where the next point has it (from the swirl's centre, in axes that
+///   place_x, place_y  the centre after the flight is where the next point has it (from the swirl's centre, in axes
+///   that
 ///                     turn with the swirl):
 ///                     β + cis ψ − α cis(ψ + χ) + cis ψ (v_n + i v_t) τ = cis τ (β + cis ψ′ − α cis(ψ′ + χ′))
 ///   turn              ψ + χ + Sτ + 2πk/N = ψ′ + χ′ + τ, modulo 2π

@@ -35,8 +35,9 @@ struct StatedCycle {
     std::optional<Phase> phase;  ///< of a family's member
 };
 
-/// Proves all that the certificate states of the cycle, from these numbers alone; empty if it holds, else what does not.
-/// Shares no code with what found and proved the cycle but the arithmetic of balls: README.md of map/proof, "Checking".
+/// Proves all that the certificate states of the cycle, from these numbers alone; empty if it holds, else what does
+/// not. Shares no code with what found and proved the cycle but the arithmetic of balls: README.md of map/proof,
+/// "Checking".
 std::string what_fails(const StatedCycle& cycle);
 
 }  // namespace swirl::proof_check

@@ -115,9 +115,11 @@ std::vector<Disc> multipliers_of(const CycleSystem& system, const BallVector& cy
     if (system.form != FamilyForm::isolated) set_exact(discs, 1);
     // A frictionless disk's S never changes.
     if (system.active.size() == 3) discs.push_back({1, 0, 0});
-    constexpr double slack = 1e-14;  // of the modulus: room for another program's rounding
+    // Room for another program's enclosure: other equations widen a box otherwise, those of a family by more.
+    const double room = system.form == FamilyForm::isolated ? 4 : 1024;
+    constexpr double slack = 1e-14;  // of the modulus
     for (Disc& disc : discs)
-        if (disc.radius > 0) disc.radius = 4 * disc.radius + slack * std::hypot(disc.re, disc.im) + 1e-24;
+        if (disc.radius > 0) disc.radius = room * disc.radius + slack * std::hypot(disc.re, disc.im) + 1e-24;
     return discs;
 }
 

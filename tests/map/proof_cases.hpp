@@ -35,7 +35,8 @@ inline proof::CycleClaim claim_at(const Scene<double>& scene, const SectionPoint
 
 inline std::vector<ProofCase> proof_cases(const std::string& file) {
     std::vector<ProofCase> cases;
-    for (const auto& entry : read_reference(file)["cycles"]) {
+    const nlohmann::json document = read_reference(file);  // outlives what refers into it
+    for (const auto& entry : document["cycles"]) {
         const auto scene = scene_from<double>(entry);
         cases.push_back({scene, claim_at(scene, point_from<double>(entry["point"]), entry["period"]), entry});
     }

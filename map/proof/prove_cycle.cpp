@@ -179,6 +179,10 @@ CycleProof prove_cycle(const Scene<double>& scene, const CycleClaim& claim) {
     }
     const auto equations = [&](const BallVector& box) { return evaluate(system, box); };
     const BallVector cycle = intervals::narrowed(equations, found.box);
+    if (system.form == FamilyForm::conserved) {
+        proof.reason = "a family of a frictionless scene: its two multipliers 1 are not told apart";
+        return proof;
+    }
     const std::vector<Disc> discs = multipliers_of(system, cycle);
     for (const Disc& disc : discs) proof.multipliers.push_back({disc.re, disc.im, disc.radius});
     proof.stability = stability_of(discs);

@@ -161,7 +161,9 @@ TEST(Proof, MembersOfFamiliesAreProvenWithTheirPhase) {
         const SectionPoint<double> z{0, 0, -2 * r / tau * half * half, vt, mu > 0 ? (beta - vt) / alpha : spin};
         const CycleProof proof = prove_cycle(scene, claim_at(scene, z, 1));
         EXPECT_TRUE(proof.phase.has_value());
-        if (proof.proven()) EXPECT_EQ(proof_check::what_fails(stated(scene, proof)), "") << sides << ' ' << mu;
+        if (proof.proven()) {
+            EXPECT_EQ(proof_check::what_fails(stated(scene, proof)), "") << sides << ' ' << mu;
+        }
         return proof;
     };
     const CycleProof rolls = member(disk_sides, 0.3, 0.1, 0.5, 2.5, 0);

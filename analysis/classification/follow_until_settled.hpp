@@ -25,6 +25,22 @@ inline std::int64_t next_look(std::int64_t look) {
     return look + look / 2;
 }
 
+/// What so many steps may cost, in ordinary ones, before fewer are followed: an impact through sustained contact costs
+/// some 200 flights, so that ten thousand of them are followed in full; a body that swings long on the wall in a weak
+/// swirl makes each cost as much as an orbit.
+inline double most_effort(std::int64_t steps) {
+    return std::max(2e6, 8 * static_cast<double>(steps));
+}
+
+/// A tail whose kept steps belonged to the transient begins anew.
+template <SectionMap M>
+void forget_kept(Tail<M>& tail) {
+    tail.effort = 0;
+    tail.states.clear();
+    tail.durations.clear();
+    tail.integrals.clear();
+}
+
 /// How many of its last states are looked at: an eighth of them. Longer periods are seen later.
 inline std::int64_t window_of(std::int64_t look) {
     return std::max<std::int64_t>(64, look / 8);
@@ -71,6 +87,8 @@ FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, 
 /// Follows an orbit from z through `transient` steps and `count` more that are kept, and ends as soon as it has settled
 /// on an attracting cycle (`settled_cycle`): looked for after 128, 192, 288, … steps.
 ///   settles  false where nothing can (a map that preserves volume): not looked for
+/// Where steps cost so much more than ordinary ones that either part exceeds `most_effort`, that part is cut short
+/// there (Tail::cut), by the counts of Advance::effort, so that the same orbit is cut at the same step everywhere.
 /// Cost: the steps; `settled_cycle` at each look.
 template <SectionMap M>
 FollowedOrbit<M> follow_until_settled(const M& map, State<M> z, std::int64_t transient, std::int64_t count,
@@ -79,25 +97,37 @@ FollowedOrbit<M> follow_until_settled(const M& map, State<M> z, std::int64_t tra
     constexpr std::int64_t longest_as_states = 1 << 20;  // a longer tail has no room for both states and points
     FollowedOrbit<M> orbit;
     Tail<M>& tail = orbit.tail;
+    Effort effort{0, detail::most_effort(transient)};
     std::int64_t look = detail::first_look;
-    for (; settles && look <= transient; look = detail::next_look(look)) {
+    for (; settles && look <= transient && !tail.cut; look = detail::next_look(look)) {
         const std::int64_t window = detail::window_of(look);
-        if (!skip_steps(map, z, look - window - tail.steps, tail, stop)) return orbit;
-        if (!record_steps(map, z, window, Keep::states, tail, stop)) return orbit;
-        orbit.cycle = detail::look_back(map, tail, window, options);
+        tail.cut = !skip_steps(map, z, look - window - tail.steps, tail, stop, effort);
+        if (tail.ended || tail.stopped) return orbit;
+        if (tail.cut) break;
+        tail.cut = !record_steps(map, z, window, Keep::states, tail, stop, effort.most - effort.spent);
+        if (tail.ended || tail.stopped) return orbit;
+        if (!tail.cut) orbit.cycle = detail::look_back(map, tail, window, options);
         if (orbit.cycle.period > 0) return orbit;
-        tail.states.clear();
-        tail.durations.clear();
-        tail.integrals.clear();
+        effort.spent += tail.effort;
+        detail::forget_kept(tail);
     }
-    if (!skip_steps(map, z, transient - tail.steps, tail, stop)) return orbit;
+    if (!tail.cut) tail.cut = !skip_steps(map, z, transient - tail.steps, tail, stop, effort);
+    if (tail.ended || tail.stopped) return orbit;
+    const double most = detail::most_effort(count);
+    const std::int64_t before = tail.steps;  // `transient`, or where it was cut
     const Keep keep = count > longest_as_states ? Keep::points : Keep::states;
     reserve(tail, count, keep);
     tail.first = z;
     for (std::int64_t kept = 0; kept < count; look = detail::next_look(look)) {
-        const std::int64_t until = settles ? std::min(look - transient, count) : count;
-        if (!record_steps(map, z, until - kept, keep, tail, stop)) return orbit;
-        kept = until;
+        while (look <= before) look = detail::next_look(look);
+        const std::int64_t until = settles ? std::min(look - before, count) : count;
+        const bool whole = record_steps(map, z, until - kept, keep, tail, stop, most);
+        if (tail.ended || tail.stopped) return orbit;
+        kept = static_cast<std::int64_t>(tail.durations.size());
+        if (!whole) {
+            tail.cut = true;
+            return orbit;
+        }
         const std::int64_t window = detail::window_of(look);
         if (kept == count || window > kept) continue;
         orbit.cycle = detail::look_back(map, tail, window, options);

@@ -1,6 +1,7 @@
 // What SceneMap asks of one shape and impact rule, as plain functions over a map that they alone know the type of.
 #pragma once
 
+#include "apps/system/effort.hpp"
 #include "apps/system/exact_return.hpp"
 #include "apps/system/scene_map.hpp"
 #include "map/derivative/derivative.hpp"
@@ -18,11 +19,12 @@ struct SceneFunctions {
     const ContactScene& (*contact)(const void* map);
     Step (*first_impact)(const void* map, const LabStart<double>& start);
     Outcome (*advance)(const void* map, Step& step, double horizon, const ContactSink& sink);
-    std::int64_t (*follow)(const void* map, State& z, std::int64_t steps, double horizon, const analysis::Stop& stop);
+    std::int64_t (*follow)(const void* map, State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
+                           analysis::Effort& effort);
     Derivative (*through_flight)(const void* map, const State& z, const Step& known);
     std::pair<Derivative, analysis::Vector<D>> (*along)(const void* map, const State& z, const Step& known,
                                                         Parameter parameter);
-    Derivative (*through_contact)(const void* map, const SectionPoint<double>& z, const Step& known);
+    Derivative (*through_contact)(const void* map, const SectionPoint<double>& z, const Step& known, long& series);
 };
 
 /// The functions of the map that `with_collision_map` chooses; defined in scene_functions_of_disks.cpp and
@@ -64,7 +66,7 @@ struct ConcreteScene {
         return of(map).return_map.advance(step, horizon, sink);
     }
     static std::int64_t follow(const void* map, State& z, std::int64_t steps, double horizon,
-                               const analysis::Stop& stop) {
+                               const analysis::Stop& stop, analysis::Effort& effort) {
         constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
         const auto& return_map = of(map).return_map;
         const auto& body = return_map.map().body();
@@ -73,12 +75,14 @@ struct ConcreteScene {
         ExactReturn exact;
         bool repeats = false;
         std::int64_t done = 0, look = 0;
-        while (done < steps) {
+        while (done < steps && !effort.is_spent()) {
             if (stop && done >= look) {
                 if (stop()) break;
                 look = done + between;
             }
-            if (return_map.advance(step, horizon) != Outcome::completed) break;
+            const Outcome outcome = return_map.advance(step, horizon);
+            effort.spent += effort_of(step);
+            if (outcome != Outcome::completed) break;
             const State& after = step.collision.after;
             if (has_come_to_rest(body, after) || has_diverged(body, after)) break;
             z = after;
@@ -99,8 +103,8 @@ struct ConcreteScene {
         return derivative_with_parameter<double, shape, rule>(of(map).return_map.map().scene(), parameter, z,
                                                               known.collision);
     }
-    static Derivative through_contact(const void* map, const SectionPoint<double>& z, const Step& known) {
-        return derivative_through_contact(of(map).return_map, z, known);
+    static Derivative through_contact(const void* map, const SectionPoint<double>& z, const Step& known, long& series) {
+        return derivative_through_contact(of(map).return_map, z, known, &series);
     }
 
     static constexpr Functions functions{&make,   &contact,        &first_impact, &advance,

@@ -85,13 +85,17 @@ inline FirstContactOutcome without_step(const T& step) {
 
 /// True once the error that a last step leaves, M h³/g′, is far below the rounding of τ, M h³ itself below that of a
 /// place, and g′ is still positive after it. (After a flight so long that τ's rounding is no small part of a turn the
-/// first alone is not enough.)
+/// first alone is not enough.) The step must lead to a root of the gap's own parabola, within rounding: one that a
+/// bound from far away has shortened ends before the wall, where the vertex may yet turn away.
 template <class T>
 inline bool is_last(const Gap<T>& gap, const T& third, const T& step, const T& time) {
+    using std::fabs;
     const T change = third * step * step;
     const T moves = std::min(T(gap.rate * (time + step)), T(1000));
+    const T left = -gap.value - step * (gap.rate + T(0.5) * step * gap.bend);
     return gap.rate > 0 && change * step <= T(0.001) * epsilon<T>() * moves &&
-           gap.rate + step * std::min(gap.bend, T(0)) > T(0.5) * change;
+           gap.rate + step * std::min(gap.bend, T(0)) > T(0.5) * change &&
+           left <= change * step + T(16) * epsilon<T>() * fabs(gap.value);
 }
 
 /// Steps after which bounds that are seldom of use are tried as well. Ordinary flights take fewer than 20.

@@ -15,7 +15,7 @@
 
 #include "map/first_contact/bounds.hpp"
 #include "map/first_contact/conservative_advancement.hpp"
-#include "map/first_contact/vertices.hpp"
+#include "map/first_contact/departure.hpp"
 
 namespace swirl::detail {
 
@@ -28,7 +28,9 @@ inline T sheltered_time_of(const Body<T>& body, const Flight<T>& flight, const I
     const Vec2<T> y = x + at.swirl;
     const Vec2<T> rate = flight.velocity + flight.spin * quarter_turned(vertex.arm);
     const T spin2 = flight.spin * flight.spin;
-    const Gap<T> gap{vertex.gap.value + T(2) * (body.beta + dot(x, at.swirl)), T(2) * dot(y, rate),
+    // G and G′ from g and g′, which of a vertex that leaves slowly are known to their own rounding.
+    const Gap<T> gap{vertex.gap.value + T(2) * (body.beta + dot(x, at.swirl)),
+                     vertex.gap.rate + T(2) * (dot(rate, at.swirl) + dot(x, quarter_turned(at.swirl))),
                      T(2) * (dot(rate, rate) - spin2 * dot(y, vertex.arm)), T(0)};
     if (!(gap.value < 0)) return T(0);
     const T third =
@@ -38,7 +40,8 @@ inline T sheltered_time_of(const Body<T>& body, const Flight<T>& flight, const I
 
 /// The time for which no vertex can touch because the container does not come so far; 0 if that is not so.
 template <class T>
-T sheltered_time_of_vertices(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
+T sheltered_time_of_vertices(const Body<T>& body, const Flight<T>& flight, const Departures<T>& departures,
+                             const Instant<T>& at) {
     using std::fabs;
     const Vec2<T> place = at.centre + at.swirl;
     const T distance = magnitude(place);
@@ -46,6 +49,8 @@ T sheltered_time_of_vertices(const Body<T>& body, const Flight<T>& flight, const
     if (!(distance > T(0) && body.beta < T(1))) return T(0);
     NearestTwo<T> pair;
     look_around(body, flight, at, place, pair);
+    leave_without_rounding(body, flight, departures, at, pair.first);
+    leave_without_rounding(body, flight, departures, at, pair.second);
     // As `two_are_enough`, about the swirl's centre.
     const T turning = T(0.5) * body.spacing / (fabs(flight.spin) + T(2) * speed / distance);
     const T enough = std::min(turning, T(distance / (T(2) * speed)));
@@ -57,10 +62,11 @@ T sheltered_time_of_vertices(const Body<T>& body, const Flight<T>& flight, const
 /// from the swirl's centre.
 template <class T>
 [[gnu::noinline]] T longer_step(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
-                                const Instant<T>& at, const Gap<T>& circle) {
+                                const Departures<T>& departures, const Instant<T>& at, const Gap<T>& circle) {
     const bool inside = circle.value < T(-16) * epsilon<T>() * body.inner;  // beyond the rounding of |X|
     const T round = inside ? safe_step(circle, bounds.centre_third) : T(0);
-    return std::max({round, sheltered_time(body, flight, at), sheltered_time_of_vertices(body, flight, at)});
+    return std::max(
+        {round, sheltered_time(body, flight, at), sheltered_time_of_vertices(body, flight, departures, at)});
 }
 
 }  // namespace swirl::detail

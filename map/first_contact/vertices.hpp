@@ -121,11 +121,6 @@ inline Candidate<T>& struck_of(NearestTwo<T>& pair) {
     return pair.second.vertex == 0 ? pair.second : pair.first;
 }
 
-template <class T>
-inline bool touches(const Candidate<T>& candidate) {
-    return candidate.gap.value >= 0 && candidate.gap.rate >= 0;
-}
-
 /// The neighbour that touches where a flight begins on the wall. A neighbour whose normal velocity is zero within
 /// `rounding` touches only if g″ ≥ 0: two vertices may leave together.
 template <class T>
@@ -134,12 +129,6 @@ inline const Candidate<T>* touching_neighbour(const NearestTwo<T>& pair, const T
     if (other.vertex == 0 || other.gap.value < 0) return nullptr;
     const bool touches = other.gap.rate > rounding || (other.gap.rate >= -rounding && other.gap.bend >= 0);
     return touches ? &other : nullptr;
-}
-
-/// Time until an approaching vertex touches, to first order; +∞ for one that does not approach.
-template <class T>
-inline T time_left(const Gap<T>& gap) {
-    return gap.rate > 0 ? T(-gap.value / gap.rate) : std::numeric_limits<T>::infinity();
 }
 
 /// True if both touch within rounding of the same time. A gap is known to some ε and so its root to ε/g′, beside the
@@ -153,6 +142,13 @@ inline bool touch_together(const Gap<T>& first, const Gap<T>& second, const T& t
     return apart <= T(16) * epsilon<T>() * (std::max(first.rate, second.rate) + first.rate * second.rate * time);
 }
 
+template <class T>
+inline void take(const Candidate<T>& vertex, FirstContact<T>& contact) {
+    contact.outcome = FirstContactOutcome::contact;
+    contact.vertex = vertex.vertex;
+    contact.arm = vertex.arm;
+}
+
 /// Decides which of the two strikes: the earlier; on an exact tie the larger u_n, then the lower number.
 template <class T>
 inline void choose(const NearestTwo<T>& pair, FirstContact<T>& contact) {
@@ -164,10 +160,7 @@ inline void choose(const NearestTwo<T>& pair, FirstContact<T>& contact) {
         const T difference = pair.second.gap.rate - pair.first.gap.rate;  // g′ = 2 u_n
         take_second = difference > 0 || (difference == 0 && pair.second.vertex < pair.first.vertex);
     }
-    const Candidate<T>& chosen = take_second ? pair.second : pair.first;
-    contact.outcome = FirstContactOutcome::contact;
-    contact.vertex = chosen.vertex;
-    contact.arm = chosen.arm;
+    take(take_second ? pair.second : pair.first, contact);
 }
 
 }  // namespace detail

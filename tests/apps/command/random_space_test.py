@@ -147,11 +147,32 @@ class KnownEndings(unittest.TestCase):
         "a slow hexagon that does not turn": "--sides 6 --alpha 0.93 --beta 0.012 --mu 1 --restitution 1 --vx 2e-10",
         "a body that all but fills the container": "--sides 9 --alpha 0.999999955722298 --beta 2.0402999464149567 "
         "--mu 0.9207453529742373 --restitution 0.5867378839787757 --law stronge --spin=-154",
+        "a vertex that leaves with u_n = 0 in a swirl of 1e-47": "--sides 11 --alpha 0.49957939246289707 "
+        "--beta 1.0017560457638324e-47 --mu 0.14836441258518107 --restitution 0 --law newton --vx=-8.09264e-10 "
+        "--vy 5.07986e-11 --angle=-0.94 --spin=-3.401e-09",
         "two vertices that strike in turn": "--sides 7 --alpha 0.17776178042129986 --beta 1.4896002924307372 "
         "--mu 0.040393600711095434 --restitution 0.008257619868914046 --law newton --inertia-factor "
         "0.0019768110349642713 --speed 1.4157650109247994e-07 --seed 20",
+        "a square that leaves an edge": "--sides 4 --alpha 0.00012533090045567497 --beta 1.3166111622180299e-05 --mu 0 "
+        "--restitution 0 --law newton --speed 0.0013647990230596125 --seed 906593243",
+        "a triangle that leaves an edge": "--sides 3 --alpha 0.00025113907267058856 --beta 1.3888465229049523e-12 "
+        "--mu 0 --restitution 0 --law stronge --seed 766377158",
         "a million sides": "--sides 1000000 --alpha 0.999999 --beta 0.5 --mu 0.5 --restitution 0.9",
     }
+
+    # Of the draw: vertices that leave with u_n = 0 in a weak swirl (16, 494, 537, 657, 723, 728), bodies that reach the
+    # wall within rounding for longer than the swirl turns (96, 712, 868), an edge's two vertices striking in turn with
+    # ever less (774), fast spin after a long flight (174, 593), a vertex that turns away just before the wall (587),
+    # more turns of the swirl than a double can count (215, 425).
+    DRAWN = (16, 96, 174, 215, 425, 494, 537, 587, 593, 657, 712, 723, 728, 774, 868)
+
+    def test_drawn_scenes_stay_inside_and_have_a_name(self):
+        for number in self.DRAWN:
+            flags = scene_of(number)
+            found, seconds = follow(words("simulate", flags, f"--collisions={IMPACTS}"))
+            self.assertEqual(troubles_of_orbit(flags, found), [], number)
+            self.assertNotEqual(found["outcome"], "unresolved", number)
+            self.assertLess(seconds, MOST_SECONDS, number)
 
     def test_they_have_a_name(self):
         for name, flags in self.SCENES.items():

@@ -20,6 +20,10 @@ def sized(full, fewer):
     return fewer if SANITIZED else full
 
 
+#: What a search for cycles is given besides: nothing, or less to search.
+SEARCH = sized("", "--starts 100 --trajectories 1 --collisions 200")
+
+
 def _refuse(constant):
     raise ValueError(f"{constant} is no JSON")
 

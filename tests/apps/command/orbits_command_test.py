@@ -5,16 +5,15 @@ import unittest
 
 import xarray
 
-from driving import Keeping, Refusing, document, run, sized
+from driving import SEARCH, Keeping, Refusing, document, run, sized
 
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
-FEW = "--starts 100 --trajectories 1 --collisions 200"
 POINT = "-0.083922288419212287574,0.027966794811174552721,-0.55420644250323559488,0.88979354385790028771,-0.97926605821858726645"
 
 
 class Orbits(Refusing):
     def test_the_published_fixed_point_is_found_with_its_multipliers(self):
-        found = document(f"orbits {HEXAGON} --period 1 {sized('', FEW)}")["orbits"]
+        found = document(f"orbits {HEXAGON} --period 1 {SEARCH}")["orbits"]
         wanted = [float(x) for x in POINT.split(",")]
         best = min(found, key=lambda o: abs(o["points"][0]["S"] - wanted[4]))
         for name, value in zip(("psi", "chi", "vn", "vt", "S"), wanted):
@@ -112,7 +111,7 @@ class Orbits(Refusing):
         records = []
         for threads in (1, 2):
             path = self.folder / f"{threads}.h5"
-            flags = f"--max-period 2 --threads {threads} {sized('', FEW)}"
+            flags = f"--max-period 2 --threads {threads} {SEARCH}"
             self.assertEqual(run(f"orbits {HEXAGON} {flags} -o {path} --quiet").returncode, 0)
             records.append(path.read_bytes())
         self.assertEqual(*records)

@@ -138,10 +138,9 @@ class Orbits(Refusing):
             self.assertGreaterEqual(given, 9)
 
     def test_an_orbit_that_ends_says_how_far_it_came(self):
-        result = run("orbits --sides disk --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.1 --near=0,-0.001,0.1,-1 "
-                     f"--period {sized(9, 5)} --json")
+        result = run("orbits --sides disk --alpha 0.4 --beta 0.1 --mu 2 --restitution 0.1 --near=0,-0.001,0.1,-1 --period 9 --json")
         answer = json.loads(result.stdout)
-        self.assertEqual((result.returncode, answer["residual"], answer["candidates"]), (3, None, sized(0, 60)))
+        self.assertEqual((result.returncode, answer["residual"], answer["candidates"]), (3, None, 0))
         self.assertIn("impacts", answer["limits"][0])
 
     def test_cycles_without_restitution_can_be_given_back(self):

@@ -174,6 +174,15 @@ class KnownEndings(unittest.TestCase):
             self.assertNotEqual(found["outcome"], "unresolved", number)
             self.assertLess(seconds, MOST_SECONDS, number)
 
+    # Of the draw: long swings on the wall in a weak swirl, a landing at each impact, 445,480 sides that fill the container.
+    DEAR = (88, 186, 639)
+
+    def test_verdicts_on_impacts_that_cost_much_come_within_seconds(self):
+        for number in self.DEAR:
+            judged, seconds = follow(words("classify", scene_of(number)))
+            self.assertLess(seconds, MOST_SECONDS, number)
+            self.assertIn(judged["mode"], ("chaotic", "quasi-steady", "steady", "undecided"), number)
+
     def test_they_have_a_name(self):
         for name, flags in self.SCENES.items():
             found, seconds = follow([SWIRL, "simulate", *flags.split(), f"--collisions={IMPACTS}", "--json"])

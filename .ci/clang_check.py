@@ -9,7 +9,8 @@ it is the first thing that a source includes: that has shown the same. Any findi
 alone, where a build by clang has shown the sources. --tidy: clang-tidy with the checks of .clang-tidy but the static
 analyser's looks at the sources instead, at 20 to 40 seconds a file. --seconds: after so many none is begun, and the last
 line counts those that were not looked at. With --cache what was found clean is not looked at again until a file that it
-read, its flags or the checks change. FILE: only these, in this order.
+read, its flags or the checks change. FILE: only these, in this order; of clang-tidy what it
+finds in them and in the headers beside them.
 """
 
 import argparse
@@ -134,8 +135,10 @@ def findings(file, flags, directory, arguments):
     with tempfile.NamedTemporaryFile("r", encoding="utf-8") as rules:
         result = run(flags + ["-fsyntax-only", "-MD", "-MF", rules.name, str(file)], directory)
         if result.returncode == 0 and arguments.tidy and file.suffix != ".hpp":
+            # Of files that were asked for: what stands in them and the headers beside them, not in all that they include.
+            own = [f"--header-filter=^{re.escape(str(file.with_suffix('.hpp')))}$"] if arguments.files else []
             result = run([TIDY, "-p", str(arguments.build), "--quiet", f"--checks={CHECKS}", "--warnings-as-errors=*",
-                          str(file)], directory)
+                          *own, str(file)], directory)
         if result.returncode == 0:
             return "", names_in(rules.read(), directory)
     return (result.stdout + result.stderr).strip() or f"exit code {result.returncode} without a word", []
@@ -189,7 +192,7 @@ def main():
                 stamp.unlink()
     settings = "warnings"  # the compiler is named in the flags
     if arguments.tidy:
-        settings = run([TIDY, "--version"], ROOT).stdout + CHECKS + (ROOT / ".clang-tidy").read_text()
+        settings = ("own" if arguments.files else "all") + run([TIDY, "--version"], ROOT).stdout + CHECKS + (ROOT / ".clang-tidy").read_text()
     results = []
     with ThreadPoolExecutor(arguments.jobs) as pool:
         for result in pool.map(lambda item: look_at(*item, arguments, settings), known.items()):

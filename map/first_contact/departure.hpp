@@ -23,6 +23,7 @@ struct Departure {
     Vec2<T> arm;    ///< a₀
     Vec2<T> rate;   ///< r₀
     T normal{};     ///< u_n ≤ 0
+    T value{};      ///< g ≤ 0 at the start, zero of the vertex that struck
 };
 
 /// Those of the two vertices that may touch at the start.
@@ -54,9 +55,9 @@ inline T rounded_size(const Body<T>& body, const Flight<T>& flight, const T& tim
     return flight.struck && vertex == 0 ? moved : T(moved + T(1));
 }
 
-/// Whether a vertex leaves the wall at the start (of the one that struck, which does not stay, only if without normal
-/// velocity: else its displacement has the digits of its gap).
-///   released  contact has just ended: g″ = 0 within rounding
+/// Whether a vertex that is on the wall at the start leaves it without normal velocity (else its displacement has the
+/// digits of its gap).
+///   released  contact has just ended: g″ = 0 within rounding, and an edge's other end may already be moving away
 template <class T>
 inline Departure<T> departure_of(const Body<T>& body, const Flight<T>& flight, const Instant<T>& start,
                                  const Candidate<T>& vertex, bool released) {
@@ -65,16 +66,17 @@ inline Departure<T> departure_of(const Body<T>& body, const Flight<T>& flight, c
     const Gap<T>& gap = vertex.gap;
     Departure<T> departure;
     if (!flight.struck || !(gap.rate <= rounding)) return departure;
+    const bool rests = gap.rate >= -rounding;
     if (vertex.vertex == 0)
-        departure.leaves = gap.rate >= -rounding;
+        departure.leaves = rests;
     else
-        departure.leaves =
-            fabs(gap.value) <= T(16) * epsilon<T>() && (gap.rate < -rounding || gap.bend < T(0) || released);
+        departure.leaves = fabs(gap.value) <= T(16) * epsilon<T>() && (released || (rests && gap.bend < T(0)));
     departure.vertex = vertex.vertex;
     departure.place = vertex.vertex == 0 ? Vec2<T>{T(1), T(0)} : start.centre + vertex.arm;
     departure.arm = vertex.arm;
     departure.rate = start.drift + flight.spin * quarter_turned(vertex.arm);
     departure.normal = std::min(T(T(0.5) * gap.rate), T(0));
+    departure.value = std::min(gap.value, T(0));
     return departure;
 }
 
@@ -104,22 +106,27 @@ T gap_of_departure(const Flight<T>& flight, const Departure<T>& from, const Inst
     const Vec2<T> bent = arm_bent - swirl_bent;
     const Vec2<T> faster = quarter_turned(flight.spin * arm_moved - swirl_moved);
     const Vec2<T> moved = time * from.rate + bent;
-    vertex.gap.value = T(2) * (from.normal * time + dot(from.place, bent)) + dot(moved, moved);
+    vertex.gap.value = from.value + T(2) * (from.normal * time + dot(from.place, bent)) + dot(moved, moved);
     vertex.gap.rate = T(2) * (from.normal + dot(from.place, faster) + dot(moved, from.rate + faster));
     return T(2) * (magnitude(arm_bent) + magnitude(swirl_bent)) + dot(moved, moved);
 }
 
-/// The gap of a vertex as it is best known: replaced, if it has left the wall and its g is rounding. Returns the
-/// rounding of g in units of ε.
+/// The gap of a vertex as it is best known: replaced, if it has left the wall, its g is rounding, and the terms without
+/// those of first order are far smaller. Returns the rounding of g in units of ε.
 template <class T>
 inline T leave_without_rounding(const Body<T>& body, const Flight<T>& flight, const Departures<T>& departures,
                                 const Instant<T>& at, Candidate<T>& vertex) {
     using std::fabs;
     const T size = rounded_size(body, flight, at.time, vertex.vertex);
     if (!(fabs(vertex.gap.value) <= T(16) * epsilon<T>() * size)) return size;
-    for (const auto* departure : {&departures.first, &departures.second})
-        if (departure->leaves && departure->vertex == vertex.vertex)
-            return gap_of_departure(flight, *departure, at, vertex);
+    for (const auto* departure : {&departures.first, &departures.second}) {
+        if (!departure->leaves || departure->vertex != vertex.vertex) continue;
+        Candidate<T> better = vertex;
+        const T terms = gap_of_departure(flight, *departure, at, better);
+        if (!(T(64) * terms < size)) return size;
+        vertex = better;
+        return terms;
+    }
     return size;
 }
 

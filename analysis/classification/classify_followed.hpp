@@ -113,7 +113,7 @@ Evidence evidence_of_cut(const Tail<M>& tail, const ClassifyOptions& options) {
 /// The verdict on a tail whose orbit has not settled: that of `classify_tail`, without what can't change it. Where it
 /// can't return to itself nothing looks for a period, and where that leaves chaos nothing else is asked.
 template <SectionMap M>
-Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, const ClassifyOptions& options) {
+Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, ClassifyOptions options) {
     Classification result = observed(map, tail, observable, options.recurrence_threshold);
     if (result.ended) return result;
     Findings findings;
@@ -123,6 +123,7 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, cons
         return result;
     }
     const std::int64_t affordable = steps_with_derivative(map, tail);
+    if (affordable < n) options.period = affordable_periods(options.period, affordable / 100);
     const std::int64_t longest = std::min(options.period.max_period, n / 2);
     FoundCycle<M> cycle;
     if (tail.states.empty() || may_return(map, tail.states, longest, options.period.vicinity)) {

@@ -66,9 +66,21 @@ bool may_return(const M& map, const std::vector<State<M>>& states, std::int64_t 
     return false;
 }
 
+/// Where derivatives are dear: one candidate, and no longer a period than `longest`. Newton's method takes some 20
+/// derivatives a step of the period.
+inline PeriodOptions affordable_periods(PeriodOptions options, std::int64_t longest) {
+    options.candidates = 1;
+    options.max_period = std::max<std::int64_t>(1, std::min(options.max_period, longest));
+    return options;
+}
+
 /// Looks at the last states of a tail.
 template <SectionMap M>
-FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, const PeriodOptions& options) {
+FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, const PeriodOptions& wanted) {
+    constexpr double dear = 32, spent_on_one = 5000;  // of Newton's method at one look, in steps of the period
+    const double one = tail.effort / static_cast<double>(tail.durations.size());
+    const PeriodOptions options =
+        one > dear ? affordable_periods(wanted, static_cast<std::int64_t>(spent_on_one / one)) : wanted;
     Tail<M> seen;
     const auto count = static_cast<std::ptrdiff_t>(window);
     if (!tail.points.empty()) {

@@ -142,7 +142,7 @@ Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b);
 }  // namespace detail
 
 /// DF(z), where `known` is F(z) and leads through contact; NaN where neighbours stay in contact for much longer.
-///   series  is added how many power series it took, if it is given
+///   series  is added how many power series it took, or as much in looks at flights, if it is given
 template <class Map>
 auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z,
                                 const ReturnStep<double>& known, long* series = nullptr) {
@@ -152,6 +152,7 @@ auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<do
     const ChatterCompletion completion = detail::lasting_completion(map.completion(base), known.contacts);
     const int freedom = detail::contact_freedom(map.contact(), completion);
     Eigen::Matrix<double, dimension, 4> b = Eigen::Matrix<double, dimension, 4>::Zero();
+    constexpr long looks_per_series = 64;  // of the flight after contact
     const long most_steps = detail::most_steps_beside(known);
     bool follows = true;
     for (int i = 0; i < freedom && follows; ++i) {
@@ -159,7 +160,7 @@ auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<do
             ChatterCompletion near = completion;
             near.state = detail::moved_by(completion, i, step);
             const ReturnStep<double> return_step = map.advance_in_contact(base, near, contact_horizon, {}, most_steps);
-            if (series) *series += contact_steps(return_step);
+            if (series) *series += contact_steps(return_step) + return_step.collision.steps / looks_per_series;
             if (return_step.outcome == Outcome::contact_cut) follows = false;
             if (!detail::same_way(return_step, known)) return {};
             return return_step.collision.after;

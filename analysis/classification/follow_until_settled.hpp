@@ -25,9 +25,8 @@ inline std::int64_t next_look(std::int64_t look) {
     return look + look / 2;
 }
 
-/// What so many steps may cost, in ordinary ones, before fewer are followed: an impact through sustained contact costs
-/// some 200 flights, so that ten thousand of them are followed in full; a body that swings long on the wall in a weak
-/// swirl makes each cost as much as an orbit.
+/// What so many steps may cost, in ordinary ones, before fewer are followed: ten thousand are followed in full where
+/// they cost 200 each on average.
 inline double most_effort(std::int64_t steps) {
     return std::max(2e6, 8 * static_cast<double>(steps));
 }

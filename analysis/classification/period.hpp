@@ -114,13 +114,13 @@ bool returns_shrink(const M& map, const Tail<M>& tail, std::int64_t k, double sl
     return largest(n - count) <= std::max(0.5, std::pow(slowest, 0.5 * apart)) * largest(k);
 }
 
-/// Fᵏ and its derivative at z; false if the map ends on the way.
+/// Fᵏ and its derivative at z; false if the map ends on the way, or has no derivative there (NaN).
 template <SectionMap M>
 bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::int64_t k) {
     derivative.setIdentity();
     for (std::int64_t i = 0; i < k; ++i) {
         const auto step = map.linearise(z);
-        if (!goes_on(map, step)) return false;
+        if (!goes_on(map, step) || !step.derivative.allFinite()) return false;
         derivative = step.derivative * derivative;
         z = step.state;
     }

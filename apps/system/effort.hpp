@@ -8,8 +8,7 @@ namespace swirl::apps {
 /// What a power series in contact costs, with the search for what ends it.
 inline constexpr double effort_per_series = 16;
 
-/// The cost of a return step in ordinary ones, which look at some eight moments of a flight (0.3 … 1 µs): through
-/// contact some 300, with a long swing in a weak swirl 100,000. Counts, so that it is the same on every machine.
+/// The cost of a return step in ordinary ones (0.3 … 1 µs), from counts, so that it is the same on every machine.
 inline double effort_of(const ReturnStep<double>& step) {
     constexpr double per_look = 0.5;  // among all vertices: two arc tangents, two sincos
     constexpr int ordinary_looks = 32;

@@ -61,7 +61,7 @@ struct ContactEnd {
 /// Called with the motion in contact: the sums since its beginning, support, motion, state.
 using ContactSink = std::function<void(const ContactSums&, Support, ContactMotion, const ContactState&)>;
 
-/// Contact ends as cut after so many steps (half a second): reached by a body that swings ten thousand times within the
+/// Contact ends as cut after so many steps (0.3 s): reached by a body that swings ten thousand times within the
 /// duration.
 inline constexpr long most_contact_steps = 100'000;
 

@@ -9,8 +9,8 @@ it is the first thing that a source includes: that has shown the same. Any findi
 alone, where a build by clang has shown the sources. --tidy: clang-tidy with the checks of .clang-tidy but the static
 analyser's looks at the sources instead, at 20 to 40 seconds a file. --seconds: after so many none is begun, and the last
 line counts those that were not looked at. With --cache what was found clean is not looked at again until a file that it
-read, its flags or the checks change. FILE: only these, in this order; of clang-tidy what it
-finds in them and in the headers beside them.
+read, its flags or the checks change. FILE: only these, in this order; of clang-tidy what it finds in them and in the
+headers beside them.
 """
 
 import argparse

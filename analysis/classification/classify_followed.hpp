@@ -75,15 +75,20 @@ LyapunovSpectrum exponent_of_few(const M& map, const Tail<M>& tail, std::int64_t
     return exponent_from(map, tail.first, n);
 }
 
+/// What the derivatives of n steps may cost.
+inline double most_effort_of_derivatives(std::int64_t n) {
+    return 3 * most_effort(n);
+}
+
 /// Of how many of a tail's steps the derivative is taken: of all of them, unless what the first ones cost says that
-/// this exceeds `most_effort` threefold (differences through contact follow two neighbours a coordinate, for which
+/// this exceeds `most_effort_of_derivatives` (differences through contact follow two neighbours a coordinate, for which
 /// contact may be much longer). Ordinary steps are not asked.
 template <SectionMap M>
 std::int64_t steps_with_derivative(const M& map, const Tail<M>& tail) {
     constexpr std::int64_t asked = 32;
     const auto n = static_cast<std::int64_t>(tail.durations.size());
     if (tail.effort < 1.5 * static_cast<double>(n)) return n;
-    const double most = 3 * most_effort(n);
+    const double most = most_effort_of_derivatives(n);
     State<M> z = tail.first;
     double effort = 0;
     std::int64_t steps = 0;
@@ -110,8 +115,17 @@ Evidence evidence_of_cut(const Tail<M>& tail, const ClassifyOptions& options) {
             "--exhaustive: all of them"};
 }
 
+/// A search for a cycle, by Newton's method through steps that cost much, which ended before it had tried everything.
+inline Evidence evidence_of_search_cut(const Effort& search) {
+    return {"search for a cycle", search.spent, search.most,
+            "its derivatives cost more ordinary steps than the limits allow, as through long contact: it was given up, "
+            "so that a cycle may be there",
+            "--exhaustive: searched to the end"};
+}
+
 /// The verdict on a tail whose orbit has not settled: that of `classify_tail`, without what can't change it. Where it
-/// can't return to itself nothing looks for a period, and where that leaves chaos nothing else is asked.
+/// can't return to itself nothing looks for a period, and where that leaves chaos nothing else is asked. What searches
+/// for a cycle may cost is limited in the same way.
 template <SectionMap M>
 Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, ClassifyOptions options) {
     Classification result = observed(map, tail, observable, options.recurrence_threshold);
@@ -126,9 +140,10 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, Clas
     if (affordable < n) options.period = affordable_periods(options.period, affordable / 100);
     const std::int64_t longest = std::min(options.period.max_period, n / 2);
     FoundCycle<M> cycle;
+    Effort search{0, most_effort_of_derivatives(n)};
     if (tail.states.empty() || may_return(map, tail.states, longest, options.period.vicinity)) {
         if (tail.points.empty()) add_points(map, tail);
-        cycle = find_period(map, tail, options.period);
+        cycle = find_period(map, tail, options.period, search);
         take_cycle(map, cycle, options, observable, findings, result);
     }
     const bool stands_for_all = cycle.period == 0 && !runs_away(series_of(map, tail, observable));
@@ -139,8 +154,9 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, Clas
         decide(findings, options, result);
     } else {
         if (tail.points.empty()) add_points(map, tail);
-        look_further(map, tail, observable, options, findings, result);
+        look_further(map, tail, observable, options, findings, result, search);
     }
+    if (search.is_spent() && !findings.has_cycle) result.evidence.push_back(evidence_of_search_cut(search));
     if (tail.cut) result.evidence.push_back(evidence_of_cut(tail, options));
     return result;
 }

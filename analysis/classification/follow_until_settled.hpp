@@ -31,6 +31,13 @@ inline double most_effort(std::int64_t steps) {
     return std::max(2e6, 8 * static_cast<double>(steps));
 }
 
+/// What all looks for a cycle along so many steps may cost: beyond four times what the steps may, an orbit is followed
+/// to its end without them. Ordinary ones stay far below (4 candidates of a 24th of the steps, 20 derivatives each, add
+/// up to 20 steps for each step that is followed).
+inline double most_effort_of_looks(std::int64_t steps) {
+    return most_effort(4 * steps);
+}
+
 /// A tail whose kept steps belonged to the transient begins anew.
 template <SectionMap M>
 void forget_kept(Tail<M>& tail) {
@@ -75,7 +82,8 @@ inline PeriodOptions affordable_periods(PeriodOptions options, std::int64_t long
 
 /// Looks at the last states of a tail.
 template <SectionMap M>
-FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, const PeriodOptions& wanted) {
+FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, const PeriodOptions& wanted,
+                        Effort& effort) {
     constexpr double dear = 32, spent_on_one = 5000;  // of Newton's method at one look, in steps of the period
     const double one = tail.effort / static_cast<double>(tail.durations.size());
     const PeriodOptions options =
@@ -90,7 +98,7 @@ FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, 
         add_points(map, seen);
     }
     seen.last = tail.last;
-    return settled_cycle(map, seen, options);
+    return settled_cycle(map, seen, options, effort);
 }
 
 }  // namespace classification_detail
@@ -99,7 +107,8 @@ FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, 
 /// on an attracting cycle (`settled_cycle`): looked for after 128, 192, 288, … steps.
 ///   settles  false where nothing can (a map that preserves volume): not looked for
 /// Where steps cost so much more than ordinary ones that either part exceeds `most_effort`, that part is cut short
-/// there (Tail::cut), by the counts of Advance::effort, so that the same orbit is cut at the same step everywhere.
+/// there (Tail::cut), by the counts of Advance::effort, so that the same orbit is cut at the same step everywhere. The
+/// looks have a limit of their own, beyond which nothing is looked for until the end.
 /// Cost: the steps; `settled_cycle` at each look.
 template <SectionMap M>
 FollowedOrbit<M> follow_until_settled(const M& map, State<M> z, std::int64_t transient, std::int64_t count,
@@ -108,7 +117,7 @@ FollowedOrbit<M> follow_until_settled(const M& map, State<M> z, std::int64_t tra
     constexpr std::int64_t longest_as_states = 1 << 20;  // a longer tail has no room for both states and points
     FollowedOrbit<M> orbit;
     Tail<M>& tail = orbit.tail;
-    Effort effort{0, detail::most_effort(transient)};
+    Effort effort{0, detail::most_effort(transient)}, looks{0, detail::most_effort_of_looks(transient + count)};
     std::int64_t look = detail::first_look;
     for (; settles && look <= transient && !tail.cut; look = detail::next_look(look)) {
         const std::int64_t window = detail::window_of(look);
@@ -117,7 +126,7 @@ FollowedOrbit<M> follow_until_settled(const M& map, State<M> z, std::int64_t tra
         if (tail.cut) break;
         tail.cut = !record_steps(map, z, window, Keep::states, tail, stop, effort.most - effort.spent);
         if (tail.ended || tail.stopped) return orbit;
-        if (!tail.cut) orbit.cycle = detail::look_back(map, tail, window, options);
+        if (!tail.cut) orbit.cycle = detail::look_back(map, tail, window, options, looks);
         if (orbit.cycle.period > 0) return orbit;
         effort.spent += tail.effort;
         detail::forget_kept(tail);
@@ -141,7 +150,7 @@ FollowedOrbit<M> follow_until_settled(const M& map, State<M> z, std::int64_t tra
         }
         const std::int64_t window = detail::window_of(look);
         if (kept == count || window > kept) continue;
-        orbit.cycle = detail::look_back(map, tail, window, options);
+        orbit.cycle = detail::look_back(map, tail, window, options, looks);
         if (orbit.cycle.period > 0) return orbit;
     }
     return orbit;

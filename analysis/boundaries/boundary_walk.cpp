@@ -1,0 +1,217 @@
+#include "analysis/boundaries/boundary_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace swirl::analysis {
+
+namespace {
+
+constexpr double least_cosine_along = 0.97;  // between tangents a step apart: a bend of 14 degrees
+
+/// a − b of coordinates of points, and whatever comes after them; angles as angles.
+Eigen::VectorXd angles_apart(const AugmentedSystem& system, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    Eigen::VectorXd d = a - b;
+    const Eigen::Index dimension = system.map.dimension;
+    for (Eigen::Index i = 0; i < std::min(system.coordinates(), d.size()); ++i)
+        if (const double period = system.map.angle_periods[static_cast<std::size_t>(i % dimension)]; period > 0)
+            d[i] = std::remainder(d[i], period);
+    return d;
+}
+
+class BoundaryWalk {
+public:
+    BoundaryWalk(AugmentedSystem system, const ArcPoint& start, const BoundaryOptions& options, Boundary& boundary)
+        : system_(std::move(system)),
+          arc_(equations_of(system_)),
+          options_(options),
+          boundary_(boundary),
+          start_(start),
+          h_(options.first_step) {
+        boundary_.points.push_back(boundary_point_at(system_, start));
+    }
+
+    void run() {
+        while (!ended_) step();  // ends: every step goes on, or halves h down to the shortest
+    }
+
+private:
+    const ArcPoint& here() const { return boundary_.points.back().at; }
+    Eigen::Vector2d parameters(const ArcPoint& point) const { return point.y.segment<2>(system_.coordinates()); }
+
+    void end(BoundaryEnd why) {
+        boundary_.end.why = why;
+        ended_ = true;
+    }
+
+    void step() {
+        if (options_.stop && options_.stop()) return end(BoundaryEnd::stopped);
+        if (static_cast<int>(boundary_.points.size()) >= options_.most_points) return end(BoundaryEnd::most_points);
+        ArcPoint next;
+        failure_ = correct(arc_, here(), h_, next);
+        if (failure_ == Correction::word_changed) word_behind_ = next.at.word;
+        if (failure_ == Correction::map_ended) word_behind_.clear();
+        if (failure_ == Correction::converged && arc_.product(here().tangent, next.tangent) < least_cosine_along)
+            failure_ = Correction::failed;
+        if (failure_ != Correction::converged) return shorten();
+        if (leaves_plane(next)) return reach_edge(next);
+        if (halves(next) < 0) return reach_half(next);
+        if (becomes_real(next)) return reach_real(next);
+        accept(next);
+        if (++successes_ > 1) h_ = std::min(1.4 * h_, options_.longest_step);
+        if (has_closed()) end(BoundaryEnd::closed);
+    }
+
+    void shorten() {
+        h_ *= 0.5;
+        successes_ = 0;
+        if (h_ >= options_.shortest_step) return;
+        end(failure_ == Correction::failed ? BoundaryEnd::not_converged : BoundaryEnd::border);
+        if (boundary_.end.why == BoundaryEnd::border && options_.name_border)
+            boundary_.end.border =
+                options_.name_border(unstacked(here().y.head(system_.coordinates()), system_.map.dimension),
+                                     parameters(here()), word_behind_);
+    }
+
+    /// How far outside the plane, in its widths; negative inside.
+    double outside(const ArcPoint& point) const {
+        const Eigen::Array2d p = parameters(point).array(), width = (options_.high - options_.low).array();
+        const Eigen::Array2d below = (options_.low.array() - p) / width, above = (p - options_.high.array()) / width;
+        return below.max(above).maxCoeff();
+    }
+    bool leaves_plane(const ArcPoint& next) const { return outside(next) > 0; }
+
+    /// The last point is that on the plane's edge itself.
+    void reach_edge(const ArcPoint& beyond) {
+        finish_between(outside(here()), outside(beyond), [this](const ArcPoint& at) { return outside(at); });
+        end(BoundaryEnd::plane);
+    }
+
+    /// How the cycle's two halves lie to each other, against how they lie here: negative if they were exchanged on the
+    /// way, through a cycle of half the period (the fold curve of doubled cycles ends so, at a generalised flip).
+    double halves(const ArcPoint& point) const {
+        const Eigen::Index n = system_.coordinates(), half = n / 2;
+        if (system_.period % 2 != 0) return 1;
+        const auto apart = [&](const ArcPoint& at) {
+            return angles_apart(system_, at.y.segment(half, half), at.y.head(half));
+        };
+        return apart(here()).dot(apart(point));
+    }
+    void reach_half(const ArcPoint& beyond) {
+        finish_between(halves(here()), halves(beyond), [this](const ArcPoint& at) { return halves(at); });
+        end(BoundaryEnd::halved);
+    }
+
+    double cosine(const ArcPoint& point) const { return point.y[system_.coordinates() + 2]; }
+    bool becomes_real(const ArcPoint& next) const {
+        return system_.kind == BoundaryKind::neimark_sacker && std::abs(cosine(next)) > 1;
+    }
+
+    /// A pair meets at ±1: the curve of the bifurcation ends there, its equations don't.
+    void reach_real(const ArcPoint& beyond) {
+        const double one = std::copysign(1.0, cosine(beyond));
+        find_special(beyond);  // 1:1 or 1:2 among others
+        finish_between(1 - std::abs(cosine(here())), 1 - std::abs(cosine(beyond)),
+                       [this, one](const ArcPoint& at) { return 1 - one * cosine(at); });
+        end(one > 0 ? BoundaryEnd::one_to_one : BoundaryEnd::one_to_two);
+    }
+
+    template <class Value>
+    void finish_between(double f0, double f1, const Value& value) {
+        ArcPoint last;
+        if (f0 == 0 || !locate(arc_, here(), h_, f0, f1, value, last)) return;
+        if (system_.kind != BoundaryKind::neimark_sacker || std::abs(cosine(last)) < 1 - 1e-12) find_special(last);
+        append(last);
+    }
+
+    void accept(const ArcPoint& next) {
+        find_special(next);
+        append(next);
+    }
+
+    void append(ArcPoint next) {
+        boundary_.points.push_back(boundary_point_at(system_, next));
+        renew_borders(system_, next.y);
+        arc_ = equations_of(system_);
+        if (options_.progress) options_.progress(parameters(next));
+    }
+
+    /// Points of codimension 2 on the way to `next`, in order.
+    void find_special(const ArcPoint& next) {
+        const double h = arc_.product(here().tangent, next.y - here().y);
+        if (!(h > 0)) return;
+        std::vector<std::pair<double, BoundarySpecial>> found;
+        const auto precise = tests_of(system_, options_.forms);
+        std::size_t number = 0;
+        for (const auto& test : tests_of(system_)) {
+            const auto& exact = precise[number++];
+            const double f0 = test.value(here()), f1 = test.value(next);
+            if (!(f0 * f1 <= 0) || f0 == 0 || std::max(std::abs(f0), std::abs(f1)) <= test.noise) continue;
+            ArcPoint at = next;
+            if (f1 != 0 && !locate(arc_, here(), h, exact.value(here()), exact.value(next), exact.value, at)) continue;
+            if (leaves_plane(at) && outside(at) > 1e-9) continue;
+            if (!is_what_it_seems(system_, test.kind, at)) continue;
+            found.emplace_back(arc_.product(here().tangent, at.y - here().y),
+                               BoundarySpecial{test.kind, boundary_point_at(system_, at, options_.forms),
+                                               boundary_.points.size() - 1});
+        }
+        std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (auto& [s, special] : found) boundary_.special.push_back(std::move(special));
+    }
+
+    /// True if the curve is back at its first point after having left its neighbourhood, in the same direction.
+    bool has_closed() {
+        const double away = distance_between(system_, here().y, start_.y);
+        has_left_ = has_left_ || away > 3 * options_.longest_step;
+        if (!has_left_ || away > options_.longest_step || boundary_.points.size() < 4) return false;
+        const Eigen::Index n = system_.coordinates();  // a cyclic shift leaves the parameters' part as it is
+        return (here().tangent.segment<2>(n).cwiseQuotient(system_.unit))
+                   .dot(start_.tangent.segment<2>(n).cwiseQuotient(system_.unit)) > 0;
+    }
+
+    AugmentedSystem system_;
+    ArcSystem arc_;
+    const BoundaryOptions& options_;
+    Boundary& boundary_;
+    ArcPoint start_;
+    double h_;
+    int successes_ = 0;
+    Correction failure_ = Correction::converged;  ///< how the last step failed
+    std::vector<std::int64_t> word_behind_;
+    bool has_left_ = false;
+    bool ended_ = false;
+};
+
+}  // namespace
+
+double distance_between(const AugmentedSystem& system, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                        Eigen::VectorXd* turned) {
+    const Eigen::Index n = system.coordinates(), d = system.map.dimension;
+    const Eigen::VectorXd weights = equations_of(system).weights;
+    double least = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd shifted = b;
+    for (Eigen::Index shift = 0; shift < n; shift += d) {
+        shifted.head(n - shift) = b.segment(shift, n - shift);
+        shifted.segment(n - shift, shift) = b.head(shift);
+        const Eigen::VectorXd across = angles_apart(system, shifted, a);
+        const double away = std::sqrt(across.cwiseAbs2().dot(weights));
+        if (!(away < least)) continue;
+        least = away;
+        if (turned != nullptr) *turned = a + across;
+    }
+    return least;
+}
+
+Eigen::VectorXd normalised(const AugmentedSystem& system, Eigen::VectorXd y) {
+    return angles_apart(system, y, Eigen::VectorXd::Zero(y.size()));
+}
+
+void walk_boundary(AugmentedSystem system, const ArcPoint& start, const BoundaryOptions& options, Boundary& boundary) {
+    boundary.kind = system.kind;
+    boundary.period = system.period;
+    BoundaryWalk(std::move(system), start, options, boundary).run();
+}
+
+}  // namespace swirl::analysis

@@ -112,7 +112,7 @@ private:
     /// A pair meets at ±1: the curve of the bifurcation ends there, its equations don't.
     void reach_real(const ArcPoint& beyond) {
         const double one = std::copysign(1.0, cosine(beyond));
-        find_special(beyond);  // 1:1 or 1:2 among others
+        find_special(boundary_point_at(system_, beyond));  // 1:1 or 1:2 among others
         finish_between(1 - std::abs(cosine(here())), 1 - std::abs(cosine(beyond)),
                        [this, one](const ArcPoint& at) { return 1 - one * cosine(at); });
         end(one > 0 ? BoundaryEnd::one_to_one : BoundaryEnd::one_to_two);
@@ -122,37 +122,38 @@ private:
     void finish_between(double f0, double f1, const Value& value) {
         ArcPoint last;
         if (f0 == 0 || !locate(arc_, here(), h_, f0, f1, value, last)) return;
-        if (system_.kind != BoundaryKind::neimark_sacker || std::abs(cosine(last)) < 1 - 1e-12) find_special(last);
-        append(last);
+        BoundaryPoint point = boundary_point_at(system_, last);
+        if (system_.kind != BoundaryKind::neimark_sacker || std::abs(cosine(last)) < 1 - 1e-12) find_special(point);
+        append(std::move(point));
     }
 
     void accept(const ArcPoint& next) {
-        find_special(next);
-        append(next);
+        BoundaryPoint point = boundary_point_at(system_, next);
+        find_special(point);
+        append(std::move(point));
     }
 
-    void append(ArcPoint next) {
-        boundary_.points.push_back(boundary_point_at(system_, next));
-        renew_borders(system_, next.y);
+    void append(BoundaryPoint next) {
+        boundary_.points.push_back(std::move(next));
+        renew_borders(system_, here().y);
         arc_ = equations_of(system_);
-        if (options_.progress) options_.progress(parameters(next));
+        if (options_.progress) options_.progress(parameters(here()));
     }
 
     /// Points of codimension 2 on the way to `next`, in order.
-    void find_special(const ArcPoint& next) {
-        const double h = arc_.product(here().tangent, next.y - here().y);
+    void find_special(const BoundaryPoint& next) {
+        const double h = arc_.product(here().tangent, next.at.y - here().y);
         if (!(h > 0)) return;
         std::vector<std::pair<double, BoundarySpecial>> found;
-        const auto precise = tests_of(system_, options_.forms);
-        std::size_t number = 0;
-        for (const auto& test : tests_of(system_)) {
-            const auto& exact = precise[number++];
-            const double f0 = test.value(here()), f1 = test.value(next);
+        for (const auto& test : tests_of(system_, options_.forms)) {
+            const auto seen = [&test](const BoundaryPoint& point) {
+                return test.seen ? test.seen(point) : test.value(point.at);
+            };
+            const double f0 = seen(boundary_.points.back()), f1 = seen(next);
             if (!(f0 * f1 <= 0) || f0 == 0 || std::max(std::abs(f0), std::abs(f1)) <= test.noise) continue;
-            ArcPoint at = next;
-            if (f1 != 0 && !locate(arc_, here(), h, exact.value(here()), exact.value(next), exact.value, at)) continue;
-            if (leaves_plane(at) && outside(at) > 1e-9) continue;
-            if (!is_what_it_seems(system_, test.kind, at)) continue;
+            ArcPoint at = next.at;
+            if (f1 != 0 && !locate(arc_, here(), h, test.value(here()), test.value(next.at), test.value, at)) continue;
+            if (outside(at) > 1e-9 || !is_what_it_seems(system_, test.kind, at)) continue;
             found.emplace_back(arc_.product(here().tangent, at.y - here().y),
                                BoundarySpecial{test.kind, boundary_point_at(system_, at, options_.forms),
                                                boundary_.points.size() - 1});

@@ -111,13 +111,13 @@ double cusp_function(const AugmentedSystem& system, const ArcPoint& point) {
     return gradient ? -(gradient->head(n).array() * value.right.array()).sum().real() : nan_value;
 }
 
-double generalised_flip_function(const AugmentedSystem& system, const ArcPoint& point, const Forms& forms) {
+/// b, without its poles.
+double generalised_flip_function(const AugmentedSystem& system, const ArcPoint& point, Complex b) {
     const Eigen::MatrixXd a = monodromy_at(system, point);
-    return coefficient_at(system, point, forms).real() * sum_of_minors(shifted(a, 1)) * determinant_of(shifted(a, -1));
+    return b.real() * sum_of_minors(shifted(a, 1)) * determinant_of(shifted(a, -1));
 }
 
-double chenciner_function(const AugmentedSystem& system, const ArcPoint& point, const Forms& forms) {
-    const Complex b = coefficient_at(system, point, forms);
+double chenciner_function(Complex b) {
     return b.real() / std::abs(b);
 }
 
@@ -134,7 +134,12 @@ void add_real_tests(const AugmentedSystem& system, const Forms& forms, std::vect
         tests.push_back({CodimensionTwo::cusp, [system](const ArcPoint& at) { return cusp_function(system, at); }});
     else
         tests.push_back({CodimensionTwo::generalised_flip,
-                         [system, forms](const ArcPoint& at) { return generalised_flip_function(system, at, forms); }});
+                         [system, forms](const ArcPoint& at) {
+                             return generalised_flip_function(system, at, coefficient_at(system, at, forms));
+                         },
+                         [system](const BoundaryPoint& point) {
+                             return generalised_flip_function(system, point.at, point.coefficient);
+                         }});
     if (system.map.dimension < 2) return;
     tests.push_back({fold ? CodimensionTwo::one_to_one : CodimensionTwo::one_to_two, [system, one](const ArcPoint& at) {
                          return sum_of_minors(shifted(monodromy_at(system, at), one));
@@ -157,8 +162,10 @@ void add_pair_tests(const AugmentedSystem& system, const Forms& forms, std::vect
     passes(CodimensionTwo::one_to_three, -0.5);
     passes(CodimensionTwo::one_to_four, 0);
     constexpr double noise = 1e-4;  // of Re b/|b| in double, with room to spare: conservative maps have Re b = 0
-    tests.push_back({CodimensionTwo::chenciner,
-                     [system, forms](const ArcPoint& at) { return chenciner_function(system, at, forms); }, noise});
+    tests.push_back(
+        {CodimensionTwo::chenciner,
+         [system, forms](const ArcPoint& at) { return chenciner_function(coefficient_at(system, at, forms)); },
+         [](const BoundaryPoint& point) { return chenciner_function(point.coefficient); }, noise});
     if (system.map.dimension < 3) return;
     const auto beside = [&](CodimensionTwo kind, double one) {
         tests.push_back({kind, [system, c, one](const ArcPoint& at) {

@@ -20,6 +20,8 @@ namespace swirl::analysis {
 struct CodimensionTest {
     CodimensionTwo kind;
     std::function<double(const ArcPoint&)> value;
+    /// The same from what a point of the curve says already, its coefficient in double; empty: `value`.
+    std::function<double(const BoundaryPoint&)> seen = {};
     double noise = 1e-9;  ///< a change of sign between values that are both below is rounding
 };
 

@@ -76,18 +76,18 @@ bool follow_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& 
 }
 
 bool is_on_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, const Eigen::Vector2d& p,
-                    const BoundaryOptions& options, std::span<const Boundary> known) {
+                    std::complex<double> multiplier, const BoundaryOptions& options, std::span<const Boundary> known) {
     AugmentedSystem system{kind, map, points.size(), options.high - options.low, {}};
     const Eigen::Index n = system.coordinates();
     Eigen::VectorXd y = Eigen::VectorXd::Zero(n + (kind == BoundaryKind::neimark_sacker ? 3 : 2));
     y.head(n) = stacked(points);
     y.segment<2>(n) = p;
+    if (kind == BoundaryKind::neimark_sacker) y[n + 2] = multiplier.real() / std::abs(multiplier);
     for (const Boundary& boundary : known) {
         if (boundary.kind != kind || boundary.period != points.size()) continue;
         for (const BoundaryPoint& point : boundary.points) {
-            Eigen::VectorXd near = y, turned;
-            if (y.size() > n + 2) near[n + 2] = point.at.y[n + 2];  // cos θ follows from the rest
-            if (distance_between(system, point.at.y, near, &turned) > 2 * options.longest_step) continue;
+            Eigen::VectorXd turned;
+            if (distance_between(system, point.at.y, y, &turned) > 2 * options.longest_step) continue;
             if (is_beside(system, point.at, turned)) return true;
         }
     }

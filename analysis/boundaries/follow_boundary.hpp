@@ -20,6 +20,6 @@ bool follow_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& 
 
 /// Is the cycle, cyclic shifts included, on one of the curves? To 10⁻⁶ in points and parameters.
 bool is_on_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, const Eigen::Vector2d& p,
-                    const BoundaryOptions& options, std::span<const Boundary> known);
+                    std::complex<double> multiplier, const BoundaryOptions& options, std::span<const Boundary> known);
 
 }  // namespace swirl::analysis

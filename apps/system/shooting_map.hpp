@@ -1,6 +1,7 @@
 // A scene's return map for solvers: sizes at run time, one parameter if asked for.
 #pragma once
 
+#include "analysis/boundaries/plane_map.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
 #include "map/derivative/parameter.hpp"
 
@@ -19,6 +20,9 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene);
 /// ∂F/∂p is exact for a flight, a central difference through contact. Friction is what `scene` has: μ = 0 in a scene
 /// with friction is the limit μ → 0.
 analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter);
+
+/// The same with two parameters, different ones. Cost of a step: twice that with one.
+analysis::PlaneMap plane_map_of(const Scene<double>& scene, Parameter first, Parameter second);
 
 /// The scene's flights with the time of their impact as the last coordinate and the gap then as a constraint, for
 /// `analysis::solve_near_grazing`. No sustained contact.

@@ -89,9 +89,9 @@ TEST(Boundaries, FlipOfHenonsTwoCycle) {
     // Begun from the cycle's other point it is the same curve; the fixed point's flip is another.
     const std::vector<Boundary> known{flip};
     std::swap(cycle[0], cycle[1]);
-    EXPECT_TRUE(is_on_boundary(plane.map, BoundaryKind::flip, cycle, {a, b}, plane.options, known));
+    EXPECT_TRUE(is_on_boundary(plane.map, BoundaryKind::flip, cycle, {a, b}, -1, plane.options, known));
     EXPECT_FALSE(
-        is_on_boundary(plane.map, BoundaryKind::flip, at({0.35, 0.35}), {3 * 0.49 / 4, b}, plane.options, known));
+        is_on_boundary(plane.map, BoundaryKind::flip, at({0.35, 0.35}), {3 * 0.49 / 4, b}, -1, plane.options, known));
 }
 
 // The map is conservative there: the segment goes from 1:1 to 1:2.

@@ -21,6 +21,9 @@ Eigen::VectorXd angles_apart(const AugmentedSystem& system, const Eigen::VectorX
     return d;
 }
 
+/// Where the corrector fails with halves of a cycle that are so near, the curve meets one of cycles of half the period.
+constexpr double nearly_halved = 0.02;
+
 class BoundaryWalk {
 public:
     BoundaryWalk(AugmentedSystem system, const ArcPoint& start, const BoundaryOptions& options, Boundary& boundary)
@@ -68,11 +71,13 @@ private:
         h_ *= 0.5;
         successes_ = 0;
         if (h_ >= options_.shortest_step) return;
-        end(failure_ == Correction::failed ? BoundaryEnd::not_converged : BoundaryEnd::border);
-        if (boundary_.end.why == BoundaryEnd::border && options_.name_border)
+        // A border across which the map jumps stops the corrector itself: it is asked for its name, too.
+        if (options_.name_border)
             boundary_.end.border =
                 options_.name_border(unstacked(here().y.head(system_.coordinates()), system_.map.dimension),
                                      parameters(here()), word_behind_);
+        if (failure_ != Correction::failed || !boundary_.end.border.empty()) return end(BoundaryEnd::border);
+        end(apart(here()).norm() < nearly_halved ? BoundaryEnd::halved : BoundaryEnd::not_converged);
     }
 
     /// How far outside the plane, in its widths; negative inside.
@@ -89,16 +94,15 @@ private:
         end(BoundaryEnd::plane);
     }
 
-    /// How the cycle's two halves lie to each other, against how they lie here: negative if they were exchanged on the
-    /// way, through a cycle of half the period (the fold curve of doubled cycles ends so, at a generalised flip).
-    double halves(const ArcPoint& point) const {
-        const Eigen::Index n = system_.coordinates(), half = n / 2;
-        if (system_.period % 2 != 0) return 1;
-        const auto apart = [&](const ArcPoint& at) {
-            return angles_apart(system_, at.y.segment(half, half), at.y.head(half));
-        };
-        return apart(here()).dot(apart(point));
+    /// From the cycle's first half to its second; infinite for an odd period.
+    Eigen::VectorXd apart(const ArcPoint& point) const {
+        const Eigen::Index half = system_.coordinates() / 2;
+        if (system_.period % 2 != 0) return Eigen::VectorXd::Constant(1, std::numeric_limits<double>::infinity());
+        return angles_apart(system_, point.y.segment(half, half), point.y.head(half));
     }
+    /// How the two halves lie to each other, against how they lie here: negative if they were exchanged on the way,
+    /// through a cycle of half the period (the fold curve of doubled cycles ends so, at a generalised flip).
+    double halves(const ArcPoint& point) const { return system_.period % 2 != 0 ? 1 : apart(here()).dot(apart(point)); }
     void reach_half(const ArcPoint& beyond) {
         finish_between(halves(here()), halves(beyond), [this](const ArcPoint& at) { return halves(at); });
         end(BoundaryEnd::halved);
@@ -134,6 +138,7 @@ private:
     }
 
     void append(BoundaryPoint next) {
+        if (is_beside_last(next.at)) boundary_.points.pop_back();
         boundary_.points.push_back(std::move(next));
         renew_borders(system_, here().y);
         arc_ = equations_of(system_);
@@ -160,6 +165,15 @@ private:
         }
         std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         for (auto& [s, special] : found) boundary_.special.push_back(std::move(special));
+    }
+
+    /// Short steps towards a border are no points of interest: the last stands for them.
+    bool is_beside_last(const ArcPoint& next) const {
+        constexpr double beside = 1e-5;
+        const std::size_t count = boundary_.points.size();
+        if (count < 2 || (!boundary_.special.empty() && boundary_.special.back().after + 1 >= count)) return false;
+        const Eigen::VectorXd step = next.y - boundary_.points[count - 2].at.y;
+        return arc_.product(step, step) < beside * beside;
     }
 
     /// True if the curve is back at its first point after having left its neighbourhood, in the same direction.

@@ -27,7 +27,8 @@ std::string border_behind(const Scene<double>& scene, const analysis::CyclePoint
     analysis::CurvePoint last;
     last.points = points;
     last.shooting = analysis::shooting_residual(shooting_map_of(scene), points, 0);
-    return border_name(scene, last, word_behind, false);
+    const std::string name = border_name(scene, last, word_behind, false);
+    return name == analysis::nameless_border ? "" : name;
 }
 
 analysis::BoundaryOptions options_of(const Scene<double>& scene, const Plane& plane, const FollowOptions& follow) {

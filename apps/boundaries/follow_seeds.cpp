@@ -1,12 +1,11 @@
 #include "analysis/boundaries/follow_boundary.hpp"
-#include "apps/boundaries/curves.hpp"
-#include "apps/branches/branches.hpp"
+#include "apps/boundaries/border_curve.hpp"
+#include "apps/boundaries/smooth_curve.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/system/shooting_map.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace swirl::apps::boundaries {
@@ -14,102 +13,101 @@ namespace swirl::apps::boundaries {
 namespace {
 
 using analysis::Boundary;
-using analysis::BoundaryKind;
 
-std::optional<BoundaryKind> smooth_kind(const std::string& name) {
-    for (const BoundaryKind kind : {BoundaryKind::fold, BoundaryKind::flip, BoundaryKind::neimark_sacker})
-        if (name == analysis::name_of(kind)) return kind;
-    return std::nullopt;
-}
+/// Follows seeds, and the borders that smooth curves end on.
+class SeedWalk {
+public:
+    SeedWalk(const Scene<double>& scene, const Plane& plane, const FollowOptions& follow)
+        : scene_(scene),
+          plane_(plane),
+          map_(plane_map_of(scene, plane.parameter(0), plane.parameter(1))),
+          words_(word_map_of(scene, plane.parameter(0), plane.parameter(1))),
+          options_(smooth_options(scene, plane, follow.longest_step)),
+          border_options_{follow.longest_step, is_interrupted} {}
 
-std::string border_behind(const Scene<double>& scene, const analysis::CyclePoints& points,
-                          const std::vector<std::int64_t>& word_behind) {
-    analysis::CurvePoint last;
-    last.points = points;
-    last.shooting = analysis::shooting_residual(shooting_map_of(scene), points, 0);
-    const std::string name = border_name(scene, last, word_behind, false);
-    return name == analysis::nameless_border ? "" : name;
-}
+    void follow(const Seed& seed) {
+        ++result_.seeds;
+        if (const auto kind = smooth_kind(seed.kind)) return follow_smooth(seed, *kind);
+        if (seed.kind == "grazing" || seed.kind == "two-vertices") return follow_touch(seed);
+        if (std::find(result_.left_out.begin(), result_.left_out.end(), seed.kind) == result_.left_out.end())
+            result_.left_out.push_back(seed.kind);
+    }
 
-analysis::BoundaryOptions options_of(const Scene<double>& scene, const Plane& plane, const FollowOptions& follow) {
-    analysis::BoundaryOptions options;
-    options.low = plane.low();
-    options.high = plane.high();
-    options.longest_step = follow.longest_step;
-    options.first_step = std::min(options.first_step, follow.longest_step);
-    options.stop = is_interrupted;
-    options.forms = [scene, plane](const analysis::CyclePoints& points, const Eigen::Vector2d& p) {
-        return scene_forms(scene_at(scene, plane, p), plane.parameter(0), points, p[0]);
-    };
-    options.name_border = [scene, plane](const analysis::CyclePoints& points, const Eigen::Vector2d& p,
-                                         const std::vector<std::int64_t>& word_behind) {
-        return border_behind(scene_at(scene, plane, p), points, word_behind);
-    };
-    return options;
-}
+    std::vector<Seed> take_ends() { return std::exchange(ends_, {}); }
+    PlaneCurves take_result() { return std::move(result_); }
 
-double angle_of(const Boundary& boundary, const analysis::BoundaryPoint& point) {
-    if (boundary.kind == BoundaryKind::fold) return 0;
-    if (boundary.kind == BoundaryKind::flip) return pi<double>();
-    return std::acos(std::clamp(point.at.y.tail(1)[0], -1.0, 1.0));
-}
+private:
+    void follow_smooth(const Seed& seed, analysis::BoundaryKind kind) {
+        if (analysis::is_on_boundary(map_, kind, seed.points, seed.p, seed.multiplier, options_, known_)) return;
+        Boundary boundary;
+        if (!analysis::follow_boundary(map_, kind, seed.points, seed.p, seed.multiplier, options_, boundary)) {
+            ++result_.without;
+            return;
+        }
+        if (is_interrupted()) return;  // cut short: not finished
+        const analysis::ShootingMap coordinates = analysis::on_line(map_, 0, plane_.low());
+        result_.curves.push_back(curve_of(boundary, coordinates));
+        keep_end(result_.curves.back().points.front(), result_.curves.back().begins);
+        keep_end(result_.curves.back().points.back(), result_.curves.back().ends);
+        known_.push_back(std::move(boundary));
+    }
 
-CurveCycle cycle_of(const Boundary& boundary, const analysis::BoundaryPoint& point, const analysis::ShootingMap& map) {
-    CurveCycle cycle{analysis::parameters_of(boundary, point.at.y), analysis::points_of(boundary, point.at.y),
-                     point.multipliers, angle_of(boundary, point), point.coefficient};
-    for (auto& z : cycle.points) z = map.normalised(z);
-    return cycle;
-}
+    void follow_touch(const Seed& seed) {
+        const auto cycle = border_cycle_of(words_, seed);
+        if (!cycle) {
+            ++result_.without;
+            return;
+        }
+        for (const auto& known : borders_)
+            if (is_on(words_, plane_, *cycle, border_options_, known)) return;
+        auto curve = follow_border(words_, plane_, *cycle, border_options_);
+        if (!curve) {
+            ++result_.without;
+            return;
+        }
+        if (is_interrupted()) return;
+        result_.curves.push_back(curve_of(words_, *curve));
+        borders_.push_back(std::move(*curve));
+    }
 
-std::string ending_of(const analysis::BoundaryEnding& ending) {
-    if (ending.why == analysis::BoundaryEnd::border && !ending.border.empty()) return ending.border;
-    return std::string(analysis::name_of(ending.why));
-}
+    /// A smooth curve that ends on a border is a place to begin at on that border.
+    void keep_end(const CurveCycle& last, const std::string& why) {
+        if (why != "grazing" && why != "two-vertices") return;
+        Seed seed{why, last.points, last.parameters, 1};
+        const auto shooting =
+            analysis::shooting_residual(shooting_map_of(scene_at(scene_, plane_, last.parameters)), last.points, 0);
+        if (!shooting.alive) return;
+        name_flights(seed, shooting.steps);
+        ends_.push_back(std::move(seed));
+    }
 
-Curve curve_of(const Boundary& boundary, const analysis::ShootingMap& map) {
-    Curve curve{std::string(analysis::name_of(boundary.kind)),
-                boundary.period,
-                {},
-                {},
-                ending_of(boundary.begin),
-                ending_of(boundary.end)};
-    for (const auto& point : boundary.points) curve.points.push_back(cycle_of(boundary, point, map));
-    for (const auto& special : boundary.special)
-        curve.special.push_back(
-            {std::string(analysis::name_of(special.kind)), cycle_of(boundary, special.cycle, map), special.after});
-    return curve;
-}
+    Scene<double> scene_;
+    Plane plane_;
+    analysis::PlaneMap map_;
+    WordMap words_;
+    analysis::BoundaryOptions options_;
+    BorderOptions border_options_;
+    PlaneCurves result_;
+    std::vector<Boundary> known_;
+    std::vector<BorderCurve> borders_;
+    std::vector<Seed> ends_;
+};
 
 }  // namespace
 
 PlaneCurves follow_seeds(const Scene<double>& scene, const Plane& plane, const std::vector<Seed>& seeds,
-                         const FollowOptions& follow) {
-    const analysis::PlaneMap map = plane_map_of(scene, plane.parameter(0), plane.parameter(1));
-    const analysis::ShootingMap coordinates = analysis::on_line(map, 0, plane.low());
-    const analysis::BoundaryOptions options = options_of(scene, plane, follow);
-    PlaneCurves result;
-    std::vector<Boundary> known;
-    Progress progress("curves", static_cast<double>(seeds.size()), follow.quiet);
+                         const FollowOptions& options) {
+    SeedWalk walk(scene, plane, options);
+    Progress progress("curves", static_cast<double>(seeds.size()), options.quiet);
+    double done = 0;
     for (const Seed& seed : seeds) {
         if (is_interrupted()) break;
-        const auto kind = smooth_kind(seed.kind);
-        progress.at(static_cast<double>(++result.seeds));
-        if (!kind) {
-            if (std::find(result.left_out.begin(), result.left_out.end(), seed.kind) == result.left_out.end())
-                result.left_out.push_back(seed.kind);
-            continue;
-        }
-        if (analysis::is_on_boundary(map, *kind, seed.points, seed.p, seed.multiplier, options, known)) continue;
-        Boundary boundary;
-        if (!analysis::follow_boundary(map, *kind, seed.points, seed.p, seed.multiplier, options, boundary)) {
-            ++result.without;
-            continue;
-        }
-        if (is_interrupted()) break;  // cut short: not finished
-        result.curves.push_back(curve_of(boundary, coordinates));
-        known.push_back(std::move(boundary));
+        walk.follow(seed);
+        progress.at(++done);
     }
-    return result;
+    for (const Seed& seed : walk.take_ends())
+        if (!is_interrupted()) walk.follow(seed);
+    return walk.take_result();
 }
 
 }  // namespace swirl::apps::boundaries

@@ -15,9 +15,14 @@ struct Seed {
     std::string kind;  ///< fold, flip, neimark-sacker, or a border's name
     analysis::CyclePoints points;
     Eigen::Vector2d p{0, 0};
-    std::complex<double> multiplier;          ///< the critical one
-    std::vector<std::int64_t> word_behind{};  ///< of a border; empty: the map ends there
+    std::complex<double> multiplier;  ///< the critical one
+    /// Of a border: the times of the flights, and the vertices on at their ends. Empty through sustained contact.
+    std::vector<double> times{};
+    std::vector<int> vertices{};
 };
+
+/// Sets `times` and `vertices` of a seed from the steps of its cycle, or of one beside it.
+void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps);
 
 struct LineOptions {
     int lines = 12;      ///< through the plane, each way, evenly spaced

@@ -1,6 +1,7 @@
 #include "apps/boundaries/seeds.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/record/record_reader.hpp"
+#include "apps/system/shooting_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,12 @@ std::vector<Seed> seeds_of_branches(const RecordReader& record, const std::strin
         seeds[i].p[axis] = parameters[i];
         seeds[i].p[1 - axis] = value;
         seeds[i].multiplier = critical_multiplier(kinds[i], std::isfinite(angles[i]) ? angles[i] : 1);
+    }
+    for (std::size_t i = 0; i < seeds.size(); ++i) {  // of a border: the map's steps from its last cycle
+        if (seeds[i].kind != "grazing" && seeds[i].kind != "two-vertices") continue;
+        const auto shooting =
+            analysis::shooting_residual(shooting_map_of(scene_at(scene, plane, seeds[i].p)), seeds[i].points, 0);
+        if (shooting.alive) name_flights(seeds[i], shooting.steps);
     }
     std::erase_if(seeds, [](const Seed& seed) { return seed.kind == "branch-point"; });
     return seeds;

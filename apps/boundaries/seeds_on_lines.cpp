@@ -6,6 +6,7 @@
 #include "apps/branches/branches.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/parallel_pieces.hpp"
+#include "apps/system/letter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -93,8 +94,8 @@ std::vector<Seed> seeds_of(const std::vector<Branch>& branches, const Line& line
     for (const auto& branch : branches) {
         for (const auto& special : branch.special) {
             if (special.kind == analysis::SpecialKind::branch_point || !special.located) continue;
-            Seed seed{kind_of(special), special.cycle.at.points, line.p, critical_multiplier(special),
-                      special.word_after};
+            Seed seed{kind_of(special), special.cycle.at.points, line.p, critical_multiplier(special)};
+            name_flights(seed, special.cycle.at.shooting.steps);
             seed.p[line.axis] = special.cycle.at.p;
             seeds.push_back(std::move(seed));
         }
@@ -103,6 +104,19 @@ std::vector<Seed> seeds_of(const std::vector<Branch>& branches, const Line& line
 }
 
 }  // namespace
+
+void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps) {
+    for (const auto& step : steps) {
+        const Letter letter = letter_from(step.letter);
+        if (letter.through_contact) {
+            seed.times.clear();
+            seed.vertices.clear();
+            return;
+        }
+        seed.times.push_back(step.duration);
+        seed.vertices.push_back(letter.vertex_step);
+    }
+}
 
 std::vector<Seed> seeds_on_lines(const Scene<double>& scene, const Plane& plane, const LineOptions& options) {
     const auto lines = lines_through(plane, options.lines);

@@ -19,7 +19,12 @@ Points of codimension 2: cusp, generalised-flip, chenciner, 1:1, 1:2, 1:3, 1:4, 
 flip-neimark-sacker, double-neimark-sacker.
 Why a curve ends: plane (it leaves it); closed; 1:1, 1:2 (neimark-sacker: the pair is real from there on); halved (the cycle
 becomes one of half its period); a border of the map: grazing, two-vertices, stick-slip, landing, or border where none of
-these is seen; not-converged; most-points (5000 each way); stopped (interrupted). Borders themselves are not followed.
+these is seen; not-converged; most-points (5000 each way); stopped (interrupted).
+Borders: grazing (a vertex touches within a flight; so does one whose impact vanishes) and two-vertices (another vertex is on
+the wall as one strikes), with the times of impacts as unknowns; their special points fold-grazing, flip-two-vertices ... are
+where a curve of that kind ends on them. Stick-slip and landing are not followed.
+--against MAP.h5, a sweep over the same two parameters: which attracting cycles, by the curves, no run came to
+(too-few-starts, or transient: a run has no verdict), and which a run came to and no curve leads to (curve-missing).
 `swirl plot` draws the record, alone or over the record of a sweep.
 
 Examples:
@@ -39,6 +44,7 @@ void BoundariesOptions::add_to(Flags& command) {
         ->type_name("L")
         ->transform(whole_number(1, 10'000));
     add_file(command, "--from", from, "a record whose special points the curves begin at, in place of lines");
+    add_file(command, "--against", against, "a sweep's record over the same plane, to be compared cell by cell");
     command
         .add_option("--longest-step", longest_step, "along a curve, in the plane's widths, 1e-6 to 1 (default 0.02)")
         ->type_name("H");
@@ -56,6 +62,15 @@ Settings settings_of(const BoundariesOptions& options, const Plane& plane) {
             {"longest_step", options.longest_step}};
 }
 
+namespace {
+
+void print_all(const Plane& plane, const PlaneCurves& found, const std::optional<Agreement>& agreement) {
+    print_curves(plane, found);
+    if (agreement) print_agreement(plane, *agreement);
+}
+
+}  // namespace
+
 int boundaries(BoundariesOptions& options) {
     options.scene.read_file();
     const Plane plane = plane_from(options.plane);
@@ -64,24 +79,29 @@ int boundaries(BoundariesOptions& options) {
         throw BadInput(fmt::format("accuracy = {}: boundaries works in double", options.output.accuracy_name));
     if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
         throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
+    std::optional<MappedPlane> map;
+    if (!options.against.empty()) map = mapped_plane(options.against, scene, plane);
     std::vector<Seed> seeds;
     if (!options.from.empty()) seeds = seeds_of_record(options.from, scene, plane);
-    std::optional<RecordWriter> record = open_record(options.output, "Curves of bifurcations of a swirled polygon",
-                                                     {options.scene.file(), options.from}, options.scene.units());
+    std::optional<RecordWriter> record =
+        open_record(options.output, "Curves of bifurcations of a swirled polygon",
+                    {options.scene.file(), options.from, options.against}, options.scene.units());
     note_interruptions();
     if (options.from.empty())
         seeds = seeds_on_lines(
             scene, plane, {options.lines, 16, 2, options.max_period, options.output.threads, options.output.quiet});
     const PlaneCurves found = follow_seeds(scene, plane, seeds, {options.longest_step, options.output.quiet});
+    std::optional<Agreement> agreement;
+    if (map && !is_interrupted()) agreement = compare(scene, plane, found.curves, *map);
     finish_up();
     if (record) {
         write_curves_record(*record, options, scene, plane, found);
         record->finish();
     }
     if (options.output.json)
-        write_curves_document(options, scene, plane, found);
+        write_curves_document(options, scene, plane, found, agreement);
     else if (!options.output.quiet)
-        print_curves(plane, found);
+        print_all(plane, found, agreement);
     return is_interrupted() ? exit_interrupted : exit_done;
 }
 

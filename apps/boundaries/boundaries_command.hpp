@@ -1,8 +1,10 @@
 // `swirl boundaries`: the curves that bound modes in a plane of two parameters.
 #pragma once
 
-#include "apps/boundaries/curves.hpp"
+#include "apps/boundaries/against.hpp"
 #include "apps/command_line/output_options.hpp"
+
+#include <optional>
 
 namespace swirl::apps::boundaries {
 
@@ -12,7 +14,7 @@ struct BoundariesOptions {
     std::vector<std::string> plane;
     int max_period = 4;
     int lines = 12;
-    std::string from;
+    std::string from, against;
     double longest_step = 0.02;
 
     void add_to(Flags& command);
@@ -23,7 +25,7 @@ extern const char* const boundaries_details;
 Settings settings_of(const BoundariesOptions& options, const Plane& plane);
 
 void write_curves_document(const BoundariesOptions& options, const Scene<double>& scene, const Plane& plane,
-                           const PlaneCurves& found);
+                           const PlaneCurves& found, const std::optional<Agreement>& agreement);
 void write_curves_record(RecordWriter& record, const BoundariesOptions& options, const Scene<double>& scene,
                          const Plane& plane, const PlaneCurves& found);
 void print_curves(const Plane& plane, const PlaneCurves& found);

@@ -122,7 +122,7 @@ std::string counts_of(const std::vector<Curve>& curves) {
 }  // namespace
 
 void write_curves_document(const BoundariesOptions& options, const Scene<double>& scene, const Plane& plane,
-                           const PlaneCurves& found) {
+                           const PlaneCurves& found, const std::optional<Agreement>& agreement) {
     print_document([&](JsonWriter& json) {
         write_json(json, "scene", scene_settings_of(scene, plane));
         if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
@@ -130,6 +130,7 @@ void write_curves_document(const BoundariesOptions& options, const Scene<double>
         json.member("seeds", found.seeds);
         json.member("without_curve", found.without);
         json.list("not_followed", found.left_out);
+        if (agreement) write_agreement(json, plane, *agreement);
         write_json(json, "settings", settings_of(options, plane));
     });
 }

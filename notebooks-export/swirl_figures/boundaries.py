@@ -18,7 +18,8 @@ _COLOURS = {"fold": BLACK, "flip": "#882255", "neimark-sacker": GREEN, "grazing"
 #: What points of codimension 2 are called beside their marks; the legend says what that is.
 _SHORT = {"cusp": "CP", "generalised-flip": "GPD", "chenciner": "CH", "1:1": "R1", "1:2": "R2", "1:3": "R3", "1:4": "R4",
           "fold-flip": "LPPD", "fold-neimark-sacker": "LPNS", "flip-neimark-sacker": "PDNS",
-          "double-neimark-sacker": "NSNS"}
+          "double-neimark-sacker": "NSNS", "fold-grazing": "LPG", "flip-grazing": "PDG", "neimark-sacker-grazing": "NSG",
+          "fold-two-vertices": "LP2", "flip-two-vertices": "PD2", "neimark-sacker-two-vertices": "NS2"}
 
 #: A multiplier this far beyond the unit circle makes the cycle unstable on both sides of the curve.
 _OUTSIDE = 1e-6

@@ -94,11 +94,11 @@ Correction correct(const ArcSystem& system, const ArcPoint& base, double h, ArcP
 }
 
 bool locate(const ArcSystem& system, const ArcPoint& base, double h, double f0, double f1,
-            const std::function<double(const ArcPoint&)>& value, ArcPoint& found) {
+            const std::function<double(const ArcPoint&)>& value, ArcPoint& found, bool keep_word) {
     if (!(f0 * f1 < 0)) return false;
     bool failed = false;
     const auto at = [&](double s) {
-        if (!failed && correct(system, base, s, found) == Correction::converged)
+        if (!failed && correct(system, base, s, found, keep_word) == Correction::converged)
             if (const double f = value(found); std::isfinite(f)) return f;
         failed = true;
         return 0.0;  // ends the search

@@ -50,6 +50,6 @@ Correction correct(const ArcSystem& system, const ArcPoint& base, double h, ArcP
 /// a corrected point. False if the corrector failed on the way, or if |value| does not fall there as at a zero (a
 /// pole).
 bool locate(const ArcSystem& system, const ArcPoint& base, double h, double f0, double f1,
-            const std::function<double(const ArcPoint&)>& value, ArcPoint& found);
+            const std::function<double(const ArcPoint&)>& value, ArcPoint& found, bool keep_word = true);
 
 }  // namespace swirl::analysis

@@ -63,12 +63,10 @@ private:
     }
 
     void reach_edge(const ArcPoint& beyond) {
+        const auto value = [this](const ArcPoint& at) { return outside(at); };
         ArcPoint last;
         const double f0 = outside(here()), h = h_;
-        if (f0 < 0 &&
-            locate(
-                system_, here(), h, f0, outside(beyond), [this](const ArcPoint& at) { return outside(at); }, last))
-            append(std::move(last), h);
+        if (f0 < 0 && locate(system_, here(), h, f0, outside(beyond), value, last, false)) append(std::move(last), h);
         end(ArcEnd::plane);
     }
 
@@ -76,7 +74,7 @@ private:
         for (const auto& test : options_.tests) {
             const double f0 = test.value(here()), f1 = test.value(next);
             ArcPoint at;
-            if (f0 * f1 < 0 && locate(system_, here(), h, f0, f1, test.value, at))
+            if (f0 * f1 < 0 && locate(system_, here(), h, f0, f1, test.value, at, false))
                 arc_.special.push_back({test.kind, at, arc_.points.size() - 1});
         }
         arc_.points.push_back(std::move(next));

@@ -115,7 +115,8 @@ std::optional<BorderCurve> follow_border(const WordMap& map, const Plane& plane,
 bool is_on(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const BorderOptions& options,
            const BorderCurve& curve) {
     if (curve.like.touch != cycle.touch || curve.like.vertices != cycle.vertices) return false;
-    if (cycle.touch != Touch::no_flight && curve.like.vertex != cycle.vertex) return false;
+    const bool touches = cycle.touch == Touch::grazing || cycle.touch == Touch::two_vertices;
+    if (touches && curve.like.vertex != cycle.vertex) return false;
     const analysis::ArcSystem system = border_system(map, plane, cycle);
     analysis::ArcPoint start, at;
     if (!begin(map, plane, cycle, system, start)) return false;

@@ -7,7 +7,18 @@
 namespace swirl::apps::boundaries {
 
 std::string_view name_of(Touch touch) {
-    return touch == Touch::grazing ? "grazing" : "two-vertices";
+    switch (touch) {
+        case Touch::grazing:
+            return "grazing";
+        case Touch::two_vertices:
+        case Touch::no_flight:
+            return "two-vertices";
+        case Touch::slip_ends:
+        case Touch::slip_late:
+        case Touch::slip_held:
+            break;
+    }
+    return "stick-slip";
 }
 
 namespace {
@@ -96,6 +107,25 @@ bool find_second_vertex(const WordMap& map, BorderCycle& cycle) {
     return flight.has_value();
 }
 
+bool is_held(ContactMode mode) {
+    return mode == ContactMode::c_sticking || mode == ContactMode::r_sticking;
+}
+
+/// The impact whose contact mode changes on the border, and what changes there.
+bool find_slip(const Seed& seed, BorderCycle& cycle) {
+    for (std::size_t i = 0; i < seed.modes_before.size() && i < seed.modes_behind.size(); ++i) {
+        const ContactMode a = seed.modes_before[i], b = seed.modes_behind[i];
+        if (a == b) continue;
+        if (a == ContactMode::sliding || b == ContactMode::sliding)
+            cycle.touch = Touch::slip_ends;
+        else
+            cycle.touch = is_held(a) == is_held(b) ? Touch::slip_late : Touch::slip_held;
+        rotate(cycle, i);
+        return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::optional<BorderCycle> border_cycle_of(const WordMap& map, const Seed& seed) {
@@ -107,6 +137,10 @@ std::optional<BorderCycle> border_cycle_of(const WordMap& map, const Seed& seed)
     cycle.p = seed.p;
     if (seed.kind == "two-vertices") {
         if (map.sides == 0 || !find_second_vertex(map, cycle)) return std::nullopt;
+        return cycle;
+    }
+    if (seed.kind == "stick-slip") {
+        if (!find_slip(seed, cycle)) return std::nullopt;
         return cycle;
     }
     if (const auto impact = vanishing_impact(map, cycle)) {

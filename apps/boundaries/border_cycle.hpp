@@ -13,8 +13,11 @@ enum class Touch {
     grazing,       ///< a vertex touches within the flight: g(t*) = 0, g′(t*) = 0
     two_vertices,  ///< another vertex is on the wall as the flight ends: g(τ) = 0
     no_flight,     ///< the flight takes no time: another vertex was on the wall as it began
+    slip_ends,     ///< slip stops just as the impact at the flight's end does: p_k = p_end
+    slip_late,     ///< … just as compression ends: C(p_k) = 0
+    slip_held,     ///< friction just holds what has stopped: |B₃| = μB₁
 };
-/// grazing, or two-vertices.
+/// grazing, two-vertices, or stick-slip.
 std::string_view name_of(Touch touch);
 
 /// A vanishing impact, u_n → 0, is grazing of the vertex that strikes: the cycle without it.
@@ -28,8 +31,9 @@ struct BorderCycle {
     Eigen::Vector2d p{0, 0};
 };
 
-/// The cycle of a seed whose kind is grazing or two-vertices. Empty where it has no flights to name (through sustained
-/// contact), where nothing touches, or where no impact is left (the vanishing impact of a fixed point).
+/// The cycle of a seed whose kind is grazing, two-vertices or stick-slip. Empty where it has no flights to name
+/// (through sustained contact), where nothing touches, or where no impact is left (the vanishing impact of a fixed
+/// point).
 std::optional<BorderCycle> border_cycle_of(const WordMap& map, const Seed& seed);
 
 }  // namespace swirl::apps::boundaries

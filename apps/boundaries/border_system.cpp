@@ -16,6 +16,23 @@ void put(const BorderLayout& layout, Eigen::Index flight, Eigen::Index time, con
     jacobian.row(row).segment(layout.parameters(), 2) += by.tail(2);
 }
 
+/// What is zero on a stick-slip border; null for the others.
+const ModeMargin* margin_of(Touch touch, const WordStep& step) {
+    switch (touch) {
+        case Touch::slip_ends:
+            return &step.slip;
+        case Touch::slip_late:
+            return &step.late;
+        case Touch::slip_held:
+            return &step.held;
+        case Touch::grazing:
+        case Touch::two_vertices:
+        case Touch::no_flight:
+            break;
+    }
+    return nullptr;
+}
+
 /// What touches: the last one or two equations.
 void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
                analysis::ArcEquations& at) {
@@ -23,6 +40,14 @@ void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& 
     if (like.touch == Touch::no_flight) {
         at.residual[row] = y[layout.time(0)];
         at.jacobian(row, layout.time(0)) = 1;
+        return;
+    }
+    if (like.touch != Touch::grazing && like.touch != Touch::two_vertices) {
+        const WordStep step = map.step(y.head(layout.dimension), y[layout.time(0)], y.segment<2>(layout.parameters()),
+                                       like.vertices.front());
+        const ModeMargin& margin = *margin_of(like.touch, step);
+        at.residual[row] = margin.value;
+        put(layout, 0, layout.time(0), margin.by, row, at.jacobian);
         return;
     }
     const Eigen::Index time = like.touch == Touch::grazing ? layout.touch_time() : layout.time(0);
@@ -55,10 +80,20 @@ bool border_equations(const WordMap& map, const BorderCycle& like, const BorderL
         }
         at.residual[layout.parameters() + i] = step.touch.gap;
         put(layout, i, layout.time(i), step.touch.gap_by, layout.parameters() + i, at.jacobian);
-        at.word.push_back(step.mode);
+        at.word.push_back(static_cast<std::int64_t>(step.mode));
     }
     add_touch(map, like, layout, y, at);
     return at.residual.allFinite() && at.jacobian.allFinite();
+}
+
+/// On a stick-slip border slip stops; where it is held or not, or late or not, it stops before the impact ends.
+std::string slip_refusal(const WordMap& map, const BorderCycle& like, const BorderLayout& layout,
+                         const Eigen::VectorXd& y) {
+    if (like.touch == Touch::two_vertices || like.touch == Touch::no_flight) return "";
+    const WordStep step =
+        map.step(y.head(layout.dimension), y[layout.time(0)], y.segment<2>(layout.parameters()), like.vertices.front());
+    const bool stops = step.stops && (like.touch == Touch::slip_ends || step.slip.value < 0);
+    return stops ? "" : "stick-slip";
 }
 
 /// Does anything lie outside within flight i, as far as samples tell?
@@ -100,7 +135,27 @@ Eigen::VectorXd unknowns_of(const WordMap& map, const BorderCycle& cycle) {
     return y;
 }
 
-Eigen::MatrixXd monodromy_of(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
+namespace {
+
+/// On a stick-slip border the derivative is that of one side or the other, as rounding has it. A little beside it,
+/// where what is zero on it is positive, it is that of the side on which there is more slip.
+Eigen::VectorXd beside_border(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
+    constexpr double beside = 1e-9;
+    const BorderLayout layout = layout_of(map, like);
+    const WordStep step =
+        map.step(y.head(layout.dimension), y[layout.time(0)], y.segment<2>(layout.parameters()), like.vertices.front());
+    const ModeMargin* margin = margin_of(like.touch, step);
+    if (margin == nullptr) return y;
+    const Eigen::VectorXd by_point = margin->by.head(layout.dimension).transpose();
+    Eigen::VectorXd moved = y;
+    moved.head(layout.dimension) += (beside - margin->value) / by_point.squaredNorm() * by_point;
+    return moved;
+}
+
+}  // namespace
+
+Eigen::MatrixXd monodromy_of(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& unknowns) {
+    const Eigen::VectorXd y = beside_border(map, like, unknowns);
     const BorderLayout layout = layout_of(map, like);
     const Eigen::Index d = layout.dimension;
     Eigen::MatrixXd product = Eigen::MatrixXd::Identity(d, d);
@@ -127,7 +182,7 @@ std::string refusal_of(const WordMap& map, const BorderCycle& like, const Eigen:
         if (!(strike.rate > least_rate)) return "grazing";
         if (!none && !is_clear(map, layout, y, i)) return "border";
     }
-    if (like.touch != Touch::grazing) return "";
+    if (like.touch != Touch::grazing) return slip_refusal(map, like, layout, y);
     const double at = y[layout.touch_time()];
     if (!(at > 0) || !(at < y[layout.time(0)])) return "two-vertices";
     // g″ < 0: it comes from inside and goes back.

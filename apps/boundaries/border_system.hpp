@@ -20,7 +20,7 @@ analysis::ArcSystem border_system(const WordMap& map, const Plane& plane, const 
 
 Eigen::VectorXd unknowns_of(const WordMap& map, const BorderCycle& cycle);
 
-/// D(Fᵏ) on the side on which nothing touches: DF_i = ∂z′ − ∂_τ z′ ∂_z g/g′.
+/// D(Fᵏ) on the side on which nothing touches, or on which there is more slip: DF_i = ∂z′ − ∂_τ z′ ∂_z g/g′.
 Eigen::MatrixXd monodromy_of(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y);
 
 /// Why y, which solves the equations, is no cycle on this border; empty: it is one.

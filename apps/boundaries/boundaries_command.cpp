@@ -20,9 +20,9 @@ flip-neimark-sacker, double-neimark-sacker.
 Why a curve ends: plane (it leaves it); closed; 1:1, 1:2 (neimark-sacker: the pair is real from there on); halved (the cycle
 becomes one of half its period); a border of the map: grazing, two-vertices, stick-slip, landing, or border where none of
 these is seen; not-converged; most-points (5000 each way); stopped (interrupted).
-Borders: grazing (a vertex touches within a flight; so does one whose impact vanishes) and two-vertices (another vertex is on
-the wall as one strikes), with the times of impacts as unknowns; their special points fold-grazing, flip-two-vertices ... are
-where a curve of that kind ends on them. Stick-slip and landing are not followed.
+Borders: grazing (a vertex touches within a flight; so does one whose impact vanishes), two-vertices (another vertex is on
+the wall as one strikes) and stick-slip (the contact mode of an impact changes), with the times of impacts as unknowns; their
+special points fold-grazing, flip-two-vertices ... are where a curve of that kind ends on them. Landing is not followed.
 --against MAP.h5, a sweep over the same two parameters: which attracting cycles, by the curves, no run came to
 (too-few-starts, or transient: a run has no verdict), and which a run came to and no curve leads to (curve-missing).
 `swirl plot` draws the record, alone or over the record of a sweep.

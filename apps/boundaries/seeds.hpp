@@ -19,6 +19,8 @@ struct Seed {
     /// Of a border: the times of the flights, and the vertices on at their ends. Empty through sustained contact.
     std::vector<double> times{};
     std::vector<int> vertices{};
+    /// Of stick-slip: the contact modes before and behind the border.
+    std::vector<ContactMode> modes_before{}, modes_behind{};
 };
 
 /// Sets `times` and `vertices` of a seed from the steps of its cycle, or of one beside it.

@@ -33,7 +33,12 @@ struct WordFunctions {
         result.touch = rows_of<shape>(collision.touch);
         result.after = Eigen::Map<const Eigen::Matrix<double, dimension, 1>>(collision.after.data());
         result.after_by = collision.after_by;
-        result.mode = static_cast<int>(collision.mode);
+        result.mode = collision.mode;
+        const auto& margins = collision.margins;
+        result.stops = margins.stops;
+        result.slip = {margins.slip, margins.slip_by};
+        result.late = {margins.late, margins.late_by};
+        result.held = {margins.held, margins.held_by};
         return result;
     }
 

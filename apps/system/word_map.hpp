@@ -16,12 +16,20 @@ struct WordTouchRows {
     Eigen::RowVectorXd gap_by, rate_by;
 };
 
+/// One of swirl::ModeMargins with its derivatives.
+struct ModeMargin {
+    double value = 0;
+    Eigen::RowVectorXd by;
+};
+
 /// The state after its impact then, with derivatives by the same, D × (D + 3).
 struct WordStep {
     WordTouchRows touch;
     Eigen::VectorXd after;
     Eigen::MatrixXd after_by;
-    int mode = 0;  ///< contact mode
+    ContactMode mode = ContactMode::frictionless;
+    bool stops = false;           ///< slip could stop: the next two have a meaning
+    ModeMargin slip, late, held;  ///< p_k − p_end; C(p_k); |B₃| − μB₁
 };
 
 struct WordMap {

@@ -26,6 +26,16 @@ struct WordTouch {
     typename WordUnknowns<T, shape>::Row gap_by, rate_by;
 };
 
+/// What decides the contact mode of an impact (map/README.md, "Impact"): zero where F is continuous and DF jumps. p_k
+/// is the impulse at which slip would stop; meaningless where it never does (`stops` false).
+template <class T, Shape shape>
+struct ModeMargins {
+    using Row = typename WordUnknowns<T, shape>::Row;
+    bool stops = false;
+    T slip{}, late{}, held{};  ///< p_k − p_end; C(p_k); |B₃| − μB₁
+    Row slip_by, late_by, held_by;
+};
+
 /// The state after the impact of a vertex at a time, as if it were on the wall then.
 template <class T, Shape shape>
 struct WordCollision {
@@ -33,9 +43,35 @@ struct WordCollision {
     std::array<T, section_dimension<shape>> after;
     Eigen::Matrix<T, section_dimension<shape>, WordUnknowns<T, shape>::count> after_by;
     ContactMode mode = ContactMode::frictionless;
+    ModeMargins<T, shape> margins;
 };
 
 namespace detail {
+
+/// From the state after an impact and its impulse: u before it is that after it with B₂p + B₃q and −B₃p − B₁q added.
+template <class T, Shape shape, ImpactRule rule, class Jet>
+ModeMargins<T, shape> margins_of(const CollisionMap<Jet, shape, rule>& map, const Collision<Jet>& collision) {
+    ModeMargins<T, shape> margins;
+    if constexpr (rule == ImpactRule::frictionless) return margins;
+    const ContactKinematics<Jet> after = contact_kinematics(map.body(), collision.after);
+    const Jet p = collision.impulse.normal, q = collision.impulse.tangential;
+    const Jet b1 = after.b1(), b2 = after.b2(), b3 = after.b3(), stick = map.scene().mu * b1;
+    const Jet un = after.un + b2 * p + b3 * q, ut = after.ut - b3 * p - b1 * q;
+    const Jet sign = Jet(T(plain(ut) < 0 ? -1 : 1));
+    const Jet slowing = stick - sign * b3;
+    margins.stops = plain(slowing) > 0;
+    const Jet stopped = sign * ut / slowing;
+    const Jet late = (b2 - map.scene().mu * sign * b3) * stopped - un;
+    const Jet held = (plain(b3) < 0 ? -b3 : b3) - stick;
+    const Jet slip = stopped - p;
+    margins.slip = slip.a;
+    margins.late = late.a;
+    margins.held = held.a;
+    margins.slip_by = slip.v.transpose();
+    margins.late_by = late.v.transpose();
+    margins.held_by = held.v.transpose();
+    return margins;
+}
 
 /// The flight from z and its moment `time`, in Jets of all unknowns.
 template <class T, Shape shape, ImpactRule rule>
@@ -107,6 +143,7 @@ WordCollision<T, shape> collide_by_word(const Scene<T>& scene, Parameter first, 
         result.after_by.row(i) = next[static_cast<std::size_t>(i)].v.transpose();
     }
     result.mode = collision.impulse.mode;
+    result.margins = detail::margins_of<T, shape, rule>(seeded.map, collision);
     return result;
 }
 

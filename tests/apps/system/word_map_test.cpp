@@ -13,6 +13,21 @@ namespace {
 const Scene<double> hexagon{6, 0.4, 0.5, 0.5, 0.9, Law::poisson, uniform_inertia_factor<double>(6)};
 const Scene<double> disk{disk_sides, 0.4, 0.3, 0.2, 0.7, Law::poisson, 0.5};
 
+/// The signs of what decides the mode say which it is.
+void expect_margins_to_name(const WordStep& word) {
+    using enum ContactMode;
+    if (word.mode == frictionless) return;
+    if (word.mode == sliding) {
+        EXPECT_TRUE(!word.stops || word.slip.value > 0);
+        return;
+    }
+    EXPECT_TRUE(word.stops);
+    EXPECT_LT(word.slip.value, 0);
+    const bool early = word.mode == c_sticking || word.mode == c_reversed;
+    EXPECT_EQ(word.late.value < 0, early);
+    EXPECT_EQ(word.held.value <= 0, word.mode == c_sticking || word.mode == r_sticking);
+}
+
 /// With the time eliminated, dτ = −dg/g′, its derivatives are DF and ∂F/∂p; without, they are what moves at a fixed
 /// time.
 void compare_with_map(const Scene<double>& scene, Eigen::VectorXd z, Parameter first, Parameter second) {
@@ -29,7 +44,8 @@ void compare_with_map(const Scene<double>& scene, Eigen::VectorXd z, Parameter f
         const WordStep word = words.step(z, step.duration, p, letter.vertex_step);
         EXPECT_LT(std::abs(word.touch.gap), 1e-13);  // rounding of a position of size 1, squared
         EXPECT_GT(word.touch.rate, 0);
-        EXPECT_EQ(word.mode, static_cast<int>(letter.mode));
+        EXPECT_EQ(word.mode, letter.mode);
+        expect_margins_to_name(word);
         for (Eigen::Index i = 0; i < d; ++i)
             EXPECT_NEAR(word.after[i], step.state[i], 1e-12 * (1 + std::abs(step.state[i])));
         Eigen::MatrixXd by(d, d + 2);

@@ -160,7 +160,8 @@ Settings agreement_of(const Agreement& agreement) {
 }
 
 SceneBranches branches_of(const BifurcateOptions& options, const Diagram& diagram) {
-    return scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along);
+    return scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along,
+                          options.settings.accuracy);
 }
 
 }  // namespace
@@ -174,6 +175,7 @@ Settings diagram_settings(const BifurcateOptions& options, const Diagram& diagra
             {"seed", options.start.seed()},
             {"transient", options.settings.transient},
             {"collisions", options.settings.collisions},
+            {"accuracy", options.output.accuracy_name},
             {"follow", std::int64_t{options.follow}},
             {"branches", std::int64_t{options.branches}},
             {"longest_branch", std::int64_t{options.longest_branch}}};

@@ -76,6 +76,7 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     settings.emplace_back("transient", options.settings.transient);
     settings.emplace_back("collisions", options.settings.collisions);
     settings.emplace_back("threshold", options.settings.recurrence_threshold);
+    settings.emplace_back("accuracy", options.output.accuracy_name);
     return settings;
 }
 
@@ -146,12 +147,13 @@ bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done,
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < done.size(); ++i)
         if (!done[i]) left.push_back(i);
+    const Accuracy accuracy = options.output.accuracy();
     Progress progress("sweep", static_cast<double>(left.size()), options.output.quiet);
     const bool all = run_pieces(left.size(), options.output.threads, progress, [&](std::size_t i) -> KeepResult {
         const std::size_t index = left[i];
         const Scene<double> scene = cell_scene(options.scene, sweep.grid, index / runs);
         const double speed = cell_speed(options.start.speed(), sweep.grid, index / runs);
-        const auto result = sweep_run(scene, speed, options.start.seed(), index % runs, options.settings);
+        const auto result = sweep_run(scene, speed, options.start.seed(), index % runs, options.settings, accuracy);
         if (!result) return {};
         return [&sweep, &done, journal, index, result] {
             sweep.results[index] = *result;
@@ -169,8 +171,7 @@ void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
         throw BadInput("a sweep's starts are random: give --speed and --seed, not --x … or --point");
     options.start.require_one_way();
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: sweep works in double", options.output.accuracy_name));
+    options.output.accuracy();  // a wrong name is told before any work
     const double results = static_cast<double>(cell_count(grid)) * static_cast<double>(options.runs);
     if (results > static_cast<double>(most_results))
         throw BadInput(fmt::format("cells x runs = {:.0f} is outside its range: 1 to {}", results, most_results));

@@ -36,7 +36,7 @@ FirstContact<double> brent_contact(const Body<double>& body, const Flight<double
 
 /// Default step of `fixed_step_contact`, in 1/ω_s: what 60 steps a second with ten sub-steps each are to a swirl of one
 /// turn a second.
-inline constexpr double fixed_step = 0.01;
+inline constexpr double fixed_step_length = 0.01;
 
 /// As game physics does: steps of fixed length; at the first step at whose end a vertex is outside and moves outward,
 /// the deepest one touches, and the body is put back so that this vertex is on the wall. The contact is late by up to
@@ -44,7 +44,7 @@ inline constexpr double fixed_step = 0.01;
 ///   step  in 1/ω_s, > 0
 /// Cost and outcome: as `brent_contact`.
 FirstContact<double> fixed_step_contact(const Body<double>& body, const Flight<double>& flight,
-                                        double step = fixed_step);
+                                        double step = fixed_step_length);
 
 enum class BaselineSearch { paper, brent, fixed_step };
 

@@ -69,8 +69,8 @@ TEST(Baselines, AgreeWithTheExactSearchOnSimpleFlights) {
     // paper's tolerance comes on top.
     EXPECT_LE(largest_brent, 1e-13);
     EXPECT_LE(largest_paper, 4e-12);
-    EXPECT_LE(latest, fixed_step);
-    EXPECT_GT(latest, 0.9 * fixed_step) << "late by as much as a step";
+    EXPECT_LE(latest, fixed_step_length);
+    EXPECT_GT(latest, 0.9 * fixed_step_length) << "late by as much as a step";
 }
 
 TEST(Baselines, ContactsComeLateByAnErrorOfTheOrderOfTheStep) {

@@ -49,11 +49,17 @@ def report(options, kind):
     sys.stdout.flush()
 
 
+def keep_libraries_silent():
+    """What HDF5 or the allocator prints when a damaged record ends it is no answer: only sys.stderr speaks."""
+    sys.stderr = os.fdopen(os.dup(2), "w", errors="surrogateescape")
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+
+
 def main():
+    keep_libraries_silent()
     for number in (signal.SIGINT, signal.SIGTERM):  # until the very end nothing is on disk: leave at once
         signal.signal(number, lambda *_: os._exit(130))
-    for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="surrogateescape")  # file names that are no UTF-8 are said as they are
+    sys.stdout.reconfigure(errors="surrogateescape")  # file names that are no UTF-8 are said as they are
     options = arguments()
     figures = load_figures()
     try:

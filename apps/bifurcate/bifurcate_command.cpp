@@ -5,8 +5,6 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <optional>
@@ -27,7 +25,7 @@ Examples:
   swirl bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.35:0.42:15 --starts 2
   swirl bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.36:0.4:9 --branches -o diagram.h5)";
 
-void BifurcateOptions::add_to(CLI::App& command) {
+void BifurcateOptions::add_to(Flags& command) {
     constexpr std::int64_t most = 1'000'000'000;
     scene.add_to(command);
     start.add_to(command);

@@ -22,7 +22,7 @@ struct BifurcateOptions {
     bool branches = false;
     int longest_branch = 12;
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const bifurcate_details;

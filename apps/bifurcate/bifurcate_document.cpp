@@ -235,7 +235,9 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
         }
     const std::vector<ColumnShare> shares_by_column = shares_of(diagram);
     const std::size_t lines = diagram.columns.size() <= most_lines ? shares_by_column.size() : 0;
-    print_table(share_table(diagram), std::span(shares_by_column).first(lines));
+    const auto units = options.scene.units();
+    fmt::print("{}", units_in_words(units));
+    print_table(in_units(share_table(diagram), units), std::span(shares_by_column).first(lines));
     std::string shares;
     for (const auto& [mode, count] : counts)
         shares += fmt::format("{}{} {:.2f} %", shares.empty() ? "" : ", ", mode,

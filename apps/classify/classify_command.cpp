@@ -9,8 +9,6 @@
 #include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
 #include <optional>
 
 namespace swirl::apps::classify {
@@ -30,7 +28,7 @@ Examples:
   swirl classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9
   swirl classify --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95 --runs 16)";
 
-void ClassifyCommandOptions::add_to(CLI::App& command) {
+void ClassifyCommandOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);

@@ -21,7 +21,7 @@ struct ClassifyCommandOptions {
     bool verbose = false;   ///< the table for people has the evidence
     std::int64_t runs = 0;  ///< random starts; 0: one verdict, on the start that is given
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const classify_details;

@@ -30,16 +30,17 @@ std::size_t first_row(const RecordedOrbit& orbit) {
     return static_cast<std::size_t>((orbit.first - orbit.columns.range.transient) / orbit.columns.every);
 }
 
-/// Is what was followed the orbit that was recorded: S of every row of the tail, bit for bit, or the end?
+/// Is what was followed the orbit that was recorded: every row of the tail, bit for bit, or the end?
 bool repeats(const RecordedOrbit& orbit, const NamedMode& named, const OrbitSamples& samples) {
     const OrbitColumns& columns = orbit.columns;
     if (named.outcome != Outcome::completed)
         return named.impacts >= columns.impacts && (!has_ended(columns) || name_of(named.outcome) == columns.outcome);
-    const auto& spins = columns.values.back();
-    for (std::size_t row = 0; row < spins.size(); ++row) {
+    for (std::size_t row = 0; row < columns.values.back().size(); ++row) {
         const std::int64_t i = columns.range.transient + static_cast<std::int64_t>(row) * columns.every - orbit.first;
         if (i < 0 || i >= std::ssize(samples.points)) continue;
-        if (samples.points[static_cast<std::size_t>(i)].tail(1)[0] != spins[row]) return false;
+        const auto& point = samples.points[static_cast<std::size_t>(i)];
+        for (std::size_t c = 0; c < columns.values.size(); ++c)
+            if (point[static_cast<Eigen::Index>(c)] != columns.values[c][row]) return false;
     }
     return !has_ended(columns);
 }

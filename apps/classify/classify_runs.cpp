@@ -107,16 +107,14 @@ int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
         write_runs(record->root(), options, scene, found);
         record->finish();
     }
-    if (interrupted) {
-        if (!options.output.quiet)
-            tell(fmt::format("swirl: interrupted; {} of {} runs were finished", found.runs.size(), options.runs));
-        return exit_interrupted;
-    }
+    if (interrupted && !options.output.quiet)
+        tell(fmt::format("swirl: interrupted; {} of {} runs were finished", found.runs.size(), options.runs));
+    if (found.runs.empty()) return exit_interrupted;
     if (options.output.json)
         write_runs_document(options, scene, found);
     else if (!options.output.quiet)
         print_runs(options, scene, found);
-    return exit_done;
+    return interrupted ? exit_interrupted : exit_done;
 }
 
 }  // namespace swirl::apps::classify

@@ -10,8 +10,6 @@
 #include "apps/output/write_table.hpp"
 #include "apps/record/record_reader.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -140,7 +138,7 @@ bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {
 
 }  // namespace
 
-void ClassifyInput::add_to(CLI::App& command) {
+void ClassifyInput::add_to(Flags& command) {
     command.add_option("RECORD,--record", record, "a record of swirl simulate: the orbit that it holds")
         ->type_name("FILE.h5")
         ->group("Input");
@@ -177,10 +175,7 @@ bool ClassifyInput::is_series(const SceneOptions& scene, const StartOptions& sta
 
 std::optional<RecordedOrbit> ClassifyInput::recorded(SceneOptions& scene, StartOptions& start) const {
     if (record.empty()) return std::nullopt;
-    const auto given = [](const CLI::Option* option) {
-        return option->count() > 0 ? std::optional(option->as<std::int64_t>()) : std::nullopt;
-    };
-    return recorded_orbit(record, given(transient_), given(collisions_), scene, start);
+    return recorded_orbit(record, transient_->number(), collisions_->number(), scene, start);
 }
 
 int classify_measured(const ClassifyInput& input, const SceneOptions& scene, const StartOptions& start,
@@ -191,16 +186,16 @@ int classify_measured(const ClassifyInput& input, const SceneOptions& scene, con
     source.series = input.series;
     source.scene = scene;
     source.start = start;
-    if (input.transient_->count() > 0) source.transient = input.transient_->as<std::int64_t>();
-    if (input.collisions_->count() > 0) source.collisions = input.collisions_->as<std::int64_t>();
+    source.transient = input.transient_->number();
+    source.collisions = input.collisions_->number();
     SeriesVerdict v;
     v.whole = input.record.empty() ? source.measured() : read_series_record(input.record);
     warn_without_checksum(input.record, output.quiet);
     v.used = longest_stretch(v.whole);
     v.options.noise = input.noise * (input.series.degrees ? pi<double>() / 180 : 1);
     v.options.sampled_flow = is_sampled_flow(input, v.used);
-    if (input.threshold_->count() > 0) v.options.recurrence_threshold = input.threshold_->as<double>();
-    if (input.max_period_->count() > 0) v.options.max_period = input.max_period_->as<int>();
+    if (const auto threshold = input.threshold_->real()) v.options.recurrence_threshold = *threshold;
+    if (const auto period = input.max_period_->number()) v.options.max_period = static_cast<int>(*period);
     std::optional<RecordWriter> record =
         open_record(output, "Mode of a measured series", {input.record, input.series.file});
     v.verdict = verdict_of(v);

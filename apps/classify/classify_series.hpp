@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/classify/classify_record.hpp"
-#include "apps/command_line/cli_names.hpp"
+#include "apps/command_line/flags.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/input/measured_series.hpp"
 
@@ -18,7 +18,7 @@ struct ClassifyInput {
     double noise = 0;
 
     /// After the command's own --transient, --collisions, --threshold and --max-period.
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 
     /// The record's orbit, if a record was given, whose scene and start are set. @throws BadInput if it holds none
     std::optional<RecordedOrbit> recorded(SceneOptions& scene, StartOptions& start) const;
@@ -29,7 +29,7 @@ struct ClassifyInput {
 private:
     friend int classify_measured(const ClassifyInput& input, const SceneOptions& scene, const StartOptions& start,
                                  const OutputOptions& output, bool verbose);
-    CLI::Option *transient_ = nullptr, *collisions_ = nullptr, *threshold_ = nullptr, *max_period_ = nullptr;
+    std::optional<Flag> transient_, collisions_, threshold_, max_period_;
 };
 
 extern const char* const classify_series_details;

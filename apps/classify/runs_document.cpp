@@ -83,13 +83,14 @@ Table<SharedAttractor> attractors_table(const RunsFound& found) {
 void write_runs_document(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found) {
     print_document([&](JsonWriter& json) {
         write_scene(json, scene, options.scene, &options.start);
-        write_verdict(json, found.first.value(), options.settings);
+        if (found.first) write_verdict(json, *found.first, options.settings);
         write_shares(json, "modes", found, &RunVerdict::mode);
         write_shares(json, "kinds", found, &RunVerdict::kind);
         json.key("escape");
         write_escape(json, found.escape);
         write_json(json, "attractors", attractors_table(found), found.attractors);
         write_json(json, "runs", runs_table(), found.runs);
+        if (!found.first) json.member("outcome", "interrupted");
     });
 }
 
@@ -112,8 +113,9 @@ void print_runs(const ClassifyCommandOptions& options, const Scene<double>& scen
     fmt::print("\n");
     if (found.escape) fmt::print("  {}\n", in_words(*found.escape));
     print_table(in_units(attractors_table(found), units), found.attractors);
-    fmt::print("the first of them, seed {}:\n{}", found.runs[found.attractors.front().runs.front()].seed,
-               table_of(found.first.value(), options.verbose, units));
+    if (found.first)
+        fmt::print("the first of them, seed {}:\n{}", found.runs[found.attractors.front().runs.front()].seed,
+                   table_of(*found.first, options.verbose, units));
 }
 
 }  // namespace swirl::apps::classify

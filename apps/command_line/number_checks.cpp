@@ -10,7 +10,7 @@
 
 namespace swirl::apps {
 
-CLI::Validator whole_number(std::int64_t least, std::int64_t most) {
+TextCheck whole_number(std::int64_t least, std::int64_t most) {
     // A transform rewrites its text: what CLI11 converts then has no leading zeros.
     const auto check = [least, most](std::string& text) {
         std::int64_t value = 0;
@@ -25,7 +25,7 @@ CLI::Validator whole_number(std::int64_t least, std::int64_t most) {
     return {check, fmt::format("INT in [{} - {}]", least, most)};
 }
 
-CLI::Validator finite_number_from(double least) {
+TextCheck finite_number_from(double least) {
     const auto check = [least](const std::string& text) {
         char* end = nullptr;
         const double value = std::strtod(text.c_str(), &end);

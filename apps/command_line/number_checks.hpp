@@ -1,17 +1,17 @@
-// Checks of numbers among the arguments, said before anything else is done. For files that add flags: needs CLI11.
+// Checks of numbers among the arguments, said before anything else is done.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "apps/command_line/flags.hpp"
 
 #include <cstdint>
 
 namespace swirl::apps {
 
-/// For Option::transform: a whole number from `least` to `most`, in decimal digits: 010 is ten, as in every other
+/// For Flag::transform: a whole number from `least` to `most`, in decimal digits: 010 is ten, as in every other
 /// number of the command (CLI11's own conversion takes it for eight), and 0x10 and 1e3 are none.
-CLI::Validator whole_number(std::int64_t least, std::int64_t most);
+TextCheck whole_number(std::int64_t least, std::int64_t most);
 
-/// For Option::check: a finite number, `least` or more. (CLI11's Range lets NaN through.)
-CLI::Validator finite_number_from(double least);
+/// For Flag::check: a finite number, `least` or more. (CLI11's Range lets NaN through.)
+TextCheck finite_number_from(double least);
 
 }  // namespace swirl::apps

@@ -2,18 +2,16 @@
 
 #include "apps/command_line/number_checks.hpp"
 
-#include <CLI/CLI.hpp>
-
 namespace swirl::apps {
 
-CLI::Option* add_file(CLI::App& command, const std::string& flag, std::string& file, const std::string& help) {
+Flag add_file(Flags& command, const std::string& flag, std::string& file, const std::string& help) {
     return command.add_option(flag, file, help)
-        ->check(CLI::Validator(
+        ->check(TextCheck(
             [](const std::string& name) { return std::string(name.empty() ? "a file's name is wanted" : ""); }, ""));
 }
 
-void OutputOptions::add_to(CLI::App& app, bool with_record) {
-    command = app.get_name();
+void OutputOptions::add_to(Flags& app, bool with_record) {
+    command = app.command_name();
     app.add_flag("--json", json, "one JSON document on standard output, and nothing else")->group("Output");
     if (with_record) {
         add_file(app, "-o,--output", record, "write a record (HDF5)")->type_name("FILE.h5")->group("Output");

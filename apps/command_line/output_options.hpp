@@ -2,14 +2,14 @@
 #pragma once
 
 #include "apps/command_line/accuracy.hpp"
-#include "apps/command_line/cli_names.hpp"
+#include "apps/command_line/flags.hpp"
 
 #include <string>
 
 namespace swirl::apps {
 
 /// Adds an option that names a file. An empty name, which CLI11 takes for a flag that was not given, is refused.
-CLI::Option* add_file(CLI::App& command, const std::string& flag, std::string& file, const std::string& help);
+Flag add_file(Flags& command, const std::string& flag, std::string& file, const std::string& help);
 
 struct OutputOptions {
     bool json = false;
@@ -20,7 +20,7 @@ struct OutputOptions {
     int threads = 0;  ///< 0: all
     std::string accuracy_name = "double";
 
-    void add_to(CLI::App& command, bool with_record = true);
+    void add_to(Flags& command, bool with_record = true);
 
     /// @throws BadInput for a name that is none
     Accuracy accuracy() const { return accuracy_from(accuracy_name); }

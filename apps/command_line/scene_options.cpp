@@ -2,8 +2,6 @@
 
 #include "apps/command_line/text_file.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <toml++/toml.h>
 
 #include <array>
@@ -77,10 +75,10 @@ Law law_from(const std::string& text) {
     throw BadInput(fmt::format("law = {} is none of: poisson, newton, stronge", text));
 }
 
-void SceneOptions::add_to(CLI::App& command) {
+void SceneOptions::add_to(Flags& command) {
     for (const auto& known : scene_names) {
         command
-            .add_option_function<std::string>(
+            .add_text(
                 std::string("--") + known.name,
                 [this, name = std::string(known.name)](const std::string& text) { flags_[name] = text; }, known.help)
             ->type_name("")

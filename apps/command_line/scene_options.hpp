@@ -1,7 +1,7 @@
 // The scene as users give it: flags, a TOML file, physical units.
 #pragma once
 
-#include "apps/command_line/cli_names.hpp"
+#include "apps/command_line/flags.hpp"
 #include "apps/command_line/numbers.hpp"
 #include "apps/output/units.hpp"
 #include "map/model/scene.hpp"
@@ -16,7 +16,7 @@ namespace swirl::apps {
 class SceneOptions {
 public:
     /// Adds the flags to a command.
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 
     /// Reads --scene FILE if it was given; flags win. Call once after parsing. @throws BadInput
     void read_file();

@@ -1,7 +1,5 @@
 #include "apps/command_line/start_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <Random123/philox.h>
 #include <Random123/uniform.hpp>
 
@@ -34,21 +32,21 @@ std::uint64_t seed_from(const std::string& text) {
     std::uint64_t seed = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
     if (error != std::errc() || end != text.data() + text.size())
-        throw CLI::ValidationError("--seed", text + " is outside its range: 0 to 18446744073709551615");
+        throw BadInput(fmt::format("--seed: {} is outside its range: 0 to 18446744073709551615", text));
     return seed;
 }
 
 }  // namespace
 
-CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const std::string& help, bool* given) {
+Flag add_seed(Flags& command, std::uint64_t& seed, const std::string& help, bool* given) {
     const auto take = [&seed, given](const std::string& text) {
         seed = seed_from(text);
         if (given != nullptr) *given = true;
     };
-    return command.add_option_function<std::string>("--seed", take, help)->type_name("");
+    return command.add_text("--seed", take, help)->type_name("");
 }
 
-void StartOptions::add_to(CLI::App& command) {
+void StartOptions::add_to(Flags& command) {
     constexpr std::pair<const char*, const char*> lab_names[] = {
         {"x", "centre, from the swirl's centre, in R_c (default: the container's centre, beta)"},
         {"y", "centre, in R_c (default 0)"},
@@ -58,7 +56,7 @@ void StartOptions::add_to(CLI::App& command) {
         {"spin", "in omega_s: S (default 0)"}};
     for (const auto& [name, help] : lab_names)
         command
-            .add_option_function<std::string>(
+            .add_text(
                 std::string("--") + name,
                 [this, key = std::string(name)](const std::string& text) { lab_[key] = text; }, help)
             ->type_name("")

@@ -1,7 +1,7 @@
 // Where an orbit starts, as users give it: in the laboratory, on the section, or at random.
 #pragma once
 
-#include "apps/command_line/cli_names.hpp"
+#include "apps/command_line/flags.hpp"
 #include "apps/command_line/numbers.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "map/orbit/laboratory.hpp"
@@ -21,20 +21,21 @@ using Start = std::variant<LabStart<T>, SectionPoint<T>>;
 LabStart<double> random_start(double beta, double speed, std::uint64_t seed, std::uint64_t run);
 
 /// --seed: CLI11 would take −1 for 2⁶⁴ − 1. `given`, if there is one, is set when the flag is.
-CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const std::string& help, bool* given = nullptr);
+Flag add_seed(Flags& command, std::uint64_t& seed, const std::string& help, bool* given = nullptr);
 
 /// The speed of Sun 2019 (docs/references.md) at ω_s = 1: |v| = 1 with R_c = 7.
 inline constexpr double paper_speed = 1.0 / 7;
 
 class StartOptions {
 public:
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 
     /// True if the start is one of many possible ones: neither a laboratory state nor a point was given.
     bool is_random() const { return lab_.empty() && point_.empty(); }
     /// True if any flag of a start was given.
     bool given() const { return !is_random() || !speed_.empty() || seed_given_; }
-    /// The same but for --angle, which with --series names a column: angle_text().
+    bool speed_given() const { return !speed_.empty(); }
+    /// The same as given() but for --angle, which with --series names a column: angle_text().
     bool given_beside_angle() const {
         return lab_.size() > lab_.count("angle") || !point_.empty() || !speed_.empty() || seed_given_;
     }

@@ -1,7 +1,7 @@
 // The words of a command line as they stand, before CLI11 reads them.
 #pragma once
 
-#include "apps/command_line/cli_names.hpp"
+#include "apps/command_line/flags.hpp"
 
 #include <string>
 #include <vector>

@@ -12,8 +12,6 @@
 #include "apps/system/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 
 namespace swirl::apps::continuation {
@@ -34,7 +32,7 @@ Examples:
   swirl continue --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.3:0.5
   swirl continue --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --from=0,-0.43056,0.19151,-0.30504 --along tau=1:3)";
 
-void ContinueOptions::add_to(CLI::App& command) {
+void ContinueOptions::add_to(Flags& command) {
     scene.add_to(command);
     output.add_to(command);
     command.add_option("--from", from, "psi,chi,vn,vt,S near a point of the cycle (a disk drops chi)")->type_name("");

@@ -17,7 +17,7 @@ struct ContinueOptions {
     int switches = 1;
     double longest_step = 0.02;
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const continue_details;

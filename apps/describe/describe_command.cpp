@@ -5,7 +5,6 @@
 #include "apps/command_line/record_output.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 namespace swirl::apps::describe {
 
@@ -22,7 +21,7 @@ Examples:
   swirl describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9
   swirl describe --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1)";
 
-void DescribeOptions::add_to(CLI::App& command) {
+void DescribeOptions::add_to(Flags& command) {
     scene.add_to(command);
     output.add_to(command);
     command.add_option("--max-time", max_time, "longest flight time of steady modes, in 1/omega_s (default 12)")

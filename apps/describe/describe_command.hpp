@@ -16,7 +16,7 @@ struct DescribeOptions {
     OutputOptions output;
     double max_time = 12;
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const describe_details;

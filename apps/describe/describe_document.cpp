@@ -23,7 +23,7 @@ std::string jamming_in_words(const Description& d) {
 
 std::string shelter_in_words(const Description& d) {
     const double radius = d.facts.untouched_radius;
-    if (radius > 0) return fmt::format("while its centre is within {:.6g} of the swirl's centre", radius);
+    if (radius > 0) return fmt::format("while its centre is within {:.6g} R_c of the swirl's centre", radius);
     return fmt::format("nowhere: 1 - alpha - beta = {:.6g}", radius);
 }
 

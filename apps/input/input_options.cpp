@@ -3,8 +3,6 @@
 #include "apps/command_line/number_checks.hpp"
 #include "apps/record/record_reader.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +17,7 @@ several columns. The values are --column NAME, by default S or spin, else the la
 (--angle COLUMN --swirl-rate W), or a distance (--position X Y). Times must rise; an empty cell, nan or NA is a gap,
 and so is a row that is not there between times that are otherwise even.)";
 
-void InputOptions::add_to(CLI::App& command) {
+void InputOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     const auto counts = whole_number(0, 1'000'000'000);

@@ -1,7 +1,7 @@
 // What a command analyses: the orbit of a scene, a record of one, or a measured series.
 #pragma once
 
-#include "apps/command_line/cli_names.hpp"
+#include "apps/command_line/flags.hpp"
 #include "apps/input/measured_series.hpp"
 #include "apps/input/orbit_columns.hpp"
 
@@ -22,7 +22,7 @@ struct InputOptions {
     std::optional<std::int64_t> transient, collisions;
 
     /// Adds the flags: a scene's, a start's, the record (also as a positional), the series'.
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 
     /// The one kind that was given. @throws BadInput for two, or none
     InputKind kind() const;

@@ -7,8 +7,6 @@
 #include "map/model/scene.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -144,7 +142,7 @@ void take_values(const SeriesChoice& choice, std::vector<std::vector<double>>& c
 
 }  // namespace
 
-void SeriesChoice::add_to(CLI::App& command, bool with_spacing) {
+void SeriesChoice::add_to(Flags& command, bool with_spacing) {
     const auto text = [&](const char* name, std::string& target, const char* type, const char* help) {
         command.add_option(name, target, help)->type_name(type)->group("Input");
     };

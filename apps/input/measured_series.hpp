@@ -1,7 +1,7 @@
 // A measured series: one column of a text file, with its times.
 #pragma once
 
-#include "apps/command_line/cli_names.hpp"
+#include "apps/command_line/flags.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -25,7 +25,7 @@ struct SeriesChoice {
     std::vector<std::string> position;  ///< two columns x, y, whose distance from (0, 0) is analysed
 
     /// Adds the flags. `spacing` is asked for where `with_spacing`.
-    void add_to(CLI::App& command, bool with_spacing);
+    void add_to(Flags& command, bool with_spacing);
     /// True if anything but the file was given.
     bool given() const { return !(column.empty() && time.empty() && position.empty()) || degrees || symmetry != 1; }
 };

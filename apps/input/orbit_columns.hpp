@@ -66,4 +66,7 @@ void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptio
 OrbitColumns followed_again(const OrbitColumns& record, const OutputOptions& output,
                             const std::vector<std::string>& names);
 
+/// Columns of the record that are made from now on get the factor to the orbit's physical units, if it has any.
+void scale_columns(RecordWriter& record, const OrbitColumns& orbit);
+
 }  // namespace swirl::apps

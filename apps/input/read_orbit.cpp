@@ -116,4 +116,11 @@ OrbitColumns followed_again(const OrbitColumns& record, const OutputOptions& out
     return follow_orbit(scene, start, output, record.range, names);
 }
 
+void scale_columns(RecordWriter& record, const OrbitColumns& orbit) {
+    if (orbit.units.empty()) return;
+    const auto unit = [&](const char* name) { return setting<double>(orbit.units, name, 1); };
+    const Units units{unit("length"), unit("time"), unit("mass")};
+    record.scale_units([units](const std::string& of) { return physical_scale(units, of); });
+}
+
 }  // namespace swirl::apps

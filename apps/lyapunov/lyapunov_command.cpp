@@ -7,8 +7,6 @@
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
 #include <cmath>
 #include <optional>
 
@@ -24,7 +22,7 @@ An orbit that ends before its collisions are whole (in-contact, no-contact ...) 
 Example:
   swirl lyapunov --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --collisions 20000)";
 
-void LyapunovCommandOptions::add_to(CLI::App& command) {
+void LyapunovCommandOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);

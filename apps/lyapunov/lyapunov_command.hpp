@@ -20,7 +20,7 @@ struct LyapunovCommandOptions {
     std::int64_t transient = 10'000;
     std::int64_t collisions = 100'000;
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const lyapunov_details;

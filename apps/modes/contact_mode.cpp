@@ -75,6 +75,10 @@ void ContactTail::note_rolling(double share, const ContactState& state) {
     if (share > 0.75) height_late_ = std::min(height_late_, height);
 }
 
+bool ContactTail::was_cut() const {
+    return followed_ < contact_horizon * (1 - 1e-12);
+}
+
 /// Without friction slip loses nothing and lasts.
 bool ContactTail::slip_dies() const {
     return scene_.mu > 0 && slip_late_ <= dying * slip_early_;
@@ -97,6 +101,8 @@ bool ContactTail::judge(analysis::Classification& verdict) const {
     const auto settled = settles_on(swing);
     verdict.kind = settled ? (settled->turns() ? Kind::rolling_circulating : Kind::rolling_librating)
                            : kind_of(swing.kind, slides_ && !slip_dies(), on_edge_);
+    // Slip that goes on when no more was followed has not shown what it leads to.
+    if (!settled && was_cut() && scene_.mu > 0 && slides_ && !slip_dies()) verdict.kind = Kind::transient;
     const bool constant = swing.range <= rest;
     verdict.mode = verdict.kind == Kind::transient ? Mode::undecided : constant ? Mode::steady : Mode::quasi_steady;
     verdict.mean = settled ? mean_rolling_spin(scene_, *settled) : swing.mean;
@@ -108,7 +114,7 @@ bool ContactTail::judge(analysis::Classification& verdict) const {
 void ContactTail::describe(const analysis::Swing& swing, const std::optional<RimPendulum>& settled,
                            analysis::Classification& verdict) const {
     const bool constant = swing.range <= rest;
-    const bool cut = followed_ < contact_horizon * (1 - 1e-12);
+    const bool cut = was_cut();
     verdict.evidence.push_back({"time in contact", followed_, contact_horizon,
                                 cut ? "no impact so far: too fast a motion on the wall to be followed to the threshold"
                                     : "no impact: the body stays on the wall",

@@ -29,6 +29,7 @@ public:
 
 private:
     void note_rolling(double share, const ContactState& state);
+    bool was_cut() const;  ///< contact was not followed as far as was asked for
     bool slip_dies() const;
     std::optional<RimPendulum> settles_on(const analysis::Swing& swing) const;
     void describe(const analysis::Swing& swing, const std::optional<RimPendulum>& settled,

@@ -49,7 +49,7 @@ std::string sureness_in_words(const Classification& verdict) {
     if (!verdict.multipliers.empty() || evidence_of(verdict, "closure throughout") != nullptr)
         return sureness_of_cycle(verdict);
     if (const Evidence* contact = evidence_of(verdict, "time in contact"); contact != nullptr)
-        return fmt::format("{}: no impact for {:.6g} units of time",
+        return fmt::format("{}: no impact for {:.6g}/omega_s",
                            verdict.kind == Kind::rolling ? "settled, at rest" : "as far as it was followed",
                            contact->value);
     if (const Evidence* noise = evidence_of(verdict, "noise of the angle in radians"); noise != nullptr)

@@ -9,8 +9,6 @@
 #include "apps/system/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -35,7 +33,7 @@ Examples:
   swirl orbits --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --near=-0.08,0.03,-0.55,0.89,-0.98
   swirl orbits --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --period 1 --pin tau=2.5)";
 
-void OrbitsOptions::add_to(CLI::App& command) {
+void OrbitsOptions::add_to(Flags& command) {
     constexpr std::int64_t most = 100'000'000;
     scene.add_to(command);
     output.add_to(command);
@@ -136,7 +134,7 @@ int orbits(OrbitsOptions& options) {
     if (options.output.json)
         write_orbits_document(options, scene, found);
     else if (!options.output.quiet)
-        print_orbits(scene, found);
+        print_orbits(options, scene, found);
     if (found.interrupted) return exit_interrupted;
     const bool as_asked = !near ? !found.wants_more() : !found.cycles.empty();
     return as_asked ? exit_done : exit_numerical_ending;

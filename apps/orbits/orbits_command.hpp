@@ -22,7 +22,7 @@ struct OrbitsOptions {
     std::string near;
     std::string pin;
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
     /// The periods that are asked for.
     std::pair<int, int> periods() const;
 };
@@ -30,7 +30,7 @@ struct OrbitsOptions {
 extern const char* const orbits_details;
 
 void write_orbits_document(const OrbitsOptions& options, const Scene<double>& scene, const FoundOrbits& found);
-void print_orbits(const Scene<double>& scene, const FoundOrbits& found);
+void print_orbits(const OrbitsOptions& options, const Scene<double>& scene, const FoundOrbits& found);
 void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, const Scene<double>& scene,
                          const FoundOrbits& found);
 Settings orbits_settings(const OrbitsOptions& options);

@@ -78,7 +78,8 @@ Table<Cycle> cycle_table(const Scene<double>& scene, const FoundOrbits& found, s
              .along({"phase", "coordinate"}, longest * d)
              .json_written(write_points),
          F{"return_time", &Cycle::return_time, "1/omega_s", "sum of the flights"}.shown("return time", " {:>14.10f}"),
-         F{"S", [](const Cycle& c) { return c.points.front().tail(1)[0]; }}.table_only().shown("S", " {:>16.12f}"),
+         F{"S", [](const Cycle& c) { return c.points.front().tail(1)[0]; }, "omega_s"}.table_only().shown(
+             "S", " {:>16.12f}"),
          F{"mean_S", &Cycle::mean, "omega_s", "time mean of S"}.shown("mean S", " {:>16.12f}"),
          F{"mean_S_per_impact", mean_spin_per_impact}.json_only(),
          {"multipliers", [](JsonWriter& json, const Cycle& c) { json.array(c.multipliers); }},
@@ -192,8 +193,9 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
     });
 }
 
-void print_orbits(const Scene<double>& scene, const FoundOrbits& found) {
-    fmt::print("{}\n{}", scene_in_words(scene), found.interrupted ? "  interrupted\n" : "");
+void print_orbits(const OrbitsOptions& options, const Scene<double>& scene, const FoundOrbits& found) {
+    fmt::print("{}\n{}{}", scene_in_words(scene), units_in_words(options.scene.units()),
+               found.interrupted ? "  interrupted\n" : "");
     if (found.steady) fmt::print("  {}\n", in_words(*found.steady));
     for (const auto& search : found.searches) fmt::print("  {}\n", in_words(search));
     for (const auto& limit : found.limits) fmt::print("  {}\n", limit);
@@ -202,7 +204,7 @@ void print_orbits(const Scene<double>& scene, const FoundOrbits& found) {
         fmt::print("  {}\n", found.none_exist ? none_reason : "no cycle found");
         return;
     }
-    print_table(cycle_table(scene, found, 1), found.cycles);
+    print_table(in_units(cycle_table(scene, found, 1), options.scene.units()), found.cycles);
 }
 
 void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, const Scene<double>& scene,

@@ -157,7 +157,16 @@ template <class Row>
 Table<Row> in_units(Table<Row> table, const std::optional<Units>& units) {
     for (auto& field : table.fields) {
         const auto scale = units ? physical_scale(*units, field.description.units) : std::nullopt;
-        if (!scale || !field.look) continue;
+        if (!scale) continue;
+        if (!field.look) {
+            if (!field.read) continue;
+            field.read = [read = field.read, scale = *scale](const Row& row) {
+                const Value value = read(row);
+                const auto* number = std::get_if<double>(&value);
+                return number != nullptr ? Value(*number * scale) : value;
+            };
+            continue;
+        }
         field.look->text = [text = field.look->text, scale = *scale](const Value& value) {
             const auto* number = std::get_if<double>(&value);
             return text(number != nullptr ? Value(*number * scale) : value);

@@ -9,8 +9,6 @@
 #include "apps/record/record_reader.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -36,7 +34,7 @@ Example:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 200 -o orbit.h5
   swirl plot orbit.h5 -o orbit.png)";
 
-void PlotOptions::add_to(CLI::App& command) {
+void PlotOptions::add_to(Flags& command) {
     command.add_option("record", record, "a record of another command")->type_name("RECORD.h5")->required();
     command.add_option("-o,--output", figure, "the figure to write: .png, .svg or .pdf")
         ->type_name("FIGURE")

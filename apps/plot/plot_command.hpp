@@ -1,7 +1,7 @@
 // `swirl plot`: a figure of a record.
 #pragma once
 
-#include "apps/command_line/cli_names.hpp"
+#include "apps/command_line/flags.hpp"
 
 #include <string>
 
@@ -15,7 +15,7 @@ struct PlotOptions {
     bool quiet = false;
     bool force = false;
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const plot_details;

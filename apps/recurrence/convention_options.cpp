@@ -3,14 +3,12 @@
 #include "apps/command_line/number_checks.hpp"
 #include "apps/recurrence/convention_names.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cctype>
 
 namespace swirl::apps::recurrence {
 
-void ConventionOptions::add_to(CLI::App& command) {
+void ConventionOptions::add_to(Flags& command) {
     const auto text = [&](const char* flag, std::string& target, const std::string& help) {
         command.add_option(flag, target, help)->type_name("NAME")->group("Conventions");
     };

@@ -7,8 +7,6 @@
 #include "apps/record/record_reader.hpp"
 #include "apps/recurrence/recurrence_document.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -87,7 +85,7 @@ void check_flags(const RecurrenceOptions& options) {
 
 }  // namespace
 
-void RecurrenceOptions::add_to(CLI::App& command) {
+void RecurrenceOptions::add_to(Flags& command) {
     input.add_to(command);
     conventions.add_to(command);
     output.add_to(command);
@@ -147,6 +145,7 @@ int quantify_recurrence(RecurrenceOptions& options) {
     const Quantification result = quantify(options, points, cross);
     const RecurrenceReport report{options, points, cross, result};
     if (record) {
+        if (points.orbit) scale_columns(*record, *points.orbit);
         write_record(record->root(), report);
         record->finish();
     }

@@ -17,7 +17,7 @@ struct ConventionOptions {
     std::optional<int> theiler, min_diagonal, min_vertical;
     bool strict = false;
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 
     /// @throws BadInput, std::invalid_argument naming the option
     analysis::recurrence::Settings settings() const;
@@ -39,7 +39,7 @@ struct RecurrenceOptions {
     std::string cross_column;
     std::size_t image = 0;  ///< pixels; 0: none
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const recurrence_details;

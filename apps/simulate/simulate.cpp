@@ -6,8 +6,6 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/simulate/follow_impacts.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <cmath>
 #include <optional>
 
@@ -76,7 +74,7 @@ void write_run(const RecordGroup& root, const SimulateOptions& options, const Sc
 
 }  // namespace
 
-void SimulateOptions::add_to(CLI::App& command) {
+void SimulateOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);

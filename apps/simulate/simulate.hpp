@@ -20,7 +20,7 @@ struct SimulateOptions {
     std::int64_t every = 1;
     std::optional<double> sample;  ///< time step of `samples`
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
     std::int64_t limit() const { return collisions.value_or(100); }
 };
 

@@ -8,8 +8,6 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/spectrum/spectrum_document.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <cmath>
 
 namespace swirl::apps::spectrum {
@@ -80,7 +78,7 @@ SpectrumReport report_of(const SpectrumOptions& options, const SpectrumSignal& s
 
 }  // namespace
 
-void SpectrumOptions::add_to(CLI::App& command) {
+void SpectrumOptions::add_to(Flags& command) {
     input.add_to(command);
     output.add_to(command);
     const auto text = [&](const char* flag, std::string& target, const char* type, const char* help) {
@@ -117,6 +115,7 @@ int find_spectrum(SpectrumOptions& options) {
     exit_when_interrupted();
     const SpectrumReport report = report_of(options, signal);
     if (record) {
+        if (signal.orbit) scale_columns(*record, *signal.orbit);
         write_record(record->root(), report);
         record->finish();
     }

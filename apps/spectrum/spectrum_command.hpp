@@ -21,7 +21,7 @@ struct SpectrumOptions {
     bool compensate = false;
     std::string resample;  ///< spacing of a measured series; empty: only when its times are uneven
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const spectrum_details;

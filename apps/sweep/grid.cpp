@@ -82,6 +82,10 @@ std::vector<double> cell_point(const std::vector<GridAxis>& grid, std::size_t ce
     return point;
 }
 
+bool has_axis(const std::vector<GridAxis>& grid, const std::string& name) {
+    return std::any_of(grid.begin(), grid.end(), [&](const GridAxis& axis) { return axis.name == name; });
+}
+
 Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, std::size_t cell) {
     const auto point = cell_point(grid, cell);
     for (std::size_t k = 0; k < grid.size(); ++k)

@@ -21,6 +21,9 @@ struct GridAxis {
 /// COUNT < 1, COUNT = 1 with A ≠ B, numbers that are not finite, sides that are not whole
 std::vector<GridAxis> grid_from(const std::vector<std::string>& texts);
 
+/// True if the parameter is one of the grid's axes.
+bool has_axis(const std::vector<GridAxis>& grid, const std::string& name);
+
 std::size_t cell_count(const std::vector<GridAxis>& grid);
 
 /// The axes' points of a cell; the last axis runs fastest.

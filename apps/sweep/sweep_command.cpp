@@ -10,8 +10,6 @@
 #include "apps/record/journal.hpp"
 #include "apps/record/posix_file.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <cstring>
@@ -30,7 +28,7 @@ Examples:
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:5 --collisions 500
   swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.1:1:4 --runs 2 -o sweep.h5)";
 
-void SweepOptions::add_to(CLI::App& command) {
+void SweepOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
@@ -59,9 +57,7 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     std::vector<std::string> axes;
     for (const auto& axis : grid) axes.push_back(axis.text);
     settings.emplace_back("grid", axes);
-    const auto gridded = [&](const std::string& name) {
-        return std::any_of(grid.begin(), grid.end(), [&](const GridAxis& axis) { return axis.name == name; });
-    };
+    const auto gridded = [&](const std::string& name) { return has_axis(grid, name); };
     for (const auto& parameter : scene_settings(first)) {
         const bool inertia = parameter.first == "inertia_factor";
         if (gridded(inertia ? "inertia-factor" : parameter.first)) continue;
@@ -169,6 +165,8 @@ bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done,
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     if (!options.start.is_random())
         throw BadInput("a sweep's starts are random: give --speed and --seed, not --x … or --point");
+    if (options.start.speed_given() && has_axis(grid, "speed"))
+        throw BadInput("--speed and --grid speed=… are two speeds of the same starts: give one of them");
     options.start.require_one_way();
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
     options.output.accuracy();  // a wrong name is told before any work

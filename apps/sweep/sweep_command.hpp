@@ -19,7 +19,7 @@ struct SweepOptions {
     std::int64_t runs = 1;
     analysis::ClassifyOptions settings;
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const sweep_details;

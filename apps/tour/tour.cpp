@@ -6,8 +6,6 @@
 #include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
 #include <array>
 #include <optional>
 
@@ -52,7 +50,7 @@ void print_stop(const TourOptions& options, const Stop& stop, const Scene<double
 
 }  // namespace
 
-void TourOptions::add_to(CLI::App& command) {
+void TourOptions::add_to(Flags& command) {
     output.add_to(command);
     command.add_flag("--verbose", verbose, "the table lists the numbers and the evidence of each verdict")
         ->group("Output");

@@ -9,7 +9,7 @@ struct TourOptions {
     OutputOptions output;
     bool verbose = false;  ///< the table has why, and the evidence
 
-    void add_to(CLI::App& command);
+    void add_to(Flags& command);
 };
 
 extern const char* const tour_details;

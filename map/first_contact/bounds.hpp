@@ -102,13 +102,24 @@ inline bool is_at_wall(const Gap<T>& gap, const T& time, int steps) {
     return steps > ordinary_steps && gap.rate > 0 && -gap.value <= T(4) * epsilon<T>() * time * gap.rate;
 }
 
+/// The rounding of g′ at a start on the wall: a normal velocity below it counts as zero.
+template <class T>
+inline T rate_rounding(const Body<T>& body, const Flight<T>& flight) {
+    using std::fabs;
+    const T speed = fabs(flight.velocity.x) + fabs(flight.velocity.y);
+    return T(16) * epsilon<T>() * (speed + body.beta + fabs(flight.spin) * body.alpha);
+}
+
 /// A safe step, but no longer than a part of the swirl's turn where the way left is within τ's rounding when the swirl
-/// is left out: the wall is there now, and strikes in that part of the swirl's turn in which it approaches.
+/// is left out: the wall is there now, and strikes in that part of the swirl's turn in which it approaches. Not where a
+/// vertex has left with u_n = 0: it is within rounding of the wall, too, but does not come nearer.
 ///   free_rate  d|y|²/dt of what may touch, seen from the swirl's centre
 template <class T>
-inline T step_within_rounding(const Gap<T>& gap, const T& step, const T& time, int steps, const T& free_rate) {
+inline T step_within_rounding(const Body<T>& body, const Flight<T>& flight, const Gap<T>& gap, const T& step,
+                              const T& time, int steps, const T& free_rate) {
     using std::fabs;
-    const bool is_there = steps > ordinary_steps && fabs(gap.value) <= T(4) * epsilon<T>() * time * free_rate;
+    const bool is_there = steps > ordinary_steps && free_rate > rate_rounding(body, flight) &&
+                          fabs(gap.value) <= T(4) * epsilon<T>() * time * free_rate;
     return is_there ? std::min(step, T(0.5)) : step;
 }
 
@@ -121,6 +132,21 @@ inline T overshoot(const Gap<T>& gap, const T& time) {
     if (!(gap.value > 0 && gap.rate > 0)) return T(0);
     const T back = std::min(T(gap.value / gap.rate), time);
     return back * gap.bend < gap.rate ? back : T(0);
+}
+
+/// True if a vertex (disk) is at the wall and does not leave it. (One that began the flight with u_n = 0 and g″ < 0
+/// leaves, though g and g′ stay zero within rounding for a while.)
+template <class T>
+inline bool touches(const Gap<T>& gap) {
+    return gap.value >= 0 && (gap.rate > 0 || (gap.rate == 0 && gap.bend >= 0));
+}
+
+/// Time until an approaching vertex touches, to first order; 0 for one that touches without approaching, +∞ for the
+/// others.
+template <class T>
+inline T time_left(const Gap<T>& gap) {
+    if (gap.rate > 0) return T(-gap.value / gap.rate);
+    return touches(gap) ? T(0) : std::numeric_limits<T>::infinity();
 }
 
 /// A difference of squares below this share of either has lost half of a double's digits.
@@ -181,14 +207,6 @@ inline bool has_recurred(const Body<T>& body, const Flight<T>& flight, const Ins
         if (floor(turns) == turns) return true;
     }
     return false;
-}
-
-/// The rounding of g′ at a start on the wall: a normal velocity below it counts as zero.
-template <class T>
-inline T rate_rounding(const Body<T>& body, const Flight<T>& flight) {
-    using std::fabs;
-    const T speed = fabs(flight.velocity.x) + fabs(flight.velocity.y);
-    return T(16) * epsilon<T>() * (speed + body.beta + fabs(flight.spin) * body.alpha);
 }
 
 /// True if a vertex that starts on the wall stays there: normal velocity zero within rounding, and g″ ≥ 0.

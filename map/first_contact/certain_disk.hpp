@@ -53,14 +53,14 @@ void advance_to_contact_disk(const Body<T>& body, const Flight<T>& flight, const
     while (contact.steps < step_limit) {  // ends at: contact, proof of none, or the limit
         ++contact.steps;
         const Gap<T> gap = centre_gap(body, flight, contact.at);
-        if (last || (gap.value >= 0 && gap.rate >= 0)) {
+        if (last || touches(gap)) {
             if (!last) advance<Shape::disk>(flight, contact.at, T(-overshoot(gap, contact.at.time)));
             return touch_disk(body, contact);
         }
         T step = gap.value < 0 ? safe_step(gap, bounds.centre_third) : safe_step_off_the_wall(gap, bounds.centre_third);
         if (is_at_wall(gap, contact.at.time, contact.steps)) return touch_disk(body, contact);
         last = gap.value < 0 && is_last(gap, bounds.centre_third, step, contact.at.time);
-        step = step_within_rounding(gap, step, contact.at.time, contact.steps,
+        step = step_within_rounding(body, flight, gap, step, contact.at.time, contact.steps,
                                     T(T(2) * dot(contact.at.centre + contact.at.swirl, flight.velocity)));
         step = std::max(step, sheltered_time(body, flight, contact.at));
         if (!(step < std::numeric_limits<T>::infinity())) {

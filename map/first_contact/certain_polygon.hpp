@@ -14,6 +14,19 @@ inline T safe_step_of(const Candidate<T>& candidate, const T& third) {
     return candidate.gap.value < 0 ? safe_step(candidate.gap, third) : safe_step_off_the_wall(candidate.gap, third);
 }
 
+/// A vertex that left with u_n = 0 and g″ < 0 stays within rounding of the wall for a while: what rounding makes of its
+/// g and g′ is no approach.
+template <class T>
+inline void leave_without_rounding(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at,
+                                   Candidate<T>& vertex) {
+    using std::fabs;
+    Gap<T>& gap = vertex.gap;
+    if (!flight.struck || vertex.vertex != 0 || !(gap.bend < 0) || !(gap.rate <= rate_rounding(body, flight))) return;
+    if (!(fabs(gap.value) <= T(4) * epsilon<T>() * (fabs(at.moved.x) + fabs(at.moved.y)))) return;
+    gap.value = T(0);
+    gap.rate = std::min(gap.rate, T(0));
+}
+
 /// The next step, and whether it ends on a contact to rounding.
 template <class T>
 struct NextStep {
@@ -37,7 +50,8 @@ inline NextStep<T> step_among_vertices(const Body<T>& body, const Flight<T>& fli
     if (is_at_wall(gap, at.time, steps)) return {step, false, true, true};
     const Vec2<T> from_swirl = at.centre + at.swirl + binding.arm;
     const Vec2<T> velocity = flight.velocity + flight.spin * quarter_turned(binding.arm);
-    const T shorter = step_within_rounding(gap, step, at.time, steps, T(T(2) * dot(from_swirl, velocity)));
+    const T shorter =
+        step_within_rounding(body, flight, gap, step, at.time, steps, T(T(2) * dot(from_swirl, velocity)));
     if (shorter < step) return {shorter, false, false, true};
     return {step, gap.value < 0 && is_last(gap, bounds.vertex_third, step, at.time)};
 }
@@ -73,9 +87,10 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
             next = {std::max(safe_step(circle, bounds.centre_third), shelter), false};
         } else {
             look_around(body, flight, contact.at, pair);
+            leave_without_rounding(body, flight, contact.at, struck_of(pair));
             // Not where the swirl has turned and the vertex recedes: its neighbour, far from the wall, would be taken.
             last = last && std::min(time_left(pair.first.gap), time_left(pair.second.gap)) <= stride + T(0.5);
-            if (last || touches(pair.first) || touches(pair.second)) {
+            if (last || touches(pair.first.gap) || touches(pair.second.gap)) {
                 choose(pair, contact);
                 if (!last) step_back(body, flight, pair, contact);
                 return;

@@ -19,6 +19,24 @@
 
 namespace swirl::detail {
 
+/// G of the vertex that began the flight, at most: a cubic in the time from the start, where it is on the wall. While
+/// it leaves, its own g is below the rounding of what it has moved.
+template <class T>
+inline Gap<T> departure_bound(const Flight<T>& flight, const T& beta, const T& rounding, const T& third,
+                              const T& time) {
+    const Gap<T> start = struck_gap_at_start(flight);
+    const Vec2<T> swirl = flight.beta * flight.phase;
+    const Vec2<T> rate = flight.velocity + flight.spin * quarter_turned(flight.arm);
+    const Vec2<T> y = Vec2<T>{T(1), T(0)} + swirl;
+    const T normal =
+        start.rate <= rounding && start.bend < 0 ? std::min(start.rate, T(0)) : start.rate;  // as in `stays`
+    const T value = T(2) * (beta + swirl.x);
+    const T slope = normal + T(2) * (dot(swirl, rate) - swirl.y);
+    const T bend = T(2) * (dot(rate, rate) - flight.spin * flight.spin * dot(y, flight.arm));
+    return {value + time * (slope + time * (T(0.5) * bend + fraction<T>(1, 6) * third * time)),
+            slope + time * (bend + T(0.5) * third * time), bend + third * time, third};
+}
+
 /// The time for which G < 0 of one vertex; 0 if it is not negative now.
 template <class T>
 inline T sheltered_time_of(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at,
@@ -30,10 +48,12 @@ inline T sheltered_time_of(const Body<T>& body, const Flight<T>& flight, const I
     const T spin2 = flight.spin * flight.spin;
     const Gap<T> gap{vertex.gap.value + T(2) * (body.beta + dot(x, at.swirl)), T(2) * dot(y, rate),
                      T(2) * (dot(rate, rate) - spin2 * dot(y, vertex.arm)), T(0)};
-    if (!(gap.value < 0)) return T(0);
     const T third =
         T(2) * body.alpha * spin2 * (T(3) * magnitude(flight.velocity) + fabs(flight.spin) * (body.outer + body.beta));
-    return safe_step(gap, third);
+    if (gap.value < 0) return safe_step(gap, third);
+    if (!flight.struck || vertex.vertex != 0) return T(0);
+    const Gap<T> bound = departure_bound(flight, body.beta, rate_rounding(body, flight), third, at.time);
+    return bound.value < 0 ? safe_step(bound, third) : T(0);
 }
 
 /// The time for which no vertex can touch because the container does not come so far; 0 if that is not so.

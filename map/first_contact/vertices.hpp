@@ -121,11 +121,6 @@ inline Candidate<T>& struck_of(NearestTwo<T>& pair) {
     return pair.second.vertex == 0 ? pair.second : pair.first;
 }
 
-template <class T>
-inline bool touches(const Candidate<T>& candidate) {
-    return candidate.gap.value >= 0 && candidate.gap.rate >= 0;
-}
-
 /// The neighbour that touches where a flight begins on the wall. A neighbour whose normal velocity is zero within
 /// `rounding` touches only if g″ ≥ 0: two vertices may leave together.
 template <class T>
@@ -134,12 +129,6 @@ inline const Candidate<T>* touching_neighbour(const NearestTwo<T>& pair, const T
     if (other.vertex == 0 || other.gap.value < 0) return nullptr;
     const bool touches = other.gap.rate > rounding || (other.gap.rate >= -rounding && other.gap.bend >= 0);
     return touches ? &other : nullptr;
-}
-
-/// Time until an approaching vertex touches, to first order; +∞ for one that does not approach.
-template <class T>
-inline T time_left(const Gap<T>& gap) {
-    return gap.rate > 0 ? T(-gap.value / gap.rate) : std::numeric_limits<T>::infinity();
 }
 
 /// True if both touch within rounding of the same time. A gap is known to some ε and so its root to ε/g′, beside the

@@ -45,8 +45,10 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
         for (const auto* candidate : {&pair.first, &pair.second}) {
             const Gap<T>& gap = candidate->gap;
             const bool closed = gap.value > T(-1e-12) && fabs(gap.rate) <= slow;
+            const bool lifts = fabs(gap.value) <= T(4) * epsilon<T>() && gap.rate < T(0);  // an edge's other end
             time = std::min(time, closed ? leaving_time(gap, bounds.vertex_third, fourth, rounding)
                                   // Half of it: the whole may lead to the wall itself.
+                                  : lifts            ? T(T(0.5) * safe_step_off_the_wall(gap, bounds.vertex_third))
                                   : gap.value < T(0) ? T(T(0.5) * safe_step(gap, bounds.vertex_third))
                                                      : T(0));
         }

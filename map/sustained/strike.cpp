@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swirl {
 
@@ -59,9 +60,11 @@ Impulse<double> jam_once(const ContactScene& scene, PostImpactState<double>& pos
 
 Strike strike_in_contact(const ContactScene& scene, const PostImpactState<double>& completion, bool plastic) {
     const double restitution = plastic ? 0 : scene.restitution;
-    const double rest = velocity_rounding(scene, completion) / 16;
+    const double rounding = velocity_rounding(scene, completion);
+    const double rest = rounding / 16;
     Strike strike;
     PostImpactState<double> striking = seen_from_neighbour(scene, completion);
+    double previous = std::numeric_limits<double>::infinity();
     for (int i = 0; i < most_impulses; ++i) {
         const Impulse<double> j = strike_once(scene, striking, restitution, strike);
         strike.impulse.normal += j.normal;
@@ -72,11 +75,14 @@ Strike strike_in_contact(const ContactScene& scene, const PostImpactState<double
             strike_once(scene, other, restitution, strike);
             striking = seen_from_neighbour(scene, other);
         }
-        if (!(contact_kinematics(scene.body, striking).un > rest)) {
+        // Alternating impulses that fall by a factor r each gather the rounding of 1/(1 − r) of them: they end there.
+        const double un = contact_kinematics(scene.body, striking).un;
+        if (!(un > rest) || (un <= rounding && un >= previous)) {
             strike.after = striking;
             strike.resolved = true;
             return strike;
         }
+        previous = un;
     }
     strike.after = striking;
     return strike;

@@ -58,3 +58,31 @@ class InFolder(unittest.TestCase):
     def series(self, name, values, times=None):
         rows = [f"{v!r}" if times is None else f"{times[i]!r},{v!r}" for i, v in enumerate(values)]
         return self.file(name, "\n".join((["S"] if times is None else ["t,S"]) + rows) + "\n")
+
+
+class Refusing(InFolder):
+    def refused(self, arguments, mention):
+        result = run(f"{arguments} -o {self.folder}/a.h5")
+        self.assertEqual((result.returncode, result.stdout), (2, ""), (arguments, result.stderr))
+        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+        self.assertIn(mention, result.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class Keeping(InFolder):
+    """SIGINT: exit 130, and what is finished, whole, in the document and on disk."""
+
+    def interrupt(self, arguments, seconds):
+        process = start(f"{arguments} --json --quiet -o {self.folder}/i.h5", stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                        text=True)
+        time.sleep(seconds)
+        process.send_signal(signal.SIGINT)
+        out, error = process.communicate(timeout=100)
+        self.assertEqual((process.returncode, error), (130, ""), arguments)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["i.h5"])
+        return json.loads(out)
+
+    def samples(self, group):
+        import xarray  # half a second that most tests need not wait
+
+        return xarray.open_dataset(self.folder / "i.h5", group=group, engine="h5netcdf")

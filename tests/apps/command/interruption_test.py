@@ -1,6 +1,7 @@
 """SIGINT, SIGTERM, SIGHUP: every command ends with 130 within half a second, leaves no stray file and keeps what is
 finished. interruption_test.py SWIRL"""
 
+import json
 import re
 import signal
 import subprocess
@@ -100,6 +101,15 @@ class Interruption(InFolder):
         file = self.kept(f"classify {HEXAGON} --transient 1000 --collisions 1000 --runs 100000")
         self.assertGreater(len(file["runs/seed"]), 2)
         self.assertEqual(file["runs"].attrs["wanted"], 100000)
+
+    def test_the_finished_runs_of_several_are_in_the_document_too(self):
+        process = subprocess.Popen([SWIRL, *f"classify {HEXAGON} --transient 1000 --collisions 1000 --runs 100000 "
+                                    "--json --quiet".split()], stdout=subprocess.PIPE, text=True)
+        time.sleep(2)
+        process.send_signal(signal.SIGINT)
+        found = json.loads(process.communicate(timeout=60)[0])
+        self.assertEqual((process.returncode, found["outcome"]), (130, "interrupted"))
+        self.assertGreater(len(found["runs"]), 2)
 
     def test_the_finished_columns_of_a_diagram_are_kept(self):
         file = self.kept(f"bifurcate {HEXAGON} --along beta=0.45:0.55:5000 --starts 1")

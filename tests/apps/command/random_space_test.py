@@ -147,6 +147,16 @@ class KnownEndings(unittest.TestCase):
         "a slow hexagon that does not turn": "--sides 6 --alpha 0.93 --beta 0.012 --mu 1 --restitution 1 --vx 2e-10",
         "a body that all but fills the container": "--sides 9 --alpha 0.999999955722298 --beta 2.0402999464149567 "
         "--mu 0.9207453529742373 --restitution 0.5867378839787757 --law stronge --spin=-154",
+        "a vertex that leaves with u_n = 0 in a swirl of 1e-47": "--sides 11 --alpha 0.49957939246289707 "
+        "--beta 1.0017560457638324e-47 --mu 0.14836441258518107 --restitution 0 --law newton --vx=-8.09264e-10 "
+        "--vy 5.07986e-11 --angle=-0.94 --spin=-3.401e-09",
+        "two vertices that strike in turn": "--sides 7 --alpha 0.17776178042129986 --beta 1.4896002924307372 "
+        "--mu 0.040393600711095434 --restitution 0.008257619868914046 --law newton --inertia-factor "
+        "0.0019768110349642713 --speed 1.4157650109247994e-07 --seed 20",
+        "a square that leaves an edge": "--sides 4 --alpha 0.00012533090045567497 --beta 1.3166111622180299e-05 --mu 0 "
+        "--restitution 0 --law newton --speed 0.0013647990230596125 --seed 906593243",
+        "a triangle that leaves an edge": "--sides 3 --alpha 0.00025113907267058856 --beta 1.3888465229049523e-12 "
+        "--mu 0 --restitution 0 --law stronge --seed 766377158",
         "a million sides": "--sides 1000000 --alpha 0.999999 --beta 0.5 --mu 0.5 --restitution 0.9",
     }
 
@@ -172,6 +182,8 @@ class KnownEndings(unittest.TestCase):
         found, _ = follow([SWIRL, "simulate", "--sides=disk", *self.HEXAGON.split(), "--spin=1e16", "--json"])
         self.assertLess(found["contacts"][-1]["t_end"], 1000)
         self.assertEqual(found["outcome"], "contact-cut-short")
+        judged, _ = follow([SWIRL, "classify", "--sides=disk", *self.HEXAGON.split(), "--spin=1e16", "--json"])
+        self.assertEqual((judged["mode"], judged["kind"]), ("undecided", "transient"))  # slip still takes energy
 
     def test_a_document_of_a_long_orbit_puts_vertices_on_the_wall(self):
         flags = {"sides": 5, "alpha": 0.4, "beta": 1e-3, "mu": 1, "restitution": 0.9, "x": 1e-3, "vx": 1e-11, "spin": 1e7}

@@ -94,7 +94,7 @@ class Records(InFolder):
         flags = "--transient 100 --collisions 100 --quiet"
         for command, group, column, scale in (
                 ("classify --runs 2", "runs", "mean_S", RATE), ("sweep --grid mu=0.5:0.6:2", "sweep", "mean_S", RATE),
-                ("orbits --period 1", "orbits", "return_time", 1 / RATE)):
+                ("spectrum", "spectrum", "frequency", RATE), ("orbits --period 1", "orbits", "return_time", 1 / RATE)):
             record = self.folder / "r.h5"
             more = "--quiet" if command.startswith("orbits") else flags
             self.assertEqual(run(f"{command} {PHYSICAL} {more} -o {record}").returncode, 0, command)

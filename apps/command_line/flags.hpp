@@ -1,0 +1,76 @@
+// The flags of a command. CLI11 reads them; it stands behind one file, since what its headers generate takes nine
+// seconds of each file's compile time.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace CLI {
+
+class App;
+class Option;
+
+}  // namespace CLI
+
+namespace swirl::apps {
+
+/// What a flag's text must be. `check` gives what is wrong with a text, or nothing; it may rewrite the text.
+struct TextCheck {
+    std::function<std::string(std::string&)> check;
+    std::string description;
+};
+
+/// One flag. Each setting returns the flag, so that they follow one another with ->.
+class Flag {
+public:
+    explicit Flag(CLI::Option* option) : option_(option) {}
+
+    Flag* operator->() { return this; }
+    const Flag* operator->() const { return this; }
+
+    /// What stands for its value under --help.
+    Flag& type_name(const std::string& name);
+    /// The heading under which --help lists it.
+    Flag& group(const std::string& name);
+    Flag& check(const TextCheck& check);
+    /// A check that rewrites the text.
+    Flag& transform(const TextCheck& check);
+    /// The command is refused without it.
+    Flag& required();
+    /// It takes so many values.
+    Flag& expected(int values);
+    /// False: each value has the flag's name before it.
+    Flag& allow_extra_args(bool allowed);
+
+    /// The whole number or real number that was given, if any.
+    std::optional<std::int64_t> number() const;
+    std::optional<double> real() const;
+
+private:
+    CLI::Option* option_;
+};
+
+/// The flags of one command, to which its options add theirs.
+class Flags {
+public:
+    explicit Flags(CLI::App& command) : command_(command) {}
+
+    std::string command_name() const;
+    /// `name` as CLI11 has it: "-o,--output", "RECORD,--record" for a positional. `target` keeps its value unless the
+    /// flag is given; it may be a string, an int, a 64-bit integer, a double, an optional of these, or a list of
+    /// strings.
+    template <class Target>
+    Flag add_option(const std::string& name, Target& target, const std::string& help);
+    Flag add_flag(const std::string& name, bool& target, const std::string& help);
+    /// Calls `take` with the text.
+    Flag add_text(const std::string& name, std::function<void(const std::string&)> take, const std::string& help);
+    /// One that was added before.
+    Flag get_option(const std::string& name) const;
+
+private:
+    CLI::App& command_;
+};
+
+}  // namespace swirl::apps

@@ -69,6 +69,15 @@ Vector<M::dimension> coordinates(const M& map, const State<M>& z) {
         return map.coordinates(z);
 }
 
+/// One of them: where the map gives it alone no angle costs an arc tangent that isn't wanted.
+template <class M>
+double coordinate(const M& map, const State<M>& z, int i) {
+    if constexpr (requires { map.coordinate(z, i); })
+        return map.coordinate(z, i);
+    else
+        return coordinates(map, z)[i];
+}
+
 /// The state at coordinates: for solvers, which have numbers only. The state of coordinates(z) is z to rounding.
 template <class M>
 State<M> state_at(const M& map, const Vector<M::dimension>& point) {
@@ -90,6 +99,7 @@ State<M> state_at(const M& map, const Vector<M::dimension>& point) {
 ///   M::integrated          optional: the coordinate whose integral over a step is `integral`; all others (all, without
 ///                          it) count as constant over a step
 ///   map.follow(z, n, stop) optional: see `follow`
+///   map.coordinate(z, i)   optional: coordinate i alone, for those that cost less than all
 template <class M>
 concept SectionMap = requires(const M& map, const State<M>& z, const Vector<M::dimension>& point, int i) {
     { M::dimension } -> std::convertible_to<int>;

@@ -1,4 +1,5 @@
 // The `swirl` command: parses, runs one subcommand, and turns every way of failing into one line and an exit code.
+#include "apps/animate/animate_command.hpp"
 #include "apps/bifurcate/bifurcate_command.hpp"
 #include "apps/classify/classify_command.hpp"
 #include "apps/command_line/command.hpp"
@@ -10,6 +11,7 @@
 #include "apps/describe/describe_command.hpp"
 #include "apps/json/json_writer.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
+#include "apps/notebook/notebook_command.hpp"
 #include "apps/orbits/orbits_command.hpp"
 #include "apps/plot/plot_command.hpp"
 #include "apps/record/record_error.hpp"
@@ -18,6 +20,7 @@
 #include "apps/spectrum/spectrum_command.hpp"
 #include "apps/sweep/sweep_command.hpp"
 #include "apps/tour/tour.hpp"
+#include "apps/tradeoff/tradeoff_command.hpp"
 
 #include <fmt/format.h>
 
@@ -41,6 +44,13 @@ int fail(int code, const std::string& message) {
     tell("swirl: " + line);
     return code;
 }
+
+/// Under --help.
+const char* const path_through_commands =
+    R"(The path:  simulate -> classify -> sweep         one orbit; its mode; the modes over parameters
+           orbits -> continue -> bifurcate      cycles; their branches over a parameter; attractors and branches
+           plot, animate, notebook              the figure, film or notebook of any record (-o FILE.h5)
+`swirl COMMAND --help` ends with an example that runs:  swirl tour  names the modes of built-in scenes.)";
 
 using Commands = std::vector<std::pair<CLI::App*, std::function<int()>>>;
 
@@ -70,9 +80,17 @@ Commands add_commands(CLI::App& app) {
                                                  bifurcate::bifurcate_details, bifurcate::bifurcate),
         add_command<sweep::SweepOptions>(app, "sweep", "the modes across parameters", sweep::sweep_details,
                                          sweep::sweep),
+        add_command<tradeoff::TradeoffOptions>(app, "tradeoff", "accuracy against cost, measured on a scene",
+                                               tradeoff::tradeoff_details, tradeoff::tradeoff),
+        add_command<sweep::JoinOptions>(app, "join", "one record of the shards of a sweep", sweep::join_details,
+                                        sweep::join),
         add_command<describe::DescribeOptions>(app, "describe", "what is known of a scene in closed form",
                                                describe::describe_details, describe::describe),
         add_command<plot::PlotOptions>(app, "plot", "a figure of a record", plot::plot_details, plot::plot),
+        add_command<animate::AnimateOptions>(app, "animate", "a film of an orbit", animate::animate_details,
+                                             animate::animate),
+        add_command<notebook::NotebookOptions>(app, "notebook", "a notebook of a record, executed",
+                                               notebook::notebook_details, notebook::notebook),
         add_command<tour::TourOptions>(app, "tour", "name the modes of a built-in set of scenes", tour::tour_details,
                                        tour::tour),
     };
@@ -124,6 +142,7 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", fmt::format("swirl {} ({})", version(), instruction_set()));
     app.require_subcommand(0, 1);
     const Commands commands = add_commands(app);
+    app.footer(path_through_commands);
     try {
         check_words(app, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
         app.parse(argc, argv);

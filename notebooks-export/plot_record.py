@@ -1,89 +1,49 @@
 #!/usr/bin/python3
-"""Draws a record of swirl: plot_record.py RECORD -o FIGURE [--kind NAME]. `swirl plot` runs it.
+"""Draws records of swirl: plot_record.py RECORD… -o FIGURE [--kind NAME] …. `swirl plot` runs it."""
 
-Exit codes are those of `swirl`: 0 done, 2 bad input, 4 writing failed, 130 interrupted."""
-
-import argparse
-import json
-import os
-import signal
 import sys
+from pathlib import Path
 
-PACKAGES = "python3-numpy python3-h5py python3-h5netcdf python3-xarray python3-matplotlib"
+sys.path.insert(0, str(Path(__file__).resolve().parent))  # also of a Python that is told to look at nothing (-I)
 
-
-def fail(code, message):
-    print(f"swirl: {' '.join(str(message).split())}", file=sys.stderr)
-    sys.exit(code)
-
-
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        fail(2, message)
+import chosen
+import script
 
 
 def arguments():
-    parser = Parser(description="Draws a record of swirl.", allow_abbrev=False)
-    parser.add_argument("record", metavar="RECORD", help="a record (HDF5)")
-    parser.add_argument("-o", "--output", metavar="FIGURE", required=True, help="a .png, .svg or .pdf file")
+    parser = script.Parser("Draws records of swirl.", "figure, a .png, .svg or .pdf file,", several=True)
     parser.add_argument("--kind", metavar="NAME", help="the figure's kind, where a record can be drawn in several ways")
-    parser.add_argument("--json", action="store_true", help="say as JSON what was drawn")
-    parser.add_argument("--quiet", action="store_true", help="say nothing")
+    parser.add_argument("--width", metavar="WIDTH", help="millimetres, 3.4in, or a journal's column by name")
+    parser.add_argument("--font-size", metavar="POINTS", help="of the letters")
+    parser.add_argument("--no-title", action="store_true", help="no title above")
+    parser.add_argument("--xlim", metavar="A:B", help="range of the abscissa")
+    parser.add_argument("--x", metavar="NAME", default="psi", help="of a section portrait")
+    parser.add_argument("--y", metavar="NAME", default="S", help="of a section portrait")
     return parser.parse_args()
 
 
-def load_figures():
-    try:
-        import swirl_figures
-        import h5netcdf  # the engine with which xarray opens a record
-    except ImportError as error:
-        fail(2, f"{error.name} cannot be loaded by {sys.executable}: figures need the Debian packages {PACKAGES}")
-    return swirl_figures
-
-
-def report(options, kind):
-    if options.json:
-        print(json.dumps({"figure": options.output, "kind": kind, "record": options.record}))
-    elif not options.quiet:
-        print(f"{options.output}: {kind}")
-    sys.stdout.flush()
-
-
-def keep_libraries_silent():
-    """What HDF5 or the allocator prints when a damaged record ends it is no answer: only sys.stderr speaks."""
-    sys.stderr = os.fdopen(os.dup(2), "w", errors="surrogateescape")
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+def chosen_of(options):
+    """The fields of a Look."""
+    return {"width": script.value_of(chosen.length_of, options.width),
+            "font_size": script.value_of(chosen.font_size_of, options.font_size),
+            "xlim": script.value_of(chosen.range_of, options.xlim),
+            "titles": not options.no_title, "x": options.x, "y": options.y}
 
 
 def main():
-    keep_libraries_silent()
-    for number in (signal.SIGINT, signal.SIGTERM):  # until the very end nothing is on disk: leave at once
-        signal.signal(number, lambda *_: os._exit(130))
-    sys.stdout.reconfigure(errors="surrogateescape")  # file names that are no UTF-8 are said as they are
+    script.leave_at_once_when_interrupted()
+    script.say_names_as_they_are()
     options = arguments()
-    figures = load_figures()
-    try:
-        record = figures.open_record(options.record)
-        kind = figures.kind_of(record, options.kind)
-        figure = figures.draw(record, kind)
-    except figures.RecordError as error:
-        fail(2, error)
-    except OSError as error:  # a damaged part that opening did not touch
-        fail(2, f"cannot read record '{options.record}': {error}")
-    except Exception as error:  # an edited record, or another program's, in which something is not as swirl writes it
-        fail(2, f"cannot draw record '{options.record}': {type(error).__name__}: {error}")
-    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
-    try:
-        figures.save(figure, options.output)
-    except ValueError as error:
-        fail(2, error)
-    except OSError as error:
-        fail(4, f"cannot write figure '{options.output}': {error.strerror}")
-    try:
-        report(options, kind)
-    except OSError:
-        print("swirl: cannot write to standard output", file=sys.stderr, flush=True)
-        os._exit(4)  # an orderly exit would try the same write again
+    fields = chosen_of(options)
+    figures = script.load_figures()
+
+    def make():
+        records = [figures.open_record(path) for path in options.record]
+        return figures.kind_of(records[0], options.kind), figures.draw(records, options.kind, figures.Look(**fields))
+
+    kind, figure = script.made_from(options.record, make)
+    script.saved("figure", options.output, lambda: figures.save(figure, options.output))
+    script.report(options, "figure", kind)
 
 
 if __name__ == "__main__":

@@ -146,7 +146,30 @@ void describe_stay(Classification& result) {
                                "nothing: it does not decide"});
 }
 
+/// An attracting cycle's exponent is ln of its largest |multiplier| over its period, and no statistics.
+void describe_settled(const Findings& findings, const ClassifyOptions& options, Classification& result) {
+    const auto limit = static_cast<double>(options.transient + options.collisions);
+    result.evidence.push_back({"steps until it was settled", static_cast<double>(result.steps), limit,
+                               findings.is_family
+                                   ? "on a member of a family that attracts: no continuation leads away"
+                                   : "within the ball about an attracting cycle in which the linear part rules: no "
+                                     "continuation leads away",
+                               "none up to " + in_words(limit) + ": all of these steps would be judged"});
+    result.evidence.push_back({"largest exponent", result.largest_exponent, 0,
+                               "ln of the cycle's largest |multiplier| over its period",
+                               "above 0: the cycle would not attract"});
+}
+
 }  // namespace
+
+void decide_settled(const Findings& findings, const ClassifyOptions& options, Classification& result) {
+    describe_period(findings, options, result);
+    describe_cycle(findings, options, result);
+    describe_settled(findings, options, result);
+    describe_recurrence(result);
+    result.mode = result.period == 1 ? Mode::steady : Mode::quasi_steady;
+    result.kind = result.period > 1 ? Kind::cycle : findings.is_family ? Kind::family : Kind::fixed_point;
+}
 
 void decide(const Findings& findings, const ClassifyOptions& options, Classification& result) {
     describe_period(findings, options, result);

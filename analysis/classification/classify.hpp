@@ -24,6 +24,7 @@ struct ClassifyOptions {
     double settled_spread = 1.1;         ///< a torus' spread changes by less than this factor along the tail
     double sigmas = 5;                   ///< standard errors from zero that make an exponent positive
     bool conserves = false;              ///< the map keeps volumes: nothing settles, and so nothing is a transient
+    bool exhaustive = false;             ///< for those who choose: all steps, whatever the verdict needs
     PeriodOptions period;
 };
 
@@ -70,22 +71,37 @@ struct Findings {
 /// The verdict: a cycle and a positive exponent contradict each other; so do chaos and a converged rotation number.
 void decide(const Findings& findings, const ClassifyOptions& options, Classification& result);
 
+/// The verdict on an orbit that has settled on an attracting cycle.
+void decide_settled(const Findings& findings, const ClassifyOptions& options, Classification& result);
+
+/// The observable after each step of a tail.
+template <SectionMap M>
+std::vector<double> series_of(const M& map, const Tail<M>& tail, int observable) {
+    std::vector<double> series;
+    series.reserve(tail.durations.size());
+    for (const auto& point : tail.points) series.push_back(point[observable]);
+    if (!series.empty()) return series;
+    for (const auto& z : tail.states) series.push_back(coordinate(map, z, observable));
+    return series;
+}
+
 /// Time mean ∫x dt / Σ d_i, with ∫x dt = Σ x_i d_i of a coordinate that is held, and plain mean.
 struct Means {
     double per_time = 0;
     double per_step = 0;
 };
 
+///   series  of the coordinate
 template <SectionMap M>
-Means means_of(const Tail<M>& tail, int coordinate) {
+Means means_of(const Tail<M>& tail, const std::vector<double>& series, int coordinate) {
     const bool integrated = coordinate == integrated_coordinate<M>();
     double integral = 0, time = 0, plain = 0;
-    for (std::size_t i = 0; i < tail.points.size(); ++i) {
-        integral += integrated ? tail.integrals[i] : tail.points[i][coordinate] * tail.durations[i];
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        integral += integrated ? tail.integrals[i] : series[i] * tail.durations[i];
         time += tail.durations[i];
-        plain += tail.points[i][coordinate];
+        plain += series[i];
     }
-    return {integral / time, plain / static_cast<double>(tail.points.size())};
+    return {integral / time, plain / static_cast<double>(series.size())};
 }
 
 /// Takes a cycle, if one was found, into the findings and the result.
@@ -110,7 +126,7 @@ void take_cycle(const M& map, const FoundCycle<M>& cycle, const ClassifyOptions&
     result.multipliers = cycle.multipliers;
     const auto once = follow_tail(map, cycle.state, 0, cycle.period);
     if (once.ended) return;
-    const Means means = means_of<M>(once, observable);
+    const Means means = means_of(once, series_of(map, once, observable), observable);
     result.mean = means.per_time;
     result.mean_per_step = means.per_step;
 }
@@ -168,6 +184,51 @@ RotationNumber rotation_of(const M& map, const Tail<M>& tail) {
     return last;
 }
 
+inline SignOptions sign_options(const ClassifyOptions& options) {
+    SignOptions sign;
+    sign.sigmas = options.sigmas;
+    return sign;
+}
+
+/// The largest exponent, and its sign.
+inline void take_exponent(const LyapunovSpectrum& spectrum, const ClassifyOptions& options, Findings& findings,
+                          Classification& result) {
+    findings.exponent_outcome = spectrum.outcome;
+    if (spectrum.outcome != LyapunovOutcome::completed) return;
+    findings.exponent = judge_sign(spectrum, 0, sign_options(options));
+    result.largest_exponent = findings.exponent.exponent;
+    result.largest_exponent_error = findings.exponent.standard_error;
+}
+
+/// The largest exponent of `steps` steps from a state on.
+template <SectionMap M>
+LyapunovSpectrum exponent_from(const M& map, const State<M>& first, std::int64_t steps) {
+    LyapunovOptions options;
+    options.transient = 0;
+    options.steps = steps;
+    return largest_exponent(map, first, options);
+}
+
+/// Everything after the search for a period and the exponent of the tail, and the verdict.
+template <SectionMap M>
+void look_further(const M& map, const Tail<M>& tail, int observable, const ClassifyOptions& options, Findings& findings,
+                  Classification& result) {
+    const auto take = [&](const FoundCycle<M>& cycle) {
+        take_cycle(map, cycle, options, observable, findings, result);
+    };
+    const bool superstable = std::isinf(findings.exponent.exponent) && findings.exponent.exponent < 0;
+    if (!findings.has_cycle && findings.rounding == 0 && superstable)
+        take(find_superstable_period(map, tail, options.period));
+    findings.spread_change = spread_change(map, tail);
+    if (!findings.has_cycle && findings.rounding == 0 && findings.exponent.sign != ExponentSign::positive) {
+        findings.rotation = rotation_of(map, tail);
+        PeriodOptions thorough = options.period;
+        thorough.candidates *= more_candidates;
+        if (findings.rotation.outcome != RotationOutcome::quasi_periodic) take(find_period(map, tail, thorough));
+    }
+    decide(findings, options, result);
+}
+
 }  // namespace classification_detail
 
 /// What an orbit's tail tells before any verdict (which stays `undecided`, without evidence): its end if it ended,
@@ -182,12 +243,11 @@ Classification observed(const M& map, const Tail<M>& tail, int observable, doubl
         result.end.assign(end.data(), end.data() + end.size());
         return result;
     }
-    std::vector<double> series(tail.points.size());
-    for (std::size_t i = 0; i < series.size(); ++i) series[i] = tail.points[i][observable];
+    const std::vector<double> series = classification_detail::series_of(map, tail, observable);
     const auto rate = recurrence::recurrence_rate(recurrence::embed_series(series), recurrence_threshold);
     result.recurrence_rate = rate.with_diagonal();
     result.recurrence_rate_without_diagonal = rate.without_diagonal();
-    const auto means = classification_detail::means_of<M>(tail, observable);
+    const auto means = classification_detail::means_of(tail, series, observable);
     result.mean = means.per_time;
     result.mean_per_step = means.per_step;
     return result;
@@ -203,35 +263,11 @@ Classification classify_tail(const M& map, const Tail<M>& tail, int observable, 
     namespace detail = classification_detail;
     Classification result = observed(map, tail, observable, options.recurrence_threshold);
     if (result.ended) return result;
-
     detail::Findings findings;
-    const auto take = [&](const FoundCycle<M>& cycle) {
-        detail::take_cycle(map, cycle, options, observable, findings, result);
-    };
-    take(find_period(map, tail, options.period));
-    LyapunovOptions lyapunov;
-    lyapunov.transient = 0;
-    lyapunov.steps = static_cast<std::int64_t>(tail.points.size());
-    const auto spectrum = largest_exponent(map, tail.first, lyapunov);
-    findings.exponent_outcome = spectrum.outcome;
-    if (spectrum.outcome == LyapunovOutcome::completed) {
-        SignOptions sign;
-        sign.sigmas = options.sigmas;
-        findings.exponent = judge_sign(spectrum, 0, sign);
-        result.largest_exponent = findings.exponent.exponent;
-        result.largest_exponent_error = findings.exponent.standard_error;
-    }
-    const bool superstable = std::isinf(findings.exponent.exponent) && findings.exponent.exponent < 0;
-    if (!findings.has_cycle && findings.rounding == 0 && superstable)
-        take(find_superstable_period(map, tail, options.period));
-    findings.spread_change = detail::spread_change(map, tail);
-    if (!findings.has_cycle && findings.rounding == 0 && findings.exponent.sign != ExponentSign::positive) {
-        findings.rotation = detail::rotation_of(map, tail);
-        PeriodOptions thorough = options.period;
-        thorough.candidates *= detail::more_candidates;
-        if (findings.rotation.outcome != RotationOutcome::quasi_periodic) take(find_period(map, tail, thorough));
-    }
-    detail::decide(findings, options, result);
+    detail::take_cycle(map, find_period(map, tail, options.period), options, observable, findings, result);
+    const auto steps = static_cast<std::int64_t>(tail.points.size());
+    detail::take_exponent(detail::exponent_from(map, tail.first, steps), options, findings, result);
+    detail::look_further(map, tail, observable, options, findings, result);
     return result;
 }
 

@@ -14,7 +14,6 @@ namespace swirl::analysis {
 
 namespace {
 
-constexpr std::size_t fewest = 64;
 constexpr double largest_change = 0.5;  // between the halves
 // Of the largest value, some 5000 ε: what rounding leaves of a computed series, and far below a measured signal on a
 // large offset.
@@ -134,9 +133,9 @@ void name_irregular(std::span<const double> x, Classification& result) {
 }  // namespace
 
 Classification classify_series(std::span<const double> x, const ClassifySeriesOptions& options) {
-    if (x.size() < fewest)
+    if (x.size() < fewest_samples)
         throw std::invalid_argument("series of " + std::to_string(x.size()) + " samples: must be " +
-                                    std::to_string(fewest) + " or more without a gap");
+                                    std::to_string(fewest_samples) + " or more without a gap");
     if (!(options.noise >= 0 && std::isfinite(options.noise))) refuse("noise", options.noise, ">= 0, finite");
     Classification result;
     result.mode = Mode::undecided;

@@ -59,6 +59,9 @@ struct SurrogateTest {
 };
 SurrogateTest test_surrogates(std::span<const double> series);
 
+/// Fewer do not show eight repetitions of anything.
+inline constexpr std::size_t fewest_samples = 64;
+
 /// Samples of S, equally far apart in time (sampled_flow) or one after each impact; all finite.
 /// Throws std::invalid_argument for a value that isn't finite or fewer than 64 samples.
 Classification classify_series(std::span<const double> series, const ClassifySeriesOptions& options = {});

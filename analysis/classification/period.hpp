@@ -164,14 +164,18 @@ std::vector<Vector<M::dimension>> points_from(const M& map, State<M> z, std::int
 }
 
 /// Multipliers from double's eigenvalues, for a cycle that attracts clearly: ε‖A‖ may move them by its fifth root at
-/// worst (a defective one of D = 5), 10⁻³, and none is nearer to the unit circle than 10⁻². Empty if that is not so.
+/// worst (a defective one of D = 5), 10⁻³, and the largest is neither nearer to the unit circle nor to 0 than 10⁻².
+/// Empty if that is not so.
 template <SectionMap M>
 std::vector<std::complex<double>> clear_multipliers(const M& map, State<M> z, std::int64_t k) {
     Matrix<M::dimension> derivative;
     if (!iterate(map, z, derivative, k) || !(derivative.norm() < 100)) return {};
     const Eigen::VectorXcd values = eigenvalues_of(derivative);
-    if (!(values.cwiseAbs().maxCoeff() < 0.99)) return {};
-    return {values.data(), values.data() + values.size()};
+    const double largest = values.cwiseAbs().maxCoeff();
+    if (!(largest < 0.99 && largest > 0.01)) return {};
+    std::vector<std::complex<double>> multipliers(values.data(), values.data() + values.size());
+    sort_multipliers(multipliers);
+    return multipliers;
 }
 
 /// Multipliers, family and attraction of a cycle whose point and period are known. False if the map ends on it.

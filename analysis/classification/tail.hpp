@@ -14,6 +14,7 @@ namespace swirl::analysis {
 template <SectionMap M>
 struct Tail {
     std::vector<Vector<M::dimension>> points;  ///< coordinates of n states
+    std::vector<State<M>> states;              ///< the states themselves, of a tail that keeps them
     std::vector<double> durations;             ///< durations[i]: from points[i] to the next
     std::vector<double> integrals;             ///< Advance::integral on that way
     State<M> first{};                          ///< the state at points.front(): where others follow the same orbit from
@@ -24,39 +25,73 @@ struct Tail {
     State<M> end{};                            ///< if it ended: the state that has no next one
 };
 
-/// Follows `transient` steps, then keeps `count` states. Cost: one step of the map each.
+/// What a tail keeps of each state: angles cost two arc tangents, which chaos need not know.
+enum class Keep { points, states };
+
+/// Takes `count` steps from z on and keeps each one's state, to the end of the tail; z is the next one then.
+/// @return false where the map ended, or it was stopped: as the tail says
 template <SectionMap M>
-Tail<M> follow_tail(const M& map, State<M> z, std::int64_t transient, std::int64_t count, const Stop& stop = {}) {
-    constexpr std::int64_t between = 1024;      // steps from one look at `stop` to the next
-    constexpr std::int64_t reserved = 1 << 20;  // a tail that is longer grows as it is followed
-    Tail<M> tail;
-    tail.steps = follow(map, z, transient, stop);
-    if (tail.steps < transient) {
-        tail.stopped = stop && stop();
-        tail.ended = !tail.stopped;
-        tail.end = z;
-        return tail;
-    }
-    const auto room = static_cast<std::size_t>(std::min(count, reserved));
-    tail.points.reserve(room);
-    tail.durations.reserve(room);
-    tail.integrals.reserve(room);
-    tail.first = z;
+bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail<M>& tail, const Stop& stop = {}) {
+    constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
     for (std::int64_t i = 0; i < count; ++i) {
-        if (stop && i % between == 0 && (tail.stopped = stop())) return tail;
+        if (stop && i % between == 0 && (tail.stopped = stop())) return false;
         const auto step = map.advance(z);
         if (!goes_on(map, step)) {
             tail.ended = true;
             tail.end = z;
-            return tail;
+            return false;
         }
         ++tail.steps;
-        tail.points.push_back(coordinates(map, z));
+        if (keep == Keep::points)
+            tail.points.push_back(coordinates(map, z));
+        else
+            tail.states.push_back(z);
         tail.durations.push_back(step.duration);
         tail.integrals.push_back(step.integral);
         tail.last = z;
         z = step.state;
     }
+    return true;
+}
+
+/// Moves z on by `count` steps, with a tail that has none yet.
+/// @return as `record_steps`
+template <SectionMap M>
+bool skip_steps(const M& map, State<M>& z, std::int64_t count, Tail<M>& tail, const Stop& stop = {}) {
+    const std::int64_t done = follow(map, z, count, stop);
+    tail.steps += done;
+    if (done == count) return true;
+    tail.stopped = stop && stop();
+    tail.ended = !tail.stopped;
+    tail.end = z;
+    return false;
+}
+
+/// Room for that many steps; a tail that is longer than a million grows as it is followed.
+template <SectionMap M>
+void reserve(Tail<M>& tail, std::int64_t count, Keep keep) {
+    constexpr std::int64_t reserved = 1 << 20;
+    const auto room = static_cast<std::size_t>(std::min(count, reserved));
+    keep == Keep::points ? tail.points.reserve(room) : tail.states.reserve(room);
+    tail.durations.reserve(room);
+    tail.integrals.reserve(room);
+}
+
+/// The points of a tail that has states.
+template <SectionMap M>
+void add_points(const M& map, Tail<M>& tail) {
+    tail.points.reserve(tail.states.size());
+    for (const State<M>& z : tail.states) tail.points.push_back(coordinates(map, z));
+}
+
+/// Follows `transient` steps, then keeps the points of `count` states. Cost: one step of the map each.
+template <SectionMap M>
+Tail<M> follow_tail(const M& map, State<M> z, std::int64_t transient, std::int64_t count, const Stop& stop = {}) {
+    Tail<M> tail;
+    if (!skip_steps(map, z, transient, tail, stop)) return tail;
+    reserve(tail, count, Keep::points);
+    tail.first = z;
+    record_steps(map, z, count, Keep::points, tail, stop);
     return tail;
 }
 

@@ -101,6 +101,23 @@ SignEvidence judge_sign(const LyapunovSpectrum& spectrum, std::size_t index, con
     return evidence;
 }
 
+bool is_clearly_positive(const SignEvidence& evidence) {
+    return evidence.sign == ExponentSign::positive && evidence.exponent > evidence.shrinking_bound;
+}
+
+std::int64_t steps_until_positive(const SignEvidence& evidence, std::int64_t steps, const SignOptions& options) {
+    constexpr double spare = 1.5;  // the exponent itself is known to some of its errors only
+    constexpr double most = 1e15;  // more steps than any orbit has
+    if (!(evidence.exponent > 0) || !std::isfinite(evidence.standard_error)) return 0;
+    const double errors = options.sigmas * evidence.standard_error / evidence.exponent;
+    double needed = static_cast<double>(steps) * errors * errors;
+    double bounded = static_cast<double>(steps);
+    for (int i = 0; i < 10; ++i)  // n = neutral_scale (1 + ln n)/λ, by iteration, which contracts like 1/ln n
+        bounded = options.neutral_scale * (1 + std::log(std::max(bounded, 1.0))) / evidence.exponent;
+    needed = std::max(needed, bounded);
+    return static_cast<std::int64_t>(std::min(spare * needed, most));
+}
+
 Settling judge_settling(const LyapunovSpectrum& spectrum, std::size_t index, double tolerance, double sigmas) {
     require_index(spectrum, index);
     Settling result{false, nan, nan, nan, nan};

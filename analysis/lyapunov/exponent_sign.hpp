@@ -55,6 +55,14 @@ struct SignEvidence {
 /// std::invalid_argument for an index out of range.
 SignEvidence judge_sign(const LyapunovSpectrum& spectrum, std::size_t index, const SignOptions& options = {});
 
+/// Is it positive on as few steps as these, too: beyond what the sum of a bounded or a sheared direction may be?
+bool is_clearly_positive(const SignEvidence& evidence);
+
+/// How many steps that will take if the exponent stays what it is: its standard error falls like the root of the steps,
+/// the bound of a neutral direction like (1 + ln n)/n. 0 for an exponent that is not positive.
+///   steps  those of the evidence
+std::int64_t steps_until_positive(const SignEvidence& evidence, std::int64_t steps, const SignOptions& options = {});
+
 /// Whether the running mean has converged, or the orbit is still a transient.
 struct Settling {
     bool settled = false;

@@ -80,6 +80,7 @@ NamedMode verdict_of(const Scene<double>& scene, const Start<double>& start, con
     analysis::ClassifyOptions few, many;
     few.transient = settings.transient + (dissipative ? longest_death : 0);
     few.collisions = settings.collisions;
+    few.exhaustive = many.exhaustive = settings.exhaustive;
     few.period.exact_multipliers = false;  // the same verdict, and nobody reads them
     const NamedMode named = name_mode(scene, start, few, settings.accuracy, is_interrupted, &samples);
     const bool decided = named.verdict.mode != analysis::Mode::undecided;

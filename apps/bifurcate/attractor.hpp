@@ -17,6 +17,7 @@ namespace swirl::apps::bifurcate {
 struct SampleSettings {
     std::int64_t transient = 2500;                   ///< impacts before those that are kept
     std::int64_t collisions = 500;                   ///< impacts that are kept
+    bool exhaustive = false;                         ///< all of them, whatever the verdict needs
     Accuracy accuracy = Accuracy::double_precision;  ///< in which they are followed
 };
 

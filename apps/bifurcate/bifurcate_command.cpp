@@ -36,12 +36,14 @@ void BifurcateOptions::add_to(Flags& command) {
     command.add_option("--starts", starts, "random starts per column (default 4)")
         ->type_name("R")
         ->transform(whole_number(0, 1'000'000));
-    command.add_option("--transient", settings.transient, "impacts before those that are kept (default 2500)")
+    command.add_option("--transient", settings.transient, "impacts before those that are kept, at most (default 2500)")
         ->type_name("K")
         ->transform(whole_number(0, most));
-    command.add_option("--collisions", settings.collisions, "impacts that are kept, 64 or more (default 500)")
+    command.add_option("--collisions", settings.collisions, "impacts that are kept, at most; 64 or more (default 500)")
         ->type_name("K")
         ->transform(whole_number(64, most));
+    command.add_flag("--exhaustive", settings.exhaustive,
+                     "follow every orbit through all of these impacts, whatever its verdict needs");
     command.add_flag("--follow", follow, "follow the attractor upwards and downwards too");
     command.add_flag("--branches", branches, "continue every cycle that was found");
     command.add_option("--longest-branch", longest_branch, "longest period that --branches continues (default 12)")
@@ -97,7 +99,7 @@ int bifurcate(BifurcateOptions& options) {
     Diagram diagram;
     diagram.along = parameter_range_from(options.along, true, false);
     check(options, diagram.along);
-    for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}});
+    for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}, {}});
     std::optional<RecordWriter> record =
         open_record(options.output, "Attractors of a swirled polygon over one parameter", {options.scene.file()},
                     options.scene.units());
@@ -106,6 +108,7 @@ int bifurcate(BifurcateOptions& options) {
     sample_columns(options, diagram);
     if (options.follow) follow_columns(options, diagram);
     keep_finished(diagram);
+    find_steady_modes(options, diagram);
     if (options.branches && !is_interrupted()) continue_attractors(options, diagram);
     diagram.interrupted = is_interrupted();
     finish_up();

@@ -4,6 +4,7 @@
 #include "apps/bifurcate/attractor.hpp"
 #include "apps/branches/branches.hpp"
 #include "apps/command_line/output_options.hpp"
+#include "apps/modes/steady_shares.hpp"
 
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct DiagramColumn {
     double parameter = 0;
     bool complete = true;               ///< false: interrupted before all of its orbits were followed
     std::vector<Attractor> attractors;  ///< random starts first, then those followed up and down
+    std::vector<SteadyShare> steady;    ///< the attracting steady modes, with their shares of the random starts
 };
 
 /// How well samples and branches agree.
@@ -57,6 +59,8 @@ Scene<double> column_scene(const BifurcateOptions& options, const ParameterRange
 void sample_columns(const BifurcateOptions& options, Diagram& diagram);
 /// Follows the attractor from column to column, upwards and downwards.
 void follow_columns(const BifurcateOptions& options, Diagram& diagram);
+/// The attracting steady modes of every column.
+void find_steady_modes(const BifurcateOptions& options, Diagram& diagram);
 /// Leaves out the orbits that an interruption cut short, and the columns that have no other.
 void keep_finished(Diagram& diagram);
 /// Continues every periodic attractor over the whole range, each branch once, and compares.

@@ -122,6 +122,31 @@ std::vector<ColumnShare> shares_of(const Diagram& diagram) {
     return rows;
 }
 
+struct SteadyRow {
+    double parameter;
+    std::size_t column;
+    const SteadyShare* mode;
+};
+
+std::vector<SteadyRow> steady_of(const Diagram& diagram) {
+    std::vector<SteadyRow> rows;
+    for (std::size_t c = 0; c < diagram.columns.size(); ++c)
+        for (const SteadyShare& mode : diagram.columns[c].steady)
+            rows.push_back({diagram.columns[c].parameter, c, &mode});
+    return rows;
+}
+
+Table<SteadyRow> steady_table(const Diagram& diagram) {
+    const auto of = [](auto member) { return [member](const SteadyRow& row) { return row.mode->*member; }; };
+    return {{"steady_mode"},
+            {{"parameter", &SteadyRow::parameter, "1", "parameter " + diagram.along.name},
+             {"column", &SteadyRow::column, "1", "column"},
+             {"S", of(&SteadyShare::spin), "omega_s", "S of the attracting steady mode"},
+             {"share", of(&SteadyShare::share), "1", "share of the random starts that came to it"},
+             {"flight_time", of(&SteadyShare::flight_time), "1/omega_s", "from impact to impact"},
+             {"multiplier", of(&SteadyShare::multiplier), "1", "its largest |multiplier|"}}};
+}
+
 /// The columns, with the attractors of each in JSON.
 Table<DiagramColumn> column_table(const BifurcateOptions& options, const Diagram& diagram) {
     using Row = DiagramColumn;
@@ -139,12 +164,16 @@ Table<DiagramColumn> column_table(const BifurcateOptions& options, const Diagram
     const auto shares = [table = share_table(diagram)](JsonWriter& json, const Row& column) {
         write_rows(json, table, shares_of(column, 0), JsonLayout::line);
     };
+    const auto steady = [table = steady_share_table()](JsonWriter& json, const Row& column) {
+        write_rows(json, table, column.steady, JsonLayout::line);
+    };
     return {{"column"},
             {F{"parameter", &Row::parameter, "1", "parameter " + diagram.along.name},
              {"S", samples},
              F{"mode", of_usual(&Attractor::mode)},
              period_field<Row>(of_usual(&Attractor::period), "of most starts; 0: none"),
              {"shares", shares},
+             {"steady_modes", steady},
              F{"interrupted", [](const Row&) { return true; }}.json_only().json_if(
                  [](const Row& column) { return !column.complete; }),
              {"attractors", attractors}},
@@ -175,6 +204,7 @@ Settings diagram_settings(const BifurcateOptions& options, const Diagram& diagra
             {"seed", options.start.seed()},
             {"transient", options.settings.transient},
             {"collisions", options.settings.collisions},
+            {"exhaustive", options.settings.exhaustive},
             {"accuracy", options.output.accuracy_name},
             {"follow", std::int64_t{options.follow}},
             {"branches", std::int64_t{options.branches}},
@@ -218,6 +248,8 @@ void write_diagram_record(RecordWriter& record, const BifurcateOptions& options,
     if (!diagram.columns.empty()) write_record(root.group("columns"), column_table(options, diagram), diagram.columns);
     const std::vector<ColumnShare> shares = shares_of(diagram);
     if (!shares.empty()) write_record(root.group("shares"), share_table(diagram), shares);
+    const std::vector<SteadyRow> steady = steady_of(diagram);
+    if (!steady.empty()) write_record(root.group("steady_modes"), steady_table(diagram), steady);
     if (!attractors.empty()) write_record(root.group("attractors"), attractor_table(options, diagram), attractors);
     if (!samples.empty()) write_record(root.group("samples"), sample_table(options, diagram), samples);
     if (options.branches) write_branches(root, branches_of(options, diagram), diagram.branches, options.observable);

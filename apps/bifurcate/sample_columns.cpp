@@ -82,6 +82,16 @@ void follow_columns(const BifurcateOptions& options, Diagram& diagram) {
     }
 }
 
+void find_steady_modes(const BifurcateOptions& options, Diagram& diagram) {
+    for (auto& column : diagram.columns) {
+        if (is_interrupted()) return;
+        std::vector<SettledRun> runs;
+        for (const Attractor& attractor : column.attractors)
+            if (attractor.origin == Origin::random) runs.push_back({attractor.kind, attractor.mean_spin});
+        column.steady = steady_shares(column_scene(options, diagram.along, column.parameter), runs);
+    }
+}
+
 void keep_finished(Diagram& diagram) {
     for (auto& column : diagram.columns) {
         const auto wanted = column.attractors.size();

@@ -1,5 +1,6 @@
 #include "apps/classify/classify_command.hpp"
 
+#include "apps/branches/branches.hpp"
 #include "apps/classify/classify_runs.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
@@ -9,6 +10,8 @@
 #include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <optional>
 
 namespace swirl::apps::classify {
@@ -17,7 +20,8 @@ const char* const classify_details =
     R"(Modes: steady (one state), quasi-steady (a cycle or a torus of states), chaotic, undecided. A verdict lists its
 evidence. An orbit that comes to stay on the wall (outcome in-contact) is named by its contact: rolling (at rest in the
 co-rotating frame, steady; also called snaking), rolling-librating, rolling-circulating, sliding, two-vertex; a cycle
-that lands and leaves again is a landing. Without any contact the mode is undecided.
+that lands and leaves again is a landing. Without any contact the mode is undecided. An orbit is followed until nothing
+can change its verdict (an attracting cycle), at most through --transient and --collisions; --exhaustive: through all.
 
 With --runs R run r is the verdict of --seed SEED+r; the shares of modes and kinds and the attractors that coexist are
 listed, the most shared first, with the seed of one run each. Runs of one kind and period with the same mean S (to 1e-6)
@@ -33,12 +37,14 @@ void ClassifyCommandOptions::add_to(Flags& command) {
     start.add_to(command);
     output.add_to(command);
     const auto counts = whole_number(0, 1'000'000'000);
-    command.add_option("--transient", settings.transient, "impacts before the tail (default 10000)")
+    command.add_option("--transient", settings.transient, "impacts before the tail, at most (default 10000)")
         ->type_name("K")
         ->transform(counts);
-    command.add_option("--collisions", settings.collisions, "impacts of the tail, 64 or more (default 10000)")
+    command.add_option("--collisions", settings.collisions, "impacts of the tail, at most; 64 or more (default 10000)")
         ->type_name("K")
         ->transform(whole_number(64, 100'000'000));
+    command.add_flag("--exhaustive", settings.exhaustive,
+                     "follow every orbit through all of these impacts, whatever its verdict needs");
     command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
         ->type_name("D")
         ->check(finite_number_from(0));
@@ -56,6 +62,24 @@ void ClassifyCommandOptions::add_to(Flags& command) {
 
 namespace {
 
+/// As much of the tail as a figure shows.
+constexpr std::size_t most_kept = 2000;
+
+/// Group `tail`: the section points of the first impacts that the verdict rests on; none where the orbit ended.
+void write_tail(const RecordGroup& root, const std::vector<Eigen::VectorXd>& points, std::int64_t first) {
+    if (points.empty()) return;
+    const RecordGroup group = root.group("tail");
+    const auto names = coordinate_names(points.front().size());
+    const std::size_t kept = std::min(points.size(), most_kept);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < kept; ++i) values.insert(values.end(), points[i].begin(), points[i].end());
+    group.attribute("first", first);
+    group.dimension("impact", kept);
+    group.dimension("coordinate", names.size());
+    group.write_strings("coordinate", {"coordinate"}, names);
+    group.write<double>("points", {"impact", "coordinate"}, values, {"1", "section point just after each impact", {}});
+}
+
 int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
                  const std::optional<RecordedOrbit>& recorded) {
     const Start<double> start = options.start.start<double>(scene);
@@ -64,12 +88,15 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
                     options.scene.units());
     exit_when_interrupted();
     const Accuracy accuracy = options.output.accuracy();
-    const NamedMode named = recorded ? name_recorded(scene, start, *recorded, options.settings, accuracy)
-                                     : name_mode(scene, start, options.settings, accuracy);
+    OrbitSamples samples;
+    const NamedMode named = recorded
+                                ? name_recorded(scene, start, *recorded, options.settings, accuracy)
+                                : name_mode(scene, start, options.settings, accuracy, {}, record ? &samples : nullptr);
     if (record) {
         const RecordGroup root = record->root();
         write_scene(root, scene, &options.start);
         write_verdict(root.group("mode"), named, options.settings);
+        write_tail(root, samples.points, options.settings.transient + 1);
         record->finish();
     }
     if (options.output.json) {

@@ -80,8 +80,11 @@ RecordedOrbit recorded_orbit(const std::string& file, std::optional<std::int64_t
 NamedMode name_recorded(const Scene<double>& scene, const Start<double>& start, const RecordedOrbit& orbit,
                         analysis::ClassifyOptions settings, Accuracy accuracy) {
     OrbitSamples samples;
-    NamedMode named = name_mode(scene, start, settings, accuracy, {}, &samples);
-    if (repeats(orbit, named, samples)) return named;
+    analysis::ClassifyOptions whole = settings;  // all impacts, to compare them with the record's
+    whole.exhaustive = true;
+    NamedMode named = name_mode(scene, start, whole, accuracy, {}, &samples);
+    if (repeats(orbit, named, samples))
+        return settings.exhaustive ? named : name_mode(scene, start, settings, accuracy);
     const std::size_t row = std::min(first_row(orbit), orbit.columns.values.back().size() - 1);
     settings.transient = 0;
     named = name_mode(scene, recorded_point(orbit.columns, row), settings, accuracy);

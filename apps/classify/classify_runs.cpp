@@ -6,8 +6,8 @@
 #include "apps/command_line/progress.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
+#include "apps/modes/run_verdict.hpp"
 
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -53,6 +53,9 @@ void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     found.attractors = attractors_of(found.runs);
     for (std::size_t a = 0; a < found.attractors.size(); ++a)
         for (const std::size_t r : found.attractors[a].runs) found.runs[r].attractor = static_cast<std::int64_t>(a);
+    std::vector<SettledRun> settled;
+    for (const RunVerdict& run : found.runs) settled.push_back({run.kind, run.mean_spin});
+    found.steady = steady_shares(scene, settled);
     // Verdicts with all their evidence are not kept, run by run: this one is made again.
     const std::uint64_t seed = found.runs[found.attractors.front().runs.front()].seed;
     NamedMode first = name_mode(scene, random_start(scene.beta, speed, seed, 0), options.settings,
@@ -62,12 +65,6 @@ void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     found.first = std::move(first);
 }
 
-/// NaN without a cycle; its multipliers come by falling modulus.
-double ln_multiplier_of(const analysis::Classification& verdict) {
-    return verdict.multipliers.empty() ? analysis::Classification::unknown
-                                       : std::log(std::abs(verdict.multipliers.front()));
-}
-
 }  // namespace
 
 std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
@@ -75,21 +72,7 @@ std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed,
     const NamedMode named =
         name_mode(scene, random_start(scene.beta, speed, seed, 0), settings, accuracy, is_interrupted);
     if (!named.finished) return std::nullopt;
-    const auto& v = named.verdict;
-    return RunVerdict{seed,
-                      v.mode,
-                      v.kind,
-                      named.outcome,
-                      std::int64_t{named.impacts},
-                      v.period,
-                      v.mean,
-                      v.mean_per_step,
-                      v.recurrence_rate,
-                      v.largest_exponent,
-                      v.largest_exponent_error,
-                      ln_multiplier_of(v),
-                      0,
-                      v.point};
+    return run_verdict(seed, named);
 }
 
 int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene) {

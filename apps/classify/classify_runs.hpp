@@ -2,8 +2,9 @@
 #pragma once
 
 #include "apps/classify/classify_command.hpp"
-#include "apps/classify/escape.hpp"
 #include "apps/modes/attractors.hpp"
+#include "apps/modes/escape.hpp"
+#include "apps/modes/steady_shares.hpp"
 
 #include <optional>
 #include <vector>
@@ -14,7 +15,8 @@ namespace swirl::apps::classify {
 struct RunsFound {
     std::vector<RunVerdict> runs;             ///< by seed
     std::vector<SharedAttractor> attractors;  ///< the most shared first
-    std::optional<NamedMode> first;  ///< the verdict on the first attractor's representative, unless interrupted
+    std::optional<NamedMode> first;   ///< the verdict on the first attractor's representative, unless interrupted
+    std::vector<SteadyShare> steady;  ///< the attracting steady modes, found or not
     std::optional<analysis::EscapeRate> escape;  ///< where some have left chaos and others have not
 };
 

@@ -4,6 +4,7 @@
 #include "analysis/classification/classify_series.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/input/angle_stretch.hpp"
 #include "apps/input/input_options.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/verdict_document.hpp"
@@ -22,7 +23,8 @@ beginning, unless --transient and --collisions say which impacts. A measured ser
 scene) is judged without the map: does it repeat within its noise, are there
 lines in its spectrum, is it predicted better than noise and do neighbours part at a rate that all embeddings
 agree on? Little or disagreeing evidence gives undecided. With --noise SIGMA a constant with noise is known for
-steady. The longest segment without a gap counts.)";
+steady. The longest segment without a gap counts; of an angle, gaps of up to three rows are bridged. A position
+is never called steady or quasi-steady: its distance swings along every flight.)";
 
 namespace {
 
@@ -47,6 +49,7 @@ double time_mean(const MeasuredSeries& series) {
 
 struct SeriesVerdict {
     MeasuredSeries whole, used;
+    std::size_t rows_used = 0, rows_bridged = 0;
     analysis::ClassifySeriesOptions options;
     analysis::Classification verdict;
 };
@@ -86,7 +89,8 @@ std::string rows_of(const SeriesVerdict& v) {
 
 Settings settings_of(const SeriesVerdict& v) {
     return {{"rows", rows_of(v)},
-            {"samples_used", static_cast<std::int64_t>(v.used.values.size())},
+            {"samples_used", static_cast<std::int64_t>(v.rows_used)},
+            {"samples_bridged", static_cast<std::int64_t>(v.rows_bridged)},
             {"first_time_used", v.used.times.front()},
             {"noise", v.options.noise},
             {"largest_noise", v.options.largest_noise},
@@ -112,21 +116,68 @@ void write_to_record(const RecordGroup& root, const SeriesVerdict& v) {
 }
 
 void print_verdict(const SeriesVerdict& v, bool verbose) {
-    fmt::print("series: {}; rows are {}, {} used\n  {}\n  {}\n  because: {}\n", series_in_words(v.whole), rows_of(v),
-               v.used.values.size(), mode_in_words(v.verdict), sureness_in_words(v.verdict),
+    const std::string bridged = v.rows_bridged > 0 ? fmt::format(", {} of them bridged", v.rows_bridged) : "";
+    fmt::print("series: {}; rows are {}, {} used{}\n  {}\n  {}\n  because: {}\n", series_in_words(v.whole), rows_of(v),
+               v.rows_used, bridged, mode_in_words(v.verdict), sureness_in_words(v.verdict),
                reason_in_words(v.verdict));
     if (verbose) fmt::print("{}{}", lines_of(verdict_table(v), v), table_of(v.verdict.evidence));
 }
 
-/// Of an angle from the angle itself, whose differences its S are; 0 at the first row.
-analysis::Classification verdict_of(const SeriesVerdict& v) {
-    const bool enough = v.used.values.size() + 1 >= analysis::fewest_angles;
-    if (v.whole.quantity != spin_of_angle || !v.used.even || !enough)
-        return analysis::classify_series(v.used.values, v.options);
-    const double spacing = v.used.spacing * v.used.swirl_rate;
-    std::vector<double> angle{0};
-    for (const double spin : v.used.values) angle.push_back(angle.back() + spin * spacing);
-    return analysis::classify_angle(angle, spacing, v.options);
+void leave_undecided(SeriesVerdict& v, analysis::Evidence reason) {
+    v.verdict.mode = analysis::Mode::undecided;
+    v.verdict.kind = analysis::Kind::none;
+    v.verdict.period = 0;
+    v.verdict.evidence.push_back(std::move(reason));
+}
+
+/// Of an angle that was sampled in time: from the angle itself.
+void judge_angle(SeriesVerdict& v) {
+    const AngleStretch stretch = longest_stretch(v.whole.angle);
+    v.rows_used = stretch.angles.size();
+    v.rows_bridged = stretch.bridged;
+    v.used = part_of(v.whole, stretch.first, stretch.angles.size() - 1);
+    v.verdict.steps = static_cast<std::int64_t>(v.rows_used);
+    if (!stretch.is_even())
+        return leave_undecided(v, {"deviation of the times from even ones in rows", stretch.largest_deviation, 0.5,
+                                   "rows are missing or out of step (--rows impacts: each row is an impact)",
+                                   "at most 0.5: the spectrum of the angle would decide"});
+    if (v.rows_used < analysis::fewest_angles)
+        return leave_undecided(v, {"rows of the angle in one stretch", static_cast<double>(v.rows_used),
+                                   static_cast<double>(analysis::fewest_angles), "too few for its spectrum",
+                                   "that many or more: the spectrum would decide"});
+    v.verdict = analysis::classify_angle(stretch.angles, stretch.spacing * v.whole.swirl_rate, v.options,
+                                         v.whole.angle.resolution);
+    if (v.whole.is_unwrapped()) return;
+    v.verdict.mean = analysis::Classification::unknown;
+    leave_undecided(v, {"largest turn from row to row, in half periods", v.whole.largest_turn, sure_turn,
+                        "too near 1 to tell which way it turned", "at most 0.9: lines and continuum would decide"});
+}
+
+/// The noise of S, where that of the angle was given: √2 σ / (ω_s Δt), its root mean square.
+double noise_of_spin(const MeasuredSeries& series, double of_angle) {
+    double sum = 0;
+    const auto& t = series.angle.times;
+    for (std::size_t i = 1; i < t.size(); ++i) sum += 1 / ((t[i] - t[i - 1]) * (t[i] - t[i - 1]));
+    return of_angle * std::sqrt(2 * sum / static_cast<double>(t.size() - 1)) / series.swirl_rate;
+}
+
+void judge_values(SeriesVerdict& v) {
+    v.used = longest_stretch(v.whole);
+    v.rows_used = v.used.values.size();
+    if (v.rows_used < analysis::fewest_samples && v.whole.gaps > 0)
+        throw BadInput(
+            fmt::format("series: the longest of its stretches between {} gaps has {} samples; {} or more are "
+                        "needed (--rows impacts: a long step is a long flight, no gap)",
+                        v.whole.gaps, v.rows_used, analysis::fewest_samples));
+    analysis::ClassifySeriesOptions options = v.options;
+    if (v.whole.quantity == spin_of_angle) options.noise = noise_of_spin(v.used, options.noise);
+    v.verdict = analysis::classify_series(v.used.values, options);
+    const bool regular = v.verdict.mode == analysis::Mode::steady || v.verdict.mode == analysis::Mode::quasi_steady;
+    if (v.whole.quantity != distance_of_position || !regular) return;
+    leave_undecided(v, {"regular in time", 1, 0,
+                        "steady or quasi-steady: a distance swings along every flight of either, and is constant in "
+                        "every contact",
+                        "S, or an angle, of the same motion: either of the two"});
 }
 
 bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {
@@ -170,6 +221,10 @@ bool ClassifyInput::is_series(const SceneOptions& scene, const StartOptions& sta
                 "is missing");
         return false;
     }
+    if (series.given())
+        throw BadInput(
+            "--column, --position, --time, --degrees and --symmetry say what of a file is a series; a record holds "
+            "one");
     return true;
 }
 
@@ -189,16 +244,23 @@ int classify_measured(const ClassifyInput& input, const SceneOptions& scene, con
     source.transient = input.transient_->number();
     source.collisions = input.collisions_->number();
     SeriesVerdict v;
-    v.whole = input.record.empty() ? source.measured() : read_series_record(input.record);
+    if (input.rows == "impacts") source.series.long_steps = LongSteps::long_flights;
+    if (input.rows == "samples") source.series.long_steps = LongSteps::lost_rows;
+    v.whole = input.record.empty() ? source.measured()
+                                   : source.part_asked_for(read_series_record(input.record), input.record);
     warn_without_checksum(input.record, output.quiet);
-    v.used = longest_stretch(v.whole);
     v.options.noise = input.noise * (input.series.degrees ? pi<double>() / 180 : 1);
-    v.options.sampled_flow = is_sampled_flow(input, v.used);
+    if (!(v.options.noise >= 0 && std::isfinite(v.options.noise)))
+        throw BadInput(fmt::format("noise = {}: must be >= 0, finite", input.noise));
+    v.options.sampled_flow = is_sampled_flow(input, longest_stretch(v.whole));
     if (const auto threshold = input.threshold_->real()) v.options.recurrence_threshold = *threshold;
     if (const auto period = input.max_period_->number()) v.options.max_period = static_cast<int>(*period);
     std::optional<RecordWriter> record =
         open_record(output, "Mode of a measured series", {input.record, input.series.file});
-    v.verdict = verdict_of(v);
+    if (v.whole.quantity == spin_of_angle && v.options.sampled_flow)
+        judge_angle(v);
+    else
+        judge_values(v);
     if (record) {
         write_to_record(record->root(), v);
         record->finish();

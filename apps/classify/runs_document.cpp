@@ -89,6 +89,7 @@ void write_runs_document(const ClassifyCommandOptions& options, const Scene<doub
         json.key("escape");
         write_escape(json, found.escape);
         write_json(json, "attractors", attractors_table(found), found.attractors);
+        write_json(json, "steady_modes", steady_share_table(), found.steady);
         write_json(json, "runs", runs_table(), found.runs);
         if (!found.first) json.member("outcome", "interrupted");
     });
@@ -100,6 +101,7 @@ void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, 
     if (found.first) write_verdict(root.group("mode"), *found.first, options.settings);
     write_record(root.group("attractors"), attractors_table(found), found.attractors);
     if (found.escape) write_escape(root.group("escape"), *found.escape);
+    if (!found.steady.empty()) write_record(root.group("steady_modes"), steady_share_table(), found.steady);
     const RecordGroup runs = root.group("runs");
     runs.attribute("wanted", options.runs);  // more than there are if interrupted
     write_record(runs, runs_table(), found.runs);
@@ -113,6 +115,11 @@ void print_runs(const ClassifyCommandOptions& options, const Scene<double>& scen
     fmt::print("\n");
     if (found.escape) fmt::print("  {}\n", in_words(*found.escape));
     print_table(in_units(attractors_table(found), units), found.attractors);
+    for (const SteadyShare& mode : found.steady)
+        if (mode.share == 0)
+            fmt::print("  no start came to the steady mode with S {:.10g} (|multiplier| {:.4g}, flight time {:.4g})\n",
+                       mode.spin / units.value_or(Units{}).time, mode.multiplier,
+                       mode.flight_time * units.value_or(Units{}).time);
     if (found.first)
         fmt::print("the first of them, seed {}:\n{}", found.runs[found.attractors.front().runs.front()].seed,
                    table_of(*found.first, options.verbose, units));

@@ -67,15 +67,17 @@ MeasuredSeries InputOptions::measured() const {
     SeriesChoice choice = series;
     choice.angle = start.angle_text();
     choice.swirl_rate = number_from<double>("swirl-rate", scene.flag("swirl-rate", "1"));
-    MeasuredSeries whole = read_series(choice);
+    return part_asked_for(read_series(choice), series.file);
+}
+
+MeasuredSeries InputOptions::part_asked_for(const MeasuredSeries& whole, const std::string& name) const {
     if (!transient && !collisions) return whole;
     const auto rows = static_cast<std::int64_t>(whole.values.size());
     const std::int64_t first = transient.value_or(0);
     const std::int64_t count = collisions.value_or(rows - first);
     if (count < 2 || first + count > rows)
-        throw BadInput(fmt::format("series '{}' has {} samples; --transient {} and --collisions {} need {}",
-                                   series.file, rows, first, std::max<std::int64_t>(count, 2),
-                                   first + std::max<std::int64_t>(count, 2)));
+        throw BadInput(fmt::format("series '{}' has {} samples; --transient {} and --collisions {} need {}", name, rows,
+                                   first, std::max<std::int64_t>(count, 2), first + std::max<std::int64_t>(count, 2)));
     return part_of(whole, static_cast<std::size_t>(first), static_cast<std::size_t>(count));
 }
 
@@ -141,6 +143,16 @@ MeasuredSeries read_series_record(const std::string& file) {
             series.swirl_rate = record.attribute<double>("/series", "swirl_rate");
         if (record.has_attribute("/series", "largest_turn"))
             series.largest_turn = record.attribute<double>("/series", "largest_turn");
+        if (series.quantity == spin_of_angle) {
+            series.angle.times = record.read<double>("/series/angle_time");
+            series.angle.values = record.read<double>("/series/angle");
+            series.angle.period = record.attribute<double>("/series", "angle_period");
+            series.angle.resolution = record.attribute<double>("/series", "angle_resolution");
+            if (series.angle.values.size() != series.values.size() + 1 ||
+                series.angle.times.size() != series.angle.values.size())
+                throw BadInput(fmt::format("record '{}' has {} angles of {} values of S: must be one more", file,
+                                           series.angle.values.size(), series.values.size()));
+        }
         return part_of(series, 0, series.values.size());
     } catch (const RecordError& error) {  // a named file that can't be read is bad input: no work has begun
         throw BadInput(error.what());
@@ -153,6 +165,11 @@ void write_series(const RecordGroup& root, const MeasuredSeries& series) {
     group.dimension("sample", series.values.size());
     group.write<double>("time", {"sample"}, series.times, {"", "time, in the unit of the series", {}});
     group.write<double>("value", {"sample"}, series.values, {"", "measured values, NaN where missing", {}});
+    if (series.angle.values.empty()) return;
+    group.dimension("row", series.angle.values.size());
+    group.write<double>("angle_time", {"row"}, series.angle.times, {"", "time, in the unit of the series", {}});
+    group.write<double>("angle", {"row"}, series.angle.values, {"rad", "angle as measured, NaN where missing", {}});
+    write_attributes(group, {{"angle_period", series.angle.period}, {"angle_resolution", series.angle.resolution}});
 }
 
 }  // namespace swirl::apps

@@ -38,6 +38,10 @@ struct InputOptions {
 
     /// The series, --transient and --collisions applied to its samples.
     MeasuredSeries measured() const;
+
+    /// --transient and --collisions applied to the samples of a series. `name` is for messages. @throws BadInput if it
+    /// has fewer
+    MeasuredSeries part_asked_for(const MeasuredSeries& whole, const std::string& name) const;
 };
 
 /// The text under --help that every command with these options shares.

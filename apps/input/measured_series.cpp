@@ -129,10 +129,13 @@ void take_values(const SeriesChoice& choice, std::vector<std::vector<double>>& c
             series.values[i] = std::hypot(series.values[i], columns[1][i]);
     } else if (!choice.angle.empty()) {
         series.quantity = spin_of_angle;
-        if (choice.degrees)
-            for (double& angle : series.values) angle *= pi<double>() / 180;
-        AngleRates rates =
-            rates_of_angle(series.times, series.values, 2 * pi<double>() / choice.symmetry, choice.swirl_rate);
+        const double unit = choice.degrees ? pi<double>() / 180 : 1;
+        series.angle.resolution = decimal_resolution(series.values) * unit;
+        for (double& angle : series.values) angle *= unit;
+        series.angle.period = 2 * pi<double>() / choice.symmetry;
+        series.angle.times = series.times;
+        series.angle.values = series.values;
+        AngleRates rates = rates_of_angle(series.times, series.values, series.angle.period, choice.swirl_rate);
         series.times = std::move(rates.times);
         series.values = std::move(rates.values);
         series.largest_turn = rates.largest_turn;
@@ -188,7 +191,9 @@ MeasuredSeries read_series(const SeriesChoice& choice) {
             series.times.push_back(static_cast<double>(i) * choice.spacing);
     }
     series.rows = columns[0].size();
-    fill_lost_rows(series.times, columns);
+    const bool is_motion = !(choice.angle.empty() && choice.position.empty());
+    const bool is_sampled = is_motion && choice.long_steps == LongSteps::maybe;
+    fill_lost_rows(series.times, columns, is_sampled ? LongSteps::lost_rows : choice.long_steps);
     take_values(choice, columns, series);
     describe(series);
     return series;
@@ -196,12 +201,16 @@ MeasuredSeries read_series(const SeriesChoice& choice) {
 
 MeasuredSeries part_of(const MeasuredSeries& series, std::size_t first, std::size_t count) {
     MeasuredSeries part = series;
-    const auto cut = [&](std::vector<double>& v) {
+    const auto cut = [&](std::vector<double>& v, std::size_t size) {
         const auto begin = v.begin() + static_cast<std::ptrdiff_t>(first);
-        v = std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count));
+        v = std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(size));
     };
-    cut(part.values);
-    cut(part.times);
+    cut(part.values, count);
+    cut(part.times, count);
+    if (!part.angle.values.empty()) {
+        cut(part.angle.values, count + 1);
+        cut(part.angle.times, count + 1);
+    }
     describe(part);
     return part;
 }
@@ -211,8 +220,12 @@ std::string series_in_words(const MeasuredSeries& series) {
     const std::string gaps = series.gaps == 0 ? "no gaps"
                                               : fmt::format("{} gap{} ({} samples missing)", series.gaps,
                                                             series.gaps == 1 ? "" : "s", series.missing);
-    return fmt::format("column {}{}, {} rows, {} {:.6g}, {}", series.column, quantity, series.rows,
-                       series.even ? "spacing" : "mean spacing", series.spacing, gaps);
+    const std::string turns =
+        series.is_unwrapped()
+            ? ""
+            : fmt::format(", turns of up to {:.3g} of half a period: their direction is a guess", series.largest_turn);
+    return fmt::format("column {}{}, {} rows, {} {:.6g}, {}{}", series.column, quantity, series.rows,
+                       series.even ? "spacing" : "mean spacing", series.spacing, gaps, turns);
 }
 
 }  // namespace swirl::apps

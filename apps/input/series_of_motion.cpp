@@ -9,37 +9,60 @@ namespace swirl::apps {
 namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-constexpr double near_median = 0.1;     // of it: an even step, with the jitter of a camera's clock
-constexpr double even_share = 0.9;      // of the steps
-constexpr double near_multiple = 0.25;  // of a step: times that are not a multiple of it are no lost rows
+constexpr double near_median = 0.1;      // of it: an even step, with the jitter of a camera's clock
+constexpr double even_share = 0.9;       // of the steps
+constexpr double near_multiple = 0.25;   // of a step: times that are not a multiple of it are no lost rows
+constexpr double largest_digit = 0.4;    // of the median: coarser times do not tell one row from two
+constexpr double shortest_break = 1.75;  // steps: beyond it and no multiple, the clock has jumped
+constexpr double seldom = 0.01;
+constexpr std::size_t fewest_periods = 8;  // of an exact cycle, analysis/classification/repetition.hpp
 
 /// The usual step of even times, 0 if they are not even.
-double usual_step(const std::vector<double>& times) {
+double usual_step(const std::vector<double>& times, LongSteps meaning) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
     if (steps.size() < 2) return 0;
     auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), middle, steps.end());
-    const double median = *middle;
-    const auto even = std::count_if(steps.begin(), steps.end(),
-                                    [&](double step) { return std::abs(step - median) <= near_median * median; });
-    return static_cast<double>(even) >= even_share * static_cast<double>(steps.size()) ? median : 0;
+    const double median = *middle, digit = meaning == LongSteps::lost_rows ? decimal_resolution(times) : 0;
+    const double near = std::max(near_median * median, digit <= largest_digit * median ? 1.01 * digit : 0);
+    double sum = 0;
+    std::size_t even = 0;
+    for (const double step : steps)
+        if (std::abs(step - median) <= near) sum += step, ++even;
+    return static_cast<double>(even) >= even_share * static_cast<double>(steps.size()) ? sum / static_cast<double>(even)
+                                                                                       : 0;
+}
+
+/// So many rows are lost in a step.
+double lost_in(double step, double usual) {
+    const double count = std::round(step / usual);
+    return count >= 2 && std::abs(step / usual - count) <= near_multiple ? count - 1 : 0;
+}
+
+bool are_lost(const std::vector<double>& times, double usual, LongSteps meaning) {
+    if (meaning != LongSteps::maybe) return meaning == LongSteps::lost_rows;
+    std::size_t steps = 0;
+    for (std::size_t i = 1; i < times.size(); ++i) steps += lost_in(times[i] - times[i - 1], usual) > 0 ? 1 : 0;
+    return steps < fewest_periods || static_cast<double>(steps) <= seldom * static_cast<double>(times.size());
 }
 
 }  // namespace
 
-std::size_t fill_lost_rows(std::vector<double>& times, std::vector<std::vector<double>>& columns) {
-    const double usual = usual_step(times);
-    if (!(usual > 0)) return 0;
+std::size_t fill_lost_rows(std::vector<double>& times, std::vector<std::vector<double>>& columns, LongSteps meaning) {
+    const double usual = usual_step(times, meaning);
+    if (!(usual > 0) || !are_lost(times, usual, meaning)) return 0;
     std::vector<double> filled{times.front()};
     std::vector<std::size_t> source{0};  // rows of the columns; times.size(): none
     const std::size_t none = times.size(), most = 2 * times.size();
     for (std::size_t i = 1; i < times.size(); ++i) {
-        const double step = times[i] - times[i - 1], count = std::round(step / usual);
-        const bool lost = count >= 2 && std::abs(step / usual - count) <= near_multiple &&
-                          static_cast<double>(filled.size()) + count <= static_cast<double>(most);
-        for (double k = 1; lost && k < count; ++k) {
-            filled.push_back(times[i - 1] + step * k / count);
+        const double step = times[i] - times[i - 1];
+        double lost = lost_in(step, usual);
+        const bool is_break = step > usual * static_cast<double>(most - std::min(most, filled.size())) ||
+                              (meaning == LongSteps::lost_rows && lost == 0 && step >= shortest_break * usual);
+        if (is_break) lost = 1;
+        for (double k = 1; k <= lost; ++k) {
+            filled.push_back(times[i - 1] + (is_break ? usual : step * k / (lost + 1)));
             source.push_back(none);
         }
         filled.push_back(times[i]);
@@ -55,6 +78,20 @@ std::size_t fill_lost_rows(std::vector<double>& times, std::vector<std::vector<d
     }
     times = std::move(filled);
     return added;
+}
+
+double decimal_resolution(const std::vector<double>& values) {
+    const auto multiples = [&](double scale) {
+        return std::all_of(values.begin(), values.end(), [&](double value) {
+            if (std::isnan(value)) return true;
+            const double scaled = std::abs(value) * scale;
+            return scaled < 1e13 && std::abs(scaled - std::round(scaled)) <= 6e-16 * scaled;
+        });
+    };
+    double scale = 1;
+    for (int digits = 0; digits <= 12; ++digits, scale *= 10)
+        if (multiples(scale)) return 1 / scale;
+    return 0;
 }
 
 std::size_t count_gaps(const std::vector<double>& values) {

@@ -6,12 +6,25 @@
 
 namespace swirl::apps {
 
-/// Where times are otherwise even (nine steps in ten within a tenth of their median), a step of 2, 3, … such steps (to
-/// a quarter of one) has lost the samples between: rows of NaN are put there, at their times. Uneven times stay as they
-/// are, and so do steps that would make more rows than there are.
+/// What a step of 2, 3, … times the usual one means.
+enum class LongSteps {
+    lost_rows,     ///< samples are missing
+    maybe,         ///< the same where it happens seldom: less than 8 times, or in 1 % of the steps. A cycle of impacts
+                   ///< with one long flight has one in every period, of which a verdict needs 8
+    long_flights,  ///< rows are impacts: nothing is missing
+};
+
+/// Where times are otherwise even (nine steps in ten within a tenth of their median or, of lost_rows, within the last
+/// digit that the times have), a step of 2, 3, … such steps (to a quarter of one) has lost the samples between: rows of
+/// NaN are put there, at their times; for more than there are rows in all (or, of lost_rows, a step that is no
+/// multiple) a single one, so that nothing reaches across. Uneven times stay as they are.
 ///   columns  as long as `times`, and kept so
 /// @return how many rows were put in. O(rows).
-std::size_t fill_lost_rows(std::vector<double>& times, std::vector<std::vector<double>>& columns);
+std::size_t fill_lost_rows(std::vector<double>& times, std::vector<std::vector<double>>& columns, LongSteps meaning);
+
+/// The largest of 1, 0.1, … 10⁻¹² that all values are multiples of, as far as their rounding tells; 0 if none is.
+/// Missing values are left out. O(values).
+double decimal_resolution(const std::vector<double>& values);
 
 /// So many runs of missing values.
 std::size_t count_gaps(const std::vector<double>& values);

@@ -1,5 +1,6 @@
 #include "apps/modes/name_mode.hpp"
 
+#include "analysis/classification/classify_followed.hpp"
 #include "apps/modes/contact_mode.hpp"
 #include "apps/system/chatter_once.hpp"
 #include "apps/system/orbit_ending.hpp"
@@ -128,10 +129,25 @@ void name_end(const SceneMap<D>& map, const PostImpactState<double>& last, Named
 }
 
 template <int D>
-void keep_samples(const analysis::Tail<SceneMap<D>>& tail, OrbitSamples& samples) {
+void keep_samples(const SceneMap<D>& map, const analysis::Tail<SceneMap<D>>& tail, OrbitSamples& samples) {
     samples.last = section_point(tail.ended ? tail.end : tail.last);
     if (tail.ended) return;
     for (const auto& point : tail.points) samples.points.emplace_back(point);
+    for (const auto& state : tail.states) samples.points.emplace_back(map.coordinates(state));
+}
+
+/// The orbit, as far as its verdict needs it. One that can only lose is followed to the full length: where its verdict
+/// is known beforehand, what is asked is where it comes to.
+template <int D>
+analysis::FollowedOrbit<SceneMap<D>> followed(const SceneMap<D>& map, const PostImpactState<double>& first,
+                                              std::int64_t before, const analysis::ClassifyOptions& settings,
+                                              bool dissipative, const analysis::Stop& stop) {
+    if (settings.exhaustive || dissipative)
+        return {analysis::follow_tail(map, first, before, settings.collisions, stop), {}};
+    // In 100 digits the eigenvalues of one cycle take as long as the orbit; double's are taken where they decide.
+    analysis::PeriodOptions period = settings.period;
+    period.exact_multipliers = false;
+    return analysis::follow_until_settled(map, first, before, settings.collisions, period, !settings.conserves, stop);
 }
 
 template <int D>
@@ -149,13 +165,15 @@ NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const anal
     // A point of the section is no impact of the orbit: its first is one step on. So the tail begins after as many
     // impacts as `simulate --skip` leaves out, whatever the start.
     const std::int64_t before = settings.transient + 1 - begin.impacts;
-    const auto tail = analysis::follow_tail(map, begin.state, before, settings.collisions, stop);
+    auto orbit = followed(map, begin.state, before, settings, dissipative, stop);
+    const auto& tail = orbit.tail;
     named.finished = !tail.stopped;
     if (tail.stopped) return named;
-    if (samples) keep_samples(tail, *samples);
+    if (samples) keep_samples(map, tail, *samples);
     // Where the verdict is known beforehand, derivatives and periods would cost much and tell nothing.
-    named.verdict = dissipative ? analysis::observed(map, tail, map.integrated, settings.recurrence_threshold)
-                                : analysis::classify_tail(map, tail, map.integrated, settings);
+    named.verdict = dissipative           ? analysis::observed(map, tail, map.integrated, settings.recurrence_threshold)
+                    : settings.exhaustive ? analysis::classify_tail(map, tail, map.integrated, settings)
+                                          : analysis::classify_followed(map, orbit, map.integrated, settings);
     named.impacts += named.verdict.steps;
     if (tail.ended) {
         named.outcome = ending_at(map, tail.end, named.impacts);

@@ -12,6 +12,7 @@ namespace {
 Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s) {
     return {{"transient", s.transient},
             {"collisions", s.collisions},
+            {"exhaustive", s.exhaustive},
             {"threshold", s.recurrence_threshold},
             {"sigmas", s.sigmas},
             {"max_period", s.period.max_period},
@@ -72,8 +73,9 @@ std::string table_of(const NamedMode& named, bool verbose, const std::optional<U
     const double mean_spin = verdict.mean / units.value_or(Units{}).time;
     const std::string mean = std::isfinite(mean_spin) ? fmt::format("; mean S {:.8g}", mean_spin) : "";
     const std::string text =
-        fmt::format("  {}{}; outcome {} after {} impacts\n  {}\n  because: {}\n", mode_in_words(verdict), mean,
-                    name_of(named.outcome), named.impacts, sureness_in_words(verdict), reason_in_words(verdict));
+        fmt::format("  {}{}; outcome {} after {} impact{}\n  {}\n  because: {}\n", mode_in_words(verdict), mean,
+                    name_of(named.outcome), named.impacts, named.impacts == 1 ? "" : "s", sureness_in_words(verdict),
+                    reason_in_words(verdict));
     return verbose ? text + lines_of(in_units(verdict_table(), units), named) + table_of(verdict.evidence) : text;
 }
 

@@ -52,14 +52,27 @@ std::string sureness_in_words(const Classification& verdict) {
         return fmt::format("{}: no impact for {:.6g}/omega_s",
                            verdict.kind == Kind::rolling ? "settled, at rest" : "as far as it was followed",
                            contact->value);
-    if (const Evidence* noise = evidence_of(verdict, "noise of the angle in radians"); noise != nullptr)
-        return fmt::format("as far as it was measured: with {:.3g} radians of noise in the angle", noise->value);
+    if (const Evidence* level = evidence_of(verdict, "white level of the angle in radians"); level != nullptr)
+        return fmt::format("as far as it was measured: noise of {:.3g} radians or less in the angle", level->value);
     if (const Evidence* residual = evidence_of(verdict, "residual about the phase means");
         residual != nullptr && verdict.period > 0)
         return fmt::format("as far as it was measured: residual {:.3g}, at most {:.3g} is noise", residual->value,
                            residual->threshold);
     return sureness_of_exponent(verdict);
 }
+
+namespace {
+
+/// What decided of a body that stays on the wall: S at rest, the limit that its periods come to, or their equality.
+const Evidence* reason_of_contact(const Classification& verdict) {
+    if (verdict.mode == Mode::steady) return evidence_of(verdict, "range of S");
+    for (const char* decides : {"change of mean S still to come", "change of the period still to come",
+                                "spread of the periods", "work of slip, last quarter"})
+        if (const Evidence* e = evidence_of(verdict, decides)) return e;
+    return nullptr;
+}
+
+}  // namespace
 
 std::string reason_in_words(const Classification& verdict) {
     if (verdict.evidence.empty()) return "there is no evidence";
@@ -68,9 +81,10 @@ std::string reason_in_words(const Classification& verdict) {
         return fmt::format("{}, after {} impact{}, to {:.2g}", closure->says, verdict.period,
                            verdict.period == 1 ? "" : "s", closure->value);
     if (verdict.mode == Mode::undecided) return says(verdict.evidence.back());
+    if (evidence_of(verdict, "time in contact") != nullptr)
+        if (const Evidence* e = reason_of_contact(verdict)) return says(*e);
     for (const char* decides :
-         {"share of the continuum in S", "rotation number", "largest exponent", "work of slip, last quarter",
-          "spread of the periods", "range of S", "divergence of neighbours per sample",
+         {"share of the continuum in S", "rotation number", "largest exponent", "divergence of neighbours per sample",
           "logarithmic separation of neighbours", "residual about the phase means"})
         if (const Evidence* e = evidence_of(verdict, decides)) return says(*e);
     return says(verdict.evidence.back());

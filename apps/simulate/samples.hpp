@@ -14,6 +14,7 @@ namespace swirl::apps::simulate {
 struct SampleRow {
     double t = 0, x = 0, y = 0, angle = 0, spin = 0;
     bool in_contact = false;
+    double normal_force = 0, friction = 0, slip = 0;  ///< of the wall, as of a Moment; NaN in flight
 };
 
 /// The shortest time between samples: the samples of 10⁹ time units can be counted.
@@ -32,7 +33,8 @@ public:
                 if (next_ % 1024 == 0 && is_interrupted()) return;
                 if (time() < segment.start) continue;
                 const Moment now = moment_at(scene, segment, time());
-                use(SampleRow{time(), now.centre.x, now.centre.y, now.angle, now.spin, segment.in_contact});
+                use(SampleRow{time(), now.centre.x, now.centre.y, now.angle, now.spin, segment.in_contact,
+                              now.normal_force, now.friction, now.slip});
             }
     }
     /// Leaves out all before a time.

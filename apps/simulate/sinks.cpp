@@ -104,13 +104,17 @@ std::string chatter_in_words(const std::vector<ImpactRow>& rows, double time) {
 
 /// Group `samples`.
 Table<SampleRow> sample_table() {
-    return {{"sample"},
-            {{"t", &SampleRow::t, "1/omega_s", "time"},
-             {"x", &SampleRow::x, "R_c", "place of the body's centre, laboratory"},
-             {"y", &SampleRow::y, "R_c", "place of the body's centre, laboratory"},
-             {"angle", &SampleRow::angle, "rad", "direction of vertex 0, unwound"},
-             {"spin", &SampleRow::spin, "omega_s", "S"},
-             {"in_contact", &SampleRow::in_contact, "", "on the wall, not in flight"}}};
+    return {
+        {"sample"},
+        {{"t", &SampleRow::t, "1/omega_s", "time"},
+         {"x", &SampleRow::x, "R_c", "place of the body's centre, laboratory"},
+         {"y", &SampleRow::y, "R_c", "place of the body's centre, laboratory"},
+         {"angle", &SampleRow::angle, "rad", "direction of vertex 0, unwound"},
+         {"spin", &SampleRow::spin, "omega_s", "S"},
+         {"in_contact", &SampleRow::in_contact, "", "on the wall, not in flight"},
+         {"normal_force", &SampleRow::normal_force, "m R_c omega_s^2", "lambda: the wall's force is -lambda n + f t"},
+         {"friction", &SampleRow::friction, "m R_c omega_s^2", "f"},
+         {"slip", &SampleRow::slip, "R_c omega_s", "u_t, velocity of the body along the wall where it touches"}}};
 }
 
 }  // namespace

@@ -27,23 +27,54 @@ long count_from(const std::string& text, const std::string& count) {
     return value;
 }
 
-GridAxis axis_from(const std::string& text) {
+/// NAME, A, B and, unless the cells are a sample, COUNT.
+std::vector<std::string> parts_of(const std::string& text, bool sampled) {
     const auto equals = text.find('=');
-    const auto first = text.find(':', equals == std::string::npos ? 0 : equals);
-    const auto second = first == std::string::npos ? first : text.find(':', first + 1);
-    if (equals == std::string::npos || second == std::string::npos || text.find(':', second + 1) != std::string::npos)
-        refuse(text, "NAME=A:B:COUNT is wanted");
-    GridAxis axis{text.substr(0, equals), text, {}};
+    const char* wanted = sampled ? "NAME=A:B is wanted, as --sample has the COUNT" : "NAME=A:B:COUNT is wanted";
+    if (equals == std::string::npos) refuse(text, wanted);
+    std::vector<std::string> parts{text.substr(0, equals)};
+    for (std::size_t begin = equals + 1; begin <= text.size();) {
+        const auto end = std::min(text.find(':', begin), text.size());
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    if (parts.size() != (sampled ? 3U : 4U)) refuse(text, wanted);
+    return parts;
+}
+
+/// The steps of a grid, finer by 2^levels.
+long refined(const std::string& text, long count, int levels) {
+    if (levels == 0) return count;
+    if (count < 2) refuse(text, "--refine needs COUNT >= 2");
+    if (count > (most_points >> levels)) refuse(text, fmt::format("COUNT = {} is too large for --refine", count));
+    return ((count - 1) << levels) + 1;
+}
+
+/// A + (B − A)u; of whole numbers each of A … B with an equal share.
+std::vector<double> sampled_points(const std::string& name, double a, double b, const std::vector<double>& units) {
+    std::vector<double> points;
+    const double low = std::min(a, b), high = std::max(a, b);
+    for (const double u : units)
+        points.push_back(name == "sides" ? std::min(high, low + std::floor(u * (high - low + 1))) : a + (b - a) * u);
+    return points;
+}
+
+GridAxis axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
+    const std::vector<std::string> parts = parts_of(text, units != nullptr);
+    GridAxis axis{parts[0], text, {}, units != nullptr};
     if (std::find(axis_names.begin(), axis_names.end(), axis.name) == axis_names.end())
         refuse(text, "NAME is none of: alpha, beta, mu, restitution, inertia-factor, sides, speed");
-    const std::string low = text.substr(equals + 1, first - equals - 1);
-    const std::string high = text.substr(first + 1, second - first - 1);
-    const double a = number_from<double>("A", low), b = number_from<double>("B", high);
-    const long count = count_from(text, text.substr(second + 1));
-    if (!std::isfinite(a) || !std::isfinite(b)) refuse(text, "A and B must be finite");
-    if (count == 1 && a != b) refuse(text, "COUNT = 1 needs A = B");
-    if (count > 1 && a == b) refuse(text, "A = B needs COUNT = 1");
-    axis.points = points_between(low, high, count);
+    const double a = number_from<double>("A", parts[1]), b = number_from<double>("B", parts[2]);
+    if (units != nullptr) {
+        if (!std::isfinite(a) || !std::isfinite(b) || a == b) refuse(text, "A and B must be finite and differ");
+        axis.points = sampled_points(axis.name, a, b, *units);
+    } else {
+        const long count = count_from(text, parts[3]);
+        if (!std::isfinite(a) || !std::isfinite(b)) refuse(text, "A and B must be finite");
+        if (count == 1 && a != b) refuse(text, "COUNT = 1 needs A = B");
+        if (count > 1 && a == b) refuse(text, "A = B needs COUNT = 1");
+        axis.points = points_between(parts[1], parts[2], refined(text, count, form.levels));
+    }
     for (const double point : axis.points)
         if (axis.name == start_speed && point < 0)
             refuse(text, fmt::format("speed = {} is outside its range: speed >= 0", point));
@@ -54,13 +85,15 @@ GridAxis axis_from(const std::string& text) {
 
 }  // namespace
 
-std::vector<GridAxis> grid_from(const std::vector<std::string>& texts) {
+std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const GridForm& form) {
     if (texts.empty()) throw BadInput("--grid is missing: NAME=A:B:COUNT, once to three times");
     if (texts.size() > most_axes)
         throw BadInput(fmt::format("{} grids are given: 1 to {} are allowed", texts.size(), most_axes));
     std::vector<GridAxis> grid;
+    std::vector<std::vector<double>> units;
+    if (form.sample) units = unit_points(*form.sample, texts.size(), form.seed);
     for (const auto& text : texts) {
-        grid.push_back(axis_from(text));
+        grid.push_back(axis_from(text, form, form.sample ? &units[grid.size()] : nullptr));
         for (std::size_t i = 0; i + 1 < grid.size(); ++i)
             if (grid[i].name == grid.back().name) refuse(text, grid.back().name + " is given twice");
     }
@@ -68,6 +101,7 @@ std::vector<GridAxis> grid_from(const std::vector<std::string>& texts) {
 }
 
 std::size_t cell_count(const std::vector<GridAxis>& grid) {
+    if (grid.front().sampled) return grid.front().points.size();
     std::size_t count = 1;
     for (const auto& axis : grid) count *= axis.points.size();
     return count;
@@ -76,6 +110,10 @@ std::size_t cell_count(const std::vector<GridAxis>& grid) {
 std::vector<double> cell_point(const std::vector<GridAxis>& grid, std::size_t cell) {
     std::vector<double> point(grid.size());
     for (std::size_t k = grid.size(); k-- > 0;) {
+        if (grid[k].sampled) {
+            point[k] = grid[k].points[cell];
+            continue;
+        }
         point[k] = grid[k].points[cell % grid[k].points.size()];
         cell /= grid[k].points.size();
     }

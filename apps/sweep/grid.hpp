@@ -1,25 +1,39 @@
-// The grid of a sweep: one to three parameters of the scene or the speed of its starts, each from A to B in COUNT
-// steps.
+// The cells of a sweep: one to three parameters of the scene or the speed of its starts, each from A to B in COUNT
+// steps, or points that fill that box.
 #pragma once
 
 #include "apps/command_line/scene_options.hpp"
+#include "apps/sweep/sample.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace swirl::apps::sweep {
 
-/// NAME=A:B:COUNT. Point i is A + (B − A) i/(COUNT − 1), the double nearest to it (points_between).
+/// NAME=A:B:COUNT. Point i is A + (B − A) i/(COUNT − 1), the double nearest to it (points_between). Of a sample
+/// NAME=A:B, and point i is cell i's.
 struct GridAxis {
     std::string name;  ///< as the flag
     std::string text;  ///< as it was given
     std::vector<double> points;
+    bool sampled = false;
 };
 
+/// How the cells lie: on the grid; on one that has 2^levels steps for each; or as a sample.
+struct GridForm {
+    std::optional<Sample> sample = {};
+    std::uint64_t seed = 1;  ///< of the sample
+    int levels = 0;
+};
+
+/// The levels of --refine go so far.
+inline constexpr int most_levels = 10;
+
 /// @throws BadInput naming the axis, its value and what is allowed: an unknown or repeated name, more than three axes,
-/// COUNT < 1, COUNT = 1 with A ≠ B, numbers that are not finite, sides that are not whole
-std::vector<GridAxis> grid_from(const std::vector<std::string>& texts);
+/// COUNT < 1, COUNT = 1 with A ≠ B, numbers that are not finite, sides that are not whole, COUNT of a sample
+std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const GridForm& form = {});
 
 /// True if the parameter is one of the grid's axes.
 bool has_axis(const std::vector<GridAxis>& grid, const std::string& name);

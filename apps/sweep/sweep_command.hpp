@@ -3,9 +3,11 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
+#include "apps/modes/steady_shares.hpp"
 #include "apps/sweep/grid.hpp"
 #include "apps/sweep/sweep_results.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ struct SweepOptions {
     StartOptions start;
     OutputOptions output;
     std::vector<std::string> grid;
+    std::string sample;  ///< sobol:COUNT, latin:COUNT; empty: a grid
+    std::string shard;   ///< i/n; empty: all of it
+    int refine = 0;      ///< levels; 0: the grid
     std::int64_t runs = 1;
     analysis::ClassifyOptions settings;
 
@@ -24,17 +29,44 @@ struct SweepOptions {
 
 extern const char* const sweep_details;
 
+/// One of n parts of a sweep: the cells whose number is i − 1 modulo n.
+struct Shard {
+    std::int64_t number = 1, of = 1;
+};
+/// i/n. @throws BadInput unless 1 ≤ i ≤ n ≤ 10⁶
+Shard shard_from(const std::string& text);
+/// Everything that the results depend on, in one order. The scene's gridded parameters stand in the grid.
+Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& grid);
+
 /// A sweep, whole: what was asked for and what was found. Results of cell c, run r are at c · runs + r.
 struct Sweep {
     std::vector<GridAxis> grid;
     std::int64_t runs = 1;
     Settings settings;  ///< everything that the results depend on, in the order in which it is compared
     std::vector<RunResult> results;
+    std::vector<std::vector<SteadyShare>> steady;  ///< of each cell
+    std::vector<char> visited = {};                ///< 1 of the cells that were looked at; empty: all
+    std::optional<Shard> shard = {};               ///< whose cells they are
+    std::optional<Units> units = {};
 
+    std::span<const SteadyShare> steady_of(std::size_t cell) const {
+        return steady.empty() ? std::span<const SteadyShare>() : std::span<const SteadyShare>(steady[cell]);
+    }
+    bool is_visited(std::size_t cell) const { return visited.empty() || visited[cell] != 0; }
     std::span<const RunResult> cell(std::size_t index) const {
         return std::span(results).subspan(index * static_cast<std::size_t>(runs), static_cast<std::size_t>(runs));
     }
 };
+
+/// Leaves the shard's cells.
+void take_shard(const Shard& shard, Sweep& sweep);
+/// The record of a shard: settings, shard, and the results of its cells. @throws RecordError
+void write_shard(const SweepOptions& options, const Sweep& sweep);
+/// Reads it into a sweep with the same settings and shard. @throws BadInput naming what differs
+void read_shard(const std::string& path, Sweep& sweep);
+
+/// The attracting steady modes of every cell, with their shares of the runs. False if interrupted.
+bool find_steady_modes(const SweepOptions& options, Sweep& sweep);
 
 /// A record of a finished sweep. @throws RecordError
 void write_sweep(const SweepOptions& options, const Sweep& sweep);
@@ -42,9 +74,20 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep);
 /// Reads the results of a record that was made with the same settings. @throws BadInput naming the first that differs
 void read_sweep(const std::string& path, Sweep& sweep);
 
-void print_sweep(const Sweep& sweep);  ///< a map in characters (1 or 2 axes) and the shares
-void write_sweep_document(const SweepOptions& options, const Sweep& sweep);  ///< JSON
+void print_sweep(const Sweep& sweep);           ///< a map in characters (1 or 2 axes) and the shares
+void write_sweep_document(const Sweep& sweep);  ///< JSON
 
 int sweep(SweepOptions& options);
+
+struct JoinOptions {
+    OutputOptions output;
+    std::vector<std::string> shards;
+
+    void add_to(Flags& command);
+};
+extern const char* const join_details;
+
+/// `swirl join`: the record of a sweep from those of all its shards. @throws BadInput
+int join(JoinOptions& options);
 
 }  // namespace swirl::apps::sweep

@@ -2,6 +2,7 @@
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/record/record_reader.hpp"
+#include "apps/sweep/run_columns.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
 #include <algorithm>
@@ -36,61 +37,6 @@ void print_map(const Sweep& sweep) {
     }
 }
 
-struct RunColumn {
-    const char* name;
-    double RunResult::*member;
-    const char* units;
-    const char* long_name;
-    ElementType type = ElementType::float64;
-    std::vector<std::string> meanings = {};  ///< of a name's number
-};
-
-/// What a record holds of each run.
-std::vector<RunColumn> run_columns() {
-    const auto names = ElementType::uint8, count = ElementType::int64;
-    std::vector<std::string> modes;
-    for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
-    return {
-        {"run_mode", &RunResult::mode, "1", "mode", names, modes},
-        {"run_kind", &RunResult::kind, "1", "kind", names, names_up_to(analysis::Kind::transient)},
-        {"run_outcome", &RunResult::outcome, "1", "outcome", names, names_up_to(Outcome::unresolved)},
-        {"run_period", &RunResult::period, "1", "period, 0: none", count},
-        {"run_mean_S", &RunResult::mean_spin, "omega_s", "time mean of S"},
-        {"run_mean_S_per_impact", &RunResult::mean_spin_per_impact, "omega_s", "mean of S over impacts"},
-        {"run_recurrence_rate", &RunResult::recurrence_rate, "1", "RC of S"},
-        {"run_largest_exponent", &RunResult::largest_exponent, "1", "largest Lyapunov exponent per impact"},
-        {"run_impacts", &RunResult::impacts, "1", "impacts followed", count},
-    };
-}
-
-template <class T>
-void write_runs(const RecordGroup& group, const std::vector<std::string>& axes, const RunColumn& column,
-                const Sweep& sweep) {
-    std::vector<T> values;
-    for (const auto& result : sweep.results) values.push_back(static_cast<T>(result.*column.member));
-    group.write<T>(column.name, axes, values, {column.units, column.long_name, column.meanings});
-}
-
-template <class T>
-void read_runs(const RecordReader& record, const std::string& path, const RunColumn& column, Sweep& sweep) {
-    const auto values = record.read<T>(std::string("/sweep/") + column.name);
-    if (values.size() != sweep.results.size())
-        throw BadInput(
-            fmt::format("record '{}' has another grid: name another file, or replace it with --force", path));
-    for (std::size_t i = 0; i < values.size(); ++i) sweep.results[i].*column.member = static_cast<double>(values[i]);
-}
-
-/// `use.template operator()<T>()` with the column's type in a record.
-template <class Use>
-void in_type_of(const RunColumn& column, const Use& use) {
-    if (column.type == ElementType::uint8)
-        use.template operator()<std::uint8_t>();
-    else if (column.type == ElementType::int64)
-        use.template operator()<std::int64_t>();
-    else
-        use.template operator()<double>();
-}
-
 std::string dimension_of(const GridAxis& axis) {
     std::string name = axis.name;
     std::replace(name.begin(), name.end(), '-', '_');
@@ -113,7 +59,8 @@ Table<RunResult> run_table() {
              period_field<RunResult>(period),
              {"mean_S", &RunResult::mean_spin},
              {"mean_S_per_impact", &RunResult::mean_spin_per_impact},
-             {"largest_exponent", &RunResult::largest_exponent}}};
+             {"largest_exponent", &RunResult::largest_exponent},
+             {"impacts", [](const RunResult& run) { return static_cast<std::int64_t>(run.impacts); }}}};
 }
 
 void write_parameters(JsonWriter& json, const Sweep& sweep, const Cell& cell) {
@@ -130,58 +77,150 @@ void write_shares(JsonWriter& json, const Cell& cell) {
     json.end_object();
 }
 
+/// Of the cell that has most, 1 at least: a dimension of no length is nothing to plot.
+std::size_t most_steady_modes(const Sweep& sweep) {
+    std::size_t most = 1;
+    for (const auto& modes : sweep.steady) most = std::max(most, modes.size());
+    return most;
+}
+
+/// The shares of a cell's modes, with Wilson's intervals, and whether it was looked at.
+std::vector<Field<Cell>> share_fields(const Sweep& sweep) {
+    using F = Field<Cell>;
+    const auto shares = [](const Cell& cell) {
+        return std::vector<double>(cell.summary.shares.begin(), cell.summary.shares.end());
+    };
+    const auto runs_in_all = static_cast<double>(sweep.runs);
+    const auto bounds = [runs_in_all](double Interval::*bound) {
+        return [runs_in_all, bound](JsonWriter& json, const Cell& cell) {
+            json.begin_object();
+            for (std::size_t m = 0; m < mode_count; ++m)
+                if (const double share = cell.summary.shares[m]; share > 0)
+                    json.member(name_of(all_modes[m]), wilson_interval(share, runs_in_all).*bound);
+            json.end_object();
+        };
+    };
+    const auto bound_list = [runs_in_all](double Interval::*bound) {
+        return [runs_in_all, bound](const Cell& cell) {
+            std::vector<double> values;
+            for (const double share : cell.summary.shares) values.push_back(wilson_interval(share, runs_in_all).*bound);
+            return values;
+        };
+    };
+    return {
+        {"modes_low", bounds(&Interval::low)},
+        {"modes_high", bounds(&Interval::high)},
+        F{"share", shares, "1", "share of the runs with this mode"}.along({"mode"}, mode_count).record_only(),
+        F{"share_low", bound_list(&Interval::low), "1", "from this share on, by Wilson's interval at 95 %"}
+            .along({"mode"}, mode_count)
+            .record_only(),
+        F{"share_high", bound_list(&Interval::high), "1", "up to this share"}.along({"mode"}, mode_count).record_only(),
+        F{"visited", [&sweep](const Cell& cell) { return std::int64_t{sweep.is_visited(cell.index)}; }, "1",
+          "1: looked at; 0: has the results of a neighbour"}
+            .stored_as(ElementType::uint8)
+            .record_only()
+            .when(!sweep.visited.empty())};
+}
+
+/// The attracting steady modes in a record: lists as long as the longest.
+std::vector<Field<Cell>> steady_fields(const Sweep& sweep) {
+    using F = Field<Cell>;
+    const std::size_t most = most_steady_modes(sweep);
+    const auto steady_column = [&sweep, most](double SteadyShare::*member) {
+        return [&sweep, most, member](const Cell& cell) { return filled(sweep.steady_of(cell.index), member, most); };
+    };
+    return {F{"steady_S", steady_column(&SteadyShare::spin), "omega_s", "S of an attracting steady mode; NaN: no more"}
+                .along({"steady_mode"}, most)
+                .record_only(),
+            F{"steady_share", steady_column(&SteadyShare::share), "1", "share of the runs that came to it"}
+                .along({"steady_mode"}, most)
+                .record_only(),
+            F{"steady_flight_time", steady_column(&SteadyShare::flight_time), "1/omega_s", "its flight time"}
+                .along({"steady_mode"}, most)
+                .record_only(),
+            F{"steady_multiplier", steady_column(&SteadyShare::multiplier), "1", "its largest |multiplier|"}
+                .along({"steady_mode"}, most)
+                .record_only()};
+}
+
 /// The cells, along the dimensions `axes` of a record.
 Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes = {}) {
     using F = Field<Cell>;
     const auto of = [](auto member) { return [member](const Cell& cell) { return cell.summary.*member; }; };
-    const auto shares = [](const Cell& cell) {
-        return std::vector<double>(cell.summary.shares.begin(), cell.summary.shares.end());
-    };
+    const auto impacts_spent = [](const Cell& cell) { return static_cast<std::int64_t>(cell.summary.impacts_spent); };
     const auto parameters = [&sweep](JsonWriter& json, const Cell& cell) { write_parameters(json, sweep, cell); };
+    const auto steady = [&sweep, table = steady_share_table()](JsonWriter& json, const Cell& cell) {
+        write_rows(json, table, sweep.steady_of(cell.index), JsonLayout::line);
+    };
     const auto runs = [&sweep, table = run_table()](JsonWriter& json, const Cell& cell) {
         write_rows(json, table, sweep.cell(cell.index), JsonLayout::line);
     };
-    return {axes,
-            {{"parameters", parameters},
-             {"modes", write_shares},
-             F{"share", shares, "1", "share of the runs with this mode"}.along({"mode"}, mode_count).record_only(),
-             {"mean_S", of(&CellSummary::mean_spin), "omega_s", "mean over the runs of the time mean of S"},
-             {"mean_S_error", of(&CellSummary::mean_spin_error), "omega_s", "its standard error over the runs"},
-             {"mean_S_per_impact", of(&CellSummary::mean_spin_per_impact), "omega_s",
-              "mean over the runs of the mean of S over impacts"},
-             {"recurrence_rate", of(&CellSummary::recurrence_rate), "1", "mean over the runs of RC of S"},
-             {"largest_exponent", of(&CellSummary::largest_exponent), "1", "mean over the runs, per impact"},
-             {"runs", runs}}};
+    Table<Cell> table{
+        axes,
+        {{"parameters", parameters},
+         {"modes", write_shares},
+         {"mean_S", of(&CellSummary::mean_spin), "omega_s", "mean over the runs of the time mean of S"},
+         {"mean_S_error", of(&CellSummary::mean_spin_error), "omega_s", "its standard error over the runs"},
+         {"mean_S_per_impact", of(&CellSummary::mean_spin_per_impact), "omega_s",
+          "mean over the runs of the mean of S over impacts"},
+         {"recurrence_rate", of(&CellSummary::recurrence_rate), "1", "mean over the runs of RC of S"},
+         {"largest_exponent", of(&CellSummary::largest_exponent), "1", "mean over the runs, per impact"},
+         {"impacts_spent", impacts_spent, "1", "impacts that were followed, by all runs"},
+         {"steady_modes", steady},
+         {"runs", runs}}};
+    const auto insert_after = [&](const std::string& name, const std::vector<F>& fields) {
+        const auto at =
+            std::find_if(table.fields.begin(), table.fields.end(), [&](const F& f) { return f.name == name; });
+        table.fields.insert(at + 1, fields.begin(), fields.end());
+    };
+    insert_after("modes", share_fields(sweep));
+    insert_after("steady_modes", steady_fields(sweep));
+    return table;
 }
 
 std::vector<Cell> cells_of(const Sweep& sweep) {
     std::vector<Cell> cells;
-    for (std::size_t c = 0; c < cell_count(sweep.grid); ++c) cells.push_back({c, summary_of(sweep.cell(c))});
+    for (std::size_t c = 0; c < cell_count(sweep.grid); ++c) {
+        cells.push_back({c, summary_of(sweep.cell(c))});
+        if (!sweep.is_visited(c)) cells.back().summary.impacts_spent = 0;
+    }
+    return cells;
+}
+
+/// Those that were looked at.
+std::vector<Cell> visited_cells(const Sweep& sweep) {
+    std::vector<Cell> cells = cells_of(sweep);
+    std::erase_if(cells, [&](const Cell& cell) { return !sweep.is_visited(cell.index); });
     return cells;
 }
 
 }  // namespace
 
 void print_sweep(const Sweep& sweep) {
-    print_map(sweep);
+    const std::vector<Cell> cells = visited_cells(sweep);
+    if (!sweep.grid.front().sampled && (sweep.visited.empty() || !sweep.shard)) print_map(sweep);
+    std::vector<RunResult> results;
+    for (const Cell& cell : cells)
+        for (const RunResult& run : sweep.cell(cell.index)) results.push_back(run);
     std::string shares;
-    const CellSummary whole = summary_of(sweep.results);
+    const CellSummary whole = summary_of(results);
     for (std::size_t m = 0; m < mode_count; ++m)
         shares += fmt::format("{}{} {:.2f} %", m ? ", " : "", name_of(all_modes[m]), 100 * whole.shares[m]);
-    fmt::print("{} cells x {} runs: {}\n", cell_count(sweep.grid), sweep.runs, shares);
+    fmt::print("{} cells x {} runs: {}\n", cells.size(), sweep.runs, shares);
+    if (cells.size() < cell_count(sweep.grid) && !sweep.shard)
+        fmt::print("of a grid of {}; the others have the verdict of their neighbours\n", cell_count(sweep.grid));
 }
 
-void write_sweep_document(const SweepOptions& options, const Sweep& sweep) {
+void write_sweep_document(const Sweep& sweep) {
     print_document([&](JsonWriter& json) {
-        if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
-        write_json(json, "cells", cell_table(sweep), cells_of(sweep));
+        if (sweep.units) write_json(json, "units", unit_settings(*sweep.units));
+        write_json(json, "cells", cell_table(sweep), visited_cells(sweep));
         write_json(json, "settings", sweep.settings);
     });
 }
 
 void write_sweep(const SweepOptions& options, const Sweep& sweep) {
-    RecordWriter record =
-        create_record(options.output, "Modes of a swirled polygon across parameters", options.scene.units());
+    RecordWriter record = create_record(options.output, "Modes of a swirled polygon across parameters", sweep.units);
     const RecordGroup root = record.root();
     const RecordGroup settings = root.group("settings");
     write_attributes(settings, sweep.settings);
@@ -189,13 +228,21 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     settings.attribute("outcomes", names_up_to(Outcome::unresolved));
     const RecordGroup group = root.group("sweep");
     std::vector<std::string> axes;
+    if (sweep.grid.front().sampled) {
+        axes = {"cell"};
+        group.dimension("cell", cell_count(sweep.grid));
+    }
     for (const auto& axis : sweep.grid) {
-        axes.push_back(dimension_of(axis));
-        group.dimension(axes.back(), axis.points.size());
-        group.write<double>(axes.back(), {axes.back()}, axis.points, {"1", "parameter " + axis.name, {}});
+        if (!axis.sampled) {
+            axes.push_back(dimension_of(axis));
+            group.dimension(axes.back(), axis.points.size());
+        }
+        group.write<double>(dimension_of(axis), {axis.sampled ? "cell" : dimension_of(axis)}, axis.points,
+                            {"1", "parameter " + axis.name, {}});
     }
     group.dimension("run", static_cast<std::uint64_t>(sweep.runs));
     group.dimension("mode", mode_count);
+    group.dimension("steady_mode", most_steady_modes(sweep));
     std::vector<std::string> modes;
     for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
     group.write_strings("mode", {"mode"}, modes);
@@ -205,8 +252,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     write_columns(group, cell_table(sweep, axes), cells_of(sweep));
     auto by_run = axes;
     by_run.push_back("run");
-    for (const auto& column : run_columns())
-        in_type_of(column, [&]<class T>() { write_runs<T>(group, by_run, column, sweep); });
+    write_run_columns(group, by_run, sweep.results);
     record.finish();
 }
 
@@ -227,8 +273,14 @@ void read_sweep(const std::string& path, Sweep& sweep) {
         if (name != "kinds" && name != "outcomes" &&
             std::none_of(sweep.settings.begin(), sweep.settings.end(), [&](const auto& s) { return s.first == name; }))
             differs(name);
-    for (const auto& column : run_columns())
-        in_type_of(column, [&]<class T>() { read_runs<T>(record, path, column, sweep); });
+    auto results = read_run_columns(record, "/sweep");
+    if (results.size() != sweep.results.size())
+        throw BadInput(
+            fmt::format("record '{}' has another grid: name another file, or replace it with --force", path));
+    sweep.results = std::move(results);
+    if (!record.contains("/sweep/visited")) return;
+    for (const std::uint8_t seen : record.read<std::uint8_t>("/sweep/visited"))
+        sweep.visited.push_back(static_cast<char>(seen));
 }
 
 }  // namespace swirl::apps::sweep

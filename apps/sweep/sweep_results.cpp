@@ -4,6 +4,7 @@
 
 #include <gsl/gsl_statistics_double.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -44,6 +45,13 @@ std::optional<RunResult> sweep_run(const Scene<double>& scene, double speed, std
                      static_cast<double>(named.impacts)};
 }
 
+Interval wilson_interval(double share, double n) {
+    constexpr double z = 1.959963984540054;  // of the normal distribution: 2.5 % lie above
+    const double narrowed = 1 + z * z / n, middle = share + z * z / (2 * n);
+    const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+    return {std::max(0.0, (middle - half) / narrowed), std::min(1.0, (middle + half) / narrowed)};
+}
+
 CellSummary summary_of(std::span<const RunResult> runs) {
     CellSummary cell;
     for (int m = 0; m < mode_count; ++m) {
@@ -59,6 +67,7 @@ CellSummary summary_of(std::span<const RunResult> runs) {
     cell.mean_spin_per_impact = mean_of(measured(runs, &RunResult::mean_spin_per_impact));
     cell.recurrence_rate = mean_of(measured(runs, &RunResult::recurrence_rate));
     cell.largest_exponent = mean_of(measured(runs, &RunResult::largest_exponent));
+    for (const auto& run : runs) cell.impacts_spent += run.impacts;
     return cell;
 }
 

@@ -35,7 +35,16 @@ struct CellSummary {
     double mean_spin_per_impact = 0;          ///< mean over the runs, and the next two
     double recurrence_rate = 0;
     double largest_exponent = 0;
+    double impacts_spent = 0;  ///< by all runs
 };
+
+/// Wilson's interval of a share that was found in n of independent runs: of the probabilities p those from which it is
+/// less than 1.96 of their standard deviations √(p(1 − p)/n) away (95 %). E. B. Wilson, J. Amer. Statist. Assoc. 22
+/// (1927) 209.
+struct Interval {
+    double low = 0, high = 1;
+};
+Interval wilson_interval(double share, double n);
 
 CellSummary summary_of(std::span<const RunResult> runs);
 

@@ -54,6 +54,9 @@ public:
     std::int64_t follow(State& z, std::int64_t steps, const analysis::Stop& stop) const;
 
     static analysis::Vector<D> coordinates(const State& z) { return coordinates_of<D>(section_point(z)); }
+    static double coordinate(const State& z, int i) {
+        return i == D - 1 ? z.spin : i == D - 2 ? z.vt : i == D - 3 ? z.vn : coordinates(z)[i];
+    }
     static State state_at(const analysis::Vector<D>& point) { return post_impact_state(section_point_of(point)); }
     static double angle_period(int coordinate) { return coordinate < D - 3 ? 2 * pi<double>() : 0; }
 

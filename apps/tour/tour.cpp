@@ -52,6 +52,8 @@ void print_stop(const TourOptions& options, const Stop& stop, const Scene<double
 
 void TourOptions::add_to(Flags& command) {
     output.add_to(command);
+    command.add_flag("--exhaustive", exhaustive,
+                     "follow every orbit through 20,000 impacts, whatever its verdict needs");
     command.add_flag("--verbose", verbose, "the table lists the numbers and the evidence of each verdict")
         ->group("Output");
 }
@@ -64,7 +66,8 @@ int tour(TourOptions& options) {
         json.emplace(stdout);
         json->begin_object(JsonLayout::rows);
     }
-    const analysis::ClassifyOptions settings;
+    analysis::ClassifyOptions settings;
+    settings.exhaustive = options.exhaustive;
     Progress progress("tour", stops.size(), options.output.quiet);
     for (std::size_t i = 0; i < stops.size(); ++i) {
         const Scene<double> scene = scene_of(stops[i]);

@@ -7,7 +7,8 @@ namespace swirl::apps::tour {
 
 struct TourOptions {
     OutputOptions output;
-    bool verbose = false;  ///< the table has why, and the evidence
+    bool verbose = false;     ///< the table has why, and the evidence
+    bool exhaustive = false;  ///< all impacts, whatever the verdict needs
 
     void add_to(Flags& command);
 };

@@ -30,7 +30,13 @@ Moment moment_at(const ContactScene& scene, const TrajectorySegment& segment, do
     state.chi += change_at(series.chi, later);
     state.spin += change_at(series.spin, later);
     const double turned = change_at(series.turned, later);
-    return {centre_on_wall(scene, state, t), segment.angle + turned, state.spin, turned};
+    return {centre_on_wall(scene, state, t),
+            segment.angle + turned,
+            state.spin,
+            turned,
+            value_at(series.normal, later) + value_at(series.second, later),
+            value_at(series.friction, later),
+            state.ut + change_at(series.ut, later)};
 }
 
 TrajectorySegmenter::TrajectorySegmenter(const Scene<double>& scene)

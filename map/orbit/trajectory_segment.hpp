@@ -6,6 +6,7 @@
 
 #include "map/orbit/orbit.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace swirl {
@@ -22,12 +23,16 @@ struct TrajectorySegment {
     ContactState state;  ///< at the start
 };
 
-/// Position and orientation of the body at a time.
+/// Position and orientation of the body at a time, and in contact the wall's force on it, −λ n + f t (of an edge the
+/// sum over its two vertices); NaN in flight.
 struct Moment {
-    Vec2<double> centre;  ///< laboratory, R_c
-    double angle = 0;     ///< vertex 0's direction, unwound
-    double spin = 0;      ///< S
-    double turned = 0;    ///< ∫ S dt from the segment's start
+    Vec2<double> centre;                                             ///< laboratory, R_c
+    double angle = 0;                                                ///< vertex 0's direction, unwound
+    double spin = 0;                                                 ///< S
+    double turned = 0;                                               ///< ∫ S dt from the segment's start
+    double normal_force = std::numeric_limits<double>::quiet_NaN();  ///< λ, in m R_c ω_s²
+    double friction = std::numeric_limits<double>::quiet_NaN();      ///< f, in m R_c ω_s²
+    double slip = std::numeric_limits<double>::quiet_NaN();          ///< u_t, in R_c ω_s
 };
 
 /// The body at a time within a segment. Cost: in contact, a power series (about a microsecond).

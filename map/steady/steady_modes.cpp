@@ -44,8 +44,12 @@ namespace {
 
 using namespace steady;
 
-constexpr double cells_per_time = 200;
-constexpr int least_cells = 64;
+/// Cells per unit of τ in which a curve is searched, and the least.
+struct Grid {
+    double per_time;
+    int least;
+};
+constexpr Grid fine{200, 64}, coarse{10, 16};
 constexpr double shortest_flight_time = 1e-7;  // u_n ≈ Rτ/2 is below `least_speed` for R < 20
 constexpr double short_flight = 0.01;
 
@@ -71,19 +75,26 @@ void search_curve(Search& search, SteadyBranch branch, Interval interval, bool s
     const auto j_at = [&](double tau) {
         return vertices_on(search.scene, tau, spin_at(geometry_at(search.scene, branch, chi_of(tau)), tau));
     };
-    const int cells = least_cells + static_cast<int>(cells_per_time * (interval.to - interval.from));
+    const Grid& grid = search.options.attracting ? coarse : fine;
+    const int cells = grid.least + static_cast<int>(grid.per_time * (interval.to - interval.from));
     const WholeNumbers whole = whole_numbers(j_at, interval.from, interval.to, cells, search.options.most);
     if (whole.complete_to < interval.to) search.complete_to = std::min(search.complete_to, whole.complete_to);
     for (const auto& [tau, j] : whole.found) search.candidates.push_back({branch, j, tau, chi_of(tau), slides});
 }
 
+bool is_searched(const SteadyOptions& options, SteadyBranch branch) {
+    return branch == SteadyBranch::plus || !options.attracting;
+}
+
 void search_sticking(Search& search) {
     const Scene<double>& scene = search.scene;
     const auto spin_at = [&](const SteadyGeometry<double>& at, double tau) { return sticking_spin(scene, at, tau); };
-    for (const StickingCurve& curve : sticking_curves(scene, search.options.longest_flight))
+    for (const StickingCurve& curve : sticking_curves(scene, search.options.longest_flight)) {
+        if (!is_searched(search.options, curve.branch)) continue;
         search_curve(
             search, curve.branch, {curve.from, curve.to}, false, [&](double tau) { return chi_at(scene, curve, tau); },
             spin_at);
+    }
 }
 
 /// The lines χ = `chi` over all τ.
@@ -91,6 +102,7 @@ template <class SpinAt>
 void search_line(Search& search, double chi, bool slides, const SpinAt& spin_at) {
     for (const SteadyBranch branch : {SteadyBranch::plus, SteadyBranch::minus}) {
         if (search.scene.beta == 0 && branch == SteadyBranch::minus) continue;  // the same
+        if (!is_searched(search.options, branch)) continue;
         if (!(geometry_at(search.scene, branch, chi).radius > 0)) continue;
         // The line begins at j = 0, τ = 0, where the impact vanishes; roots of j = 0 near it (e → 1) need closer looks.
         const double longest = search.options.longest_flight, shorter = std::min(short_flight, longest);
@@ -184,7 +196,7 @@ void keep_earliest(Search& search) {
 void find_points(const Scene<double>& scene, const SteadyOptions& options, SteadyModes& result) {
     Search search{scene, options, {}, options.longest_flight};
     search_sticking(search);
-    search_sliding(search);
+    if (!options.attracting) search_sliding(search);
     if (scene.restitution == 1)  // χ = 0: the law holds for every Q
         search_line(search, 0, false,
                     [&](const SteadyGeometry<double>& at, double tau) { return sticking_spin(scene, at, tau); });
@@ -241,6 +253,7 @@ SteadyModes steady_modes(const Scene<double>& scene, const SteadyOptions& option
     SteadyModes result;
     result.complete_to = options.longest_flight;
     result.phase_is_free = scene.beta == 0;
+    if (options.attracting && (scene.is_disk() || scene.mu == 0)) return result;
     const bool on_families = scene.is_disk() || scene.mu == 0;
     if (!on_families) {
         find_points(scene, options, result);

@@ -22,6 +22,13 @@ inline T leaving_time(const Gap<T>& gap, const T& third, const T& fourth, const 
     return time;
 }
 
+/// True for an edge's other end a moment after it has lifted: still within rounding of the wall, and moving away.
+template <class T>
+inline bool has_lifted(const Gap<T>& gap) {
+    using std::fabs;
+    return fabs(gap.value) <= T(4) * epsilon<T>() && gap.rate < T(0);
+}
+
 /// Advances by a time in which nothing can touch; false (still at the start) if no such time makes the gaps larger than
 /// rounding.
 template <Shape shape, class T>
@@ -45,7 +52,7 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
         for (const auto* candidate : {&pair.first, &pair.second}) {
             const Gap<T>& gap = candidate->gap;
             const bool closed = gap.value > T(-1e-12) && fabs(gap.rate) <= slow;
-            const bool lifts = fabs(gap.value) <= T(4) * epsilon<T>() && gap.rate < T(0);  // an edge's other end
+            const bool lifts = has_lifted(gap);
             time = std::min(time, closed ? leaving_time(gap, bounds.vertex_third, fourth, rounding)
                                   // Half of it: the whole may lead to the wall itself.
                                   : lifts            ? T(T(0.5) * safe_step_off_the_wall(gap, bounds.vertex_third))
@@ -54,7 +61,8 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
         }
         if (time > T(0)) advance<shape>(flight, at, time);
         look_around(body, flight, at, pair);
-        if (pair.first.gap.value < T(0) && pair.second.gap.value < T(0)) return true;
+        const auto is_inside = [](const Gap<T>& gap) { return gap.value < T(0) || has_lifted(gap); };
+        if (is_inside(pair.first.gap) && is_inside(pair.second.gap)) return true;
     }
     at = start;
     return false;

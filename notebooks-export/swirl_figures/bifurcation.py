@@ -2,12 +2,13 @@
 
 import numpy
 from matplotlib.collections import LineCollection
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from .record import RecordError, open_record
-from .style import BLACK, BLUE, GREEN, MANY_POINTS, ORANGE, PURPLE, SKY, VERMILION, styled
+from .look import NARROW, LegendBelow, is_narrow, widen
+from .record import RecordError
+from .style import BLACK, BLUE, GREEN, MANY_POINTS, ORANGE, PURPLE, SKY, VERMILION
 from .symbols import SPIN, axis_label, number, observable_label, scene_title
+from .thinning import apart
 
 #: By the record's `origin`: name, colour, size. Light, for the branches lie over them; of falling size, for attractors
 #: that are found in several ways lie on one another.
@@ -125,6 +126,20 @@ def _branch_handles(record, colours):
     return handles
 
 
+#: Size, in points, of a special point's marker. Of one kind those that lie within a marker of one already drawn, in both
+#: directions, are left out, and the legend says how many: crowded, they would hide the branches that they are on.
+_MARKER = 5.5
+
+
+def _size_of_a_marker(axes, points):
+    """(along the abscissa, along the ordinate) in the axes' numbers; the panel takes some 0.85 of the width and 0.55 of the
+    height of its figure."""
+    figure = axes.figure
+    size = (0.85 * figure.bbox.width, 0.55 * figure.bbox.height)
+    return [points / 72 * figure.figure.dpi / length * abs(end - begin)
+            for length, (begin, end) in zip(size, (axes.get_xlim(), axes.get_ylim()))]
+
+
 def _draw_special(axes, record):
     parameter, spin = record.column("special", "parameter"), record.column("special", _observable(record)[0])
     kinds = record.names("special", "kind")
@@ -132,15 +147,21 @@ def _draw_special(axes, record):
         located = record.column("special", "located") != 0
         kinds = numpy.where(located, kinds, [f"{kind}, not located" for kind in kinds])
     handles = []
-    scale = 1 if numpy.isfinite(spin).sum() <= 60 else 0.6  # many would hide the branches that they are on
+    scale = (1 if numpy.isfinite(spin).sum() <= 60 else 0.75) * (0.8 if is_narrow(axes.figure) else 1)
+    near = _size_of_a_marker(axes, scale * _MARKER)
+    limits = axes.axis()
     for kind in dict.fromkeys(kinds):
         of = kinds == kind
         plain = kind.split(",")[0]
         marker = {"marker": _MARKERS.get(plain, "o"), "mec": BLACK if kind == plain else "0.6", "mfc": "white",
-                  "mew": 0.9 * scale, "ms": scale * (9 if plain == "branch-point" else 5.5)}
-        x = numpy.repeat(parameter[of], spin.shape[1])
-        axes.plot(x, spin[of].ravel(), ls="", zorder=4, **marker)
-        handles.append(Line2D([], [], ls="", label=kind, **{**marker, "ms": marker["ms"] / scale}))
+                  "mew": 0.9 * scale, "ms": scale * (9 if plain == "branch-point" else _MARKER)}
+        x, y = numpy.repeat(parameter[of], spin.shape[1]), spin[of].ravel()
+        shown = numpy.flatnonzero(numpy.isfinite(y))
+        kept = shown[apart(x[shown], y[shown], *near)]
+        axes.plot(x[kept], y[kept], ls="", zorder=4, **marker)
+        count = f" ({len(kept)} of {len(shown)} drawn)" if len(kept) < len(shown) else ""
+        handles.append(Line2D([], [], ls="", label=kind + count, **{**marker, "ms": marker["ms"] / scale}))
+    axes.axis(limits)
     return handles
 
 
@@ -165,51 +186,86 @@ def _limit_ordinate(axes, record):
         return
     outside = int(((values < low) | (values > high)).sum())
     axes.set_ylim(low - 0.03 * (high - low), high + 0.03 * (high - low))
-    axes.annotate(f"{outside:,} of {len(values):,} points lie outside: from {number(values.min())} to "
-                  f"{number(values.max())}", (0.995, 0.012), xycoords="axes fraction", ha="right", fontsize=7, color="0.35")
+    between = "\n" if is_narrow(axes.figure) else " "
+    axes.annotate(f"{outside:,} of {len(values):,} points lie outside:{between}from {number(values.min())} to "
+                  f"{number(values.max())}", (0.995, 0.012), xycoords="axes fraction", ha="right", fontsize="small",
+                  color="0.25", bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 1}, zorder=5)
 
 
 def _draw_multiplier(axes, record, colours):
     modulus = record.column("branches", "largest_multiplier")
     _draw_branches(axes, record, "largest_multiplier", colours)
-    axes.axhline(1, color="0.6", lw=0.8, zorder=0, label="$|\\lambda| = 1$: stable below")
-    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    axes.axhline(1, color="0.6", lw=0.8, zorder=0)
+    axes.set_title("stable where $|\\lambda| < 1$", fontsize="small", color="0.35", loc="right", pad=2)
     finite = modulus[numpy.isfinite(modulus)]
     top = finite.max(initial=1.0)
     if top > 5:
         axes.set_yscale("symlog", linthresh=1, linscale=1)
-        axes.set_yticks([0, 1] + [10.0**k for k in range(1, int(numpy.log10(top)) + 1)])
+        most = int(numpy.log10(top))
+        axes.set_yticks([0, 1] + [10.0**k for k in range(1, most + 1)][::-(-most // 4) or 1])
+        axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}" if value <= 10 else f"$10^{{{round(numpy.log10(value))}}}$")
+        axes.minorticks_off()
     axes.set(ylabel="largest $|\\lambda|$", ylim=(0, top * 1.15))
 
 
-@styled
-def draw_bifurcation(record):
-    """The figure: S, or the record's observable, against the parameter; below it, where there are branches, their largest multiplier."""
-    record = open_record(record)
+def is_diagram(record):
+    return any(name in record and "parameter" in record[name].variables
+               for name in ("samples", "branches", "special", "attractors"))
+
+
+def _has_branches(record):
+    return "branches" in record and len(record.column("branches", "parameter")) > 0
+
+
+def size(record, width):
+    width = width or 8.5
+    return width, (4.8 + 2.2 * _has_branches(record)) * (1 if width >= NARROW else 0.9)
+
+
+def _curves(record):
+    """{period: colour} of its branches."""
+    periods = numpy.unique(record.column("branches", "period")) if _has_branches(record) else []
+    return {period: _PERIODS[i % len(_PERIODS)] for i, period in enumerate(periods)}
+
+
+def _panels(figure, record):
+    count = 1 + _has_branches(record)
+    return figure.subplots(count, 1, sharex=True, squeeze=False, height_ratios=(7, 2)[:count])[:, 0]
+
+
+def _draw_above(axes, record, look):
+    """The upper panel, but for the special points; handles of the legend."""
+    name, label = _observable(record)
+    handles = (_draw_samples(axes, record) if "samples" in record else []) + _draw_contact(axes, record)
+    if _has_branches(record):
+        colours = _curves(record)
+        _draw_branches(axes, record, name, colours)
+        handles += _branch_handles(record, colours)
+    axes.autoscale_view()
+    axes.margins(x=0.02)
+    if look.xlim:
+        axes.set_xlim(look.xlim)
+    _limit_ordinate(axes, record)
+    widen(axes, abscissa=False)
+    axes.set_ylabel(f"{label}, just after each impact")
+    return handles
+
+
+def draw_into(figure, record, look):
+    """S, or the record's observable, against the parameter; below it, where there are branches, their largest
+    multiplier."""
     drawn = [name for name in ("samples", "branches", "special", "attractors") if name in record]
     if not any(len(record.column(name, "parameter")) for name in drawn):
         raise RecordError(f"record '{record.path}' holds no samples and no branches: there is nothing to draw")
     along = str(record.attributes("settings").get("along", "parameter"))
-    with_branches = "branches" in record and len(record.column("branches", "parameter")) > 0
-    figure = Figure(figsize=(8.5, 6.4 if with_branches else 4.8), layout="constrained")
-    panels = figure.subplots(1 + with_branches, 1, sharex=True, squeeze=False,
-                             height_ratios=(7, 2) if with_branches else (1,))[:, 0]
-    name, label = _observable(record)
-    handles = _draw_samples(panels[0], record) if "samples" in record else []
-    handles += _draw_contact(panels[0], record)
-    if with_branches:
-        periods = numpy.unique(record.column("branches", "period"))
-        colours = {period: _PERIODS[i % len(_PERIODS)] for i, period in enumerate(periods)}
-        _draw_branches(panels[0], record, name, colours)
-        _draw_multiplier(panels[1], record, colours)
-        handles += _branch_handles(record, colours)
+    look.title(figure, scene_title(record.scene(), leave_out=[along]))
+    parts = LegendBelow(figure)
+    panels = _panels(parts.above, record)
+    handles = _draw_above(panels[0], record, look)
+    if _has_branches(record):
+        _draw_multiplier(panels[1], record, _curves(record))
     if "special" in record:
         handles += _draw_special(panels[0], record)
-    panels[0].autoscale_view()
-    panels[0].margins(x=0.02)
-    _limit_ordinate(panels[0], record)
-    panels[0].set_ylabel(f"{label}, just after each impact")
-    panels[0].legend(handles=handles, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    parts.fill(handles, look)
     panels[-1].set_xlabel(axis_label(along))
-    figure.suptitle(scene_title(record.scene(), leave_out=[along]))
-    return figure
+    return [panels[0]]

@@ -44,6 +44,11 @@ def _begins(t, flight_time, contact_ends):
 
 
 def flights_of(record):
+    """The flights of all listed impacts."""
+    return record.derived(_flights_of)
+
+
+def _flights_of(record):
     def column(name):
         return record.column("collisions", name)
 

@@ -1,28 +1,63 @@
 """The kinds of figure by name, and which of them a record can be drawn as."""
 
-from .bifurcation import draw_bifurcation
-from .multipliers import draw_multipliers
-from .orbit import draw_orbit
-from .path import draw_path
-from .record import RecordError, open_record
-from .spin import draw_spin
-from .sweep import draw_sweep
+import dataclasses
+from dataclasses import dataclass
+from typing import Callable
 
-#: name: (the groups of which a record must hold one, what draws it); a record's first match is its default
+from . import (balance, bifurcation, contacts, lyapunov, multipliers, orbit, path, recurrence, section, shares, spectrum,
+               spin, steady_modes, sweep, tour, tradeoff, verdict)
+from .look import Look, blank_figure, limit_abscissa
+from .record import RecordError, open_record
+from .style import styled_with
+
+
+@dataclass(frozen=True)
+class Kind:
+    """`draw_into(figure, record, look)` draws into a figure or a part of one and gives back the axes that `--xlim`
+    limits; `size(record, width)` is the (width, height) in inches that it wants, of None the width it is drawn in on a
+    screen; `together(figure, records, look)` draws several records into the same axes."""
+    fits: Callable
+    draw_into: Callable
+    size: Callable
+    together: Callable = None
+
+
+def _with(group, column=None):
+    """Has the group, and in it the column: a result of nothing has its group alone."""
+    return lambda record: group in record and (column is None or column in record[group].variables)
+
+
+_simulate = _with("collisions")
+
+#: By name; a record's first match is its default.
 KINDS = {
-    "orbit": ({"collisions"}, draw_orbit),
-    "spin": ({"collisions"}, draw_spin),
-    "path": ({"collisions"}, draw_path),
-    "modes": ({"sweep"}, draw_sweep),
-    "bifurcation": ({"samples", "branches", "special", "attractors"}, draw_bifurcation),
-    "multipliers": ({"orbits"}, draw_multipliers),
+    "orbit": Kind(_simulate, orbit.draw_into, orbit.size),
+    "spin": Kind(_simulate, spin.draw_into, spin.size),
+    "path": Kind(_simulate, path.draw_into, path.size),
+    "section": Kind(_simulate, section.draw_into, section.size, section.draw_together),
+    "balance": Kind(_simulate, balance.draw_into, balance.size),
+    "contacts": Kind(contacts.has_contacts, contacts.draw_into, contacts.size),
+    "modes": Kind(_with("sweep"), sweep.draw_into, sweep.size),
+    "bifurcation": Kind(bifurcation.is_diagram, bifurcation.draw_into, bifurcation.size),
+    "multipliers": Kind(_with("orbits"), multipliers.draw_into, multipliers.size),
+    "shares": Kind(_with("runs", "mode"), shares.draw_into, shares.size),
+    "verdict": Kind(verdict.has_verdict, verdict.draw_into, verdict.size),
+    "spectrum": Kind(_with("spectrum", "frequency"), spectrum.draw_into, spectrum.size),
+    "recurrence": Kind(_with("recurrence", "RR"), recurrence.draw_into, recurrence.size),
+    "lyapunov": Kind(_with("lyapunov", "exponents"), lyapunov.draw_into, lyapunov.size),
+    "steady-modes": Kind(_with("steady_modes"), steady_modes.draw_into, steady_modes.size),
+    "tour": Kind(tour.is_tour, tour.draw_into, tour.size),
+    "tradeoff": Kind(_with("rungs"), tradeoff.draw_into, tradeoff.size),
 }
+
+#: Records below one another; more would be too small to read, or too high for a page.
+MOST_RECORDS = 8
 
 
 def kinds_of(record):
     """The names of the figures that a record can be drawn as, the default first."""
-    groups = open_record(record).groups
-    return [name for name, (needed, _) in KINDS.items() if needed & groups]
+    record = open_record(record)
+    return [name for name, kind in KINDS.items() if kind.fits(record)]
 
 
 def kind_of(record, kind=None):
@@ -37,7 +72,60 @@ def kind_of(record, kind=None):
     return kind or possible[0]
 
 
-def draw(record, kind=None):
-    """The figure of a record: of its default kind, or of the kind named."""
-    record = open_record(record)
-    return KINDS[kind_of(record, kind)][1](record)
+def draw(records, kind=None, look=Look()):
+    """The figure of a record, of its default kind or of the kind named; of several records one figure: those of a section
+    portrait in the same axes, others below one another, (a), (b), …"""
+    records = [open_record(record) for record in (records if isinstance(records, (list, tuple)) else [records])]
+    if len(records) > MOST_RECORDS:
+        raise RecordError(f"{len(records)} records: a figure shows at most {MOST_RECORDS}")
+    names = [kind_of(record, kind) for record in records]
+    with styled_with(look.letters):
+        if len(records) == 1:
+            return _draw_one(records[0], names[0], look)
+        together = KINDS[names[0]].together
+        if together and set(names) == {names[0]}:
+            return _draw_together(records, names[0], look)
+        return _draw_below_one_another(records, names, look)
+
+
+def _draw_one(record, name, look):
+    kind = KINDS[name]
+    figure = blank_figure(*kind.size(record, look.width))
+    limit_abscissa(kind.draw_into(figure, record, look), look, name)
+    return figure
+
+
+def _draw_together(records, name, look):
+    kind = KINDS[name]
+    figure = blank_figure(*kind.size(records[0], look.width))
+    limit_abscissa(kind.together(figure, records, look), look, name)
+    return figure
+
+
+#: Their legends may be as high as their panels: how high shows when they are drawn.
+_OF_ANY_HEIGHT = ("bifurcation", "multipliers")
+
+
+def _height(record, name, look):
+    if name in _OF_ANY_HEIGHT:
+        return _draw_one(record, name, look).get_size_inches()[1]
+    return KINDS[name].size(record, look.width)[1]
+
+
+def _see_through(figure):
+    """Parts are drawn after what stands in the whole, and would cover it."""
+    for part in figure.subfigs:
+        part.patch.set_visible(False)
+        _see_through(part)
+
+
+def _draw_below_one_another(records, names, look):
+    width = look.width or max(KINDS[name].size(record, None)[0] for record, name in zip(records, names))
+    heights = [_height(record, name, dataclasses.replace(look, width=width)) for record, name in zip(records, names)]
+    figure = blank_figure(width, sum(heights))
+    parts = figure.subfigures(len(records), 1, height_ratios=heights, squeeze=False)[:, 0]
+    for letter, part, record, name in zip("abcdefgh", parts, records, names):
+        limit_abscissa(KINDS[name].draw_into(part, record, look), look, name)
+        _see_through(part)
+        part.text(0.004, 0.995, f"({letter})", va="top", ha="left", weight="bold")
+    return figure

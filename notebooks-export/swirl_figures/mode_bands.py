@@ -3,9 +3,9 @@
 import numpy
 from matplotlib.ticker import MaxNLocator
 
-from .mode_map import mode_figure
-from .style import BLUE, MODE_COLOURS, styled
-from .sweep_grid import SweepGrid, cell_edges
+from .mode_map import mode_frame
+from .style import BLUE, MODE_COLOURS
+from .sweep_grid import cell_edges
 from .symbols import MEAN_SPIN, axis_label
 
 
@@ -25,19 +25,20 @@ def _draw_spin(axes, grid, points):
     axes.errorbar(points, grid.mean_spin, yerr=error, fmt="o", ms=size, color=BLUE, elinewidth=0.9, capsize=1.5)
     axes.set_ylabel(f"mean spin {MEAN_SPIN}, in $\\omega_s$")
     if error is not None:
-        axes.set_title("bars: standard error over the starts", fontsize=8, color="0.25", loc="right", pad=2)
+        axes.set_title("bars: standard error over the starts", fontsize="small", color="0.25", loc="right", pad=2)
 
 
-@styled
-def draw_mode_bands(record):
-    grid = SweepGrid(record)
+def size(grid, width):
+    return width or 7, 5.2
+
+
+def draw_mode_bands(figure, grid, look):
     name = grid.axes[0]
     points = grid.points[name]
-    figure, middle = mode_figure(7, 5.2, grid)
-    above, below = middle.subplots(2, 1, sharex=True, height_ratios=(3, 2))
+    above, below = mode_frame(figure, grid, look).subplots(2, 1, sharex=True, height_ratios=(3, 2))
     _draw_shares(above, grid, cell_edges(points))
     _draw_spin(below, grid, points)
     below.set_xlabel(axis_label(name))
     if name == "sides":
         below.xaxis.set_major_locator(MaxNLocator(integer=True))
-    return figure
+    return [above]

@@ -2,12 +2,12 @@
 
 import numpy
 from matplotlib.colors import BoundaryNorm, ListedColormap, Normalize
-from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from .style import MODE_COLOURS, styled
+from .look import LegendBelow, rows_of, side_by_side, width_of
+from .style import MODE_COLOURS
 from .symbols import MEAN_SPIN, axis_label, scene_title
-from .sweep_grid import SweepGrid, cell_edges
+from .sweep_grid import cell_edges
 
 NO_VALUE = "#E6E6E6"
 
@@ -37,17 +37,21 @@ def spin_style(values):
     return {"cmap": "PuOr", "norm": Normalize(-(most or 1.0), most or 1.0)}, extend
 
 
-def mode_figure(width, height, grid, remark=""):
-    """A figure with the scene above, the modes' legend below, and the subfigure in between."""
-    figure = Figure(figsize=(width, height), layout="constrained")
-    figure.suptitle(sweep_title(grid) + remark)
-    middle, strip = figure.subfigures(2, 1, height_ratios=(height - 0.3, 0.3))
+def mode_handles(grid):
+    """The legend: modes that are there."""
     present = [mode for index, mode in enumerate(grid.modes) if (grid.share[..., index] > 0).any()]
     handles = [Patch(fc=MODE_COLOURS[mode], ec="0.3", lw=0.5, label=mode) for mode in present]
     if not numpy.isfinite(grid.mean_spin).all():
         handles.append(Patch(fc=NO_VALUE, ec="0.3", lw=0.5, label="no mean spin"))
-    strip.legend(handles=handles, loc="center", ncols=len(handles))
-    return figure, middle
+    return handles
+
+
+def mode_frame(figure, grid, look, remark=""):
+    """The part of the figure between the scene above and the modes' legend below."""
+    look.title(figure, sweep_title(grid) + remark)
+    parts = LegendBelow(figure)
+    parts.fill(mode_handles(grid), look)
+    return parts.above
 
 
 def sweep_title(grid):
@@ -55,17 +59,28 @@ def sweep_title(grid):
     return f"{title}\n{grid.runs:,} random start{'s' * (grid.runs > 1)} in each cell"
 
 
-@styled
-def draw_mode_map(record):
+#: Inches that a map with its colour bar needs.
+_LEAST_MAP = 3.0
+
+
+def _maps(grid):
+    return 2 + bool((grid.largest_share < 1).any())
+
+
+def size(grid, width):
+    width = width or 0.6 + 3.9 * _maps(grid)
+    rows = rows_of(width, _maps(grid), _LEAST_MAP)
+    return width, 4.3 if rows == 1 else 1.0 + 2.9 * rows
+
+
+def draw_mode_map(figure, grid, look):
     """The figure of a sweep over two parameters."""
-    grid = SweepGrid(record)
-    with_share = bool((grid.largest_share < 1).any())
-    count = 2 + with_share
-    figure, middle = mode_figure(0.6 + 3.9 * count, 4.3, grid)
-    panels = list(middle.subplots(1, count, sharey=True))
+    count = _maps(grid)
+    middle = mode_frame(figure, grid, look)
+    panels = side_by_side(middle, count, _LEAST_MAP, sharey=True)
     draw_cells(panels[0], grid, grid.largest_mode, **mode_style(grid.modes))
-    panels[0].set_title("Mode" + (" with the largest share" if with_share else ""))
-    if with_share:
+    panels[0].set_title("Mode" + (" with the largest share" if count == 3 else ""))
+    if count == 3:
         mesh = draw_cells(panels[1], grid, grid.largest_share, cmap="Greys_r", norm=Normalize(0, 1))
         panels[1].set_title("Its share of the starts")
         middle.colorbar(mesh, ax=panels[1])
@@ -73,6 +88,7 @@ def draw_mode_map(record):
     mesh = draw_cells(panels[-1], grid, grid.mean_spin, **colours)
     panels[-1].set_title(f"Mean spin {MEAN_SPIN}, in units of $\\omega_s$")
     middle.colorbar(mesh, ax=panels[-1], extend=extend)
-    for axes in panels[1:]:
-        axes.set_ylabel("")
-    return figure
+    if rows_of(width_of(figure), count, _LEAST_MAP) == 1:
+        for axes in panels[1:]:
+            axes.set_ylabel("")
+    return panels

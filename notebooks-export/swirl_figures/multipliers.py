@@ -1,13 +1,13 @@
 """The multipliers of fixed points and cycles in the complex plane, and which mean spin each orbit has."""
 
 import numpy
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle
 from matplotlib.ticker import MaxNLocator
 
-from .record import RecordError, open_record
-from .style import BLACK, CYCLE, styled
+from .look import NARROW, LegendBelow, side_by_side
+from .record import RecordError
+from .style import BLACK, CYCLE
 from .symbols import MEAN_SPIN, number, scene_title
 
 #: Within this modulus the plane is drawn as it is; beyond, moduli are drawn on a logarithmic scale outside the circle.
@@ -46,7 +46,7 @@ def _draw_rings(axes, multiplier):
         if power > 0:
             axes.add_patch(Circle((0, 0), radius, fill=False, ec="0.7", lw=0.7, ls=(0, (4, 3)), zorder=0))
         name = ("1", "10")[power] if power < 2 else f"$10^{{{power}}}$"
-        axes.text(radius * direction.real, radius * direction.imag, name, size=7, color="0.25", ha="center",
+        axes.text(radius * direction.real, radius * direction.imag, name, size="small", color="0.25", ha="center",
                   va="center", bbox={"fc": "white", "ec": "none", "pad": 0.6}, zorder=1.5)
 
 
@@ -84,24 +84,27 @@ def _draw_spins(axes, period):
     axes.margins(y=0.1)
 
 
-@styled
-def draw_multipliers(record):
-    record = open_record(record)
+def size(record, width):
+    width = width or 8.6
+    return width, 5.6 if width >= NARROW else 1.6 + 1.75 * width
+
+
+def draw_into(figure, record, look):
     if record["orbits"].sizes.get("orbit", 0) == 0:
         raise RecordError(f"record '{record.path}' holds no orbits: there is nothing to draw")
     period, mean_spin = record.column("orbits", "period"), record.column("orbits", "mean_S")
     multiplier = record.column("orbits", "multiplier_re") + 1j * record.column("orbits", "multiplier_im")
     stability = record.names("orbits", "stability")
     logarithmic = numpy.nanmax(abs(multiplier), initial=1.0) > LINEAR_UP_TO
-    figure = Figure(figsize=(11, 4.9), layout="constrained")
-    plane, spins = figure.subplots(1, 2, width_ratios=(1, 1))
-    _draw_plane(plane, multiplier, logarithmic)
+    look.title(figure, scene_title(record.scene()))
     colours, names = _colours(period, mean_spin)
+    parts = LegendBelow(figure)
+    parts.fill(_handles(colours, names, stability), look)
+    plane, spins = side_by_side(parts.above, 2, 2.6)
+    _draw_plane(plane, multiplier, logarithmic)
     for values, k, s, colour, name in zip(multiplier, period, mean_spin, colours, stability):
         place = _radius(abs(values), logarithmic) * numpy.exp(1j * numpy.angle(values))
         plane.plot(place.real, place.imag, **_marker(colour, name))
         spins.plot(k, s, **_marker(colour, name))
     _draw_spins(spins, period)
-    spins.legend(handles=_handles(colours, names, stability), loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    figure.suptitle(scene_title(record.scene()))
-    return figure
+    return [spins]

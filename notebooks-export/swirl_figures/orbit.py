@@ -1,22 +1,30 @@
 """A simulate record in one figure: the spin above, the path in three frames below."""
 
-from matplotlib.figure import Figure
-
-from .path import CAPTION, draw_path_into
-from .record import open_record
-from .spin import draw_spin_into, spin_panels
-from .style import styled
+from . import path, spin
+from .look import NARROW
 from .symbols import scene_title
 
 
-@styled
-def draw_orbit(record):
-    record = open_record(record)
-    figure = Figure(figsize=(10, 6.9), layout="constrained")
-    figure.suptitle(scene_title(record.scene()))
-    above, below = figure.subfigures(2, 1, height_ratios=(3, 4))
-    draw_spin_into(list(above.subplots(1, spin_panels(record), squeeze=False)[0]), record)
-    title = draw_path_into(below, list(below.subplots(1, 3)), record)
-    below.suptitle(title, fontsize=9)
-    below.supxlabel(CAPTION, fontsize=8, color="0.25")
-    return figure
+def _heights(record, width):
+    """Of the spin, which is above, and of the path."""
+    if width < NARROW:
+        return 0.4 + 1.95 * record.derived(spin.spin_panels), path.size(record, width)[1] - 0.2  # no higher than a page
+    return 2.95, 3.95
+
+
+def size(record, width):
+    width = width or 10
+    return width, sum(_heights(record, width))
+
+
+def draw_into(figure, record, look):
+    look.title(figure, scene_title(record.scene()))
+    width = figure.bbox.width / figure.figure.dpi
+    above, below = figure.subfigures(2, 1, height_ratios=_heights(record, width))
+    count = record.derived(spin.spin_panels)
+    shape = (count, 1) if width < NARROW else (1, count)
+    panels = list(above.subplots(*shape, squeeze=False).ravel())
+    spin.draw_spin_into(panels, record)
+    below.suptitle(path.draw_path_into(below, path.panels_of(below), record), fontsize="medium")
+    path.write_caption(below)
+    return panels[:1]

@@ -34,17 +34,32 @@ def _take_permissions(partial, path):
     os.chmod(partial, mode)
 
 
-def save(figure, path):
-    """Writes .png, .svg or .pdf by way of `.NAME.partial` beside it."""
-    path = Path(os.path.realpath(path))  # a link's own file is replaced, not the link
-    if path.suffix not in SUFFIXES:
-        raise ValueError(f"figure '{path}': its suffix is none of {', '.join(SUFFIXES)}")
-    content = _bytes_of(figure, path.suffix)
-    partial = path.with_name(f".{path.name}.partial")
+def partial_of(path):
+    """The name under which a file is written until it is whole; of a link that of its own file, which is replaced."""
+    path = Path(os.path.realpath(path))
+    return path.with_name(f".{path.name}.partial")
+
+
+def put_in_place(partial, path):
+    path = Path(os.path.realpath(path))
+    _take_permissions(partial, path)
+    partial.replace(path)
+
+
+def write_whole(content, path):
+    """Bytes to a file, by way of `.NAME.partial` beside it."""
+    partial = partial_of(path)
     try:
         partial.write_bytes(content)
-        _take_permissions(partial, path)
-        partial.replace(path)
+        put_in_place(partial, path)
     except OSError:
         partial.unlink(missing_ok=True)
         raise
+
+
+def save(figure, path):
+    """Writes .png, .svg or .pdf."""
+    suffix = Path(path).suffix
+    if suffix not in SUFFIXES:
+        raise ValueError(f"figure '{path}': its suffix is none of {', '.join(SUFFIXES)}")
+    write_whole(_bytes_of(figure, suffix), path)

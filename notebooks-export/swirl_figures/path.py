@@ -1,15 +1,17 @@
 """The centre's path of a simulate record in three frames: laboratory, container, co-rotating with the swirl."""
 
+import textwrap
+
 import numpy
+from matplotlib import rcParams
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
-from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 from matplotlib.ticker import MaxNLocator
 
 from .flights import flights_of
-from .record import open_record
-from .style import BLACK, VERMILION, styled
+from .look import is_narrow, rows_of, side_by_side, width_of
+from .style import BLACK, TIMES, VERMILION
 from .symbols import TIME, scene_title
 
 #: More flights than these only blacken the panels: the last are drawn.
@@ -110,7 +112,7 @@ def draw_path_into(figure, panels, record):
     times = Normalize(shown.begin[0], max([shown.end[-1], *ends]))
 
     def lines_of(some, into, array, width):
-        return LineCollection([numpy.column_stack(into(x, y, t, beta)) for t, x, y in some], cmap="cividis_r",
+        return LineCollection([numpy.column_stack(into(x, y, t, beta)) for t, x, y in some], cmap=TIMES,
                               norm=times, array=array, linewidths=width, capstyle="round")
 
     for axes, (name, into) in zip(panels, FRAMES.items()):
@@ -123,8 +125,10 @@ def draw_path_into(figure, panels, record):
             axis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
         _draw_container(axes, name, shown.end[-1], beta)
         _draw_body(axes, name, record)
-    panels[0].set_ylabel(r"$y/R_c$")
-    bar = figure.colorbar(lines, ax=panels, label=TIME, shrink=0.75, pad=0.01, aspect=25)
+    for axes in panels if width_of(figure) < 3 * _LEAST_PANEL else panels[:1]:
+        axes.set_ylabel(r"$y/R_c$")
+    place = {"location": "bottom", "aspect": 40} if is_narrow(figure) else {"shrink": 0.75, "aspect": 25}
+    bar = figure.colorbar(lines, ax=panels, label=TIME, pad=0.01, **place)
     bar.ax.ticklabel_format(useOffset=False, style="plain")
     return _title(flights, record)
 
@@ -133,13 +137,30 @@ def draw_path_into(figure, panels, record):
 CAPTION = ("black: the container, red: the body, both at the last impact;  +: the swirl's centre;  "
            "dashed: the circle on which the container's centre runs;  thick: on the wall")
 
+#: Inches that a panel needs.
+_LEAST_PANEL = 2.6
 
-@styled
-def draw_path(record):
-    """The figure: the path in the three frames, side by side."""
-    record = open_record(record)
-    figure = Figure(figsize=(10, 3.9), layout="constrained")
-    title = draw_path_into(figure, list(figure.subplots(1, 3)), record)
-    figure.suptitle(f"{scene_title(record.scene())}\n{title}")
-    figure.supxlabel(CAPTION, fontsize=8, color="0.25")
-    return figure
+
+def panels_of(figure):
+    return side_by_side(figure, len(FRAMES), _LEAST_PANEL)
+
+
+def write_caption(figure):
+    longest = max(30, int(72 * width_of(figure) / (0.5 * 8 / 9 * rcParams["font.size"])))
+    figure.supxlabel("\n".join(textwrap.wrap(CAPTION, longest)), fontsize="small", color="0.25")
+
+
+def size(record, width):
+    width = width or 10
+    rows = rows_of(width, len(FRAMES), _LEAST_PANEL)
+    if rows == 1:
+        return width, 3.9 * width / 10 if width > 10 else 3.9
+    return width, 1.5 + rows * min(0.85 * width * rows / len(FRAMES), 2.05 if rows == len(FRAMES) else 3.6)
+
+
+def draw_into(figure, record, look):
+    """The path in the three frames."""
+    title = draw_path_into(figure, panels_of(figure), record)
+    look.title(figure, f"{scene_title(record.scene())}\n{title}")
+    write_caption(figure)
+    return []

@@ -27,10 +27,11 @@ class Record:
             with h5py.File(self.path, "r") as file:
                 if "schema_version" not in file.attrs:
                     raise RecordError(f"'{self.path}' is not a record of swirl")
+                self.command, self.title = (str(file.attrs.get(name, "")) for name in ("command", "title"))
                 self.groups = {name for name, item in file.items() if isinstance(item, h5py.Group)}
         except OSError as error:
             raise RecordError(f"cannot open record '{self.path}': {str(error).splitlines()[0]}") from error
-        self._datasets = {}
+        self._datasets, self._derived = {}, {}
 
     def __contains__(self, group):
         return group in self.groups
@@ -53,6 +54,19 @@ class Record:
         if name not in dataset.variables:
             raise RecordError(f"record '{self.path}' has no {group}/{name}")
         return dataset[name].values
+
+    def derived(self, compute):
+        """compute(record), computed once for all panels that show it."""
+        if compute not in self._derived:
+            self._derived[compute] = compute(self)
+        return self._derived[compute]
+
+    def attribute(self, group, name):
+        """One attribute of a group."""
+        attributes = self.attributes(group)
+        if name not in attributes:
+            raise RecordError(f"record '{self.path}' has no attribute {name} of {group}")
+        return attributes[name]
 
     def names(self, group, name):
         """A variable of names: strings, or small integers whose names are CF's flag_meanings."""

@@ -3,13 +3,13 @@
 import numpy
 from matplotlib.collections import LineCollection
 from matplotlib.colors import LogNorm
-from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from .flights import flights_of
-from .record import open_record
-from .style import BLUE, MANY_POINTS, ORANGE, VERMILION, styled
+from .look import is_narrow
+from .style import BLUE, MANY_POINTS, ORANGE, VERMILION
 from .symbols import SPIN, TIME, number, scene_title
+from .thinning import thinned
 
 #: More flights than these are a solid band as steps; then dots show all of them and steps the last.
 MOST_STEPS = 300
@@ -28,17 +28,23 @@ def _steps(flights, after):
 
 
 def running_mean(record):
+    """Times and ∫S dt / T, see _running_mean."""
+    return record.derived(_running_mean)
+
+
+def _running_mean(record):
     """Times and ∫S dt / T since the first listed impact: vertex 0's angle is ∫S dt, through contact too. After the last
     impact it goes on with the means of the pieces of contact."""
     t, angle = record.column("collisions", "t"), record.column("collisions", "angle")
-    times, time, turned = list(t[1:]), list(t[1:] - t[0]), list(angle[1:] - angle[0])
+    times, time, turned = [t[1:]], [t[1:] - t[0]], [angle[1:] - angle[0]]
+    elapsed, so_far = (t[-1] - t[0], angle[-1] - angle[0]) if len(t) > 1 else (0, 0)
     for start, end, mean in zip(*_contacts(record, after=t[-1])):
         since = numpy.linspace(0, end - start, _POINTS_OF_A_CONTACT)[1:]
-        before = (time[-1], turned[-1]) if time else (0, 0)
-        times += list(start + since)
-        time += list(before[0] + since)
-        turned += list(before[1] + mean * since)
-    return numpy.array(times), numpy.array(turned) / numpy.array(time)
+        times.append(start + since)
+        time.append(elapsed + since)
+        turned.append(so_far + mean * since)
+        elapsed, so_far = time[-1][-1], turned[-1][-1]
+    return numpy.concatenate(times), numpy.concatenate(turned) / numpy.concatenate(time)
 
 
 def _contacts(record, after=-numpy.inf):
@@ -83,7 +89,7 @@ def _draw_contacts(axes, record, after=-numpy.inf):
 
 def _draw_mean(axes, times, means):
     if len(times):
-        axes.plot(times, means, color=VERMILION, lw=1.3,
+        axes.plot(*thinned(times, means), color=VERMILION, lw=1.3,
                   label=f"running time mean, at last {number(means[-1])}")
 
 
@@ -107,8 +113,9 @@ def _finish(axes, title):
     axes.ticklabel_format(axis="x", useOffset=False, style="plain")
     axes.axhline(0, color="0.8", lw=0.7, zorder=0)
     bottom, top = axes.get_ylim()
-    axes.set_ylim(bottom, top + 0.24 * (top - bottom))  # room for the legend
-    axes.legend(loc="upper left", ncols=3, borderaxespad=0.1, columnspacing=1.2, handlelength=1.6)
+    narrow = is_narrow(axes.figure)
+    axes.set_ylim(bottom, top + (0.45 if narrow else 0.24) * (top - bottom))  # room for the legend
+    axes.legend(loc="upper left", ncols=1 + 2 * (not narrow), borderaxespad=0.1, columnspacing=1.2, handlelength=1.6)
 
 
 def _draw_all(axes, record, flights):
@@ -156,12 +163,14 @@ def draw_spin_into(panels, record):
         _draw_steps(panels[1], record, flights.last(LAST_STEPS), f"The last {LAST_STEPS} impacts")
 
 
-@styled
-def draw_spin(record):
-    """The figure: S(t) as steps; of many impacts dots for all and steps for the last."""
-    record = open_record(record)
-    count = spin_panels(record)
-    figure = Figure(figsize=(7.5, 1.2 + 2.6 * count), layout="constrained")
-    draw_spin_into(list(figure.subplots(count, 1, squeeze=False)[:, 0]), record)
-    figure.suptitle(scene_title(record.scene()))
-    return figure
+def size(record, width):
+    count = record.derived(spin_panels)
+    return width or 7.5, 1.2 + 2.6 * count
+
+
+def draw_into(figure, record, look):
+    """S(t) as steps; of many impacts dots for all and steps for the last."""
+    panels = list(figure.subplots(record.derived(spin_panels), 1, squeeze=False)[:, 0])
+    draw_spin_into(panels, record)
+    look.title(figure, scene_title(record.scene()))
+    return panels[:1]

@@ -3,6 +3,7 @@
 import functools
 
 import matplotlib
+from matplotlib.colors import LinearSegmentedColormap
 
 BLUE, ORANGE, GREEN, VERMILION = "#0072B2", "#E69F00", "#009E73", "#D55E00"
 PURPLE, SKY, YELLOW, BLACK, GREY = "#CC79A7", "#56B4E9", "#F0E442", "#222222", "#9A9A9A"
@@ -12,33 +13,43 @@ CYCLE = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK, "#7A5C00", "#332288
 
 MODE_COLOURS = {"steady": BLUE, "quasi-steady": YELLOW, "chaotic": VERMILION, "undecided": "#BDBDBD"}
 
+#: What tells time; it reads in grey, and without its palest end on white.
+TIMES = LinearSegmentedColormap.from_list("times", matplotlib.colormaps["cividis_r"](range(30, 256)))
+
 #: Points beyond which a vector file would be slow to open: they are drawn as an image inside it.
 MANY_POINTS = 20_000
 
-SETTINGS = {
-    "font.size": 9,
-    "axes.titlesize": 9,
-    "axes.labelsize": 9,
-    "figure.titlesize": 10,
-    "legend.fontsize": 8,
-    "xtick.labelsize": 8,
-    "ytick.labelsize": 8,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.linewidth": 0.7,
-    "mathtext.fontset": "dejavusans",
-    "legend.frameon": False,
-    "savefig.dpi": 160,
-    "figure.dpi": 100,
-    "pdf.fonttype": 42,
-    "svg.hashsalt": "swirl",  # equal records give equal files
-}
+
+def settings(font_size):
+    """Everything else follows from the size of the letters, in points."""
+    return {
+        "font.size": font_size,
+        "axes.titlesize": font_size,
+        "axes.labelsize": font_size,
+        "figure.titlesize": font_size * 10 / 9,
+        "legend.fontsize": font_size * 8 / 9,
+        "xtick.labelsize": font_size * 8 / 9,
+        "ytick.labelsize": font_size * 8 / 9,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.linewidth": 0.7,
+        "mathtext.fontset": "dejavusans",
+        "legend.frameon": False,
+        "savefig.dpi": 160,
+        "figure.dpi": 100,
+        "pdf.fonttype": 42,
+        "svg.hashsalt": "swirl",  # equal records give equal files
+    }
+
+
+def styled_with(font_size):
+    return matplotlib.rc_context({**matplotlib.rcParamsDefault, **settings(font_size)})
 
 
 def styled(draw):
-    """A figure drawn with these settings, whatever those of the notebook are."""
+    """Drawn with these settings, whatever those of the notebook are."""
     @functools.wraps(draw)
     def drawn(*arguments, **options):
-        with matplotlib.rc_context({**matplotlib.rcParamsDefault, **SETTINGS}):
+        with styled_with(9):
             return draw(*arguments, **options)
     return drawn

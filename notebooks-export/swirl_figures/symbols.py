@@ -5,6 +5,7 @@ import math
 SPIN = r"$S = \omega_p/\omega_s$"
 MEAN_SPIN = r"$\langle S \rangle$"
 TIME = r"$\omega_s t$"
+ENERGY = r"$J/(m R_c^2 \omega_s^2)$"
 
 _PARAMETERS = {
     "alpha": ("α", r"$\alpha = R_p/R_c$  (size of the body)"),
@@ -16,9 +17,14 @@ _PARAMETERS = {
     "speed": ("V", r"$V$  (speed of the starts, in $R_c\omega_s$)"),
 }
 
-_OBSERVABLES = {"psi": r"$\psi$", "chi": r"$\chi$", "vn": r"$v_n$", "vt": r"$v_t$", "S": SPIN}
+_OBSERVABLES = {"psi": r"$\psi$, in radians", "chi": r"$\chi$, in radians", "vn": r"$v_n/(R_c\omega_s)$",
+                "vt": r"$v_t/(R_c\omega_s)$", "S": SPIN}
 
 _POLYGONS = {3: "triangle", 4: "square", 5: "pentagon", 6: "hexagon", 7: "heptagon", 8: "octagon"}
+
+
+def is_parameter(name):
+    return name.replace("-", "_") in _PARAMETERS
 
 
 def symbol(name):

@@ -174,5 +174,51 @@ TEST(SteadyRandom, NightlyEveryModeClosesAndNoneIsMissing) {
     check_random_scenes(6, tests::sample_count(4000), 500);
 }
 
+bool attracts(const SteadyMode& mode) {
+    return std::abs(mode.multipliers.front()) < 1 - 1e-6;
+}
+
+/// The quick search finds what attracts, and nothing that the whole one does not.
+void compare_attracting(long scenes, std::uint64_t seed) {
+    Draw draw{std::mt19937_64(seed)};
+    long attracting = 0, missed = 0, more = 0;
+    double longest = 0;
+    for (long i = 0; i < scenes; ++i) {
+        const Scene<double> scene = random_scene(draw, i);
+        SteadyOptions quick;
+        quick.longest_flight = longest_attracting_flight;
+        quick.attracting = true;
+        std::vector<SteadyMode> all = steady_modes(scene).modes, some = steady_modes(scene, quick).modes;
+        std::erase_if(all, [](const SteadyMode& mode) { return !attracts(mode); });
+        std::erase_if(some, [](const SteadyMode& mode) { return !attracts(mode); });
+        const auto has = [](const std::vector<SteadyMode>& modes, const SteadyMode& one) {
+            return std::any_of(modes.begin(), modes.end(), [&](const SteadyMode& mode) {
+                return mode.branch == one.branch && mode.j == one.j && std::fabs(mode.tau - one.tau) < 1e-9;
+            });
+        };
+        for (const SteadyMode& mode : all) {
+            ++attracting;
+            longest = std::max(longest, mode.tau);
+            if (has(some, mode)) continue;
+            ++missed;
+            std::printf("missed: N = %d alpha %.17g beta %.17g mu %.17g e %.17g law %d: tau %.17g\n", scene.sides,
+                        scene.alpha, scene.beta, scene.mu, scene.restitution, static_cast<int>(scene.law), mode.tau);
+        }
+        for (const SteadyMode& mode : some) more += has(all, mode) ? 0 : 1;
+    }
+    std::printf("%ld scenes: %ld attracting modes, the longest flight %.3f; missed %ld, more %ld\n", scenes, attracting,
+                longest, missed, more);
+    EXPECT_GT(attracting, 0);
+    EXPECT_EQ(more, 0);
+    EXPECT_LE(missed, attracting / 1000);
+}
+
+TEST(SteadyAttracting, TheQuickSearchFindsThem) {
+    compare_attracting(tests::sample_count(40), 11);
+}
+TEST(SteadyAttractingNightly, TheQuickSearchFindsThemInFiveThousandScenes) {
+    compare_attracting(5000, 12);
+}
+
 }  // namespace
 }  // namespace swirl

@@ -88,6 +88,63 @@ TEST(ClassifyAngle, TheVarianceInLinesIsThatOfS) {
     EXPECT_LT(found.continuum_share(), 0.02);
 }
 
+/// To multiples of the unit, as a camera's software prints them.
+std::vector<double> rounded(std::vector<double> angle, double unit) {
+    for (double& value : angle) value = unit * std::round(value / unit);
+    return angle;
+}
+
+TEST(ClassifyAngle, AConstantSpinIsSteadyHoweverTheAngleIsRounded) {
+    for (const double unit : {0.0, 0.01 * degree, 0.1 * degree, degree})
+        for (const std::size_t count : {600UL, 3600UL}) {
+            const auto exact = angle_of(count, 0, constant);
+            const auto found = classify_angle(unit > 0 ? rounded(exact, unit) : exact, spacing, {}, unit);
+            EXPECT_EQ(found.mode, Mode::steady) << unit << " " << count;
+            EXPECT_NEAR(found.mean, -0.98, 1e-12 + unit / (spacing * static_cast<double>(count)));
+        }
+    std::vector<double> itself;  // an angle that is the time: what is left is the rounding of a sum
+    for (int i = 0; i < 1800; ++i) itself.push_back(i / 30.0);
+    EXPECT_EQ(classify_angle(itself, 1 / 30.0).mode, Mode::steady);
+}
+
+TEST(ClassifyAngle, RoundingThatNoiseDoesNotHideGivesNoWrongVerdict) {
+    for (const double noise : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0})  // of the unit
+        for (unsigned seed = 1; seed <= 5; ++seed) {
+            const double unit = 0.5 * degree;
+            const auto verdict = [&](auto spin) {
+                return classify_angle(rounded(angle_of(1800, noise * unit, spin, seed), unit), spacing, {}, unit).mode;
+            };
+            EXPECT_EQ(verdict(constant), Mode::steady) << noise;
+            EXPECT_EQ(verdict(cycle), Mode::quasi_steady) << noise;
+            EXPECT_EQ(verdict(torus), Mode::quasi_steady) << noise;
+            EXPECT_EQ(verdict(chaos), Mode::chaotic) << noise;
+        }
+}
+
+TEST(ClassifyAngle, AWeakContinuumBesideLinesIsNotQuasiSteady) {
+    const auto weak = [](double n) { return cycle(n) + 0.1 * chaos(n); };  // 1 % of the variance
+    for (const std::size_t count : {1800UL, 9000UL}) {
+        const auto found = classify_angle(angle_of(count, 0.05 * degree, weak), spacing);
+        EXPECT_EQ(found.mode, Mode::undecided) << count;
+        EXPECT_EQ(found.evidence.back().name, "share of the continuum in S");
+        EXPECT_NEAR(found.evidence.back().value, 0.01, 0.005);
+    }
+}
+
+TEST(ClassifyAngle, ANoiseThatIsGivenIsCheckedAgainstTheAngle) {
+    const auto verdict = [](auto spin, double noise, double given) {
+        analysis::ClassifySeriesOptions options;
+        options.noise = given * degree;
+        return classify_angle(angle_of(1800, noise * degree, spin), spacing, options);
+    };
+    EXPECT_EQ(verdict(constant, 2, 0.01).mode, Mode::steady);  // white noise is no continuum, whatever was said of it
+    EXPECT_EQ(verdict(torus, 2, 2).mode, Mode::quasi_steady);
+    const auto hidden = verdict(torus, 0.1, 60);  // noise that would hide all there is, but is not there
+    EXPECT_EQ(hidden.mode, Mode::undecided);
+    EXPECT_EQ(hidden.evidence.back().name, "noise given in radians");
+    EXPECT_EQ(verdict(chaos, 0.1, 0.2).mode, Mode::chaotic);
+}
+
 TEST(ClassifyAngle, WhatDriftsIsATransient) {
     const auto slowing = [](double n) { return -1 + std::exp(-n / 300); };
     const auto found = classify_angle(angle_of(3000, 0.5 * degree, slowing), spacing);
@@ -102,6 +159,8 @@ TEST(ClassifyAngle, RefusesWhatIsTooShortOrNotFinite) {
     EXPECT_THROW(classify_angle(angle, spacing), std::invalid_argument);
     angle.resize(511);
     EXPECT_THROW(classify_angle(angle, spacing), std::invalid_argument);
+    angle.assign(512, 0.0);
+    EXPECT_THROW(classify_angle(angle, spacing, {}, -1), std::invalid_argument);
 }
 
 }  // namespace

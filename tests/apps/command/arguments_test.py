@@ -26,6 +26,7 @@ NUMBERS = {
     f"continue {SCENE} --from={POINT} --along beta=0.4:0.6": ["--period", "--switch", "--longest-step"],
     f"bifurcate {SCENE} --along beta=0.4:0.6:2": ["--starts", "--transient", "--collisions", "--longest-branch"],
     f"sweep {SCENE} --grid mu=0.1:0.2:2": ["--runs", "--transient", "--collisions", "--threshold"],
+    f"tradeoff {SCENE}": ["--budget"],
     f"describe {SCENE}": ["--max-time", "--alpha", "--beta", "--mu", "--restitution", "--inertia-factor"],
 }
 
@@ -49,6 +50,20 @@ class Arguments(InFolder):
         self.refused(f"simulate {SCENE} classify --collisions 64", "classify")
         self.refused(f"simulate {SCENE} classify", "classify")
         self.refused(f"describe tour {SCENE}", "tour")
+
+    def test_a_misspelt_name_is_told_the_nearest(self):
+        for wrong, right in (("simulat", "simulate"), ("calssify", "classify"), ("lyapunow", "lyapunov"), ("sim", "simulate"),
+                             ("bifurcation", "bifurcate")):
+            self.refused(wrong, f"no command {wrong}; did you mean {right}?")
+        for wrong, right in (("--sidez 6", "--sides"), ("--restituton=0.9", "--restitution"), ("--colisions 3", "--collisions"),
+                             ("--time=3 --acuracy quad", "--accuracy")):
+            self.refused(f"simulate {wrong}", f"swirl simulate has no flag {wrong.split()[-2 if ' ' in wrong else 0].split('=')[0]}",
+                         f"did you mean {right}?")
+        self.refused("--versoin", "swirl has no flag --versoin; did you mean --version?")
+        self.assertNotIn("did you mean", run("xyz", cwd=self.folder).stderr)
+        self.assertNotIn("did you mean", run("simulate --qqqq", cwd=self.folder).stderr)
+        self.assertEqual(run("describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9").returncode, 0)
+        self.refused(f"simulate {SCENE.replace('--mu 0.5', '--mu -1')}", "mu = -1")  # a negative number is no flag
 
     def test_an_option_without_its_value(self):
         self.refused(f"classify {SCENE} --output= --json", "--output=")

@@ -95,6 +95,20 @@ def write_bifurcation(path, groups=("samples", "branches", "special")):
                 write(file)
 
 
+def write_crowded_special(path, count):
+    """A branch with `count` flips that all but lie on one another, from r = 3.2 to 3.4."""
+    with _record(path, {"along": "alpha"}, SCENE) as file:
+        _branches(file)
+        group = file.create_group("special")
+        _dimension(group, "special_point", count)
+        _dimension(group, "phase", 3)
+        r = numpy.linspace(3.2, 3.4, count)
+        _write(group, "kind", ["special_point"], ["flip"] * count)
+        _write(group, "branch", ["special_point"], numpy.zeros(count, dtype="i8"))
+        _write(group, "parameter", ["special_point"], r)
+        _write(group, "S", ["special_point", "phase"], -_padded([[1 - 1 / value] for value in r], 3))
+
+
 def write_orbits(path, count, largest):
     """`count` orbits in the layout of `swirl orbits`, their largest multipliers up to `largest`."""
     periods = 1 + numpy.arange(count) % 5
@@ -115,3 +129,61 @@ def write_orbits(path, count, largest):
         _write(group, "multiplier_im", ["orbit", "multiplier_index"], imaginary)
         stability = ["stable" if modulus < 1 else "unstable" for modulus in moduli[:-1]] + ["neutral"]
         _write(group, "stability", ["orbit"], stability)
+
+
+RUNGS = [("double", 2.3e-7, 4e-16, 6e-14, 3e-10, 1e4, 0), ("extended", 1.9e-6, 2e-19, 3e-17, 2e-13, 1e4, 0),
+         ("paper", 4.4e-6, 3e-14, 9e-14, 4e-9, 1e4, 37), ("fixed-step", 3.2e-5, 2e-3, 2e-2, 4e-1, 1e4, 412),
+         ("quad", 6.1e-5, *[numpy.nan] * 5)]
+PIECES = [("flight and impact", 231, numpy.nan, "every command"), ("friction", 231, 224, "every command"),
+          ("watch for contact", 236, 231, "nothing: e = 1"), ("derivative", 1400, 260, "classify, lyapunov"),
+          ("laboratory frame", 330, 240, "simulate")]
+
+
+def _columns(group, dimension, columns):
+    _dimension(group, dimension, len(columns["name" if "name" in columns else "collisions"]))
+    for name, values in columns.items():
+        _write(group, name, [dimension], values if isinstance(values[0], str) else numpy.array(values, dtype="f8"))
+
+
+def write_tradeoff(path):
+    """What `swirl tradeoff` writes, of made-up times: one rung of each kind."""
+    names, seconds, error, most_of, largest, flights, missed = (list(column) for column in zip(*RUNGS))
+    with _record(path, {"budget": 10.0}, {**SCENE, "alpha": 0.3}) as file:
+        file.create_group("result").attrs.update({"recommended": "double", "reason": "double missed 0 of 10000"})
+        _columns(file.create_group("rungs"), "rung", {
+            "name": names, "seconds_per_collision": seconds, "error": error, "error_99": most_of,
+            "error_largest": largest,
+            "seconds_per_collision_lower": [0.95 * t for t in seconds], "flights": flights, "missed_contacts": missed,
+            "seconds_per_collision_upper": [1.1 * t for t in seconds], "missed_rate_most": [3e-4] * len(names)})
+        _columns(file.create_group("evidence"), "rung", {
+            "collisions": [100, 300, 1000, 3000, 10000], "mean_S": [-0.2, -0.31, -0.28, -0.291, -0.2902],
+            "mode": ["undecided", "chaotic", "chaotic", "chaotic", "quasi-steady"], "changed": [8, 5, 5, 2, 0],
+            "mean_S_error": [0.09, 0.05, 0.02, 0.01, 0.0], "runs": [8] * 5})
+        names, with_it, without, paid_by = (list(column) for column in zip(*PIECES))
+        _columns(file.create_group("model"), "rung", {
+            "name": names, "seconds_per_collision": [1e-9 * t for t in with_it],
+            "seconds_without": [1e-9 * t for t in without], "paid_by": paid_by})
+
+
+def write_sampled_sweep(path, names, count):
+    """A sweep over `count` random points of these parameters, in the layout of `swirl sweep --sample`."""
+    chance = numpy.random.default_rng(1)
+    with _record(path, {}, {name: value for name, value in {**SCENE, "alpha": 0.4}.items() if name not in names}) as file:
+        group = file.create_group("sweep")
+        _dimension(group, "cell", count)
+        group.create_dataset("run", data=[0, 1]).make_scale("run")
+        group.create_dataset("mode", data=["steady", "quasi-steady", "chaotic", "undecided"], dtype=h5py.string_dtype())
+        group["mode"].make_scale("mode")
+        points = {name: chance.uniform(0.1, 0.9, count) for name in names}
+        for name, values in points.items():
+            _write(group, name, ["cell"], values)
+        steady = points[names[0]] < 0.5
+        _write(group, "share", ["cell", "mode"], numpy.column_stack([steady, 0 * steady, ~steady, 0 * steady]).astype("f8"))
+        _write(group, "mean_S", ["cell"], points[names[0]] - 1)
+        _write(group, "mean_S_error", ["cell"], 0 * points[names[0]])
+
+
+def write_without_results(path):
+    """A record of a scene, and of nothing that was found about it."""
+    with _record(path, {}, SCENE):
+        pass

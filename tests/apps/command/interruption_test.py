@@ -32,6 +32,7 @@ COMMANDS = [
     f"bifurcate {HEXAGON} --along beta=0.4:0.6:1000 --transient 100000",
     f"bifurcate {HEXAGON} --along beta=0.4:0.6:1000 --starts 0 --follow --transient 100000",
     f"sweep {CHAOS} --grid mu=0.1:0.2:1000 {LONG}",
+    f"tradeoff {CHAOS} --budget 1000",
 ]
 
 

@@ -149,7 +149,56 @@ class Motion(InFolder):
         with xarray.open_dataset(record, group="series", engine="h5netcdf") as data:
             for k, (_, x, y) in enumerate(rows):
                 self.assertAlmostEqual(float(data["value"][k]), math.hypot(x, y), delta=1e-14)
-        self.assertIsNone(document(f"classify --series {file} --position x y")["mean_S"])
+        verdict = document(f"classify --series {file} --position x y")
+        self.assertIsNone(verdict["mean_S"])
+        # It swings along every flight of a steady mode, too: which of the two regular modes it is cannot be told.
+        self.assertEqual((verdict["mode"], verdict["kind"]), ("undecided", None))
+        self.assertIn("steady or quasi-steady", verdict["evidence"][-1]["says"])
+
+    def test_a_long_flight_of_impacts_is_no_lost_frame(self):
+        times = [0.0]
+        for i in range(1999):
+            times.append(times[-1] + (2 if i % 11 == 10 else 1))
+        spins = [0.1, 0.5, -0.3, 0.8, 0.2, 0.9, -0.5, 0.4, 0.0, 0.7]
+        file = self.series("i.csv", [spins[i % 10] for i in range(2000)], times)
+        for flags in ("", "--rows impacts"):
+            found = document(f"classify --series {file} {flags}")
+            self.assertEqual((found["kind"], found["period"], found["series"]["gaps"]), ("cycle", 10, 0), flags)
+        result = run(f"classify --series {file} --rows samples")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("between 181 gaps has 11 samples; 64 or more are needed (--rows impacts", result.stderr)
+
+    def test_a_record_of_an_angle_is_judged_as_the_file(self):
+        noise = random.Random(8)
+        rows = [(i / 30, math.degrees(-6 * i / 30 + noise.gauss(0, 0.002)) % 360) for i in range(900) if i % 100 != 50]
+        file = self.rows("a.csv", "t,theta", rows)
+        record = self.folder / "a.h5"
+        choice = f"--series {file} --angle theta --degrees --swirl-rate 6"
+        self.assertEqual(run(f"recurrence {choice} --threshold 0.1 --quiet -o {record}").returncode, 0)
+        direct, kept = document(f"classify {choice}"), document(f"classify {record}")
+        self.assertEqual(direct, kept)
+        self.assertEqual((kept["mode"], kept["settings"]["samples_bridged"]), ("steady", 9))
+
+    def test_flags_of_a_record_are_heeded_or_refused(self):
+        file = self.series("s.csv", [[-1.0, 0.2, 0.9][i % 3] for i in range(600)], [0.5 * i for i in range(600)])
+        record = self.folder / "s.h5"
+        self.assertEqual(run(f"recurrence --series {file} --quiet -o {record}").returncode, 0)
+        found = document(f"classify {record} --transient 100 --collisions 300")
+        self.assertEqual((found["settings"]["samples_used"], found["settings"]["first_time_used"]), (300, 50))
+        for flags in ("--column S", "--position a b", "--symmetry 6", "--degrees", "--time t", "--angle S",
+                      "--swirl-rate 2", "--transient 400 --collisions 300"):
+            result = run(f"classify {record} {flags}")
+            self.assertEqual((result.returncode, result.stdout), (2, ""), flags)
+            self.assertEqual(len(result.stderr.splitlines()), 1)
+
+    def test_the_noise_of_an_angle_is_not_that_of_S(self):
+        # An angle at impacts: S from flight to flight, with the noise of two angles over the flight's time.
+        noise = random.Random(9)
+        rows = [(0.5 * i, -0.3 * i + noise.gauss(0, 0.01)) for i in range(300)]
+        file = self.rows("n.csv", "t,theta", rows)
+        found = document(f"classify --series {file} --angle theta --rows impacts --noise 0.01")
+        limit = {e["name"]: e["threshold"] for e in found["evidence"]}["residual about the phase means"]
+        self.assertAlmostEqual(limit, 1.5 * 0.01 * math.sqrt(2) / 0.5, delta=1e-12)
 
     def test_flags_that_do_not_go_together(self):
         file = self.rows("p.csv", "t,x,y", [(0.1 * i, math.cos(i), math.sin(i)) for i in range(200)])

@@ -25,7 +25,10 @@ class Classify(unittest.TestCase):
                 (CYCLE, "mode quasi-steady (cycle), period 8; mean S -0.44491411", "settled: the cycle attracts, slowest "
                  "multiplier 0.895", "after 8 impacts"),
                 (CHAOS, "mode chaotic (chaotic)", "as far as it was followed: largest exponent 1.", "positive"),
-                (ROLLING, "mode quasi-steady (rolling-librating)", "as far as it was followed: no impact for", "")):
+                (ROLLING, "mode quasi-steady (rolling-librating)", "as far as it was followed: no impact for",
+                 "psi settles on the pendulum"),  # whose mean S is named, though the periods still change
+                ("--sides disk --alpha 0.4 --beta 0 --mu 0 --restitution 0", "after 1 impact", "no impact for",
+                 "range of S 0: S is constant")):
             lines = self.lines(f"classify {flags} {SHORT}")
             self.assertEqual(len(lines), 4, lines)
             self.assertIn(mode, lines[1])

@@ -104,11 +104,55 @@ TEST(MeasuredSeries, ARowThatIsLostBetweenEvenTimesIsAGap) {
     }
 }
 
-TEST(MeasuredSeries, ALongBreakAndUnevenTimesAreNotFilled) {
+TEST(MeasuredSeries, ALongBreakIsOneMissingSampleAndUnevenTimesStay) {
     std::string broken = "t,S\n";
     for (int i = 0; i < 60; ++i) broken += std::to_string(i < 30 ? i : i + 1'000'000'000) + ",1\n";
-    EXPECT_EQ(read(broken).values.size(), 60u);  // a thousand million rows of nothing
+    const auto series = read(broken);
+    EXPECT_EQ(series.values.size(), 61u);  // no thousand million rows of nothing
+    EXPECT_EQ(series.gaps, 1u);
+    EXPECT_TRUE(std::isnan(series.values[30]));
+    EXPECT_EQ(series.times[30], 30);
     EXPECT_EQ(read("t,S\n0,1\n1,2\n3,3\n4,4\n6,5\n").missing, 0u);
+}
+
+TEST(MeasuredSeries, LongStepsOfImpactsAreFlights) {
+    // One flight in eleven takes twice as long.
+    std::string impacts = "t,S\n";
+    for (int i = 0, t = 0; i < 200; t += i % 11 == 10 ? 2 : 1, ++i)
+        impacts += std::to_string(t) + "," + std::to_string(i % 10) + "\n";
+    const WrittenFile file(impacts);
+    SeriesChoice choice;
+    choice.file = file.path();
+    for (const LongSteps meaning : {LongSteps::maybe, LongSteps::long_flights}) {  // 9 % are no lost frames
+        choice.long_steps = meaning;
+        EXPECT_EQ(read_series(choice).missing, 0u);
+    }
+    choice.long_steps = LongSteps::lost_rows;
+    EXPECT_EQ(read_series(choice).missing, 18u);
+}
+
+TEST(MeasuredSeries, FramesLostFromTimesOfFewDigitsAreFound) {
+    std::string film = "t,theta\n";
+    for (int i = 0; i < 600; ++i) {
+        if (i == 100 || i == 200 || i == 201) continue;
+        film += std::to_string(std::round(i * 100 / 30.0) / 100) + ",0.5\n";
+    }
+    const WrittenFile file(film);
+    SeriesChoice choice;
+    choice.file = file.path();
+    choice.angle = "theta";
+    const auto series = read_series(choice);
+    EXPECT_EQ(series.angle.values.size(), 600u);
+    EXPECT_EQ(series.gaps, 2u);
+    EXPECT_NEAR(series.spacing, 1 / 30.0, 2e-5);
+}
+
+TEST(MeasuredSeries, TheLastDigitOfValues) {
+    EXPECT_EQ(decimal_resolution({1, 20, -3}), 1);
+    EXPECT_EQ(decimal_resolution({0.25, 1e-3, std::nan("")}), 1e-3);
+    EXPECT_EQ(decimal_resolution({359.9999, 0.1}), 1e-4);
+    EXPECT_EQ(decimal_resolution({1 / 3.0, 0.1}), 0);
+    EXPECT_EQ(decimal_resolution({std::sqrt(2.0) * 1e5}), 0);
 }
 
 TEST(MeasuredSeries, TimesMustRise) {

@@ -1,4 +1,4 @@
-#include "apps/plot/figure_script.hpp"
+#include "apps/scripts/python_script.hpp"
 
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/standard_streams.hpp"
@@ -16,11 +16,10 @@
 #include <string_view>
 #include <system_error>
 
-namespace swirl::apps::plot {
+namespace swirl::apps::scripts {
 
 namespace {
 
-constexpr const char* script_name = "plot_record.py";
 constexpr const char* packages =
     "python3 python3-numpy python3-h5py python3-h5netcdf python3-xarray python3-matplotlib";
 
@@ -46,19 +45,19 @@ std::filesystem::path folder_of_this_program() {
 
 }  // namespace
 
-std::filesystem::path figure_script() {
+std::filesystem::path find_script(const std::string& name) {
     const std::string chosen = environment("SWIRL_FIGURES");
     if (!chosen.empty()) {
-        const auto script = std::filesystem::path(chosen) / script_name;
-        if (!is_file(script)) throw BadInput(fmt::format("SWIRL_FIGURES = {} holds no {}", chosen, script_name));
+        const auto script = std::filesystem::path(chosen) / name;
+        if (!is_file(script)) throw BadInput(fmt::format("SWIRL_FIGURES = {} holds no {}", chosen, name));
         return script;
     }
-    const auto installed = folder_of_this_program() / SWIRL_FIGURES_FROM_PROGRAM / script_name;
+    const auto installed = folder_of_this_program() / SWIRL_FIGURES_FROM_PROGRAM / name;
     if (is_file(installed)) return installed.lexically_normal();
-    const auto source = std::filesystem::path(SWIRL_FIGURES_SOURCE) / script_name;
+    const auto source = std::filesystem::path(SWIRL_FIGURES_SOURCE) / name;
     if (is_file(source)) return source;
     throw BadInput(
-        fmt::format("{} is not where swirl was installed; set SWIRL_FIGURES to the folder that holds it", script_name));
+        fmt::format("{} is not where swirl was installed; set SWIRL_FIGURES to the folder that holds it", name));
 }
 
 void become_python(const std::filesystem::path& script, const std::vector<std::string>& arguments) {
@@ -74,14 +73,14 @@ void become_python(const std::filesystem::path& script, const std::vector<std::s
     throw BadInput(fmt::format("cannot run {} ({}); figures need the Debian packages {}", words[0], reason, packages));
 }
 
-int run_python(const std::filesystem::path& script, const std::vector<std::string>& arguments) {
+int run_python(const std::filesystem::path& script, const std::vector<std::string>& arguments, unsigned seconds) {
     const pid_t child = ::fork();
     if (child < 0) throw BadInput(fmt::format("cannot run Python: {}", system_reason()));
     if (child == 0) {
         for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_DFL);
         ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // an interruption ends this process: the child, too
-        const rlimit minute{60, 61};
-        ::setrlimit(RLIMIT_CPU, &minute);
+        const rlimit most{seconds, seconds + 1};
+        ::setrlimit(RLIMIT_CPU, &most);
         const rlimit none{0, 0};
         ::setrlimit(RLIMIT_CORE, &none);
         try {
@@ -95,8 +94,8 @@ int run_python(const std::filesystem::path& script, const std::vector<std::strin
     while (::waitpid(child, &status, 0) < 0)
         if (errno != EINTR) throw BadInput(fmt::format("cannot run Python: {}", system_reason()));
     if (WIFEXITED(status)) return WEXITSTATUS(status);
-    throw BadInput(
-        fmt::format("record '{}' cannot be drawn: reading it ended by signal {}", arguments.front(), WTERMSIG(status)));
+    throw BadInput(fmt::format("record '{}' cannot be read: {} ended by signal {}", arguments.front(),
+                               script.filename().string(), WTERMSIG(status)));
 }
 
-}  // namespace swirl::apps::plot
+}  // namespace swirl::apps::scripts

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace swirl::apps::classify {
+namespace swirl::apps {
 
 /// Impacts at the start of a run that are left out: a run that leaves before may never have been in chaos.
 inline constexpr std::int64_t chaos_begins = 1000;
@@ -36,4 +36,4 @@ void write_escape(const RecordGroup& group, const analysis::EscapeRate& escape);
 /// A line for people.
 std::string in_words(const analysis::EscapeRate& escape);
 
-}  // namespace swirl::apps::classify
+}  // namespace swirl::apps

@@ -1,4 +1,4 @@
-#include "apps/classify/escape.hpp"
+#include "apps/modes/escape.hpp"
 
 #include "analysis/classification/tail.hpp"
 #include "apps/command_line/interruption.hpp"
@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace swirl::apps::classify {
+namespace swirl::apps {
 
 namespace {
 
@@ -93,7 +93,7 @@ std::optional<analysis::EscapeRate> escape_of(const Scene<double>& scene, double
         return std::nullopt;
     const Accuracy accuracy = output.accuracy();
     std::vector<analysis::ChaoticStay> stays(runs.size());
-    Progress progress("classify: escapes from chaos", static_cast<double>(runs.size()), output.quiet);
+    Progress progress("escapes from chaos", static_cast<double>(runs.size()), output.quiet);
     const bool whole = run_pieces(runs.size(), output.threads, progress,
                                   [scene, accuracy, speed, runs, &stays](std::size_t r) -> KeepResult {
                                       const analysis::ChaoticStay stay = stay_of(scene, accuracy, speed, runs[r]);
@@ -147,4 +147,4 @@ std::string in_words(const analysis::EscapeRate& escape) {
                                  : "whether the others leave is not told by so few, or so early, escapes");
 }
 
-}  // namespace swirl::apps::classify
+}  // namespace swirl::apps

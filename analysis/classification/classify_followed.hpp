@@ -1,0 +1,128 @@
+// The verdict on an orbit that was followed no longer than its verdict could change.
+// analysis/classification/README.md, "When a verdict is settled".
+#pragma once
+
+#include "analysis/classification/classify.hpp"
+#include "analysis/classification/follow_until_settled.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace swirl::analysis {
+
+namespace classification_detail {
+
+/// The cycle's own numbers: means over one period, RC of k values that are visited equally often, the exponents of its
+/// multipliers.
+template <SectionMap M>
+Classification verdict_on_cycle(const M& map, const FollowedOrbit<M>& orbit, int observable,
+                                const ClassifyOptions& options) {
+    Classification result;
+    result.steps = orbit.tail.steps;
+    Findings findings;
+    take_cycle(map, orbit.cycle, options, observable, findings, result);
+    std::vector<double> values;
+    for (const auto& point : points_from(map, orbit.cycle.state, orbit.cycle.period))
+        values.push_back(point[observable]);
+    const auto rate = recurrence::recurrence_rate(recurrence::embed_series(values), options.recurrence_threshold);
+    const auto n = static_cast<double>(options.collisions);  // of a series of as many steps as would be kept
+    result.recurrence_rate = rate.with_diagonal();
+    result.recurrence_rate_without_diagonal = (result.recurrence_rate * n - 1) / (n - 1);
+    result.largest_exponent = std::log(std::abs(result.multipliers.front())) / static_cast<double>(orbit.cycle.period);
+    result.largest_exponent_error = 0;
+    decide_settled(findings, options, result);
+    return result;
+}
+
+/// Has the observable grown out of proportion along a tail, as on an orbit that gains energy without end? Then no part
+/// of the tail stands for the whole.
+inline bool runs_away(const std::vector<double>& series) {
+    constexpr double out_of_proportion = 10;
+    const auto largest = [](auto begin, auto end) {
+        double size = 0;
+        for (auto x = begin; x != end; ++x) size = std::max(size, std::abs(*x));
+        return size;
+    };
+    const auto quarter = static_cast<std::ptrdiff_t>(series.size() / 4);
+    return largest(series.end() - quarter, series.end()) >
+           out_of_proportion * largest(series.begin(), series.begin() + quarter);
+}
+
+/// The exponent of a tail: of as many of its n steps as tell that it is positive, 256 or more, else of all. It has to
+/// be positive on the tail's last steps, too: chaos that ends on the way, or comes late, is told by all. The errors of
+/// a sum that scatters fall like the root of its steps, so that what is missing tells how many are asked next.
+template <SectionMap M>
+LyapunovSpectrum exponent_of_few(const M& map, const Tail<M>& tail, const SignOptions& sign) {
+    constexpr std::int64_t fewest = 256;
+    const auto n = static_cast<std::int64_t>(tail.durations.size());
+    const auto clearly = [&](const LyapunovSpectrum& spectrum) {
+        return spectrum.outcome == LyapunovOutcome::completed && is_clearly_positive(judge_sign(spectrum, 0, sign));
+    };
+    for (std::int64_t steps = fewest; 4 * steps <= n && !tail.states.empty();) {
+        auto spectrum = exponent_from(map, tail.first, steps);
+        if (spectrum.outcome != LyapunovOutcome::completed) break;
+        if (clearly(spectrum)) {
+            const State<M>& late = tail.states[static_cast<std::size_t>(n - steps)];
+            if (clearly(exponent_from(map, late, steps))) return spectrum;
+        }
+        const std::int64_t needed = steps_until_positive(judge_sign(spectrum, 0, sign), steps, sign);
+        if (needed <= 0) break;
+        steps = std::max(2 * steps, needed);
+    }
+    return exponent_from(map, tail.first, n);
+}
+
+/// The verdict on a tail whose orbit has not settled: that of `classify_tail`, without what can't change it. Where it
+/// can't return to itself nothing looks for a period, and where that leaves chaos nothing else is asked.
+template <SectionMap M>
+Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, const ClassifyOptions& options) {
+    Classification result = observed(map, tail, observable, options.recurrence_threshold);
+    if (result.ended) return result;
+    Findings findings;
+    const auto n = static_cast<std::int64_t>(tail.durations.size());
+    const std::int64_t longest = std::min(options.period.max_period, n / 2);
+    FoundCycle<M> cycle;
+    if (tail.states.empty() || may_return(map, tail.states, longest, options.period.vicinity)) {
+        if (tail.points.empty()) add_points(map, tail);
+        cycle = find_period(map, tail, options.period);
+        take_cycle(map, cycle, options, observable, findings, result);
+    }
+    const bool stands_for_all = cycle.period == 0 && !runs_away(series_of(map, tail, observable));
+    take_exponent(
+        stands_for_all ? exponent_of_few(map, tail, sign_options(options)) : exponent_from(map, tail.first, n), options,
+        findings, result);
+    if (cycle.period == 0 && findings.exponent.sign == ExponentSign::positive) {
+        decide(findings, options, result);
+        return result;
+    }
+    if (tail.points.empty()) add_points(map, tail);
+    look_further(map, tail, observable, options, findings, result);
+    return result;
+}
+
+}  // namespace classification_detail
+
+/// Names the mode of an orbit that `follow_until_settled` has followed. Settled on a cycle: the cycle's own numbers.
+/// Else what `classify_tail` says of its tail, with the exponent of chaos from as many steps only as tell its sign. The
+/// states of the tail may be turned into points. Cost: of chaos some hundred derivatives, else as `classify_tail`.
+template <SectionMap M>
+Classification classify_followed(const M& map, FollowedOrbit<M>& orbit, int observable,
+                                 const ClassifyOptions& options = {}) {
+    namespace detail = classification_detail;
+    return orbit.cycle.period > 0 ? detail::verdict_on_cycle(map, orbit, observable, options)
+                                  : detail::verdict_on_tail(map, orbit.tail, observable, options);
+}
+
+/// Follows an orbit from `start` for as long as its verdict can change, and names its mode.
+template <SectionMap M>
+Classification classify_sequentially(const M& map, const State<M>& start, int observable,
+                                     const ClassifyOptions& options = {}) {
+    auto orbit =
+        follow_until_settled(map, start, options.transient, options.collisions, options.period, !options.conserves);
+    return classify_followed(map, orbit, observable, options);
+}
+
+}  // namespace swirl::analysis

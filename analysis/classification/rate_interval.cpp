@@ -1,0 +1,32 @@
+#include "analysis/classification/rate_interval.hpp"
+
+#include "analysis/argument_error.hpp"
+
+#include <boost/math/distributions/binomial.hpp>
+
+#include <cmath>
+
+namespace swirl::analysis {
+
+namespace {
+
+constexpr double outside = 0.05;  // of the interval, on both sides together
+
+}  // namespace
+
+RateInterval rate_interval(std::int64_t k, std::int64_t n) {
+    if (n < 0) refuse("trials", static_cast<double>(n), "0 or more");
+    if (k < 0 || k > n)
+        refuse("occurrences", static_cast<double>(k), "0 to " + digits_of(static_cast<double>(n)) + " in so many");
+    if (n == 0) return {std::nan(""), 0, 1};
+    using Binomial = boost::math::binomial_distribution<double>;
+    const double trials = static_cast<double>(n), times = static_cast<double>(k);
+    const double beside = k == 0 || k == n ? outside : outside / 2;
+    RateInterval interval;
+    interval.rate = times / trials;
+    if (k > 0) interval.least = Binomial::find_lower_bound_on_p(trials, times, beside);
+    if (k < n) interval.most = Binomial::find_upper_bound_on_p(trials, times, beside);
+    return interval;
+}
+
+}  // namespace swirl::analysis

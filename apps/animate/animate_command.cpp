@@ -1,0 +1,48 @@
+#include "apps/animate/animate_command.hpp"
+
+namespace swirl::apps::animate {
+
+namespace {
+
+/// A film of a minute takes some minutes to draw.
+const scripts::ScriptOutput film{"animate_record.py",     "film", "swirl animate", {".mp4", ".gif"},
+                                 "made by swirl animate", 1800};
+
+}  // namespace
+
+const char* const animate_details =
+    R"(The body in the swirled container, with S(t) running beside it, of a record of
+  simulate   the orbit that it lists; through contact with the wall where it has samples (simulate --sample)
+  orbits     one of its fixed points and cycles, --orbit I, over a period: also an unstable one, which no orbit that is
+             followed stays on. The flights follow from the points that the record holds.
+--frame: container (default; it stands still, and the swirl's centre runs around), laboratory (the container runs on its
+circle) or co-rotating (with the swirl: both stand still, and a steady mode is a closed curve).
+An .mp4 needs ffmpeg, the Debian package of that name; a .gif does not.
+
+Example:
+  swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 12 -o orbit.h5
+  swirl animate orbit.h5 -o orbit.gif --duration 2 --fps 10)";
+
+void AnimateOptions::add_to(Flags& command) {
+    files.add_to(command, film);
+    command.add_option("--frame", frame, "container (default), laboratory or co-rotating")->type_name("NAME");
+    command.add_option("--fps", fps, "pictures a second (default 20)")->type_name("N");
+    command.add_option("--duration", duration, "of the film, in seconds (default 8)")->type_name("SECONDS");
+    command.add_option("--from", from, "time of the orbit at which it begins, in 1/omega_s (default its first)")
+        ->type_name("T");
+    command.add_option("--to", to, "time at which it ends (default: 40 later, or its last)")->type_name("T");
+    command.add_option("--orbit", orbit, "which of a record of orbits, from 0 (default 0)")->type_name("I");
+}
+
+int animate(AnimateOptions& options) {
+    std::vector<std::string> own;
+    scripts::add_argument(own, "frame", options.frame);
+    scripts::add_argument(own, "fps", options.fps);
+    scripts::add_argument(own, "duration", options.duration);
+    scripts::add_argument(own, "from", options.from);
+    scripts::add_argument(own, "to", options.to);
+    scripts::add_argument(own, "orbit", options.orbit);
+    return scripts::run_script(film, options.files, own);
+}
+
+}  // namespace swirl::apps::animate

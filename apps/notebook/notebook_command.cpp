@@ -1,0 +1,30 @@
+#include "apps/notebook/notebook_command.hpp"
+
+namespace swirl::apps::notebook {
+
+namespace {
+
+const scripts::ScriptOutput document{"notebook_of_record.py",  "notebook", "swirl notebook", {".ipynb"},
+                                     "made by swirl notebook", 600};
+
+}  // namespace
+
+const char* const notebook_details =
+    R"(What the record holds, its numbers and its figure, as a Jupyter notebook that has been executed. Its cells need h5py,
+xarray and matplotlib, and neither swirl nor its packages: whoever gets it can run it again and go on from there. A record
+of up to 100 kB is inside the notebook; a larger one has to travel beside it, and is checked by its SHA-256.
+Making it needs the Debian packages python3-nbformat, python3-nbclient and python3-ipykernel.
+
+Example:
+  swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 200 -o orbit.h5
+  swirl notebook orbit.h5 -o orbit.ipynb)";
+
+void NotebookOptions::add_to(Flags& command) {
+    files.add_to(command, document);
+}
+
+int notebook(NotebookOptions& options) {
+    return scripts::run_script(document, options.files, {});
+}
+
+}  // namespace swirl::apps::notebook

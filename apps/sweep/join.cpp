@@ -1,0 +1,127 @@
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/sweep/shard.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace swirl::apps::sweep {
+
+const char* const join_details =
+    R"(Every shard of the sweep is needed once, in any order: the record is the same, to the byte, as that of the sweep without
+--shard.
+
+Example:
+  swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --alpha 0.4 --grid beta=0.1:0.9:4 --collisions 500 --shard 1/1 -o part.h5
+  swirl join part.h5 -o whole.h5)";
+
+void JoinOptions::add_to(Flags& command) {
+    output.add_to(command);
+    command.add_option("shards", shards, "records that sweep --shard wrote")->type_name("SHARD");
+}
+
+namespace {
+
+/// In the order of settings_of.
+constexpr std::array<const char*, 18> in_order = {
+    "swirl_version",  "grid", "sample", "sides", "alpha",     "beta",       "mu",         "restitution", "law",
+    "inertia_factor", "runs", "speed",  "seed",  "transient", "collisions", "exhaustive", "threshold",   "accuracy"};
+
+std::string text_of(const AttributeValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
+    return "";
+}
+
+/// The settings in the order of settings_of. @throws BadInput for one that is not known
+Settings ordered(const std::string& path, const Settings& settings) {
+    Settings sorted;
+    for (const char* name : in_order)
+        for (const auto& entry : settings)
+            if (entry.first == name) sorted.push_back(entry);
+    if (sorted.size() != settings.size())
+        throw BadInput(fmt::format("record '{}' has settings that are not a sweep's", path));
+    return sorted;
+}
+
+template <class T>
+T setting(const std::string& path, const Settings& settings, const std::string& name) {
+    for (const auto& [key, value] : settings)
+        if (key == name)
+            if (const T* typed = std::get_if<T>(&value)) return *typed;
+    throw BadInput(fmt::format("record '{}' does not say its {}", path, name));
+}
+
+/// The sweep without results, and the scene's options.
+Sweep sweep_from(const std::string& path, const ReadShard& read, SweepOptions& options) {
+    Sweep sweep;
+    sweep.settings = ordered(path, read.settings);
+    sweep.units = read.units;
+    sweep.runs = options.runs = setting<std::int64_t>(path, sweep.settings, "runs");
+    GridForm form;
+    form.seed = setting<std::uint64_t>(path, sweep.settings, "seed");
+    for (const auto& [name, value] : sweep.settings) {
+        if (name == "sample") form.sample = sample_from(text_of(value));
+        if (name == "inertia_factor" && text_of(value) != "uniform")
+            options.scene.set("inertia-factor", text_of(value));
+        for (const char* parameter : {"sides", "alpha", "beta", "mu", "restitution", "law"})
+            if (name == parameter) options.scene.set(name, text_of(value));
+    }
+    sweep.grid = grid_from(setting<std::vector<std::string>>(path, sweep.settings, "grid"), form);
+    cell_scene(options.scene, sweep.grid, 0);
+    if (sweep.runs < 1 || sweep.runs > 1'000'000)
+        throw BadInput(fmt::format("record '{}': runs = {} is outside its range: 1 to 1000000", path, sweep.runs));
+    sweep.results.resize(cell_count(sweep.grid) * static_cast<std::size_t>(sweep.runs));
+    return sweep;
+}
+
+void require_all(const std::vector<ReadShard>& shards, const std::vector<std::string>& paths) {
+    const auto of = static_cast<std::size_t>(shards.front().shard.of);
+    std::vector<char> seen(of, 0);
+    for (std::size_t i = 0; i < shards.size(); ++i) {
+        const Shard& shard = shards[i].shard;
+        if (shard.of != shards.front().shard.of || shard.number < 1 || shard.number > shard.of)
+            throw BadInput(
+                fmt::format("record '{}' is shard {}/{}, others are of {}", paths[i], shard.number, shard.of, of));
+        const std::string differs = different_setting(shards.front().settings, shards[i].settings);
+        if (!differs.empty())
+            throw BadInput(fmt::format("record '{}' was made with another {} than '{}'", paths[i], differs, paths[0]));
+        if (seen[static_cast<std::size_t>(shard.number - 1)]++)
+            throw BadInput(fmt::format("shard {}/{} is given twice, last as '{}'", shard.number, of, paths[i]));
+    }
+    const auto missing = std::find(seen.begin(), seen.end(), 0);
+    if (missing != seen.end()) throw BadInput(fmt::format("shard {}/{} is missing", missing - seen.begin() + 1, of));
+}
+
+}  // namespace
+
+int join(JoinOptions& options) {
+    if (options.shards.empty()) throw BadInput("no shards are given: swirl join SHARD... -o RECORD");
+    if (options.output.record.empty()) throw BadInput("-o is missing: the record to write");
+    options.output.command = "sweep";  // the record is a sweep's
+    require_output(options.output, options.shards);
+    std::vector<ReadShard> shards;
+    try {
+        for (const auto& path : options.shards) shards.push_back(read_shard_file(path));
+    } catch (const RecordError& error) {
+        throw BadInput(error.what());
+    }
+    require_all(shards, options.shards);
+    SweepOptions of_sweep;
+    of_sweep.output = options.output;
+    Sweep sweep = sweep_from(options.shards.front(), shards.front(), of_sweep);
+    for (std::size_t i = 0; i < shards.size(); ++i) put(options.shards[i], shards[i], sweep);
+    note_interruptions();
+    const bool all = find_steady_modes(of_sweep, sweep);
+    finish_up();
+    if (!all) return exit_interrupted;
+    write_sweep(of_sweep, sweep);
+    if (options.output.json)
+        write_sweep_document(sweep);
+    else if (!options.output.quiet)
+        print_sweep(sweep);
+    return exit_done;
+}
+
+}  // namespace swirl::apps::sweep

@@ -1,0 +1,140 @@
+#include "apps/sweep/run_cells.hpp"
+
+#include "apps/command_line/parallel_pieces.hpp"
+#include "apps/command_line/progress.hpp"
+#include "apps/sweep/refine.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+namespace swirl::apps::sweep {
+
+namespace {
+
+/// The settings as the journal's header.
+std::string header_of(const Settings& settings) {
+    std::string text;
+    for (const auto& [name, value] : settings) {
+        text += name + " =";
+        std::visit(
+            [&](const auto& v) {
+                using Value = std::decay_t<decltype(v)>;
+                if constexpr (std::is_same_v<Value, double>)
+                    text += fmt::format(" {:.17g}", v);
+                else if constexpr (std::is_arithmetic_v<Value>)
+                    text += fmt::format(" {}", v);
+                else if constexpr (std::is_same_v<Value, std::string>)
+                    text += " " + v;
+                else
+                    for (const auto& item : v) text += fmt::format(" {}", item);
+            },
+            value);
+        text += "\n";
+    }
+    return text;
+}
+
+/// Runs what is not done of these cells. Results go to their own places, whatever thread makes them.
+bool run_cells(const SweepOptions& options, const std::vector<std::size_t>& cells, const std::string& task,
+               Sweep& sweep, std::vector<char>& done, SweepJournal* journal) {
+    const auto runs = static_cast<std::size_t>(sweep.runs);
+    std::vector<std::size_t> left;
+    for (const std::size_t cell : cells)
+        for (std::size_t i = cell * runs; i < (cell + 1) * runs; ++i)
+            if (!done[i]) left.push_back(i);
+    const Accuracy accuracy = options.output.accuracy();
+    Progress progress(task, static_cast<double>(left.size()), options.output.quiet);
+    const bool all = run_pieces(left.size(), options.output.threads, progress, [&](std::size_t i) -> KeepResult {
+        const std::size_t index = left[i];
+        const Scene<double> scene = cell_scene(options.scene, sweep.grid, index / runs);
+        const double speed = cell_speed(options.start.speed(), sweep.grid, index / runs);
+        const auto result = sweep_run(scene, speed, options.start.seed(), index % runs, options.settings, accuracy);
+        if (!result) return {};
+        return [&sweep, &done, journal, index, result] {
+            sweep.results[index] = *result;
+            done[index] = 1;
+            if (journal != nullptr) journal->append(index, *result);
+        };
+    });
+    if (journal != nullptr) journal->flush();
+    return all;
+}
+
+/// What most runs of a cell say: mode, kind and period as one number. Of equally many that of the earlier run.
+std::int64_t verdict_of(std::span<const RunResult> runs) {
+    const auto number = [](const RunResult& run) {
+        constexpr double kinds = 64, modes = 8;
+        return static_cast<std::int64_t>((run.period * kinds + run.kind) * modes + run.mode);
+    };
+    std::int64_t usual = 0;
+    std::ptrdiff_t most = 0;
+    for (const auto& run : runs) {
+        const auto same = [&](const RunResult& other) { return number(other) == number(run); };
+        const auto count = std::count_if(runs.begin(), runs.end(), same);
+        if (count > most) most = count, usual = number(run);
+    }
+    return usual;
+}
+
+/// Coarse points first, then those that the tree asks for, until it asks for none.
+bool run_tree(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal) {
+    Lattice lattice{{}, options.refine};
+    for (const auto& axis : sweep.grid) lattice.points.push_back(axis.points.size());
+    sweep.visited.assign(lattice.size(), 0);
+    const auto verdict = [&](std::size_t cell) { return verdict_of(sweep.cell(cell)); };
+    int wave = 0;
+    for (auto cells = coarse_points(lattice); !cells.empty(); cells = next_points(lattice, sweep.visited, verdict)) {
+        const std::string task = wave == 0 ? "sweep" : fmt::format("sweep, refined {}", wave);
+        if (!run_cells(options, cells, task, sweep, done, journal)) return false;
+        for (const std::size_t cell : cells) sweep.visited[cell] = 1;
+        ++wave;
+    }
+    const auto runs = static_cast<std::ptrdiff_t>(sweep.runs);
+    const std::vector<std::size_t> source = sources(lattice, sweep.visited);
+    for (std::size_t cell = 0; cell < source.size(); ++cell) {
+        if (source[cell] == cell) continue;
+        const auto from = sweep.results.begin() + static_cast<std::ptrdiff_t>(source[cell]) * runs;
+        std::copy(from, from + runs, sweep.results.begin() + static_cast<std::ptrdiff_t>(cell) * runs);
+    }
+    return true;
+}
+
+}  // namespace
+
+SweepJournal::SweepJournal(const std::string& record, Sweep& sweep, std::vector<char>& done) {
+    const std::string header = header_of(sweep.settings);
+    const auto bytes = std::as_bytes(std::span(header.data(), header.size()));
+    const auto replay = [&](std::uint64_t index, std::span<const std::byte> payload) {
+        if (index >= sweep.results.size() || payload.size() != sizeof(RunResult)) return;
+        std::memcpy(&sweep.results[index], payload.data(), sizeof(RunResult));
+        done[index] = 1;
+    };
+    try {
+        journal_.emplace(journal_path(record), bytes, replay);
+    } catch (const JournalMismatch&) {
+        throw BadInput(fmt::format(
+            "an unfinished sweep with other options lies beside '{}' ({}); give the same options, or remove it", record,
+            journal_path(record).filename().string()));
+    } catch (const RecordError& error) {
+        throw BadInput(error.what());
+    }
+}
+
+void SweepJournal::append(std::size_t index, const RunResult& result) {
+    journal_->append(index, std::as_bytes(std::span(&result, 1)));
+    const auto now = std::chrono::steady_clock::now();
+    if (now - flushed_ < std::chrono::milliseconds(500)) return;
+    flushed_ = now;
+    journal_->flush();
+}
+
+bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal) {
+    if (options.refine > 0) return run_tree(options, sweep, done, journal);
+    std::vector<std::size_t> cells;
+    for (std::size_t c = 0; c < cell_count(sweep.grid); ++c)
+        if (sweep.visited.empty() || sweep.visited[c]) cells.push_back(c);
+    return run_cells(options, cells, "sweep", sweep, done, journal);
+}
+
+}  // namespace swirl::apps::sweep

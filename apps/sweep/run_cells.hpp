@@ -1,0 +1,36 @@
+// The runs of a sweep, on all threads, kept in a journal until the record is written.
+#pragma once
+
+#include "apps/record/journal.hpp"
+#include "apps/sweep/sweep_command.hpp"
+
+#include <chrono>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace swirl::apps::sweep {
+
+/// The journal of an unfinished record. What it holds goes to the results.
+class SweepJournal {
+public:
+    /// `done` gets 1 at each result that it brought. @throws BadInput if it is another sweep's, or can't be written
+    SweepJournal(const std::string& record, Sweep& sweep, std::vector<char>& done);
+
+    /// On the disk twice a second at least.
+    void append(std::size_t index, const RunResult& result);
+    void flush() { journal_->flush(); }
+    void remove() { journal_->remove(); }
+
+private:
+    std::optional<Journal> journal_;
+    std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
+};
+
+/// Runs all that is not done of the sweep's cells: of the grid, of the shard, or of the tree that --refine makes (its
+/// `visited`, and then the results of all other cells from their `sources`). False if interrupted.
+///   done  1 of each result that is there
+bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal);
+
+}  // namespace swirl::apps::sweep

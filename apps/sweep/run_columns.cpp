@@ -1,0 +1,74 @@
+#include "apps/sweep/run_columns.hpp"
+
+#include "apps/output/value.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace swirl::apps::sweep {
+
+namespace {
+
+struct RunColumn {
+    const char* name;
+    double RunResult::*member;
+    const char* units;
+    const char* long_name;
+    ElementType type = ElementType::float64;
+    std::vector<std::string> meanings = {};  ///< of a name's number
+};
+
+/// What a record holds of each run.
+std::vector<RunColumn> run_columns() {
+    const auto names = ElementType::uint8, count = ElementType::int64;
+    std::vector<std::string> modes;
+    for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
+    return {
+        {"run_mode", &RunResult::mode, "1", "mode", names, modes},
+        {"run_kind", &RunResult::kind, "1", "kind", names, names_up_to(analysis::Kind::transient)},
+        {"run_outcome", &RunResult::outcome, "1", "outcome", names, names_up_to(Outcome::unresolved)},
+        {"run_period", &RunResult::period, "1", "period, 0: none", count},
+        {"run_mean_S", &RunResult::mean_spin, "omega_s", "time mean of S"},
+        {"run_mean_S_per_impact", &RunResult::mean_spin_per_impact, "omega_s", "mean of S over impacts"},
+        {"run_recurrence_rate", &RunResult::recurrence_rate, "1", "RC of S"},
+        {"run_largest_exponent", &RunResult::largest_exponent, "1", "largest Lyapunov exponent per impact"},
+        {"run_impacts", &RunResult::impacts, "1", "impacts followed", count},
+    };
+}
+
+/// `use.template operator()<T>()` with the column's type in a record.
+template <class Use>
+void in_type_of(const RunColumn& column, const Use& use) {
+    if (column.type == ElementType::uint8)
+        use.template operator()<std::uint8_t>();
+    else if (column.type == ElementType::int64)
+        use.template operator()<std::int64_t>();
+    else
+        use.template operator()<double>();
+}
+
+}  // namespace
+
+void write_run_columns(const RecordGroup& group, const std::vector<std::string>& axes,
+                       std::span<const RunResult> results) {
+    for (const auto& column : run_columns())
+        in_type_of(column, [&]<class T>() {
+            std::vector<T> values;
+            for (const auto& result : results) values.push_back(static_cast<T>(result.*column.member));
+            group.write<T>(column.name, axes, values, {column.units, column.long_name, column.meanings});
+        });
+}
+
+std::vector<RunResult> read_run_columns(const RecordReader& record, const std::string& group) {
+    std::vector<RunResult> results;
+    for (const auto& column : run_columns())
+        in_type_of(column, [&]<class T>() {
+            const auto values = record.read<T>(group + "/" + column.name);
+            if (results.empty()) results.resize(values.size());
+            for (std::size_t i = 0; i < std::min(values.size(), results.size()); ++i)
+                results[i].*column.member = static_cast<double>(values[i]);
+        });
+    return results;
+}
+
+}  // namespace swirl::apps::sweep

@@ -1,0 +1,122 @@
+#include "apps/sweep/shard.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/record/record_reader.hpp"
+#include "apps/sweep/run_columns.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace swirl::apps::sweep {
+
+namespace {
+
+constexpr std::int64_t most_shards = 1'000'000;
+
+std::vector<std::int64_t> cells_of(const Sweep& sweep) {
+    std::vector<std::int64_t> cells;
+    for (std::size_t c = 0; c < cell_count(sweep.grid); ++c)
+        if (sweep.is_visited(c)) cells.push_back(static_cast<std::int64_t>(c));
+    return cells;
+}
+
+}  // namespace
+
+Shard shard_from(const std::string& text) {
+    const auto slash = text.find('/');
+    const auto number = [&](std::size_t begin, std::size_t end, std::int64_t& value) {
+        const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, value);
+        return error == std::errc() && stop == text.data() + end;
+    };
+    Shard shard;
+    const bool whole =
+        slash != std::string::npos && number(0, slash, shard.number) && number(slash + 1, text.size(), shard.of);
+    if (!whole || shard.number < 1 || shard.number > shard.of || shard.of > most_shards)
+        throw BadInput(fmt::format("shard = {} is outside its range: i/n with 1 <= i <= n <= {}", text, most_shards));
+    return shard;
+}
+
+void take_shard(const Shard& shard, Sweep& sweep) {
+    sweep.shard = shard;
+    sweep.visited.assign(cell_count(sweep.grid), 0);
+    for (auto c = static_cast<std::size_t>(shard.number - 1); c < sweep.visited.size();
+         c += static_cast<std::size_t>(shard.of))
+        sweep.visited[c] = 1;
+}
+
+void write_shard(const SweepOptions& options, const Sweep& sweep) {
+    RecordWriter record =
+        create_record(options.output, "A shard of the modes of a swirled polygon across parameters", sweep.units);
+    write_attributes(record.root().group("settings"), sweep.settings);
+    const RecordGroup group = record.root().group("shard");
+    group.attribute("number", sweep.shard->number);
+    group.attribute("of", sweep.shard->of);
+    const std::vector<std::int64_t> cells = cells_of(sweep);
+    std::vector<RunResult> results;
+    for (const std::int64_t cell : cells)
+        for (const RunResult& run : sweep.cell(static_cast<std::size_t>(cell))) results.push_back(run);
+    group.dimension("cell", cells.size());
+    group.dimension("run", static_cast<std::uint64_t>(sweep.runs));
+    if (!cells.empty()) {
+        group.write<std::int64_t>("cell", {"cell"}, cells, {"1", "number of the cell in the whole sweep", {}});
+        write_run_columns(group, {"cell", "run"}, results);
+    }
+    record.finish();
+}
+
+ReadShard read_shard_file(const std::string& path) {
+    const RecordReader record(path);
+    if (!record.contains("/shard")) throw BadInput(fmt::format("record '{}' is no shard of a sweep", path));
+    ReadShard read;
+    read.shard.number = record.attribute<std::int64_t>("/shard", "number");
+    read.shard.of = record.attribute<std::int64_t>("/shard", "of");
+    for (const auto& name : record.attributes("/settings"))
+        read.settings.emplace_back(name, record.attribute("/settings", name));
+    if (record.contains("/units"))
+        read.units = Units{record.attribute<double>("/units", "length"), record.attribute<double>("/units", "time"),
+                           record.attribute<double>("/units", "mass")};
+    if (!record.contains("/shard/cell")) return read;
+    read.cells = record.read<std::int64_t>("/shard/cell");
+    read.results = read_run_columns(record, "/shard");
+    return read;
+}
+
+void put(const std::string& path, const ReadShard& read, Sweep& sweep) {
+    const auto runs = static_cast<std::size_t>(sweep.runs), cells = cell_count(sweep.grid);
+    const auto is_its = [&](std::int64_t c) {
+        return c >= 0 && static_cast<std::size_t>(c) < cells && c % read.shard.of == read.shard.number - 1;
+    };
+    const auto expected =
+        (cells + static_cast<std::size_t>(read.shard.of - read.shard.number)) / static_cast<std::size_t>(read.shard.of);
+    if (read.cells.size() != expected || read.results.size() != expected * runs ||
+        !std::all_of(read.cells.begin(), read.cells.end(), is_its))
+        throw BadInput(
+            fmt::format("record '{}' does not hold the cells of shard {}/{}", path, read.shard.number, read.shard.of));
+    for (std::size_t i = 0; i < read.cells.size(); ++i)
+        std::copy_n(read.results.begin() + static_cast<std::ptrdiff_t>(i * runs), runs,
+                    sweep.results.begin() + read.cells[i] * static_cast<std::ptrdiff_t>(runs));
+}
+
+std::string different_setting(const Settings& wanted, const Settings& found) {
+    const auto holds = [](const Settings& settings, const auto& entry) {
+        return std::find(settings.begin(), settings.end(), entry) != settings.end();
+    };
+    for (const auto& entry : wanted)
+        if (!holds(found, entry)) return entry.first;
+    for (const auto& entry : found)
+        if (!holds(wanted, entry)) return entry.first;
+    return "";
+}
+
+void read_shard(const std::string& path, Sweep& sweep) {
+    const ReadShard read = read_shard_file(path);
+    const bool same = read.shard.number == sweep.shard->number && read.shard.of == sweep.shard->of;
+    const std::string differs = same ? different_setting(sweep.settings, read.settings) : "shard";
+    if (!differs.empty())
+        throw BadInput(
+            fmt::format("record '{}' was made with another {}; give the same, or another file, or replace it with "
+                        "--force",
+                        path, differs));
+    put(path, read, sweep);
+}
+
+}  // namespace swirl::apps::sweep

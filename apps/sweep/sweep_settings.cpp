@@ -1,0 +1,35 @@
+#include "apps/sweep/sweep_command.hpp"
+
+#include <algorithm>
+
+namespace swirl::apps::sweep {
+
+Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& grid) {
+    const Scene<double> first = cell_scene(options.scene, grid, 0);
+    Settings settings{{"swirl_version", std::string(version())}};
+    std::vector<std::string> axes;
+    for (const auto& axis : grid) axes.push_back(axis.text);
+    settings.emplace_back("grid", axes);
+    if (!options.sample.empty()) settings.emplace_back("sample", options.sample);
+    if (options.refine > 0) settings.emplace_back("refine", std::int64_t{options.refine});
+    const auto gridded = [&](const std::string& name) { return has_axis(grid, name); };
+    for (const auto& parameter : scene_settings(first)) {
+        const bool inertia = parameter.first == "inertia_factor";
+        if (gridded(inertia ? "inertia-factor" : parameter.first)) continue;
+        if (inertia && gridded("sides") && !options.scene.has("inertia-factor"))
+            settings.emplace_back("inertia_factor", std::string("uniform"));  // the lamina's, which depends on N
+        else
+            settings.push_back(parameter);
+    }
+    settings.emplace_back("runs", options.runs);
+    if (!gridded("speed")) settings.emplace_back("speed", options.start.speed());
+    settings.emplace_back("seed", options.start.seed());
+    settings.emplace_back("transient", options.settings.transient);
+    settings.emplace_back("collisions", options.settings.collisions);
+    settings.emplace_back("exhaustive", options.settings.exhaustive);
+    settings.emplace_back("threshold", options.settings.recurrence_threshold);
+    settings.emplace_back("accuracy", options.output.accuracy_name);
+    return settings;
+}
+
+}  // namespace swirl::apps::sweep

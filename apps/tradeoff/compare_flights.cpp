@@ -1,0 +1,158 @@
+#include "apps/tradeoff/compare_flights.hpp"
+
+#include "apps/command_line/parallel_pieces.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace swirl::apps::tradeoff {
+
+namespace {
+
+constexpr std::size_t in_a_piece = 50;  // flights: some milliseconds of the top rung
+
+/// What one rung did on one flight.
+struct FlightError {
+    bool compared = false;
+    bool missed = false;
+    double one = std::nan(""), ten = std::nan("");
+    double condition = 1;
+};
+
+double angle_between(const Vec2<Quad>& a, const Vec2<Quad>& b) {
+    using std::atan2;
+    return std::abs(static_cast<double>(atan2(cross(a, b), dot(a, b))));
+}
+
+double relative_difference(const Quad& a, const Quad& b) {
+    using std::fabs;
+    const Quad size = std::max(Quad(1), fabs(b));
+    return static_cast<double>(fabs(a - b) / size);
+}
+
+double error_of(const PostImpactState<Quad>& a, const PostImpactState<Quad>& exact) {
+    return std::max({angle_between(a.psi, exact.psi), angle_between(a.chi, exact.chi),
+                     relative_difference(a.vn, exact.vn), relative_difference(a.vt, exact.vt),
+                     relative_difference(a.spin, exact.spin)});
+}
+
+bool is_flight(const RungStep& step) {
+    return step.outcome == Outcome::completed && step.rounded.contacts.empty();
+}
+
+/// Is it another contact than that of the top rung?
+bool is_another(const RungStep& step, const RungStep& exact) {
+    if (!is_flight(step)) return true;
+    const Collision<double>&a = step.rounded.collision, &b = exact.rounded.collision;
+    if (!(std::abs(a.flight_time - b.flight_time) <= late_contact)) return true;
+    return a.vertex_step != b.vertex_step && !a.simultaneous && !b.simultaneous;
+}
+
+/// The steps of a rung from a drawn state: as many as asked for, fewer where it leaves flights.
+std::vector<RungStep> steps_of(const RungMap& map, PostImpactState<Quad> z, int count) {
+    std::vector<RungStep> steps;
+    for (int k = 0; k < count; ++k) {
+        steps.push_back(map.advance(z));
+        if (!is_flight(steps.back())) break;
+        z = steps.back().after;
+    }
+    return steps;
+}
+
+FlightError compare(const std::vector<RungStep>& steps, const std::vector<RungStep>& exact, double condition) {
+    FlightError error;
+    error.condition = condition;
+    error.compared = is_flight(exact.front());
+    if (!error.compared) return error;
+    error.missed = is_another(steps.front(), exact.front());
+    if (error.missed) return error;
+    error.one = error_of(steps.front().after, exact.front().after);
+    if (exact.size() < ten || steps.size() < ten || !is_flight(exact.back())) return error;
+    for (std::size_t k = 1; k < ten; ++k)
+        if (is_another(steps[k], exact[k])) return error;
+    error.ten = error_of(steps.back().after, exact.back().after);
+    return error;
+}
+
+ErrorSpread spread_of(std::vector<double> errors) {
+    std::erase_if(errors, [](double error) { return std::isnan(error); });
+    if (errors.empty()) return {};
+    std::sort(errors.begin(), errors.end());
+    return {errors[errors.size() / 2], errors[(errors.size() * 99 + 99) / 100 - 1], errors.back()};
+}
+
+/// All errors of one rung: a list a piece, empty where the piece is missing.
+using RungErrors = std::vector<std::vector<FlightError>>;
+
+FlightComparison summary_of(const RungErrors& pieces, double epsilon) {
+    FlightComparison found;
+    std::vector<double> one, after_ten;
+    for (const auto& piece : pieces) {
+        for (const FlightError& error : piece) {
+            found.flights += error.compared ? 1 : 0;
+            found.missed += error.missed ? 1 : 0;
+            one.push_back(error.one);
+            after_ten.push_back(error.ten);
+            if (!std::isnan(error.one))
+                found.largest_in_condition =
+                    std::fmax(found.largest_in_condition, error.one / (epsilon * error.condition));
+        }
+    }
+    found.missed_rate = analysis::rate_interval(found.missed, found.flights);
+    found.one = spread_of(std::move(one));
+    found.tens = std::count_if(after_ten.begin(), after_ten.end(), [](double error) { return !std::isnan(error); });
+    found.ten = spread_of(std::move(after_ten));
+    return found;
+}
+
+/// What the pieces of work need: it outlives the call, as they may.
+struct Work {
+    Scene<double> scene;
+    std::vector<DrawnFlight> flights;
+    std::span<const Rung> rungs;
+    std::vector<RungMap> maps;
+    std::vector<RungErrors> errors;  ///< [rung][piece]
+    const Budget* budget;
+
+    /// The errors of each rung on a piece's flights; nothing once the budget is spent.
+    std::vector<std::vector<FlightError>> piece(std::size_t number) const {
+        std::vector<std::vector<FlightError>> found(errors.size());
+        for (std::size_t i = number * in_a_piece; i < std::min(flights.size(), (number + 1) * in_a_piece); ++i) {
+            if (budget->is_spent(counted_share)) return {};
+            const DrawnFlight& flight = flights[i];
+            const int count = flight.begins_ten ? ten : 1;
+            const auto exact = steps_of(maps.back(), rungs.back().begin(scene, flight.state), count);
+            for (std::size_t r = 0; r < found.size(); ++r) {
+                const auto steps = steps_of(maps[r], rungs[r].begin(scene, flight.state), count);
+                found[r].push_back(compare(steps, exact, flight.condition));
+            }
+        }
+        return found;
+    }
+};
+
+}  // namespace
+
+ComparedFlights compare_flights(const Scene<double>& scene, const std::vector<DrawnFlight>& flights,
+                                std::span<const Rung> rungs, const Budget& budget, const OutputOptions& output) {
+    const std::size_t pieces = (flights.size() + in_a_piece - 1) / in_a_piece;
+    const auto work = std::make_shared<Work>();
+    *work = {scene, flights, rungs, {}, std::vector<RungErrors>(rungs.size() - 1, RungErrors(pieces)), &budget};
+    for (const Rung& rung : rungs) work->maps.push_back(rung.make(scene, {}));
+    Progress progress("tradeoff: errors", static_cast<double>(pieces), output.quiet);
+    ComparedFlights compared;
+    compared.whole = run_pieces(pieces, output.threads, progress, [work](std::size_t number) -> KeepResult {
+        auto found = work->piece(number);
+        if (found.empty()) return {};
+        return [work, number, found = std::move(found)]() mutable {
+            for (std::size_t r = 0; r < found.size(); ++r) work->errors[r][number] = std::move(found[r]);
+        };
+    });
+    for (std::size_t r = 0; r + 1 < rungs.size(); ++r)
+        compared.rungs.push_back(summary_of(work->errors[r], rungs[r].epsilon));
+    if (!compared.rungs.empty()) compared.flights = compared.rungs.front().flights;
+    return compared;
+}
+
+}  // namespace swirl::apps::tradeoff

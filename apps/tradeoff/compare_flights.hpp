@@ -1,0 +1,47 @@
+// Every rung on the same flights, against the top one.
+#pragma once
+
+#include "analysis/classification/rate_interval.hpp"
+#include "apps/command_line/output_options.hpp"
+#include "apps/tradeoff/drawn_flights.hpp"
+#include "apps/tradeoff/rung.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace swirl::apps::tradeoff {
+
+/// Of the errors of many flights. NaN where there are none.
+struct ErrorSpread {
+    double median = std::nan(""), most_of = std::nan(""), largest = std::nan("");  ///< most_of: of 99 % at most that
+};
+
+/// The error of a flight is the largest difference among the section coordinates just after its impact, angles as
+/// angles, velocities and spin relative to their size where that is above 1. Errors are of contacts that were found in
+/// their order; those that were not are counted.
+struct FlightComparison {
+    std::int64_t flights = 0;  ///< that both could be asked for: no contact in the top rung's step
+    /// No contact, another vertex than the first (unless two touch within rounding of each other), or a time of contact
+    /// that is off by more than `late_contact`.
+    std::int64_t missed = 0;
+    analysis::RateInterval missed_rate;
+    ErrorSpread one, ten;  ///< after one flight, and after ten in a row
+    std::int64_t tens = 0;
+    double largest_in_condition = std::nan("");  ///< of error/(ε condition), ε the rung's own
+};
+
+/// A contact at a time that is farther off than this is another contact: 1.1° of the swirl, more than a search in steps
+/// of 0.01 is late by.
+inline constexpr double late_contact = 0.02;
+
+struct ComparedFlights {
+    std::vector<FlightComparison> rungs;  ///< one a rung but for the last, with which they are compared
+    std::int64_t flights = 0;             ///< compared
+    bool whole = true;                    ///< false: the budget was spent before all drawn ones were
+};
+
+/// Equal flights give equal results, whatever the number of threads.
+ComparedFlights compare_flights(const Scene<double>& scene, const std::vector<DrawnFlight>& flights,
+                                std::span<const Rung> rungs, const Budget& budget, const OutputOptions& output);
+
+}  // namespace swirl::apps::tradeoff

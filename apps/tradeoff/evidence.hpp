@@ -1,0 +1,43 @@
+// The scene's verdict on fewer and more impacts.
+#pragma once
+
+#include "analysis/classification/rate_interval.hpp"
+#include "apps/command_line/output_options.hpp"
+#include "apps/modes/escape.hpp"
+#include "apps/modes/name_mode.hpp"
+#include "apps/tradeoff/budget.hpp"
+#include "apps/tradeoff/orbit_starts.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace swirl::apps::tradeoff {
+
+/// The verdict on so many impacts after as many that are left out. NaN where not measured.
+struct EvidenceRung {
+    std::int64_t collisions = 0;
+    RunVerdict verdict;                     ///< of the first start: what `classify` says of it
+    double mean_spin_error = std::nan("");  ///< sampling error of mean S: 0 of a cycle, whose mean is known
+    double mean_spin_off = std::nan("");    ///< mean S less that of the most impacts
+    double exponent_off = std::nan("");     ///< the same of the largest exponent
+    std::int64_t runs = 0;                  ///< starts
+    std::int64_t changed = 0;               ///< of these, how many have another mode on the most impacts
+    analysis::RateInterval changed_rate;
+    double seconds = std::nan("");  ///< that the verdict on the first start took
+};
+
+struct Evidence {
+    std::vector<EvidenceRung> rungs;             ///< by rising number of impacts
+    std::optional<analysis::EscapeRate> escape;  ///< of the verdicts on the most; as `classify --runs`
+    bool whole = true;                           ///< false: the budget was spent before
+};
+
+/// The numbers of impacts: 100, 300, 1000, 3000 … up to `most`.
+std::vector<std::int64_t> evidence_ladder(std::int64_t most);
+
+/// Verdicts on each of these numbers, from each start. An orbit that has ended says the same on any larger number, and
+/// is not followed again. Equal arguments give equal results but for `seconds`, whatever the number of threads.
+Evidence gather_evidence(const Scene<double>& scene, const OrbitStarts& starts, const std::vector<std::int64_t>& ladder,
+                         const Budget& budget, const OutputOptions& output);
+
+}  // namespace swirl::apps::tradeoff

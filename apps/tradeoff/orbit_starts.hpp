@@ -1,0 +1,23 @@
+// The starts of a scene that runs begin from: one that was given, or random ones from a seed on.
+#pragma once
+
+#include "apps/command_line/start_options.hpp"
+
+namespace swirl::apps::tradeoff {
+
+/// Seeds that may be used, from the first on.
+inline constexpr int most_starts = 64;
+
+struct OrbitStarts {
+    Start<double> first;
+    bool is_random = false;
+    double speed = 0;        ///< of random ones
+    std::uint64_t seed = 0;  ///< of the first
+    std::int64_t count = 1;  ///< how many there are
+
+    Start<double> start(double beta, std::int64_t run) const {
+        return is_random ? random_start(beta, speed, seed + static_cast<std::uint64_t>(run), 0) : first;
+    }
+};
+
+}  // namespace swirl::apps::tradeoff

@@ -1,0 +1,70 @@
+#include "apps/tradeoff/timing.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace swirl::apps::tradeoff {
+
+namespace {
+
+constexpr double batch_seconds = 5e-4;  // ten thousand times what the clock resolves, a fifth of a scheduler's slice
+constexpr int fewest_rounds = 12;       // a quartile of fewer is one of three batches
+
+/// One work with its batches.
+struct Series {
+    const TimedWork* work;
+    std::size_t units = 1;
+    std::vector<double> seconds{};  ///< per collision, a batch each
+    std::int64_t collisions = 0;
+
+    /// The time that a batch took. One that is short by far only tells how long the next should be.
+    void run() {
+        using Clock = std::chrono::steady_clock;
+        const auto begin = Clock::now();
+        const std::int64_t made = (*work)(units);
+        const double took = std::chrono::duration<double>(Clock::now() - begin).count();
+        if (took < batch_seconds / 2) {
+            units *= 2;
+            if (made > 0 && seconds.empty() && units < (std::size_t{1} << 24)) return run();
+        }
+        if (made == 0) return;
+        seconds.push_back(took / static_cast<double>(made));
+        collisions += made;
+    }
+
+    Timing timing() {
+        Timing found;
+        found.batches = static_cast<std::int64_t>(seconds.size());
+        found.collisions = collisions;
+        if (seconds.empty()) return found;
+        std::sort(seconds.begin(), seconds.end());
+        const auto quantile = [this](double share) {
+            return seconds[static_cast<std::size_t>(share * static_cast<double>(seconds.size() - 1) + 0.5)];
+        };
+        found.lower = quantile(0.25);
+        found.median = quantile(0.5);
+        found.upper = quantile(0.75);
+        return found;
+    }
+};
+
+}  // namespace
+
+std::vector<Timing> time_in_turn(const std::vector<TimedWork>& works, const Budget& budget, Progress& progress) {
+    std::vector<Series> all;
+    for (const TimedWork& work : works) all.push_back({&work});
+    for (auto& series : all) series.run();  // warms up caches, and finds the length of a batch
+    for (auto& series : all) {
+        series.seconds.clear();
+        series.collisions = 0;
+    }
+    for (int round = 0; round < fewest_rounds || !budget.is_spent(); ++round) {
+        for (auto& series : all) series.run();
+        progress.at(std::min(budget.spent(), budget.seconds()));
+    }
+    std::vector<Timing> timings;
+    for (auto& series : all) timings.push_back(series.timing());
+    return timings;
+}
+
+}  // namespace swirl::apps::tradeoff

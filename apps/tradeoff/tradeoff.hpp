@@ -1,0 +1,64 @@
+// The three ladders of a scene, and what they advise.
+#pragma once
+
+#include "apps/tradeoff/compare_flights.hpp"
+#include "apps/tradeoff/evidence.hpp"
+#include "apps/tradeoff/models.hpp"
+#include "apps/tradeoff/rung_orbit.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swirl::apps::tradeoff {
+
+/// How much is counted with a budget: fixed numbers, so that equal arguments give equal results.
+struct Amounts {
+    explicit Amounts(double budget);
+
+    std::int64_t transient;        ///< impacts before the flights that are drawn
+    std::int64_t flights;          ///< drawn at most
+    std::int64_t orbit;            ///< impacts of each rung's own orbit
+    std::int64_t most_collisions;  ///< of a verdict
+    std::int64_t runs;             ///< starts of the verdicts
+};
+
+/// A rung of arithmetic. `flights` is empty of the last, with which the others are compared; so are differences to it.
+struct ArithmeticRung {
+    const Rung* rung = nullptr;
+    Timing time;
+    std::optional<FlightComparison> flights;
+    std::optional<RungOrbit> orbit;       ///< none without flights, or where the budget was spent
+    double mean_spin_off = std::nan("");  ///< mean S less the last rung's
+    double exponent_off = std::nan("");   ///< largest exponent less the last rung's
+    std::optional<bool> verdict_differs;  ///< mode, period or outcome is not the last rung's
+};
+
+struct ModelRung {
+    std::string name, paid_by;
+    Timing with, without;
+    double added() const { return with.median - without.median; }
+};
+
+struct Tradeoff {
+    std::vector<ArithmeticRung> rungs;
+    Evidence evidence;
+    std::vector<ModelRung> model;
+    DrawnFlights drawn;
+    std::int64_t compared = 0;           ///< flights
+    const Rung* recommended = nullptr;   ///< none: `reason` says why
+    std::int64_t enough_collisions = 0;  ///< the fewest impacts on which no verdict differs; 0: none below the most
+    std::string reason;                  ///< why that rung, or why none
+    std::string advice;                  ///< a sentence
+    bool cut_short = false;              ///< the budget was spent before all that it should hold was counted
+};
+
+/// Measures. Takes about the budget.
+Tradeoff measure(const Scene<double>& scene, const OrbitStarts& starts, const Amounts& amounts, const Budget& budget,
+                 const OutputOptions& output);
+
+/// The cheapest rung of those of --accuracy whose verdict does not differ from the last one's and which missed no
+/// contact beyond what its interval allows (its least rate is 0); fills what is recommended, and why.
+void recommend(Tradeoff& found);
+
+}  // namespace swirl::apps::tradeoff

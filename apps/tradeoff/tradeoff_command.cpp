@@ -1,0 +1,87 @@
+#include "apps/tradeoff/tradeoff_command.hpp"
+
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/system/orbit_ending.hpp"
+#include "apps/tradeoff/tradeoff_document.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace swirl::apps::tradeoff {
+
+const char* const tradeoff_details =
+    R"(Three ladders, measured here and now on this scene:
+  arithmetic  each rung on the same flights of the scene's own orbit: seconds per collision (median of batches in turn,
+              with quartiles), errors after one flight and after ten against quad, contacts missed or out of order with
+              their rate's interval at 95 % (Clopper and Pearson; 0 of n says how large the rate may be all the same);
+              and on its own orbit: verdict, mean S beside its sampling error, largest exponent, drift of J
+  evidence    the verdict on 100 + 100, 300 + 300 ... impacts from several random starts (one, if it is given): how many
+              have another mode on the most impacts; mean S and largest exponent; how fast transients end, if some do
+  model       each piece with and without, and which commands pay for it; what the scene does not need, nothing pays for
+Recommended is the cheapest rung of --accuracy that missed no contact and whose verdict is that of quad.
+What is counted depends on scene, start and budget, not on the machine; times do. A machine on which that takes more than
+the budget leaves the rest out, and says so.
+
+Examples:
+  swirl tradeoff --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --budget 2
+  swirl tradeoff --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --budget 2 --json)";
+
+void TradeoffOptions::add_to(Flags& command) {
+    scene.add_to(command);
+    start.add_to(command);
+    output.add_to(command);
+    command.add_option("--budget", budget, "seconds that all of it may take (default 10)")->type_name("SECONDS");
+}
+
+namespace {
+
+constexpr double least_budget = 0.1, most_budget = 1e5;  // a day
+
+OrbitStarts starts_of(const TradeoffOptions& options, const Scene<double>& scene, const Amounts& amounts) {
+    OrbitStarts starts{options.start.start<double>(scene), options.start.is_random(), 0, 0, 1};
+    if (!starts.is_random) return starts;
+    options.start.require_seeds(most_starts);
+    starts.speed = options.start.speed();
+    starts.seed = options.start.seed();
+    starts.count = amounts.runs;
+    return starts;
+}
+
+/// A start that is none is found before any work.
+void check_start(const Scene<double>& scene, const Start<double>& start) {
+    with_scene_map(scene, [&](const auto& map) { begin_orbit(map, start); });
+}
+
+}  // namespace
+
+int tradeoff(TradeoffOptions& options) {
+    const Budget budget(options.budget);
+    if (!(options.budget >= least_budget && options.budget <= most_budget))
+        throw BadInput(fmt::format("budget = {} is outside its range: {} to {} seconds", options.budget, least_budget,
+                                   most_budget));
+    options.scene.read_file();
+    options.start.take_units(options.scene);
+    const Scene<double> scene = options.scene.scene<double>();
+    if (options.output.accuracy() != Accuracy::double_precision)
+        throw BadInput(fmt::format("accuracy = {}: tradeoff measures all of them", options.output.accuracy_name));
+    const Amounts amounts(options.budget);
+    const OrbitStarts starts = starts_of(options, scene, amounts);
+    check_start(scene, starts.first);
+    std::optional<RecordWriter> record = open_record(options.output, "Accuracy and cost of a swirled polygon's map",
+                                                     {options.scene.file()}, options.scene.units());
+    exit_when_interrupted();
+    const Tradeoff found = measure(scene, starts, amounts, budget, options.output);
+    if (record) {
+        write_record(record->root(), options, scene, amounts, found);
+        record->finish();
+    }
+    if (options.output.json)
+        write_document(options, scene, amounts, found);
+    else if (!options.output.quiet)
+        print_tables(options, scene, found);
+    return exit_done;
+}
+
+}  // namespace swirl::apps::tradeoff

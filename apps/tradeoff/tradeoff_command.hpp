@@ -1,0 +1,23 @@
+// `swirl tradeoff`: accuracy, evidence and model against their cost, measured on the user's scene.
+#pragma once
+
+#include "apps/command_line/output_options.hpp"
+#include "apps/command_line/scene_options.hpp"
+#include "apps/command_line/start_options.hpp"
+
+namespace swirl::apps::tradeoff {
+
+struct TradeoffOptions {
+    SceneOptions scene;
+    StartOptions start;
+    OutputOptions output;
+    double budget = 10;  ///< seconds
+
+    void add_to(Flags& command);
+};
+
+extern const char* const tradeoff_details;
+
+int tradeoff(TradeoffOptions& options);
+
+}  // namespace swirl::apps::tradeoff

@@ -1,0 +1,237 @@
+#include "apps/tradeoff/tradeoff_tables.hpp"
+
+#include "apps/modes/mode_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace swirl::apps::tradeoff {
+
+namespace {
+
+using analysis::Kind;
+
+/// "231 ns", "62.1 us": three digits.
+std::string in_seconds(const Value& value) {
+    const double seconds = std::get<double>(value);
+    if (std::isnan(seconds)) return "-";
+    for (const auto& [unit, name] : {std::pair(1e-6, "ns"), std::pair(1e-3, "us"), std::pair(1.0, "ms")})
+        if (std::abs(seconds) < unit) return fmt::format("{:.3g} {}", seconds / (unit * 1e-3), name);
+    return fmt::format("{:.3g} s", seconds);
+}
+
+Look seconds_look(const char* heading) {
+    return {heading, [heading](const Value& value) { return fmt::format(fmt::runtime(heading), in_seconds(value)); }};
+}
+
+/// "2 of 10000 (1e-05 to 9e-04)"; "0 of 10000 (below 3e-04)".
+std::string rate_in_words(std::int64_t k, std::int64_t n, const analysis::RateInterval& rate) {
+    if (n == 0) return "-";
+    if (k == 0) return fmt::format("0 of {} (below {:.1e})", n, rate.most);
+    return fmt::format("{} of {} ({:.1e} to {:.1e})", k, n, rate.least, rate.most);
+}
+
+/// NaN where the rung has no flights to compare.
+template <class Read>
+auto of_flights(Read read) {
+    return [read](const ArithmeticRung& row) {
+        return row.flights && row.flights->flights > 0 ? static_cast<double>(read(*row.flights)) : std::nan("");
+    };
+}
+
+template <class Read>
+auto of_orbit(Read read) {
+    return [read](const ArithmeticRung& row) { return row.orbit ? read(*row.orbit) : std::nan(""); };
+}
+
+std::string verdict_in_words(const ArithmeticRung& row) {
+    if (!row.orbit) return "-";
+    if (row.orbit->outcome != Outcome::completed) return std::string(name_of(row.orbit->outcome));
+    const std::string period = row.orbit->period > 0 ? fmt::format(" {}", row.orbit->period) : "";
+    const Kind kind = row.orbit->kind;
+    return std::string(kind == Kind::none ? name_of(row.orbit->mode) : name_of(kind)) + period;
+}
+
+using Arithmetic = Field<ArithmeticRung>;
+
+/// Errors after one flight and ten.
+void add_errors(std::vector<Arithmetic>& fields) {
+    using C = FlightComparison;
+    const auto one = [](auto member) { return of_flights([member](const C& c) { return c.one.*member; }); };
+    const auto ten_of = [](auto member) { return of_flights([member](const C& c) { return c.ten.*member; }); };
+    using E = ErrorSpread;
+    fields.insert(
+        fields.end(),
+        {Arithmetic{"error", one(&E::median), "1", "of one step, median, against the last rung"}.shown("error",
+                                                                                                       " {:>8.2g}"),
+         Arithmetic{"error_99", one(&E::most_of), "1", "of one step, 99 % are below"}.shown("99 %", " {:>8.2g}"),
+         Arithmetic{"error_largest", one(&E::largest), "1", "of one step, largest"}.shown("largest", " {:>8.2g}"),
+         Arithmetic{"error_of_ten", ten_of(&E::median), "1", "of ten steps, median"}.shown("of ten", " {:>8.2g}"),
+         Arithmetic{"error_of_ten_99", ten_of(&E::most_of), "1", "of ten steps, 99 % are below"},
+         Arithmetic{"error_of_ten_largest", ten_of(&E::largest), "1", "of ten steps, largest"}.shown("largest",
+                                                                                                     " {:>8.2g}"),
+         Arithmetic{"error_in_condition", of_flights([](const C& c) { return c.largest_in_condition; }), "1",
+                    "largest error of one step over epsilon and the step's condition"}
+             .shown("/(eps c)", " {:>8.2g}")});
+}
+
+void add_missed(std::vector<Arithmetic>& fields) {
+    using C = FlightComparison;
+    fields.insert(
+        fields.end(),
+        {Arithmetic{"flights", of_flights([](const C& c) { return c.flights; }), "1", "compared"},
+         Arithmetic{"missed_contacts", of_flights([](const C& c) { return c.missed; }), "1",
+                    "flights on which it found another contact than the first, or none"},
+         Arithmetic{"missed_rate", of_flights([](const C& c) { return c.missed_rate.rate; }), "1", "of all flights"},
+         Arithmetic{"missed_rate_least", of_flights([](const C& c) { return c.missed_rate.least; }), "1", "at 95 %"},
+         Arithmetic{"missed_rate_most", of_flights([](const C& c) { return c.missed_rate.most; }), "1", "at 95 %"},
+         Arithmetic{"missed",
+                    [](const ArithmeticRung& row) {
+                        if (!row.flights) return std::string("-");
+                        return rate_in_words(row.flights->missed, row.flights->flights, row.flights->missed_rate);
+                    }}
+             .table_only()
+             .shown("missed contacts (95 %)", "  {:<27}")});
+}
+
+void add_orbits(std::vector<Arithmetic>& fields) {
+    using O = RungOrbit;
+    const auto count = [](auto member) {
+        return of_orbit([member](const O& o) { return static_cast<double>(o.*member); });
+    };
+    const auto number = [](auto member) { return of_orbit([member](const O& o) { return o.*member; }); };
+    const auto name = [](auto member) {
+        return
+            [member](const ArithmeticRung& row) { return std::string(row.orbit ? name_of((*row.orbit).*member) : ""); };
+    };
+    const auto or_null = [](auto member) {
+        return [member](const ArithmeticRung& row) -> std::optional<std::string> {
+            if (!row.orbit || name_of((*row.orbit).*member) == name_of(Kind::none)) return std::nullopt;
+            return std::string(name_of((*row.orbit).*member));
+        };
+    };
+    fields.insert(
+        fields.end(),
+        {Arithmetic{"mode", name(&O::mode)}.json_as(or_null(&O::mode)),
+         Arithmetic{"kind", name(&O::kind)}.json_as(or_null(&O::kind)),
+         Arithmetic{"period", count(&O::period), "1", "period, 0: none"}.json_as(
+             [](const ArithmeticRung& row) -> std::optional<std::int64_t> {
+                 if (!row.orbit || row.orbit->period == 0) return std::nullopt;
+                 return row.orbit->period;
+             }),
+         Arithmetic{"outcome", name(&O::outcome)}.json_as(or_null(&O::outcome)),
+         Arithmetic{"impacts", count(&O::impacts), "1", "of the rung's own orbit"},
+         Arithmetic{"verdict", &verdict_in_words}.table_only().shown("verdict", " {:<13}"),
+         Arithmetic{"verdict_differs",
+                    [](const ArithmeticRung& row) {
+                        return row.verdict_differs ? (*row.verdict_differs ? 1.0 : 0.0) : std::nan("");
+                    },
+                    "1", "mode, period or outcome is not the last rung's"}
+             .json_as([](const ArithmeticRung& row) { return row.verdict_differs; }),
+         Arithmetic{"mean_S", number(&O::mean_spin), "omega_s", "time mean of S"},
+         Arithmetic{"mean_S_error", number(&O::mean_spin_error), "omega_s", "its sampling error"}.shown("S sampled to",
+                                                                                                        " {:>12.1g}"),
+         Arithmetic{"mean_S_off", &ArithmeticRung::mean_spin_off, "omega_s", "mean S less the last rung's"}.shown(
+             "off by", " {:>8.1g}"),
+         Arithmetic{"largest_exponent", number(&O::largest_exponent), "1", "per impact"},
+         Arithmetic{"largest_exponent_error", number(&O::largest_exponent_error), "1", "its standard error"},
+         Arithmetic{"exponent_off", &ArithmeticRung::exponent_off, "1", "largest exponent less the last rung's"}.shown(
+             "exponent off", " {:>12.1g}"),
+         Arithmetic{"jacobi_drift", number(&O::jacobi_drift), "m R_c^2 omega_s^2",
+                    "|sum of J after - before - what impacts and contact say| per impact"}
+             .shown("J drift", " {:>8.1g}")});
+}
+
+/// "551 to 580 ns"
+std::string quartiles_in_words(const Timing& time) {
+    if (time.batches == 0) return "-";
+    return fmt::format("{} to {}", in_seconds(time.lower), in_seconds(time.upper));
+}
+
+/// A time with its quartiles.
+template <class Row>
+void add_time(std::vector<Field<Row>>& fields, const std::string& name, const char* heading, const std::string& of,
+              Timing Row::*member) {
+    const auto read = [member](auto part) { return [member, part](const Row& row) { return (row.*member).*part; }; };
+    fields.push_back(
+        Field<Row>{name, read(&Timing::median), "s", of + ", median"}.shown(heading, seconds_look(" {:>12}")));
+    fields.push_back(Field<Row>{name + "_lower", read(&Timing::lower), "s", of + ", lower quartile"});
+    fields.push_back(Field<Row>{name + "_upper", read(&Timing::upper), "s", of + ", upper quartile"});
+}
+
+}  // namespace
+
+Table<ArithmeticRung> errors_table() {
+    std::vector<Arithmetic> fields;
+    fields.push_back(
+        Arithmetic{"name", [](const ArithmeticRung& row) { return row.rung->name; }}.shown("rung", "  {:<11}"));
+    fields.push_back(Arithmetic{"what", [](const ArithmeticRung& row) { return row.rung->what; }});
+    add_time(fields, "seconds_per_collision", "time", "of a collision", &ArithmeticRung::time);
+    fields.push_back(Arithmetic{"quartiles", [](const ArithmeticRung& row) { return quartiles_in_words(row.time); }}
+                         .table_only()
+                         .shown("quartiles", "  {:<20}"));
+    add_errors(fields);
+    add_missed(fields);
+    return {{"rung"}, std::move(fields)};
+}
+
+Table<ArithmeticRung> orbits_table() {
+    std::vector<Arithmetic> fields;
+    fields.push_back(
+        Arithmetic{"name", [](const ArithmeticRung& row) { return row.rung->name; }}.shown("rung", "  {:<11}"));
+    add_orbits(fields);
+    return {{"rung"}, std::move(fields)};
+}
+
+Table<ArithmeticRung> rungs_table() {
+    Table<ArithmeticRung> table = errors_table();
+    const auto orbits = orbits_table().fields;
+    table.fields.insert(table.fields.end(), orbits.begin() + 1, orbits.end());  // both begin with the name
+    return table;
+}
+
+Table<EvidenceRung> evidence_table() {
+    using F = Field<EvidenceRung>;
+    const auto of = [](auto member) { return [member](const EvidenceRung& row) { return row.verdict.*member; }; };
+    return {
+        {"rung"},
+        {F{"collisions", &EvidenceRung::collisions, "1", "impacts, after as many that are left out"}.shown("impacts",
+                                                                                                           "  {:>9}"),
+         F{"mode", of(&RunVerdict::mode)}.shown("mode", "  {:<13}"),
+         kind_field<EvidenceRung>(of(&RunVerdict::kind)).shown("kind", " {:<15}"),
+         period_field<EvidenceRung>(of(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
+         F{"outcome", of(&RunVerdict::outcome)},
+         F{"mean_S", of(&RunVerdict::mean_spin), "omega_s", "time mean of S"}.shown("mean S", " {:>13.7g}"),
+         F{"mean_S_error", &EvidenceRung::mean_spin_error, "omega_s", "its sampling error, 0 of a cycle"}.shown(
+             "sampled to", " {:>10.1g}"),
+         F{"mean_S_off", &EvidenceRung::mean_spin_off, "omega_s", "mean S less that of the most impacts"}.shown(
+             "off by", " {:>8.1g}"),
+         F{"largest_exponent", of(&RunVerdict::largest_exponent), "1", "per impact"}.shown("exponent", " {:>10.4g}"),
+         F{"largest_exponent_error", of(&RunVerdict::largest_exponent_error), "1", "its standard error"}.shown(
+             "error", " {:>8.1g}"),
+         F{"exponent_off", &EvidenceRung::exponent_off, "1", "largest exponent less that of the most impacts"},
+         F{"runs", &EvidenceRung::runs, "1", "starts"},
+         F{"changed", &EvidenceRung::changed, "1", "of these: another mode on the most impacts"},
+         F{"changed_rate_least", [](const EvidenceRung& row) { return row.changed_rate.least; }, "1", "at 95 %"},
+         F{"changed_rate_most", [](const EvidenceRung& row) { return row.changed_rate.most; }, "1", "at 95 %"},
+         F{"changed_in_words",
+           [](const EvidenceRung& row) { return rate_in_words(row.changed, row.runs, row.changed_rate); }}
+             .table_only()
+             .shown("another mode (95 %)", "  {:<23}"),
+         F{"seconds", &EvidenceRung::seconds, "s", "that the first start's verdict took"}.shown(
+             "time", seconds_look(" {:>8}"))}};
+}
+
+Table<ModelRung> model_table() {
+    std::vector<Field<ModelRung>> fields;
+    fields.push_back(Field<ModelRung>{"name", &ModelRung::name}.shown("piece", "  {:<24}"));
+    add_time(fields, "seconds_per_collision", "with", "of a collision with it", &ModelRung::with);
+    add_time(fields, "seconds_without", "without", "of a collision without it", &ModelRung::without);
+    fields.push_back(Field<ModelRung>{"seconds_added", &ModelRung::added, "s", "difference of the medians"}.shown(
+        "adds", seconds_look(" {:>10}")));
+    fields.push_back(Field<ModelRung>{"paid_by", &ModelRung::paid_by}.shown("paid by", "  {}"));
+    return {{"rung"}, std::move(fields)};
+}
+
+}  // namespace swirl::apps::tradeoff

@@ -1,0 +1,29 @@
+#include "map/proof/claim.hpp"
+
+#include <algorithm>
+
+namespace swirl::proof {
+
+std::string_view name_of(ProvenStability stability) {
+    switch (stability) {
+        case ProvenStability::attracting:
+            return "attracting";
+        case ProvenStability::saddle:
+            return "saddle";
+        case ProvenStability::repelling:
+            return "repelling";
+        case ProvenStability::neutral:
+            return "neutral";
+        case ProvenStability::undecided:
+            break;
+    }
+    return "undecided";
+}
+
+double CycleProof::radius() const {
+    double largest = 0;
+    for (const PointRadii& box : radii) largest = std::max(largest, *std::max_element(box.begin(), box.end()));
+    return time_radii.empty() ? largest : std::max(largest, *std::max_element(time_radii.begin(), time_radii.end()));
+}
+
+}  // namespace swirl::proof

@@ -1,0 +1,46 @@
+"""What an argument of a figure says: a width, a size, a range. Without matplotlib, which takes a second to load, so that a
+wrong one is told at once."""
+
+import math
+
+MILLIMETRES = 25.4
+
+#: Widths of a column in journals' instructions for authors, in millimetres.
+COLUMNS = {"aps": 86.0, "aps-2": 178.0, "nature": 89.0, "nature-2": 183.0, "elsevier": 90.0, "elsevier-2": 190.0}
+
+LEAST_WIDTH, MOST_WIDTH = 40.0, 500.0        # millimetres
+LEAST_FONT_SIZE, MOST_FONT_SIZE = 4.0, 40.0  # points
+
+
+def length_of(text):
+    """Inches of `89`, `89mm`, `3.4in` or a journal's column by its name. ValueError in one line."""
+    if text in COLUMNS:
+        return COLUMNS[text] / MILLIMETRES
+    scale, digits = (MILLIMETRES, text[:-2]) if text.endswith("in") else (1, text.removesuffix("mm"))
+    width = _number(digits) * scale
+    if not LEAST_WIDTH <= width <= MOST_WIDTH:
+        raise ValueError(f"width = {text}: allowed are {LEAST_WIDTH:g} to {MOST_WIDTH:g} mm, as 86, 86mm or 3.4in, "
+                         f"and the columns {', '.join(COLUMNS)}")
+    return width / MILLIMETRES
+
+
+def font_size_of(text):
+    size = _number(text)
+    if not LEAST_FONT_SIZE <= size <= MOST_FONT_SIZE:
+        raise ValueError(f"font-size = {text}: allowed are {LEAST_FONT_SIZE:g} to {MOST_FONT_SIZE:g} points")
+    return size
+
+
+def range_of(text):
+    """(A, B) of `A:B`, A < B."""
+    ends = [_number(part) for part in text.split(":")]
+    if len(ends) != 2 or not -math.inf < ends[0] < ends[1] < math.inf:
+        raise ValueError(f"xlim = {text}: allowed is A:B, two numbers with A < B")
+    return tuple(ends)
+
+
+def _number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan

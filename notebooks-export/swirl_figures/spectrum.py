@@ -1,0 +1,103 @@
+"""A power spectrum with its peaks."""
+
+import numpy
+from matplotlib.lines import Line2D
+
+from .look import LegendBelow
+from .style import BLUE, ORANGE, VERMILION
+from .symbols import number, scene_title
+from .thinning import thinned
+
+#: A peak with less scatter between segments than this is drawn as a line, another as part of a continuum.
+LINE_SPREAD = 0.5
+
+#: So many of the strongest peaks have their frequency written, where there is room.
+NAMED_PEAKS = 6
+
+#: Power below this share of the greatest is rounding, and would flatten the rest.
+_LEAST_POWER = 1e-14
+
+
+def size(record, width):
+    return width or 7.5, 4.4
+
+
+def _frequency_label(record):
+    if record["spectrum"]["frequency"].attrs.get("units") == "omega_s":
+        return r"frequency $f/f_s$, $f_s = \omega_s/2\pi$"
+    return "frequency, in cycles per unit of time"
+
+
+def _observable(record):
+    settings = record.attributes("settings")
+    return str(settings.get("observable", "S" if "scene" in record else "the series"))
+
+
+def _name_peaks(axes, frequency, height, named):
+    """Numbers at the strongest peaks, the stronger first, left out where they would lie on one another."""
+    begin, end = axes.get_xlim()
+    done = []
+    for f, top in zip(frequency[named], height[named]):
+        if begin <= f <= end and all(abs(f - other) > 0.035 * (end - begin) for other in done) and len(done) < NAMED_PEAKS:
+            axes.annotate(number(f), (f, top), xytext=(0, 5), textcoords="offset points", rotation=90, ha="center",
+                          va="bottom", fontsize="small")
+            done.append(f)
+
+
+def _range_of_power(frequency, power):
+    """The frequencies that carry all but a thousandth of the power, and a margin; negative ones of a two-sided spectrum."""
+    total = numpy.cumsum(power) / power.sum()
+    least = frequency[numpy.searchsorted(total, 0.0005)] if frequency[0] < 0 else 0
+    most = frequency[min(numpy.searchsorted(total, 0.9995), len(frequency) - 1)]
+    margin = 0.15 * (most - least)
+    return max(least - margin, frequency[0]), min(most + margin, frequency[-1])
+
+
+def _draw_peaks(axes, record, frequency, power):
+    """Handles of the legend."""
+    if "peaks" not in record or len(record.column("peaks", "frequency")) == 0:
+        return []
+    place, spread, variance = (record.column("peaks", name) for name in ("frequency", "spread", "power"))
+    height = numpy.interp(place, frequency, power)
+    height = numpy.maximum(height, power[numpy.clip(numpy.searchsorted(frequency, place), 1, len(power) - 1)])
+    height = numpy.maximum(height, power[numpy.clip(numpy.searchsorted(frequency, place) - 1, 0, len(power) - 1)])
+    handles = []
+    for is_line, colour, name in ((True, VERMILION, "line"), (False, ORANGE, "peak of a continuum")):
+        of = (spread < LINE_SPREAD) == is_line
+        if of.any():
+            style = {"ls": "", "marker": "v", "ms": 3.5, "mec": "none", "color": colour}
+            axes.plot(place[of], height[of] * 1.25, **style)
+            handles.append(Line2D([], [], label=f"{name} ({of.sum():,})", **style))
+    _name_peaks(axes, place, height * 1.25, numpy.argsort(-variance, kind="stable"))
+    return handles
+
+
+def _verdict(record):
+    attributes = record.attributes("spectrum")
+    share, entropy = attributes.get("line_fraction", numpy.nan), attributes.get("entropy", numpy.nan)
+    parts = [str(attributes.get("verdict", ""))]
+    if numpy.isfinite(share):
+        parts.append(f"{100 * share:.4g} % of the variance in lines")
+    if numpy.isfinite(entropy):
+        parts.append(f"spectral entropy {number(entropy)}")
+    return "; ".join(filter(None, parts))
+
+
+def draw_into(figure, record, look):
+    frequency, power = record.column("spectrum", "frequency"), record.column("spectrum", "power")
+    parts = LegendBelow(figure)
+    axes = parts.above.subplots()
+    positive = power > 0
+    if positive.any():
+        floor = power.max() * _LEAST_POWER
+        axes.semilogy(*thinned(frequency, numpy.maximum(power, floor)), color=BLUE, lw=0.8)
+        axes.set_xlim(look.xlim or _range_of_power(frequency, power))
+        inside = positive & (frequency >= axes.get_xlim()[0]) & (frequency <= axes.get_xlim()[1])
+        axes.set_ylim(max(power[inside].min(), floor) * 0.5, power.max() * 300)
+    else:
+        axes.text(0.5, 0.5, "constant: no power at any frequency", ha="center", transform=axes.transAxes)
+    handles = [Line2D([], [], color=BLUE, lw=0.9, label="power density")] + _draw_peaks(axes, record, frequency, power)
+    axes.set(xlabel=_frequency_label(record), ylabel=f"power of {_observable(record)} per unit of frequency")
+    parts.fill(handles, look)
+    look.title(figure, "\n".join(filter(None, (scene_title(record.scene()), _verdict(record)))))
+    return [axes]

@@ -1,0 +1,77 @@
+"""A sweep over points of a box (sweep --sample): each point coloured by its mode, and by its mean spin, in every two of the
+parameters."""
+
+import itertools
+
+import numpy
+from matplotlib.lines import Line2D
+
+from .look import LegendBelow, side_by_side, width_of
+from .mode_map import mode_style, spin_style
+from .style import MODE_COLOURS
+from .symbols import MEAN_SPIN, axis_label, is_parameter, scene_title
+
+_LEAST_PANEL = 3.0
+
+
+def is_sampled(record):
+    """Its cells are points, not a grid."""
+    return "sweep" in record and record["sweep"]["mean_S"].dims == ("cell",)
+
+
+def _parameters(record):
+    data = record["sweep"]
+    return [str(name) for name in data.variables if data[name].dims == ("cell",) and is_parameter(str(name))]
+
+
+def _panels(record):
+    """[(abscissa, ordinate, whether coloured by mode)]; of one parameter its mean spin is the ordinate."""
+    names = _parameters(record)
+    if len(names) == 1:
+        return [(names[0], None, True)]
+    return [(x, y, by_mode) for x, y in itertools.combinations(names, 2) for by_mode in (True, False)]
+
+
+def size(record, width):
+    count = len(_panels(record))
+    width = width or (6.5 if count == 1 else 9.0)
+    columns = max(1, min(2, count, int(width / _LEAST_PANEL)))
+    rows = -(-count // columns)
+    return width, 0.9 + rows * min(3.2, 10 / rows)  # no higher than a page
+
+
+def _dots(count):
+    return float(numpy.clip(4000 / max(count, 1), 2, 30))
+
+
+def _draw_panel(axes, record, panel, modes, place):
+    """What a colour bar is made for, of a panel coloured by spin."""
+    x, y, by_mode = panel
+    spin = record.column("sweep", "mean_S")
+    ordinate = spin if y is None else record.column("sweep", y)
+    colours, extend = (mode_style(modes), None) if by_mode else spin_style(spin)
+    dots = axes.scatter(record.column("sweep", x), ordinate, c=place if by_mode else spin, s=_dots(len(spin)), lw=0.3,
+                        ec="0.4", plotnonfinite=True, **colours)
+    axes.set(xlabel=axis_label(x), ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$" if y is None else axis_label(y),
+             title="Mode with the largest share" if by_mode else f"Mean spin {MEAN_SPIN}, in $\\omega_s$")
+    return None if by_mode else (dots, extend)
+
+
+def draw_into(figure, record, look):
+    share = record["sweep"]["share"].transpose("cell", "mode").values
+    modes = [str(mode) for mode in record["sweep"]["mode"].values]
+    place = share.argmax(axis=1)
+    runs, names = record["sweep"].sizes["run"], _parameters(record)
+    look.title(figure, f"{scene_title(record.scene(), leave_out=names)}\n{len(place):,} points, {runs:,} random "
+                       f"start{'s' * (runs > 1)} at each")
+    parts = LegendBelow(figure)
+    panels = _panels(record)
+    least = max(_LEAST_PANEL, 0.4 * width_of(figure))  # a pair of parameters in a row
+    drawn = side_by_side(parts.above, len(panels), least)
+    for axes, panel in zip(drawn, panels):
+        bar = _draw_panel(axes, record, panel, modes, place)
+        if bar:
+            parts.above.colorbar(bar[0], ax=axes, extend=bar[1])
+    parts.fill([Line2D([], [], ls="", marker="o", ms=5, color=MODE_COLOURS[mode], mec="0.4", mew=0.3, label=mode)
+                for index, mode in enumerate(modes) if (place == index).any()], look)
+    return drawn

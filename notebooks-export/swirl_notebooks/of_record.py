@@ -1,0 +1,62 @@
+"""The notebook of one record: what it holds, its figure drawn by a few lines of matplotlib, its numbers checked."""
+
+import os
+from pathlib import Path
+
+from swirl_figures import RecordError, kinds_of, open_record
+
+from .cells import cells_of, executed, notebook_of
+from .files_inside import record_cell
+
+_OPENING = '''\
+# %%
+# Needed: h5py, xarray with h5netcdf, matplotlib.
+import h5py, matplotlib.pyplot as plt, numpy as np, xarray as xr
+
+def group(name):
+    """A group of the record, as an xarray.Dataset."""
+    return xr.open_dataset(path, group=name, engine="h5netcdf")
+
+with h5py.File(path) as file:
+    made = dict(file.attrs)
+    settings = {name: dict(file[name].attrs) for name in ("scene", "settings", "result") if name in file}
+for name in ("title", "command", "swirl_version", "instruction_set"):
+    print(f"{name}: {made.get(name, '')}")
+for name, values in settings.items():
+    print(name + ":", ", ".join(f"{key} = {value}" for key, value in values.items()))
+# %% [markdown]
+# ## What it holds
+# %%
+with h5py.File(path) as file:
+    for name in file:
+        print(name + ":")
+        for column, data in file[name].items():
+            if isinstance(data, h5py.Dataset) and "not a netCDF variable" not in str(data.attrs.get("NAME", "")):
+                print(f"    {column:32s}{str(data.shape):14s}{data.attrs.get('units', ''):20s}"
+                      f"{data.attrs.get('long_name', '')}")
+'''
+
+
+def template_of(record):
+    """The text of the cells for this kind of record."""
+    kinds = kinds_of(record)
+    file = Path(__file__).parent / "records" / f"{kinds[0].replace('-', '_')}.py" if kinds else None
+    if file is None or not file.is_file():
+        raise RecordError(f"record '{record.path}' holds nothing that there is a notebook of")
+    if kinds[0] == "multipliers" and record["orbits"].sizes.get("orbit", 0) == 0:
+        raise RecordError(f"record '{record.path}' holds no orbits: there is nothing that a notebook could show")
+    return file.read_text(encoding="utf-8")
+
+
+def notebook_of_record(path, output):
+    """(executed notebook, kind)."""
+    record = open_record(path)
+    body = template_of(record)
+    path, output = Path(path), Path(output)
+    relative = os.path.relpath(path.resolve(), output.resolve().parent)
+    title = str(record.title) or "A record"
+    opening = cells_of(_OPENING)
+    cells = [("markdown", f"# {title}\n\nThe record `{path.name}` of `swirl {record.command}`."),
+             record_cell(path, path.read_bytes(), relative), *opening, *cells_of(body)]
+    book = notebook_of(cells, title)
+    return executed(book, output.resolve().parent), kinds_of(record)[0]

@@ -1,0 +1,247 @@
+"""A figure for every record, and what may be chosen of it: figures_test.py SWIRL ROOT [--all]
+
+The package draws in this process (one for each figure takes seconds to begin). --all: every kind in every format, and a
+million points."""
+
+import json
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import numpy
+
+from driving import InFolder, run
+
+ALL = "--all" in sys.argv and not sys.argv.remove("--all")
+ROOT = str(Path(sys.argv.pop(1)).resolve())
+sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
+
+import figure_records
+from chosen import length_of
+from swirl_figures import KINDS, Look, RecordError, draw, kinds_of, open_record, save
+from swirl_figures.thinning import apart, thinned
+
+HEXAGON = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"
+CHAOTIC = "--sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1"
+SHORT = "--transient 1000 --collisions 2000"
+COMMANDS = {
+    "orbit": f"simulate {CHAOTIC} --collisions 500",
+    "wall": "simulate --sides disk --alpha 0.1 --beta 0.05 --mu 0.4 --restitution 0.3 --time 60 --sample 0.02",
+    "verdict": f"classify {HEXAGON} {SHORT}",
+    "runs": f"classify {HEXAGON} {SHORT} --runs 4",
+    "recurrence": f"recurrence {CHAOTIC} {SHORT} --image 60",
+    "thresholds": f"recurrence {CHAOTIC} {SHORT} --threshold 0.1,0.2,0.3",
+    "spectrum": f"spectrum {HEXAGON} {SHORT}",
+    "lyapunov": f"lyapunov {CHAOTIC} {SHORT}",
+    "describe": "describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9",
+    "families": "describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 1",
+    "sweep": f"sweep --sides 6 --beta 0.5 --restitution 0.9 --alpha 0.4 --grid mu=0.1:0.9:3 --transient 100 --collisions 100",
+}
+#: Of seconds each: with --all alone.
+SLOW = {"tour": "tour", "tradeoff": f"tradeoff {HEXAGON} --budget 2"}
+KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "runs": ["shares"],
+            "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
+            "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
+            "diagram": ["bifurcation"], "cycles": ["multipliers"]}
+#: Drawn by plot_test.py, on a screen; here with --all alone.
+DRAWN_ELSEWHERE = {"orbit", "spin", "path", "modes", "bifurcation", "multipliers"}
+HEADS = {".png": b"\x89PNG\r\n", ".svg": b"<?xml", ".pdf": b"%PDF-"}
+MOST_BYTES = 5_000_000
+
+
+class WithRecords(unittest.TestCase):
+    records = {}
+
+    @classmethod
+    def setUpClass(cls):
+        if cls.records:
+            return
+        temporary = tempfile.TemporaryDirectory()
+        unittest.addModuleCleanup(temporary.cleanup)
+        WithRecords.folder = Path(temporary.name)
+        commands = {**COMMANDS, **(SLOW if ALL else {})}
+        for name, command in commands.items():
+            cls.records[name] = cls.folder / f"{name}.h5"
+            result = run(f"{command} --quiet -o {cls.records[name]}")
+            assert result.returncode == 0, (command, result.stderr)
+        for name in ("diagram", "cycles"):
+            cls.records[name] = cls.folder / f"{name}.h5"
+        for count in (1, 2, 3):
+            cls.records[f"points{count}"] = cls.folder / f"points{count}.h5"
+            figure_records.write_sampled_sweep(cls.records[f"points{count}"], ["alpha", "beta", "mu"][:count], 150)
+        figure_records.write_bifurcation(cls.records["diagram"])
+        figure_records.write_orbits(cls.records["cycles"], 30, 100.0)
+
+
+class EveryRecord(WithRecords):
+    def test_has_its_kinds(self):
+        for name, kinds in KINDS_OF.items():
+            if name in self.records:
+                self.assertEqual(kinds_of(self.records[name]), kinds, name)
+        self.assertEqual({kind for kinds in KINDS_OF.values() for kind in kinds}, set(KINDS))
+
+    def test_is_drawn_in_every_kind_in_a_column_and_on_a_screen(self):
+        """By turns on a screen or in a column and in one of the formats; with --all in each."""
+        number = 0
+        for name, kinds in KINDS_OF.items():
+            for kind in kinds if name in self.records else []:
+                if kind in DRAWN_ELSEWHERE and not name.startswith("points") and not ALL:
+                    continue
+                number += 1
+                looks = [Look(width=length_of("aps"), titles=False), Look()]
+                for look in looks if ALL else looks[number % 2:][:1]:
+                    self.check(name, kind, look, HEADS if ALL else [list(HEADS)[number % 3]])
+
+    def check(self, name, kind, look, suffixes):
+        figure = draw(self.records[name], kind, look)
+        width, height = 25.4 * figure.get_size_inches()
+        if look.width:
+            self.assertAlmostEqual(width, 86)
+            self.assertLess(height, 297, (name, kind))  # a page
+        for suffix in suffixes:
+            file = self.folder / f"{name}-{kind}{suffix}"
+            save(figure, file)
+            content = file.read_bytes()
+            self.assertTrue(content.startswith(HEADS[suffix]), file)
+            self.assertTrue(5_000 < len(content) < MOST_BYTES, (file, len(content)))
+
+
+class WhatIsDrawn(WithRecords):
+    """The curves are the record's numbers."""
+
+    def test_the_parts_of_J_add_up(self):
+        axes = draw(self.records["orbit"], "balance").axes[2]
+        lines = {line.get_label(): line.get_ydata() for line in axes.get_lines()}
+        restitution, friction, all_of_it = (next(values for label, values in lines.items() if label.startswith(word))
+                                            for word in ("restitution", "friction", "all"))
+        self.assertLess(abs(restitution + friction - all_of_it).max(), 1e-11)
+
+    def test_forces_on_the_wall_are_those_of_its_motion(self):
+        """m a = −λ n + f t, a from second differences of the samples' places."""
+        record = open_record(self.records["wall"])
+        t, x, y, spin, on_wall, normal, friction, slip = (
+            record.column("samples", name)
+            for name in ("t", "x", "y", "spin", "in_contact", "normal_force", "friction", "slip"))
+        self.assertTrue(numpy.isnan(normal[on_wall == 0]).all())
+        inner = numpy.flatnonzero(on_wall[:-2] & on_wall[1:-1] & on_wall[2:]) + 1
+        self.assertGreater(len(inner), 30)
+        step, (alpha, beta) = t[1] - t[0], (0.1, 0.05)
+        place = x + 1j * y
+        force = (place[inner + 1] - 2 * place[inner] + place[inner - 1]) / step**2
+        n = place[inner] - beta * numpy.exp(1j * t[inner])
+        n /= abs(n)
+        smooth = numpy.abs(numpy.diff(friction[inner], prepend=friction[inner[0]])) < 0.01  # not where it starts to slip
+        expected = (-normal[inner] + 1j * friction[inner]) * n
+        self.assertLess(abs(force - expected)[smooth].max(), 50 * step**2)  # of fourth derivatives of some ten
+        rolls = (friction**2 < (0.4 * normal) ** 2 * 0.98)[inner] & (abs(slip[inner]) < 1e-12)
+        self.assertGreater(rolls.sum(), 10)
+        slides = abs(slip[inner]) > 1e-6
+        self.assertLess(abs(abs(friction[inner]) - 0.4 * normal[inner])[slides].max(), 1e-12)
+
+    def test_a_portrait_has_the_coordinates_that_are_asked_for(self):
+        axes = draw(self.records["orbit"], "section", Look(x="vn", y="vt")).axes[0]
+        shown = axes.collections[0].get_offsets()
+        record = open_record(self.records["orbit"])
+        self.assertEqual(set(map(tuple, shown)), set(zip(record.column("collisions", "vn"), record.column("collisions", "vt"))))
+        with self.assertRaisesRegex(RecordError, "coordinate = chi: .* disk"):
+            draw(self.records["wall"], "section", Look(x="chi"))
+        with self.assertRaisesRegex(RecordError, "coordinate = q: the section's are psi"):
+            draw(self.records["wall"], "section", Look(x="q"))
+
+    def test_the_verdict_shows_the_orbits_own_period(self):
+        record = open_record(self.records["verdict"])
+        points = record.column("tail", "points")
+        self.assertEqual(points.shape, (2000, 5))
+        self.assertEqual(record.attribute("tail", "first"), 1001)
+        period = record.attribute("mode", "period")
+        self.assertEqual(period, 8)
+        self.assertLess(abs(points[period:] - points[:-period])[-1000:].max(), 1e-4)
+
+    def test_crowded_special_points_are_thinned_and_counted(self):
+        file = self.folder / "crowded.h5"
+        figure_records.write_crowded_special(file, 500)
+        figure = draw(file)
+        legends = [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
+        told = next(text for text in legends if text.startswith("flip"))
+        drawn, all_of_them = (int(word) for word in told[told.index("(") + 1:].split() if word.isdigit())
+        self.assertEqual(all_of_them, 500)
+        markers = [line for line in figure.axes[0].get_lines() if line.get_marker() == "s"]
+        self.assertEqual(sum(len(line.get_xdata()) for line in markers), drawn)
+        self.assertLess(drawn, 100)
+
+    def test_thinning(self):
+        x = numpy.arange(1_000_000.0)
+        y = numpy.sin(x * 1e-3)
+        y[123_456] = 7
+        few_x, few_y = thinned(x, y)
+        self.assertLess(len(few_x), 10_000)
+        self.assertEqual((few_y.max(), few_y.min(), few_x[0], few_x[-1]), (7, y.min(), x[0], x[-1]))
+        self.assertTrue((y[few_x.astype(int)] == few_y).all())
+        self.assertEqual(list(apart(numpy.array([0, 0.5, 2, 0]), numpy.array([0, 0.5, 2, 5]), 1, 1)),
+                         [True, False, True, True])
+
+
+class Options(WithRecords):
+    def plot(self, arguments, code=0):
+        result = run(f"plot {arguments}", cwd=self.folder)
+        self.assertEqual(result.returncode, code, result.stderr)
+        return result
+
+    def test_what_is_chosen_is_drawn(self):
+        from matplotlib.image import imread
+        made = json.loads(self.plot("spectrum.h5 spectrum.h5 -o two.png --width 3.4in --font-size 7 --no-title --xlim 0:3 "
+                                    "--json").stdout)
+        self.assertEqual(made, {"figure": "two.png", "kind": "spectrum", "record": "spectrum.h5",
+                                "records": ["spectrum.h5", "spectrum.h5"]})
+        self.assertEqual(imread(self.folder / "two.png").shape[1], int(3.4 * 160))
+        figure = draw([self.records["spectrum"]] * 2, None, Look(3.4, 7, False, (0, 3)))
+        self.assertEqual([axes.get_xlim() for axes in figure.axes], [(0, 3)] * 2)
+        self.assertEqual([axes.xaxis.label.get_fontsize() for axes in figure.axes], [7] * 2)
+        self.assertEqual([part._suptitle for part in figure.subfigs], [None] * 2)
+        letters = imread(self.folder / "two.png")[:30, :30, :3]  # (a), which no part of the figure covers
+        self.assertLess(letters.min(), 0.3)
+        self.assertIn("hexagon", draw(self.records["spectrum"])._suptitle.get_text())
+
+    def test_several_orbits_share_a_portrait(self):
+        other = self.folder / "other-orbit.h5"
+        run(f"simulate {CHAOTIC.replace('0.3', '0.35')} --collisions 300 --quiet -o {other}")
+        figure = draw([self.records["orbit"], other], "section")
+        self.assertEqual([len(dots.get_offsets()) for dots in figure.axes[0].collections], [500, 300])
+        legends = [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
+        self.assertEqual(legends, ["α = 0.3", "α = 0.35"])
+
+    def test_wrong_ones_are_one_line(self):
+        before = sorted(self.folder.iterdir())
+        for arguments, mentions in (("--width 10", "width = 10: allowed are 40 to 500 mm"), ("--width wide", "width = wide"),
+                                    ("--width nan", "width = nan"), ("--font-size 1", "font-size = 1: allowed are 4 to 40"),
+                                    ("--xlim 3:1", "xlim = 3:1: allowed is A:B"), ("--xlim 1", "xlim = 1"),
+                                    ("--xlim 0:inf", "xlim = 0:inf"), ("--kind path --xlim 0:1", "no abscissa")):
+            result = self.plot(f"orbit.h5 -o new.png {arguments}", 2)
+            self.assertIn(mentions, result.stderr)
+            self.assertEqual(len(result.stderr.splitlines()), 1)
+        self.assertIn("none.h5", self.plot("orbit.h5 none.h5 -o new.png", 2).stderr)
+        self.assertIn("8", self.plot(" ".join(["orbit.h5"] * 9) + " -o new.png", 2).stderr)
+        self.assertEqual(sorted(self.folder.iterdir()), before)
+
+
+@unittest.skipUnless(ALL, "nightly")
+class AMillionPoints(InFolder):
+    def test_take_less_than_five_seconds_and_five_megabytes(self):
+        record = self.folder / "million.h5"
+        self.assertEqual(run(f"simulate {CHAOTIC} --collisions 1000000 --quiet -o {record}").returncode, 0)
+        draw(record, "path")  # imports, fonts
+        for kind in kinds_of(record):
+            for suffix in HEADS:
+                begin = time.monotonic()
+                save(draw(record, kind), self.folder / f"figure{suffix}")
+                seconds = time.monotonic() - begin
+                size = (self.folder / f"figure{suffix}").stat().st_size
+                print(f"{kind}{suffix}: {seconds:.1f} s, {size / 1e6:.2f} MB")
+                self.assertLess(seconds, 5, kind)
+                self.assertLess(size, MOST_BYTES, kind)
+
+
+if __name__ == "__main__":
+    unittest.main()

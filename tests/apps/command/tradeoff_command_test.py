@@ -1,0 +1,203 @@
+"""swirl tradeoff, from outside: tradeoff_command_test.py SWIRL"""
+
+import time
+import unittest
+from functools import lru_cache
+
+import xarray
+
+from driving import InFolder, document, run
+
+CHAOS = "--sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1"
+STEADY = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+DISK = "--sides disk --alpha 0.3 --beta 0.1 --mu 0 --restitution 1"
+ROLLS = "--sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9"
+LANDS = "--sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5"
+DIVERGES = "--sides 3 --alpha 0.6 --beta 0.5 --mu 5 --restitution 1 --law newton"
+
+RUNG = """name seconds_per_collision seconds_per_collision_lower seconds_per_collision_upper error error_99
+error_largest error_of_ten flights missed_contacts missed_rate missed_rate_least missed_rate_most mode kind period outcome verdict_differs
+mean_S mean_S_error mean_S_off largest_exponent exponent_off jacobi_drift""".split()
+EVIDENCE = """collisions mode mean_S mean_S_error largest_exponent mean_S_off exponent_off runs changed changed_rate_least
+changed_rate_most seconds""".split()
+MODEL = "name seconds_per_collision seconds_without seconds_added paid_by".split()
+
+
+@lru_cache(maxsize=None)
+def measured(scene, budget=None):
+    """The document. A machine that is busy, or a sanitizer's, is given more time: not so as to count for ever less."""
+    budget = budget or (1 if scene == CHAOS else 0.5)
+    for more in (1, 4, 16):
+        found = document(f"tradeoff {scene} --budget {budget * more}")
+        if not found["cut_short"]:
+            return found
+    raise AssertionError(f"{scene} was cut short with a budget of {16 * budget} s")
+
+
+def rungs(found):
+    return {row["name"]: row for row in found["rungs"]}
+
+
+def model(found):
+    return {row["name"]: row for row in found["model"]}
+
+
+def without_times(found):
+    """The document without what is measured in seconds."""
+    if isinstance(found, dict):
+        return {k: without_times(v) for k, v in found.items() if not k.startswith("seconds") and k != "advice"}
+    return [without_times(v) for v in found] if isinstance(found, list) else found
+
+
+class Ladders(unittest.TestCase):
+    def test_the_documents_keys(self):
+        found = measured(CHAOS)
+        for key, names in (("rungs", RUNG), ("evidence", EVIDENCE), ("model", MODEL)):
+            self.assertTrue(found[key])
+            for row in found[key]:
+                self.assertLessEqual(set(names), set(row), key)
+        self.assertEqual([row["name"] for row in found["rungs"] if row["name"] in ("double", "quad")],
+                         ["double", "quad"])
+        self.assertIn(found["recommended"], rungs(found))
+        self.assertIn("for a cycle use", found["advice"])
+        self.assertLess(found["flights"]["compared"], found["flights"]["drawn"] + 1)
+
+    def test_double_is_right_to_fifty_roundings_of_the_condition_and_more_digits_are_better(self):
+        for scene in (CHAOS, STEADY, DISK):
+            rows = rungs(measured(scene))
+            double = rows["double"]
+            self.assertGreater(double["flights"], 50, scene)
+            self.assertLessEqual(double["error_in_condition"], 50, scene)
+            self.assertGreater(double["error_largest"], 0, scene)
+            self.assertLessEqual(double["error"], double["error_99"], scene)
+            self.assertLessEqual(double["error_99"], double["error_largest"], scene)
+            self.assertLess(double["seconds_per_collision"], rows["quad"]["seconds_per_collision"], scene)
+            if "extended" in rows:
+                self.assertLess(rows["extended"]["error"], double["error"] / 100, scene)
+
+    def test_the_last_rung_is_compared_with_and_has_no_error(self):
+        last = measured(CHAOS)["rungs"][-1]
+        for key in ("error", "error_99", "error_largest", "error_of_ten", "flights", "missed_contacts",
+                    "missed_rate_most", "verdict_differs", "mean_S_off"):
+            self.assertIsNone(last[key], key)
+        self.assertEqual(last["mode"], "chaotic")
+
+    def test_none_of_n_says_how_large_the_rate_may_be(self):
+        for scene in (CHAOS, STEADY, DISK):
+            for row in measured(scene)["rungs"][:-1]:
+                n, k = row["flights"], row["missed_contacts"]
+                self.assertAlmostEqual(row["missed_rate"], k / n, delta=1e-15)
+                self.assertGreater(row["missed_rate_most"], 0)
+                if k == 0:
+                    self.assertAlmostEqual(row["missed_rate_most"], 1 - 0.05 ** (1 / n), delta=1e-12)
+        for row in run(f"tradeoff {CHAOS} --budget 0.1").stdout.splitlines():
+            self.assertEqual(row.count("0 of "), row.count("(below"), row)
+
+    def test_evidence_rises_and_the_last_one_is_its_own_measure(self):
+        rows = measured(CHAOS)["evidence"]
+        self.assertEqual([row["collisions"] for row in rows][:3], [100, 300, 1000])
+        self.assertEqual((rows[-1]["changed"], rows[-1]["mean_S_off"], rows[-1]["exponent_off"]), (0, 0, 0))
+        self.assertGreater(rows[0]["mean_S_error"], rows[-1]["mean_S_error"])
+        same = document(f"classify {CHAOS} --transient 300 --collisions 300")
+        for key in ("mode", "kind", "mean_S", "largest_exponent"):
+            self.assertEqual(rows[1][key], same[key], key)
+        self.assertEqual(measured(STEADY)["evidence"][-1]["mean_S_error"], 0)
+
+    def test_what_a_scene_does_not_need_nothing_pays_for(self):
+        disk, hexagon = model(measured(DISK)), model(measured(CHAOS))
+        for name in ("friction", "orientation of vertices", "watch for contact"):
+            self.assertTrue(disk[name]["paid_by"].startswith("nothing: "), name)
+        for name in ("friction", "orientation of vertices"):
+            self.assertEqual(hexagon[name]["paid_by"], "every command")
+        self.assertGreater(disk["orientation of vertices"]["seconds_added"], 0)
+        self.assertGreater(hexagon["derivative"]["seconds_added"], 0)
+        self.assertEqual(model(measured(LANDS))["motion in contact"]["paid_by"], "every command")
+
+    def test_equal_seeds_give_equal_documents_but_for_times(self):
+        first = measured(STEADY)
+        budget = first["settings"]["budget"]
+        again = document(f"tradeoff {STEADY} --budget {budget} --threads 1")
+        if again["cut_short"]:
+            self.skipTest("the machine is too busy for equal amounts")
+        self.assertEqual(without_times(again), without_times(first))
+        other = document(f"tradeoff {STEADY} --budget {budget} --seed 2")
+        self.assertNotEqual(without_times(other), without_times(again))
+
+    def test_it_takes_its_budget(self):
+        begin = time.monotonic()
+        run(f"tradeoff {CHAOS} --budget 1")
+        took = time.monotonic() - begin
+        self.assertGreater(took, 1)
+        self.assertLess(took, 1.3 + 1)  # a third beyond it, and a second to start and for what is under way on a busy machine
+
+
+class Regimes(unittest.TestCase):
+    def check(self, scene, mode, outcome):
+        found = measured(scene, 0.3)
+        self.assertEqual((found["evidence"][-1]["mode"], found["evidence"][-1]["outcome"]), (mode, outcome), scene)
+        return found
+
+    def test_a_cycle_is_compared_on_the_way_to_it(self):
+        found = self.check(STEADY, "steady", "completed")
+        self.assertFalse(found["flights"]["after_transient"])
+        self.assertEqual((found["recommended"], found["rungs"][0]["period"]), ("double", 1))
+
+    def test_an_orbit_that_comes_to_roll_is_compared_up_to_there(self):
+        found = self.check(ROLLS, "quasi-steady", "in-contact")
+        self.assertEqual(found["flights"]["outcome"], "in-contact")
+        self.assertEqual({row["outcome"] for row in found["rungs"]}, {"in-contact"})
+        self.assertEqual(found["recommended"], "double")
+
+    def test_an_orbit_that_leads_through_contact(self):
+        found = measured(LANDS)
+        self.assertGreater(found["flights"]["through_contact"], 0)
+        self.assertGreater(found["flights"]["compared"], 50)
+        self.assertEqual(found["recommended"], "double")
+
+    def test_no_contact_and_rest_have_nothing_to_compare(self):
+        small = STEADY.replace("--beta 0.5", "--beta 0.1")
+        for scene, outcome in ((f"{small} --x 0.1", "no-contact"), (f"{DISK} --point=0,0,0,0", "resting")):
+            found = self.check(scene, "undecided", outcome)
+            self.assertIsNone(found["recommended"])
+            self.assertIsNone(found["advice"])
+            self.assertIn(outcome, found["reason"])
+            self.assertEqual(found["model"], [])
+            for row in found["rungs"]:
+                for key in ("seconds_per_collision", "error", "missed_contacts", "missed_rate_most"):
+                    self.assertIsNone(row[key], key)
+
+    def test_an_orbit_that_diverges_is_compared_up_to_there(self):
+        found = self.check(DIVERGES, "undecided", "completed")  # it does after thousands of impacts
+        self.assertEqual(found["flights"]["outcome"], "diverged")
+        self.assertGreater(found["flights"]["compared"], 50)
+        self.assertEqual(found["recommended"], "double")
+
+
+class Outputs(InFolder):
+    def test_the_record_has_the_three_ladders_and_a_figure(self):
+        record = self.folder / "t.h5"
+        found = document(f"tradeoff {CHAOS} --budget 0.3 -o {record}")
+        for group in ("rungs", "evidence", "model"):
+            with xarray.open_dataset(record, group=group, engine="h5netcdf") as opened:
+                self.assertEqual(opened.sizes, {"rung": len(found[group])})
+        with xarray.open_dataset(record, group="rungs", engine="h5netcdf") as opened:
+            self.assertEqual(opened["seconds_per_collision"].attrs["units"], "s")
+            self.assertEqual(list(opened["error"].values[:-1]), [row["error"] for row in found["rungs"][:-1]])
+        figure = run(f"plot {record} -o {self.folder}/t.png --json")
+        self.assertEqual((figure.returncode, figure.stderr), (0, ""))
+        self.assertIn('"tradeoff"', figure.stdout)
+        self.assertGreater((self.folder / "t.png").stat().st_size, 20_000)
+
+    def test_bad_input(self):
+        for flags in ("--budget 0", "--budget nan", "--budget -1", "--budget 1e9", "--budget ten", "--accuracy quad",
+                      "--accuracy half", "--x 3", "--collisions 5", "--seed -1", "--point 0,0,1,0,0"):
+            result = run(f"tradeoff {STEADY} {flags} -o {self.folder}/none.h5")
+            self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1),
+                             (flags, result.stderr))
+            self.assertIn(flags.split()[0].strip("-").split("=")[0].replace("x", "start", flags.startswith("--x")),
+                          result.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,20 +1,23 @@
 #!/usr/bin/python3
 """Clang's warnings in every source, and every header compiled alone; no code is generated.
 
-usage: clang_check.py BUILD [--tidy] [--cache FOLDER] [--jobs N] [FILE...]
+usage: clang_check.py BUILD [--headers | --tidy] [--seconds N] [--cache FOLDER] [--jobs N] [FILE...]
 
 BUILD holds a compile_commands.json made for clang. Each source of map/, analysis/, apps/ and tests/ is compiled as far
 as clang's warnings need it; each header is compiled as if it were a source, so that it includes what it uses, unless
-it is the first thing that a source includes: that has shown the same. Any finding is an error. --tidy: clang-tidy with
-the checks of .clang-tidy but the static analyser's looks at the sources instead, at 20 to 40 seconds a file. With
---cache what was found clean is not looked at again until a file that it read, its flags or the checks change. FILE:
-only these.
+it is the first thing that a source includes: that has shown the same. Any finding is an error. --headers: those headers
+alone, where a build by clang has shown the sources. --tidy: clang-tidy with the checks of .clang-tidy but the static
+analyser's looks at the sources instead, at 20 to 40 seconds a file. --seconds: after so many none is begun, and the last
+line counts those that were not looked at. With --cache what was found clean is not looked at again until a file that it
+read, its flags or the checks change. FILE: only these, in this order; of clang-tidy what it finds in them and in the
+headers beside them.
 """
 
 import argparse
 import functools
 import hashlib
 import json
+import math
 import os
 import re
 import shlex
@@ -30,6 +33,7 @@ FOLDERS = ("map", "analysis", "apps", "tests")
 TIDY = "clang-tidy-14"
 CHECKS = "-clang-analyzer-*"
 KEPT = 30 * 86400  # seconds for which a stamp that nothing asks for is kept
+LOOKED_AT, KNOWN, LEFT_OUT = "looked at", "known to be clean", "left out for want of time"
 
 
 def flags_of(entry):
@@ -131,34 +135,42 @@ def findings(file, flags, directory, arguments):
     with tempfile.NamedTemporaryFile("r", encoding="utf-8") as rules:
         result = run(flags + ["-fsyntax-only", "-MD", "-MF", rules.name, str(file)], directory)
         if result.returncode == 0 and arguments.tidy and file.suffix != ".hpp":
+            # Of files that were asked for: what stands in them and the headers beside them, not in all that they include.
+            own = [f"--header-filter=^{re.escape(str(file.with_suffix('.hpp')))}$"] if arguments.files else []
             result = run([TIDY, "-p", str(arguments.build), "--quiet", f"--checks={CHECKS}", "--warnings-as-errors=*",
-                          str(file)], directory)
+                          *own, str(file)], directory)
         if result.returncode == 0:
             return "", names_in(rules.read(), directory)
     return (result.stdout + result.stderr).strip() or f"exit code {result.returncode} without a word", []
 
 
 def look_at(file, command, arguments, settings):
+    """The file, what was said of it, and whether it was LOOKED_AT, KNOWN or LEFT_OUT."""
     flags, directory = command
     stamp = Stamp(arguments.cache, file, flags, settings) if arguments.cache else None
     if stamp and stamp.holds():
-        return file, "", 0.0
-    begin = time.monotonic()
+        return file, "", KNOWN
+    if time.monotonic() > arguments.end:
+        return file, "", LEFT_OUT
     said, read = findings(file, flags, directory, arguments)
     if stamp and not said:
         stamp.keep(read)
-    return file, said, time.monotonic() - begin
+    return file, said, LOOKED_AT
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path)
-    parser.add_argument("--tidy", action="store_true")
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument("--headers", action="store_true")
+    what.add_argument("--tidy", action="store_true")
+    parser.add_argument("--seconds", type=float, default=math.inf)
     parser.add_argument("--cache", type=Path)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("files", nargs="*", type=Path)
     arguments = parser.parse_intermixed_args()
     arguments.build = arguments.build.resolve()
+    arguments.end = time.monotonic() + arguments.seconds
     known = commands(arguments.build)
     alone = headers(known)
     known.update(alone)
@@ -168,8 +180,8 @@ def main():
                 sys.exit(f"clang_check: {file} is no source or header of the build")
         known = {file.resolve(): known[file.resolve()] for file in arguments.files}
     else:
-        known = {file: command for file, command in known.items()
-                 if file not in alone or not is_first_include(file, known)}
+        known = {file: command for file, command in sorted(known.items())
+                 if (file not in alone and not arguments.headers) or (file in alone and not is_first_include(file, known))}
     if not known:  # a check of nothing must not pass
         print(f"clang_check: no source of {', '.join(FOLDERS)} in {arguments.build}", file=sys.stderr)
         return 2
@@ -180,16 +192,16 @@ def main():
                 stamp.unlink()
     settings = "warnings"  # the compiler is named in the flags
     if arguments.tidy:
-        settings = run([TIDY, "--version"], ROOT).stdout + CHECKS + (ROOT / ".clang-tidy").read_text()
+        settings = ("own" if arguments.files else "all") + run([TIDY, "--version"], ROOT).stdout + CHECKS + (ROOT / ".clang-tidy").read_text()
     results = []
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        for result in pool.map(lambda item: look_at(*item, arguments, settings), sorted(known.items())):
+        for result in pool.map(lambda item: look_at(*item, arguments, settings), known.items()):
             results.append(result)
             if result[1]:
                 print(f"---- {result[0].relative_to(ROOT)}\n{result[1]}", flush=True)
     wrong = sum(1 for _, said, _ in results if said)
-    looked = sum(1 for _, said, seconds in results if seconds > 0)
-    print(f"{len(results)} files, {looked} looked at, {len(results) - looked} known to be clean; {wrong} with findings")
+    counts = [f"{sum(1 for result in results if result[2] == kind)} {kind}" for kind in (LOOKED_AT, KNOWN, LEFT_OUT)]
+    print(f"{len(results)} files: {', '.join(counts)}; {wrong} with findings")
     return 1 if wrong else 0
 
 

@@ -1,6 +1,7 @@
 // The `swirl` command: parses, runs one subcommand, and turns every way of failing into one line and an exit code.
 #include "apps/animate/animate_command.hpp"
 #include "apps/bifurcate/bifurcate_command.hpp"
+#include "apps/certify/certify_command.hpp"
 #include "apps/classify/classify_command.hpp"
 #include "apps/command_line/command.hpp"
 #include "apps/command_line/documents.hpp"
@@ -86,6 +87,8 @@ Commands add_commands(CLI::App& app) {
                                         sweep::join),
         add_command<describe::DescribeOptions>(app, "describe", "what is known of a scene in closed form",
                                                describe::describe_details, describe::describe),
+        add_command<certify::CertifyOptions>(app, "certify", "prove cycles by interval arithmetic",
+                                             certify::certify_details, certify::certify),
         add_command<plot::PlotOptions>(app, "plot", "a figure of a record", plot::plot_details, plot::plot),
         add_command<animate::AnimateOptions>(app, "animate", "a film of an orbit", animate::animate_details,
                                              animate::animate),

@@ -2,13 +2,17 @@
 # one includes it all the same (clang's check compiles without this). -DSWIRL_PRECOMPILED_HEADERS=OFF does without.
 option(SWIRL_PRECOMPILED_HEADERS "Compile the libraries' headers once" ON)
 
+# What ccache needs: GCC's preprocessed text names the header, clang's header holds no time and so has equal bytes each time.
+function(swirl_cache_precompiled target)
+  target_compile_options(${target} PRIVATE
+    "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Winvalid-pch>" "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+endfunction()
+
 # swirl_precompile(TARGET HEADERS…): TARGET compiles these headers first, for itself and for who shares them.
 function(swirl_precompile target)
   if(SWIRL_PRECOMPILED_HEADERS)
     target_precompile_headers(${target} PRIVATE ${ARGN})
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      target_compile_options(${target} PRIVATE -fpch-preprocess -Winvalid-pch)  # the first for ccache
-    endif()
+    swirl_cache_precompiled(${target})
   endif()
 endfunction()
 
@@ -16,9 +20,7 @@ endfunction()
 function(swirl_share_precompiled target other)
   if(SWIRL_PRECOMPILED_HEADERS)
     target_precompile_headers(${target} REUSE_FROM ${other})
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      target_compile_options(${target} PRIVATE -fpch-preprocess -Winvalid-pch)
-    endif()
+    swirl_cache_precompiled(${target})
   endif()
 endfunction()
 

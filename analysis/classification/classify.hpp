@@ -210,9 +210,10 @@ LyapunovSpectrum exponent_from(const M& map, const State<M>& first, std::int64_t
 }
 
 /// Everything after the search for a period and the exponent of the tail, and the verdict.
+///   effort  what a second search for a period may cost
 template <SectionMap M>
 void look_further(const M& map, const Tail<M>& tail, int observable, const ClassifyOptions& options, Findings& findings,
-                  Classification& result) {
+                  Classification& result, Effort& effort) {
     const auto take = [&](const FoundCycle<M>& cycle) {
         take_cycle(map, cycle, options, observable, findings, result);
     };
@@ -224,7 +225,8 @@ void look_further(const M& map, const Tail<M>& tail, int observable, const Class
         findings.rotation = rotation_of(map, tail);
         PeriodOptions thorough = options.period;
         thorough.candidates *= more_candidates;
-        if (findings.rotation.outcome != RotationOutcome::quasi_periodic) take(find_period(map, tail, thorough));
+        if (findings.rotation.outcome != RotationOutcome::quasi_periodic)
+            take(find_period(map, tail, thorough, effort));
     }
     decide(findings, options, result);
 }
@@ -267,7 +269,8 @@ Classification classify_tail(const M& map, const Tail<M>& tail, int observable, 
     detail::take_cycle(map, find_period(map, tail, options.period), options, observable, findings, result);
     const auto steps = static_cast<std::int64_t>(tail.points.size());
     detail::take_exponent(detail::exponent_from(map, tail.first, steps), options, findings, result);
-    detail::look_further(map, tail, observable, options, findings, result);
+    Effort effort;
+    detail::look_further(map, tail, observable, options, findings, result, effort);
     return result;
 }
 

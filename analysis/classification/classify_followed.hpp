@@ -54,10 +54,10 @@ inline bool runs_away(const std::vector<double>& series) {
 /// The exponent of a tail: of as many of its n steps as tell that it is positive, 256 or more, else of all. It has to
 /// be positive on the tail's last steps, too: chaos that ends on the way, or comes late, is told by all. The errors of
 /// a sum that scatters fall like the root of its steps, so that what is missing tells how many are asked next.
+///   n  at most so many of them
 template <SectionMap M>
-LyapunovSpectrum exponent_of_few(const M& map, const Tail<M>& tail, const SignOptions& sign) {
+LyapunovSpectrum exponent_of_few(const M& map, const Tail<M>& tail, std::int64_t n, const SignOptions& sign) {
     constexpr std::int64_t fewest = 256;
-    const auto n = static_cast<std::int64_t>(tail.durations.size());
     const auto clearly = [&](const LyapunovSpectrum& spectrum) {
         return spectrum.outcome == LyapunovOutcome::completed && is_clearly_positive(judge_sign(spectrum, 0, sign));
     };
@@ -75,31 +75,89 @@ LyapunovSpectrum exponent_of_few(const M& map, const Tail<M>& tail, const SignOp
     return exponent_from(map, tail.first, n);
 }
 
-/// The verdict on a tail whose orbit has not settled: that of `classify_tail`, without what can't change it. Where it
-/// can't return to itself nothing looks for a period, and where that leaves chaos nothing else is asked.
+/// What the derivatives of n steps may cost.
+inline double most_effort_of_derivatives(std::int64_t n) {
+    return 3 * most_effort(n);
+}
+
+/// Of how many of a tail's steps the derivative is taken: of all of them, unless what the first ones cost says that
+/// this exceeds `most_effort_of_derivatives` (differences through contact follow two neighbours a coordinate, for which
+/// contact may be much longer). Ordinary steps are not asked.
 template <SectionMap M>
-Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, const ClassifyOptions& options) {
+std::int64_t steps_with_derivative(const M& map, const Tail<M>& tail) {
+    constexpr std::int64_t asked = 32;
+    const auto n = static_cast<std::int64_t>(tail.durations.size());
+    if (tail.effort < 1.5 * static_cast<double>(n)) return n;
+    const double most = most_effort_of_derivatives(n);
+    State<M> z = tail.first;
+    double effort = 0;
+    std::int64_t steps = 0;
+    while (steps < std::min(n, asked) && effort < most) {
+        const auto step = map.linearise(z);
+        effort += step.effort;
+        ++steps;
+        if (!goes_on(map, step)) break;
+        z = step.state;
+    }
+    return std::max(steps, std::min(n, static_cast<std::int64_t>(most / effort * static_cast<double>(steps))));
+}
+
+/// Too few steps for any verdict.
+inline constexpr std::int64_t fewest_judged = 64;
+
+/// An orbit whose steps cost so much that fewer were followed than asked for.
+template <SectionMap M>
+Evidence evidence_of_cut(const Tail<M>& tail, const ClassifyOptions& options) {
+    const auto kept = static_cast<double>(tail.durations.size());
+    return {"impacts judged", kept, static_cast<double>(options.collisions),
+            "each costs " + in_words(tail.effort / kept) +
+                " ordinary ones, as in long contact: fewer were followed than the limits allow",
+            "--exhaustive: all of them"};
+}
+
+/// A search for a cycle, by Newton's method through steps that cost much, which ended before it had tried everything.
+inline Evidence evidence_of_search_cut(const Effort& search) {
+    return {"search for a cycle", search.spent, search.most,
+            "its derivatives cost more ordinary steps than the limits allow, as through long contact: it was given up, "
+            "so that a cycle may be there",
+            "--exhaustive: searched to the end"};
+}
+
+/// The verdict on a tail whose orbit has not settled: that of `classify_tail`, without what can't change it. Where it
+/// can't return to itself nothing looks for a period, and where that leaves chaos nothing else is asked. What searches
+/// for a cycle may cost is limited in the same way.
+template <SectionMap M>
+Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, ClassifyOptions options) {
     Classification result = observed(map, tail, observable, options.recurrence_threshold);
     if (result.ended) return result;
     Findings findings;
     const auto n = static_cast<std::int64_t>(tail.durations.size());
+    if (tail.cut && n < fewest_judged) {
+        result.evidence.push_back(evidence_of_cut(tail, options));
+        return result;
+    }
+    const std::int64_t affordable = steps_with_derivative(map, tail);
+    if (affordable < n) options.period = affordable_periods(options.period, affordable / 100);
     const std::int64_t longest = std::min(options.period.max_period, n / 2);
     FoundCycle<M> cycle;
+    Effort search{0, most_effort_of_derivatives(n)};
     if (tail.states.empty() || may_return(map, tail.states, longest, options.period.vicinity)) {
         if (tail.points.empty()) add_points(map, tail);
-        cycle = find_period(map, tail, options.period);
+        cycle = find_period(map, tail, options.period, search);
         take_cycle(map, cycle, options, observable, findings, result);
     }
     const bool stands_for_all = cycle.period == 0 && !runs_away(series_of(map, tail, observable));
-    take_exponent(
-        stands_for_all ? exponent_of_few(map, tail, sign_options(options)) : exponent_from(map, tail.first, n), options,
-        findings, result);
+    take_exponent(stands_for_all ? exponent_of_few(map, tail, affordable, sign_options(options))
+                                 : exponent_from(map, tail.first, affordable),
+                  options, findings, result);
     if (cycle.period == 0 && findings.exponent.sign == ExponentSign::positive) {
         decide(findings, options, result);
-        return result;
+    } else {
+        if (tail.points.empty()) add_points(map, tail);
+        look_further(map, tail, observable, options, findings, result, search);
     }
-    if (tail.points.empty()) add_points(map, tail);
-    look_further(map, tail, observable, options, findings, result);
+    if (search.is_spent() && !findings.has_cycle) result.evidence.push_back(evidence_of_search_cut(search));
+    if (tail.cut) result.evidence.push_back(evidence_of_cut(tail, options));
     return result;
 }
 

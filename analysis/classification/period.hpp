@@ -114,13 +114,15 @@ bool returns_shrink(const M& map, const Tail<M>& tail, std::int64_t k, double sl
     return largest(n - count) <= std::max(0.5, std::pow(slowest, 0.5 * apart)) * largest(k);
 }
 
-/// Fᵏ and its derivative at z; false if the map ends on the way.
+/// Fᵏ and its derivative at z; false if the map ends on the way, has no derivative there (NaN), or `effort` is spent.
 template <SectionMap M>
-bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::int64_t k) {
+bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::int64_t k, Effort& effort) {
     derivative.setIdentity();
     for (std::int64_t i = 0; i < k; ++i) {
+        if (effort.is_spent()) return false;
         const auto step = map.linearise(z);
-        if (!goes_on(map, step)) return false;
+        effort.spent += step.effort;
+        if (!goes_on(map, step) || !step.derivative.allFinite()) return false;
         derivative = step.derivative * derivative;
         z = step.state;
     }
@@ -128,14 +130,14 @@ bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::i
 }
 
 /// Newton's method for Fᵏ(z) = z, from a point of the orbit itself: for cycles that attract one point is enough,
-/// however long they are. Returns the residual reached, +∞ if the map ended.
+/// however long they are. Returns the residual reached, +∞ if the map ended or `effort` was spent.
 template <SectionMap M>
-double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, double goal) {
+double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, double goal, Effort& effort) {
     const auto equation = [&](const Eigen::VectorXd& z, Eigen::VectorXd& gap, Eigen::MatrixXd& derivative) {
         const Vector<M::dimension> from = z;
         State<M> image = state_at(map, from);
         Matrix<M::dimension> product;
-        if (!iterate(map, image, product, k)) return false;
+        if (!iterate(map, image, product, k, effort)) return false;
         gap = difference(map, coordinates(map, image), from);
         derivative = product - Matrix<M::dimension>::Identity();
         return true;
@@ -167,9 +169,9 @@ std::vector<Vector<M::dimension>> points_from(const M& map, State<M> z, std::int
 /// worst (a defective one of D = 5), 10⁻³, and the largest is neither nearer to the unit circle nor to 0 than 10⁻².
 /// Empty if that is not so.
 template <SectionMap M>
-std::vector<std::complex<double>> clear_multipliers(const M& map, State<M> z, std::int64_t k) {
+std::vector<std::complex<double>> clear_multipliers(const M& map, State<M> z, std::int64_t k, Effort& effort) {
     Matrix<M::dimension> derivative;
-    if (!iterate(map, z, derivative, k) || !(derivative.norm() < 100)) return {};
+    if (!iterate(map, z, derivative, k, effort) || !(derivative.norm() < 100)) return {};
     const Eigen::VectorXcd values = eigenvalues_of(derivative);
     const double largest = values.cwiseAbs().maxCoeff();
     if (!(largest < 0.99 && largest > 0.01)) return {};
@@ -178,11 +180,13 @@ std::vector<std::complex<double>> clear_multipliers(const M& map, State<M> z, st
     return multipliers;
 }
 
-/// Multipliers, family and attraction of a cycle whose point and period are known. False if the map ends on it.
+/// Multipliers, family and attraction of a cycle whose point and period are known. False if the map ends on it, or
+/// `effort` is spent.
 template <SectionMap M>
-bool judge_multipliers(const M& map, const PeriodOptions& options, FoundCycle<M>& found) {
-    if (!options.exact_multipliers) found.multipliers = clear_multipliers(map, found.state, found.period);
+bool judge_multipliers(const M& map, const PeriodOptions& options, FoundCycle<M>& found, Effort& effort) {
+    if (!options.exact_multipliers) found.multipliers = clear_multipliers(map, found.state, found.period, effort);
     if (found.multipliers.empty()) {
+        if (effort.is_spent()) return false;
         const CycleExponents exponents = cycle_exponents(map, found.state, found.period);
         if (exponents.outcome != CycleOutcome::completed) return false;
         found.multipliers = exponents.multipliers;
@@ -195,10 +199,10 @@ bool judge_multipliers(const M& map, const PeriodOptions& options, FoundCycle<M>
 /// Fills in the cycle of period k near the orbit's last state, if there is one.
 template <SectionMap M>
 FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, double closure,
-                         const PeriodOptions& options) {
+                         const PeriodOptions& options, Effort& effort) {
     FoundCycle<M> found;
     found.point = tail.points.back();
-    found.residual = polish(map, found.point, k, options.residual);
+    found.residual = polish(map, found.point, k, options.residual, effort);
     if (!(found.residual <= options.residual)) return found;
     found.state = state_at(map, found.point);
     auto points = points_from(map, found.state, k);
@@ -206,7 +210,7 @@ FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, doub
     const auto apart = [&](std::size_t i, std::size_t j) { return distance(map, points[i], points[j]); };
     points.resize(minimal_period(points.size(), options.closure, apart));
     found.period = static_cast<std::int64_t>(points.size());
-    if (!judge_multipliers(map, options, found)) return {};
+    if (!judge_multipliers(map, options, found, effort)) return {};
     found.closure = closure;
     // A return of size d after j periods of a cycle with slowest multiplier m means a distance of d/(1 − mʲ).
     const double slowest = slowest_of(found.multipliers);
@@ -222,8 +226,8 @@ FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, doub
 /// tail. Where Newton's method leads elsewhere (on a border of the map, say) the orbit itself is the evidence.
 template <SectionMap M>
 FoundCycle<M> cycle_of_closed(const M& map, const Tail<M>& tail, std::int64_t k, double closure,
-                              const PeriodOptions& options) {
-    auto found = cycle_near(map, tail, k, closure, options);
+                              const PeriodOptions& options, Effort& effort) {
+    auto found = cycle_near(map, tail, k, closure, options, effort);
     const auto quarter = static_cast<std::int64_t>(tail.points.size() / 4);
     const bool closure_persists =
         return_distance(map, tail, k, std::max(k, quarter), options.closure) <= options.closure;
@@ -243,10 +247,10 @@ FoundCycle<M> cycle_of_closed(const M& map, const Tail<M>& tail, std::int64_t k,
 
 /// The smallest k ≤ max_period whose cycle the orbit is on, or is settling on: either it returns to `closure` after k
 /// steps, or Newton's method from its last state finds an attracting k-cycle within the distance that its own return
-/// suggests, which the tail has come nearer to. Period 0 if neither.
+/// suggests, which the tail has come nearer to. Period 0 if neither, or where `effort` was spent before it was known.
 /// Cost: max_period² comparisons at worst, few in practice; 20 k derivatives per candidate.
 template <SectionMap M>
-FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options = {}) {
+FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options, Effort& effort) {
     namespace detail = classification_detail;
     const std::int64_t longest =
         std::min<std::int64_t>(options.max_period, static_cast<std::int64_t>(tail.points.size()) / 2);
@@ -254,7 +258,7 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     for (std::int64_t k = 1; k <= longest; ++k) {
         const double returned = detail::return_distance(map, tail, k, k, options.vicinity);
         if (returned <= options.closure) {
-            const auto found = detail::cycle_of_closed(map, tail, k, returned, options);
+            const auto found = detail::cycle_of_closed(map, tail, k, returned, options, effort);
             if (found.attracting || found.closure_persists) return found;
             break;  // passes an unstable cycle: the multiples of k do, too
         }
@@ -263,11 +267,18 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     std::sort(near.begin(), near.end());
     FoundCycle<M> best;
     for (std::size_t i = 0; i < near.size() && i < static_cast<std::size_t>(options.candidates); ++i) {
-        const auto found = detail::cycle_near(map, tail, near[i].second, near[i].first, options);
+        const auto found = detail::cycle_near(map, tail, near[i].second, near[i].first, options, effort);
         if (found.period == 0 || !found.attracting || !found.approached || found.distance > found.farthest) continue;
         if (best.period == 0 || found.period < best.period) best = found;
     }
     return best;
+}
+
+/// The same, whatever it costs.
+template <SectionMap M>
+FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options = {}) {
+    Effort effort;
+    return find_period(map, tail, options, effort);
 }
 
 /// The cycle of an orbit whose derivatives annihilate every direction: one return is enough, so that periods up to the

@@ -20,6 +20,8 @@ struct Tail {
     State<M> first{};                          ///< the state at points.front(): where others follow the same orbit from
     State<M> last{};                           ///< the state at points.back()
     std::int64_t steps = 0;                    ///< steps taken in all, the transient included
+    double effort = 0;                         ///< what those that are kept cost (Advance::effort)
+    bool cut = false;                          ///< fewer steps than were asked for: they cost too much
     bool ended = false;                        ///< the map ended before all steps were taken
     bool stopped = false;                      ///< it was stopped before: what is there is no tail
     State<M> end{};                            ///< if it ended: the state that has no next one
@@ -29,11 +31,13 @@ struct Tail {
 enum class Keep { points, states };
 
 /// Takes `count` steps from z on and keeps each one's state, to the end of the tail; z is the next one then.
-/// @return false where the map ended, or it was stopped: as the tail says
+/// @return false where the map ended, or it was stopped: as the tail says; or where they have cost `most_effort`
 template <SectionMap M>
-bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail<M>& tail, const Stop& stop = {}) {
+bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail<M>& tail, const Stop& stop = {},
+                  double most_effort = std::numeric_limits<double>::infinity()) {
     constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
     for (std::int64_t i = 0; i < count; ++i) {
+        if (tail.effort >= most_effort) return false;
         if (stop && i % between == 0 && (tail.stopped = stop())) return false;
         const auto step = map.advance(z);
         if (!goes_on(map, step)) {
@@ -42,6 +46,7 @@ bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail
             return false;
         }
         ++tail.steps;
+        tail.effort += step.effort;
         if (keep == Keep::points)
             tail.points.push_back(coordinates(map, z));
         else
@@ -55,16 +60,24 @@ bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail
 }
 
 /// Moves z on by `count` steps, with a tail that has none yet.
-/// @return as `record_steps`
+/// @return as `record_steps`, false also where `effort` is spent
 template <SectionMap M>
-bool skip_steps(const M& map, State<M>& z, std::int64_t count, Tail<M>& tail, const Stop& stop = {}) {
-    const std::int64_t done = follow(map, z, count, stop);
+bool skip_steps(const M& map, State<M>& z, std::int64_t count, Tail<M>& tail, const Stop& stop, Effort& effort) {
+    const std::int64_t done = follow(map, z, count, stop, effort);
     tail.steps += done;
     if (done == count) return true;
     tail.stopped = stop && stop();
+    if (!tail.stopped && effort.is_spent()) return false;
     tail.ended = !tail.stopped;
     tail.end = z;
     return false;
+}
+
+/// The same, whatever it costs.
+template <SectionMap M>
+bool skip_steps(const M& map, State<M>& z, std::int64_t count, Tail<M>& tail, const Stop& stop = {}) {
+    Effort effort;
+    return skip_steps(map, z, count, tail, stop, effort);
 }
 
 /// Room for that many steps; a tail that is longer than a million grows as it is followed.

@@ -40,6 +40,13 @@ std::vector<double> coordinates_of(const PointRow& row, const std::string& obser
     return values;
 }
 
+/// All coordinates of all points, one after another.
+std::vector<double> all_coordinates_of(const PointRow& row) {
+    std::vector<double> values;
+    for (const auto& z : row.cycle->at.points) values.insert(values.end(), z.begin(), z.end());
+    return values;
+}
+
 /// A word as text: vertex step and contact mode of each letter, "+1 sliding, +2 c-sticking"; empty if the map ends.
 std::string in_words(const std::vector<std::int64_t>& word) {
     std::string text;
@@ -67,6 +74,9 @@ Table<PointRow> cycle_table(const SceneBranches& scene, const std::string& rows,
          F{"period", [](const Row& row) { return row.cycle->at.points.size(); }, "1", "k"}.record_only(),
          {"parameter", parameter, "1", "value of the parameter named by settings: along"},
          {"point", [](JsonWriter& json, const Row& row) { write_point(json, row.cycle->at.points.front()); }},
+         F{"points", all_coordinates_of, "1", "section points; NaN beyond the period"}
+             .along({"phase", "coordinate"}, longest * static_cast<std::size_t>(scene.map.dimension))
+             .record_only(),
          F{"S", [](const Row& row) { return coordinates_of(row, "S"); }, "omega_s",
            "S after each impact of the cycle; NaN beyond it"}
              .along({"phase"}, longest),
@@ -195,6 +205,9 @@ void write_points(const RecordGroup& group, const Table<PointRow>& table, const 
                   std::size_t longest) {
     group.dimension(table.dimensions.front(), rows.size());
     group.dimension("phase", longest);
+    const auto names = coordinate_names(rows.front().cycle->at.points.front().size());
+    group.dimension("coordinate", names.size());
+    group.write_strings("coordinate", {"coordinate"}, names);
     write_columns(group, table, rows);
 }
 

@@ -6,8 +6,8 @@ namespace swirl::apps {
 
 Flag add_file(Flags& command, const std::string& flag, std::string& file, const std::string& help) {
     return command.add_option(flag, file, help)
-        ->check(TextCheck(
-            [](const std::string& name) { return std::string(name.empty() ? "a file's name is wanted" : ""); }, ""));
+        ->check(TextCheck{
+            [](const std::string& name) { return std::string(name.empty() ? "a file's name is wanted" : ""); }, ""});
 }
 
 void OutputOptions::add_to(Flags& app, bool with_record) {

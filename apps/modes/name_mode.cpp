@@ -1,7 +1,7 @@
 #include "apps/modes/name_mode.hpp"
 
-#include "analysis/classification/classify_followed.hpp"
 #include "apps/modes/contact_mode.hpp"
+#include "apps/modes/followed_orbit.hpp"
 #include "apps/system/chatter_once.hpp"
 #include "apps/system/orbit_ending.hpp"
 
@@ -136,20 +136,6 @@ void keep_samples(const SceneMap<D>& map, const analysis::Tail<SceneMap<D>>& tai
     for (const auto& state : tail.states) samples.points.emplace_back(map.coordinates(state));
 }
 
-/// The orbit, as far as its verdict needs it. One that can only lose is followed to the full length: where its verdict
-/// is known beforehand, what is asked is where it comes to.
-template <int D>
-analysis::FollowedOrbit<SceneMap<D>> followed(const SceneMap<D>& map, const PostImpactState<double>& first,
-                                              std::int64_t before, const analysis::ClassifyOptions& settings,
-                                              bool dissipative, const analysis::Stop& stop) {
-    if (settings.exhaustive || dissipative)
-        return {analysis::follow_tail(map, first, before, settings.collisions, stop), {}};
-    // In 100 digits the eigenvalues of one cycle take as long as the orbit; double's are taken where they decide.
-    analysis::PeriodOptions period = settings.period;
-    period.exact_multipliers = false;
-    return analysis::follow_until_settled(map, first, before, settings.collisions, period, !settings.conserves, stop);
-}
-
 template <int D>
 NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const analysis::ClassifyOptions& settings,
                   bool dissipative, const analysis::Stop& stop, OrbitSamples* samples) {
@@ -170,10 +156,7 @@ NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const anal
     named.finished = !tail.stopped;
     if (tail.stopped) return named;
     if (samples) keep_samples(map, tail, *samples);
-    // Where the verdict is known beforehand, derivatives and periods would cost much and tell nothing.
-    named.verdict = dissipative           ? analysis::observed(map, tail, map.integrated, settings.recurrence_threshold)
-                    : settings.exhaustive ? analysis::classify_tail(map, tail, map.integrated, settings)
-                                          : analysis::classify_followed(map, orbit, map.integrated, settings);
+    named.verdict = judged(map, orbit, settings, dissipative);
     named.impacts += named.verdict.steps;
     if (tail.ended) {
         named.outcome = ending_at(map, tail.end, named.impacts);

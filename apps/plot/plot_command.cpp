@@ -23,7 +23,7 @@ const char* const plot_details =
   orbits              multipliers: in the complex plane, with the mean spin of each orbit
   bifurcate, continue bifurcation: samples, branches and the points where they change; of special points of one kind
                       that lie within a marker of one another the first is drawn, and their number told
-  sweep               modes: bands, a map or panels, by the number of parameters
+  sweep, join         modes: bands, a map or panels, by the number of parameters; of --sample its points
   tradeoff            tradeoff: work against precision, how the verdict settles, what pieces of the model add
   describe, tour      steady-modes; tour
 Several records: below one another, (a), (b), ...; section portraits in the same axes. Widths of columns by name: aps,

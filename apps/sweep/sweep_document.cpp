@@ -84,7 +84,7 @@ std::size_t most_steady_modes(const Sweep& sweep) {
     return most;
 }
 
-/// The shares of a cell's modes, with Wilson's intervals, and whether it was looked at.
+/// The shares of a cell's modes, with Wilson's intervals.
 std::vector<Field<Cell>> share_fields(const Sweep& sweep) {
     using F = Field<Cell>;
     const auto shares = [](const Cell& cell) {
@@ -107,19 +107,15 @@ std::vector<Field<Cell>> share_fields(const Sweep& sweep) {
             return values;
         };
     };
-    return {
-        {"modes_low", bounds(&Interval::low)},
-        {"modes_high", bounds(&Interval::high)},
-        F{"share", shares, "1", "share of the runs with this mode"}.along({"mode"}, mode_count).record_only(),
-        F{"share_low", bound_list(&Interval::low), "1", "from this share on, by Wilson's interval at 95 %"}
-            .along({"mode"}, mode_count)
-            .record_only(),
-        F{"share_high", bound_list(&Interval::high), "1", "up to this share"}.along({"mode"}, mode_count).record_only(),
-        F{"visited", [&sweep](const Cell& cell) { return std::int64_t{sweep.is_visited(cell.index)}; }, "1",
-          "1: looked at; 0: has the results of a neighbour"}
-            .stored_as(ElementType::uint8)
-            .record_only()
-            .when(!sweep.visited.empty())};
+    return {{"modes_low", bounds(&Interval::low)},
+            {"modes_high", bounds(&Interval::high)},
+            F{"share", shares, "1", "share of the runs with this mode"}.along({"mode"}, mode_count).record_only(),
+            F{"share_low", bound_list(&Interval::low), "1", "from this share on, by Wilson's interval at 95 %"}
+                .along({"mode"}, mode_count)
+                .record_only(),
+            F{"share_high", bound_list(&Interval::high), "1", "up to this share"}
+                .along({"mode"}, mode_count)
+                .record_only()};
 }
 
 /// The attracting steady modes in a record: lists as long as the longest.
@@ -165,7 +161,8 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
           "mean over the runs of the mean of S over impacts"},
          {"recurrence_rate", of(&CellSummary::recurrence_rate), "1", "mean over the runs of RC of S"},
          {"largest_exponent", of(&CellSummary::largest_exponent), "1", "mean over the runs, per impact"},
-         {"impacts_spent", impacts_spent, "1", "impacts that were followed, by all runs"},
+         F{"impacts_spent", of(&CellSummary::impacts_spent), "1", "impacts that were followed, by all runs"}.json_as(
+             impacts_spent),
          {"steady_modes", steady},
          {"runs", runs}}};
     const auto insert_after = [&](const std::string& name, const std::vector<F>& fields) {
@@ -250,6 +247,10 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     for (std::int64_t r = 0; r < sweep.runs; ++r) runs.push_back(r);
     group.write<std::int64_t>("run", {"run"}, runs, {"1", "start number: swirl classify --seed (seed + run)", {}});
     write_columns(group, cell_table(sweep, axes), cells_of(sweep));
+    if (!sweep.visited.empty())
+        group.write<std::uint8_t>("visited", axes,
+                                  std::vector<std::uint8_t>(sweep.visited.begin(), sweep.visited.end()),
+                                  {"1", "1: looked at; 0: has the results of a neighbour", {}});
     auto by_run = axes;
     by_run.push_back("run");
     write_run_columns(group, by_run, sweep.results);

@@ -49,7 +49,8 @@ Interval wilson_interval(double share, double n) {
     constexpr double z = 1.959963984540054;  // of the normal distribution: 2.5 % lie above
     const double narrowed = 1 + z * z / n, middle = share + z * z / (2 * n);
     const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
-    return {std::max(0.0, (middle - half) / narrowed), std::min(1.0, (middle + half) / narrowed)};
+    // 0 and 1 are ends of their own intervals; rounding may miss them
+    return {std::clamp((middle - half) / narrowed, 0.0, share), std::clamp((middle + half) / narrowed, share, 1.0)};
 }
 
 CellSummary summary_of(std::span<const RunResult> runs) {

@@ -124,9 +124,9 @@ struct RoundedScene {
         return of(scene).advance_rounded(step, horizon, sink);
     }
     static std::int64_t follow(const void* scene, State& z, std::int64_t steps, double horizon,
-                               const analysis::Stop& stop) {
+                               const analysis::Stop& stop, analysis::Effort& effort) {
         const RoundedScene& here = of(scene);
-        return follow_steps(here.body, z, steps, stop,
+        return follow_steps(here.body, z, steps, stop, effort,
                             [&](Step& step) { return here.advance_rounded(step, horizon, {}); });
     }
     static Derivative through_flight(const void* scene, const State& z, const Step& known) {
@@ -135,8 +135,9 @@ struct RoundedScene {
     static WithParameter along(const void* scene, const State& z, const Step& known, Parameter parameter) {
         return in_double_functions().along(of(scene).in_double.get(), z, known, parameter);
     }
-    static Derivative through_contact(const void* scene, const SectionPoint<double>& z, const Step& known) {
-        return in_double_functions().through_contact(of(scene).in_double.get(), z, known);
+    static Derivative through_contact(const void* scene, const SectionPoint<double>& z, const Step& known,
+                                      long& series) {
+        return in_double_functions().through_contact(of(scene).in_double.get(), z, known, series);
     }
 
     static constexpr Functions functions{&make,   &contact,        &first_impact, &advance,

@@ -1,6 +1,7 @@
 // What SceneMap asks of one shape and impact rule, as plain functions over a map that they alone know the type of.
 #pragma once
 
+#include "apps/system/effort.hpp"
 #include "apps/system/exact_return.hpp"
 #include "apps/system/scene_map.hpp"
 #include "map/derivative/derivative.hpp"
@@ -18,11 +19,12 @@ struct SceneFunctions {
     const ContactScene& (*contact)(const void* map);
     Step (*first_impact)(const void* map, const LabStart<double>& start);
     Outcome (*advance)(const void* map, Step& step, double horizon, const ContactSink& sink);
-    std::int64_t (*follow)(const void* map, State& z, std::int64_t steps, double horizon, const analysis::Stop& stop);
+    std::int64_t (*follow)(const void* map, State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
+                           analysis::Effort& effort);
     Derivative (*through_flight)(const void* map, const State& z, const Step& known);
     std::pair<Derivative, analysis::Vector<D>> (*along)(const void* map, const State& z, const Step& known,
                                                         Parameter parameter);
-    Derivative (*through_contact)(const void* map, const SectionPoint<double>& z, const Step& known);
+    Derivative (*through_contact)(const void* map, const SectionPoint<double>& z, const Step& known, long& series);
 };
 
 /// The functions of one map, in double; defined in scene_functions_of_disks.cpp and scene_functions_of_polygons.cpp.
@@ -51,19 +53,21 @@ const SceneFunctions<section_dimension<shape>>& baseline_functions();
 ///   advance  the step in place, ReturnMap's: ReturnStep → Outcome
 template <class AdvanceStep>
 std::int64_t follow_steps(const Body<double>& body, PostImpactState<double>& z, std::int64_t steps,
-                          const analysis::Stop& stop, const AdvanceStep& advance) {
+                          const analysis::Stop& stop, analysis::Effort& effort, const AdvanceStep& advance) {
     constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
     ReturnStep<double> step;
     step.collision.after = z;
     ExactReturn exact;
     bool repeats = false;
     std::int64_t done = 0, look = 0;
-    while (done < steps) {
+    while (done < steps && !effort.is_spent()) {
         if (stop && done >= look) {
             if (stop()) break;
             look = done + between;
         }
-        if (advance(step) != Outcome::completed) break;
+        const Outcome outcome = advance(step);
+        effort.spent += effort_of(step);
+        if (outcome != Outcome::completed) break;
         const PostImpactState<double>& after = step.collision.after;
         if (has_come_to_rest(body, after) || has_diverged(body, after)) break;
         z = after;
@@ -109,9 +113,9 @@ struct ConcreteScene {
         return of(map).return_map.advance(step, horizon, sink);
     }
     static std::int64_t follow(const void* map, State& z, std::int64_t steps, double horizon,
-                               const analysis::Stop& stop) {
+                               const analysis::Stop& stop, analysis::Effort& effort) {
         const auto& return_map = of(map).return_map;
-        return follow_steps(return_map.map().body(), z, steps, stop,
+        return follow_steps(return_map.map().body(), z, steps, stop, effort,
                             [&return_map, horizon](Step& step) { return return_map.advance(step, horizon); });
     }
     static Derivative through_flight(const void* map, const State& z, const Step& known) {
@@ -122,8 +126,8 @@ struct ConcreteScene {
         return derivative_with_parameter<double, shape, rule>(of(map).return_map.map().scene(), parameter, z,
                                                               known.collision);
     }
-    static Derivative through_contact(const void* map, const SectionPoint<double>& z, const Step& known) {
-        return derivative_through_contact(of(map).return_map, z, known);
+    static Derivative through_contact(const void* map, const SectionPoint<double>& z, const Step& known, long& series) {
+        return derivative_through_contact(of(map).return_map, z, known, &series);
     }
 
     static constexpr Functions functions{&make,   &contact,        &first_impact, &advance,

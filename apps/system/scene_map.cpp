@@ -1,5 +1,6 @@
 #include "apps/system/scene_map.hpp"
 
+#include "apps/system/effort.hpp"
 #include "apps/system/scene_functions.hpp"
 
 #include <stdexcept>
@@ -81,6 +82,7 @@ template <int D>
 auto SceneMap<D>::advance_by(const ReturnStep<double>& known) const -> analysis::Advance<D, State> {
     analysis::Advance<D, State> step;
     step.alive = goes_on(known);
+    step.effort = effort_of(known);
     if (step.alive) fill(step, known);
     return step;
 }
@@ -92,13 +94,21 @@ auto SceneMap<D>::linearise(const State& z) const -> analysis::Linearised<D, Sta
     step.alive = goes_on(known);
     if (!step.alive) return step;
     fill(step, known);
-    step.derivative = known.contacts.empty() ? through_flight(z, known) : through_contact(section_point(z), known);
+    step.effort = 2 * effort_of(known);
+    if (known.contacts.empty()) {
+        step.derivative = through_flight(z, known);
+        return step;
+    }
+    long series = 0;
+    step.derivative = through_contact(section_point(z), known, series);
+    step.effort += effort_per_series * static_cast<double>(series);
     return step;
 }
 
 template <int D>
-std::int64_t SceneMap<D>::follow(State& z, std::int64_t steps, const analysis::Stop& stop) const {
-    return functions_->follow(map_.get(), z, steps, horizon_, stop);
+std::int64_t SceneMap<D>::follow(State& z, std::int64_t steps, const analysis::Stop& stop,
+                                 analysis::Effort& effort) const {
+    return functions_->follow(map_.get(), z, steps, horizon_, stop, effort);
 }
 
 template <int D>
@@ -126,8 +136,9 @@ auto SceneMap<D>::through_flight(const State& z, const ReturnStep<double>& known
 }
 
 template <int D>
-auto SceneMap<D>::through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known) const -> Derivative {
-    return functions_->through_contact(map_.get(), z, known);
+auto SceneMap<D>::through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known, long& series) const
+    -> Derivative {
+    return functions_->through_contact(map_.get(), z, known, series);
 }
 
 template class SceneMap<disk_dimension>;

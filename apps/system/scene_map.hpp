@@ -51,7 +51,7 @@ public:
     analysis::Advance<D, State> advance_by(const ReturnStep<double>& known) const;
     analysis::Linearised<D, State> linearise(const State& z) const;
     /// See analysis::follow. In place, and what repeats itself to the bit (ExactReturn) is not followed again.
-    std::int64_t follow(State& z, std::int64_t steps, const analysis::Stop& stop) const;
+    std::int64_t follow(State& z, std::int64_t steps, const analysis::Stop& stop, analysis::Effort& effort) const;
 
     static analysis::Vector<D> coordinates(const State& z) { return coordinates_of<D>(section_point(z)); }
     static double coordinate(const State& z, int i) {
@@ -78,7 +78,12 @@ public:
     std::pair<Derivative, analysis::Vector<D>> through_flight(const State& z, const ReturnStep<double>& known,
                                                               Parameter parameter) const;
     /// … or one with contact.
-    Derivative through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known) const;
+    Derivative through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known) const {
+        long series = 0;
+        return through_contact(z, known, series);
+    }
+    /// … `series` is added the power series that it took.
+    Derivative through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known, long& series) const;
 
 private:
     SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon, Accuracy accuracy);

@@ -114,7 +114,8 @@ DrawnFlights draw(const SceneMap<D>& map, const OrbitStarts& starts, std::int64_
     if (first.outcome != Outcome::completed) return drawn;
     Distinct<D> distinct;
     PostImpactState<double> z = first.state;
-    const std::int64_t followed = map.follow(z, transient, [&budget] { return budget.is_spent(counted_share); });
+    const std::int64_t followed =
+        analysis::follow(map, z, transient, [&budget] { return budget.is_spent(counted_share); });
     const bool lasts = followed == transient;
     drawn.begin = lasts ? z : first.state;
     const std::vector<Seen> seen = look_along(map, *drawn.begin, lasts ? count : followed, budget);

@@ -83,24 +83,23 @@ inline FirstContactOutcome without_step(const T& step) {
     return step > T(0) ? FirstContactOutcome::no_contact : FirstContactOutcome::unresolved;
 }
 
-/// True once the error that a last step leaves, M h³/g′, is far below the rounding of τ, and g′ is still positive after
-/// it. (After a flight so long that its rounding is no small part of the swirl's turn the first alone is not enough.)
+/// True once the error that a last step leaves, M h³/g′, is far below the rounding of τ, M h³ itself below that of a
+/// place, and g′ is still positive after it. (After a flight so long that τ's rounding is no small part of a turn the
+/// first alone is not enough.) The step must lead to a root of the gap's own parabola, within rounding: one that a
+/// bound from far away has shortened ends before the wall, where the vertex may yet turn away.
 template <class T>
 inline bool is_last(const Gap<T>& gap, const T& third, const T& step, const T& time) {
+    using std::fabs;
     const T change = third * step * step;
-    return gap.rate > 0 && change * step <= T(0.001) * epsilon<T>() * gap.rate * (time + step) &&
-           gap.rate + step * std::min(gap.bend, T(0)) > T(0.5) * change;
+    const T moves = std::min(T(gap.rate * (time + step)), T(1000));
+    const T left = -gap.value - step * (gap.rate + T(0.5) * step * gap.bend);
+    return gap.rate > 0 && change * step <= T(0.001) * epsilon<T>() * moves &&
+           gap.rate + step * std::min(gap.bend, T(0)) > T(0.5) * change &&
+           left <= change * step + T(16) * epsilon<T>() * fabs(gap.value);
 }
 
 /// Steps after which bounds that are seldom of use are tried as well. Ordinary flights take fewer than 20.
 inline constexpr int ordinary_steps = 200;
-
-/// True if an approaching vertex (disk) is at the wall as nearly as τ can say: the time to it is within τ's rounding.
-/// So slow a body is within rounding of the wall for longer than the swirl takes to turn.
-template <class T>
-inline bool is_at_wall(const Gap<T>& gap, const T& time, int steps) {
-    return steps > ordinary_steps && gap.rate > 0 && -gap.value <= T(4) * epsilon<T>() * time * gap.rate;
-}
 
 /// The rounding of g′ at a start on the wall: a normal velocity below it counts as zero.
 template <class T>
@@ -110,18 +109,21 @@ inline T rate_rounding(const Body<T>& body, const Flight<T>& flight) {
     return T(16) * epsilon<T>() * (speed + body.beta + fabs(flight.spin) * body.alpha);
 }
 
-/// A safe step, but no longer than a part of the swirl's turn where the way left is within τ's rounding when the swirl
-/// is left out: the wall is there now, and strikes in that part of the swirl's turn in which it approaches. Not where a
-/// vertex has left with u_n = 0: it is within rounding of the wall, too, but does not come nearer.
-///   free_rate  d|y|²/dt of what may touch, seen from the swirl's centre
+/// True if what moves outward at `rate` is at the wall as nearly as the numbers can say: the way left is within the
+/// rounding of g, or the time to it within τ's. So slow a body is within rounding of the wall for longer than the swirl
+/// takes to turn. (The second alone is not enough: a fast spin moves a vertex far within τ's rounding, but steps as
+/// short as that lead it on.)
+///   size  of what g is the difference of: its rounding in units of ε
 template <class T>
-inline T step_within_rounding(const Body<T>& body, const Flight<T>& flight, const Gap<T>& gap, const T& step,
-                              const T& time, int steps, const T& free_rate) {
+inline bool is_at_wall(const T& gap, const T& rate, const T& time, const T& size) {
     using std::fabs;
-    const bool is_there = steps > ordinary_steps && free_rate > rate_rounding(body, flight) &&
-                          fabs(gap.value) <= T(4) * epsilon<T>() * time * free_rate;
-    return is_there ? std::min(step, T(0.5)) : step;
+    const T steady = T(4) * epsilon<T>() * std::max(size, T(time * rate));
+    return rate > 0 && fabs(gap) <= std::min(steady, T(T(16) * epsilon<T>() * size));
 }
+
+/// A step where the wall is at hand when the swirl is left out: it strikes in that part of the swirl's turn in which it
+/// approaches, so no longer than a part of that turn.
+inline constexpr double step_at_wall = 0.5;
 
 /// The time by which a moment lies beyond its contact, g/g′ where rounding left g > 0: the search goes back by it.
 /// Otherwise contacts reached from beyond would be late and those reached from before exact, a bias that accumulates in

@@ -45,6 +45,15 @@ template <class T>
     }
 }
 
+/// The rounding of the disk's g, in units of ε: of what it has moved, or of |X|² if it did not begin on the wall.
+template <class T>
+inline T rounded_size_of_disk(const Body<T>& body, const Flight<T>& flight, const T& time) {
+    using std::fabs;
+    if (!flight.struck) return T(1);
+    const T speed = fabs(flight.velocity.x) + fabs(flight.velocity.y);
+    return time * speed + std::min(time, T(2)) * body.beta;
+}
+
 /// Advances by safe steps until the disk touches, from a moment on its way. `contact.at` is that moment.
 template <class T>
 void advance_to_contact_disk(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
@@ -58,10 +67,14 @@ void advance_to_contact_disk(const Body<T>& body, const Flight<T>& flight, const
             return touch_disk(body, contact);
         }
         T step = gap.value < 0 ? safe_step(gap, bounds.centre_third) : safe_step_off_the_wall(gap, bounds.centre_third);
-        if (is_at_wall(gap, contact.at.time, contact.steps)) return touch_disk(body, contact);
         last = gap.value < 0 && is_last(gap, bounds.centre_third, step, contact.at.time);
-        step = step_within_rounding(body, flight, gap, step, contact.at.time, contact.steps,
-                                    T(T(2) * dot(contact.at.centre + contact.at.swirl, flight.velocity)));
+        if (contact.steps > ordinary_steps) {
+            const T size = rounded_size_of_disk(body, flight, contact.at.time);
+            if (is_at_wall(gap.value, gap.rate, contact.at.time, size)) return touch_disk(body, contact);
+            const T free_rate = T(2) * dot(contact.at.centre + contact.at.swirl, flight.velocity);
+            if (free_rate > rate_rounding(body, flight) && is_at_wall(gap.value, free_rate, contact.at.time, size))
+                step = std::min(step, T(step_at_wall));
+        }
         step = std::max(step, sheltered_time(body, flight, contact.at));
         if (!(step < std::numeric_limits<T>::infinity())) {
             contact.outcome = without_step(step);

@@ -14,31 +14,17 @@ inline T safe_step_of(const Candidate<T>& candidate, const T& third) {
     return candidate.gap.value < 0 ? safe_step(candidate.gap, third) : safe_step_off_the_wall(candidate.gap, third);
 }
 
-/// A vertex that left with u_n = 0 and g″ < 0 stays within rounding of the wall for a while: what rounding makes of its
-/// g and g′ is no approach.
-template <class T>
-inline void leave_without_rounding(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at,
-                                   Candidate<T>& vertex) {
-    using std::fabs;
-    Gap<T>& gap = vertex.gap;
-    if (!flight.struck || vertex.vertex != 0 || !(gap.bend < 0) || !(gap.rate <= rate_rounding(body, flight))) return;
-    if (!(fabs(gap.value) <= T(4) * epsilon<T>() * (fabs(at.moved.x) + fabs(at.moved.y)))) return;
-    gap.value = T(0);
-    gap.rate = std::min(gap.rate, T(0));
-}
-
 /// The next step, and whether it ends on a contact to rounding.
 template <class T>
 struct NextStep {
     T length;
     bool last;
-    bool here = false;     ///< the contact is now, as nearly as τ can say
     bool at_wall = false;  ///< the wall is within rounding: no longer step
 };
 
 template <class T>
 inline NextStep<T> step_among_vertices(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
-                                       const Instant<T>& at, const NearestTwo<T>& pair, const T& distance, int steps) {
+                                       const Instant<T>& at, const NearestTwo<T>& pair, const T& distance) {
     const T first = safe_step_of(pair.first, bounds.vertex_third);
     const T second = safe_step_of(pair.second, bounds.vertex_third);
     const bool second_binds = second < first;
@@ -47,13 +33,27 @@ inline NextStep<T> step_among_vertices(const Body<T>& body, const Flight<T>& fli
     const Gap<T>& gap = binding.gap;
     const T limit = two_are_enough(body, flight, bounds, distance);
     if (limit < step) return {limit, false};
-    if (is_at_wall(gap, at.time, steps)) return {step, false, true, true};
-    const Vec2<T> from_swirl = at.centre + at.swirl + binding.arm;
-    const Vec2<T> velocity = flight.velocity + flight.spin * quarter_turned(binding.arm);
-    const T shorter =
-        step_within_rounding(body, flight, gap, step, at.time, steps, T(T(2) * dot(from_swirl, velocity)));
-    if (shorter < step) return {shorter, false, false, true};
     return {step, gap.value < 0 && is_last(gap, bounds.vertex_third, step, at.time)};
+}
+
+/// The two vertices against the wall as nearly as the numbers can say.
+enum class AtWall { no, near, first, second, both };
+
+/// Which of the two is at the wall and approaches; `near` if one does only when the swirl is left out.
+template <class T>
+AtWall at_wall(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at, const NearestTwo<T>& pair,
+               const T& first_size, const T& second_size) {
+    const bool first = is_at_wall(pair.first.gap.value, pair.first.gap.rate, at.time, first_size);
+    const bool second = is_at_wall(pair.second.gap.value, pair.second.gap.rate, at.time, second_size);
+    if (first || second) return first && second ? AtWall::both : first ? AtWall::first : AtWall::second;
+    const T rounding = rate_rounding(body, flight);
+    const auto is_near = [&](const Candidate<T>& vertex, const T& size) {
+        const Vec2<T> velocity = flight.velocity + flight.spin * quarter_turned(vertex.arm);
+        const T free_rate =
+            T(2) * dot(at.centre + at.swirl + vertex.arm, velocity);  // of |y|², from the swirl's centre
+        return free_rate > rounding && is_at_wall(vertex.gap.value, free_rate, at.time, size);
+    };
+    return is_near(pair.first, first_size) || is_near(pair.second, second_size) ? AtWall::near : AtWall::no;
 }
 
 /// Sets a contact that was reached from beyond back to its time.
@@ -73,7 +73,7 @@ inline void step_back(const Body<T>& body, const Flight<T>& flight, const Neares
 /// step).
 template <class T>
 void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
-                                FirstContact<T>& contact) {
+                                const Departures<T>& departures, FirstContact<T>& contact) {
     const T ring = std::max(T(T(0.25) * (body.outer * body.outer - body.inner * body.inner)), T(64) * epsilon<T>());
     NearestTwo<T> pair;
     bool last = false;
@@ -87,7 +87,8 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
             next = {std::max(safe_step(circle, bounds.centre_third), shelter), false};
         } else {
             look_around(body, flight, contact.at, pair);
-            leave_without_rounding(body, flight, contact.at, struck_of(pair));
+            const T first_size = leave_without_rounding(body, flight, departures, contact.at, pair.first);
+            const T second_size = leave_without_rounding(body, flight, departures, contact.at, pair.second);
             // Not where the swirl has turned and the vertex recedes: its neighbour, far from the wall, would be taken.
             last = last && std::min(time_left(pair.first.gap), time_left(pair.second.gap)) <= stride + T(0.5);
             if (last || touches(pair.first.gap) || touches(pair.second.gap)) {
@@ -95,12 +96,17 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
                 if (!last) step_back(body, flight, pair, contact);
                 return;
             }
-            next = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre),
-                                       contact.steps);
-            if (next.here) return choose(pair, contact);
+            const AtWall here = contact.steps > ordinary_steps
+                                    ? at_wall(body, flight, contact.at, pair, first_size, second_size)
+                                    : AtWall::no;
+            if (here == AtWall::first) return take(pair.first, contact);
+            if (here == AtWall::second) return take(pair.second, contact);
+            if (here == AtWall::both) return choose(pair, contact);
+            next = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre));
+            if (here == AtWall::near && step_at_wall < next.length) next = {T(step_at_wall), false, true};
         }
         if (contact.steps > ordinary_steps && !next.at_wall) {
-            const T longer = longer_step(body, flight, bounds, contact.at, circle);
+            const T longer = longer_step(body, flight, bounds, departures, contact.at, circle);
             if (longer > next.length) next = {longer, false};
         }
         if (has_recurred<Shape::polygon>(body, flight, contact.at)) return;
@@ -116,10 +122,10 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
 }
 
 /// From a start on the wall: true if a vertex stays there or touches at once, with the outcome in `contact`; else the
-/// first safe step away is taken.
+/// first safe step away is taken, and `departures` are those that leave.
 template <class T>
 bool begins_in_contact(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
-                       FirstContact<T>& contact) {
+                       Departures<T>& departures, FirstContact<T>& contact) {
     NearestTwo<T> pair;
     look_around(body, flight, contact.at, pair);
     ++contact.steps;
@@ -128,14 +134,12 @@ bool begins_in_contact(const Body<T>& body, const Flight<T>& flight, const Fligh
         return true;
     }
     if (const auto* neighbour = touching_neighbour(pair, rate_rounding(body, flight))) {
-        contact.outcome = FirstContactOutcome::contact;
-        contact.vertex = neighbour->vertex;
-        contact.arm = neighbour->arm;
+        take(*neighbour, contact);
         contact.simultaneous = true;
         return true;
     }
-    const T step =
-        step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre), contact.steps).length;
+    departures = departures_of(body, flight, contact.at, pair, false);
+    const T step = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre)).length;
     if (!(step < std::numeric_limits<T>::infinity())) {
         contact.outcome = without_step(step);
         return true;
@@ -150,8 +154,9 @@ template <class T>
     const auto bounds = bounds_of<Shape::polygon>(body, flight);
     FirstContact<T> contact;
     contact.at = instant_at_start(flight);
-    if (flight.struck && begins_in_contact(body, flight, bounds, contact)) return contact;
-    advance_to_contact_polygon(body, flight, bounds, contact);
+    Departures<T> departures;
+    if (flight.struck && begins_in_contact(body, flight, bounds, departures, contact)) return contact;
+    advance_to_contact_polygon(body, flight, bounds, departures, contact);
     return contact;
 }
 

@@ -15,27 +15,9 @@
 
 #include "map/first_contact/bounds.hpp"
 #include "map/first_contact/conservative_advancement.hpp"
-#include "map/first_contact/vertices.hpp"
+#include "map/first_contact/departure.hpp"
 
 namespace swirl::detail {
-
-/// G of the vertex that began the flight, at most: a cubic in the time from the start, where it is on the wall. While
-/// it leaves, its own g is below the rounding of what it has moved.
-template <class T>
-inline Gap<T> departure_bound(const Flight<T>& flight, const T& beta, const T& rounding, const T& third,
-                              const T& time) {
-    const Gap<T> start = struck_gap_at_start(flight);
-    const Vec2<T> swirl = flight.beta * flight.phase;
-    const Vec2<T> rate = flight.velocity + flight.spin * quarter_turned(flight.arm);
-    const Vec2<T> y = Vec2<T>{T(1), T(0)} + swirl;
-    const T normal =
-        start.rate <= rounding && start.bend < 0 ? std::min(start.rate, T(0)) : start.rate;  // as in `stays`
-    const T value = T(2) * (beta + swirl.x);
-    const T slope = normal + T(2) * (dot(swirl, rate) - swirl.y);
-    const T bend = T(2) * (dot(rate, rate) - flight.spin * flight.spin * dot(y, flight.arm));
-    return {value + time * (slope + time * (T(0.5) * bend + fraction<T>(1, 6) * third * time)),
-            slope + time * (bend + T(0.5) * third * time), bend + third * time, third};
-}
 
 /// The time for which G < 0 of one vertex; 0 if it is not negative now.
 template <class T>
@@ -46,19 +28,20 @@ inline T sheltered_time_of(const Body<T>& body, const Flight<T>& flight, const I
     const Vec2<T> y = x + at.swirl;
     const Vec2<T> rate = flight.velocity + flight.spin * quarter_turned(vertex.arm);
     const T spin2 = flight.spin * flight.spin;
-    const Gap<T> gap{vertex.gap.value + T(2) * (body.beta + dot(x, at.swirl)), T(2) * dot(y, rate),
+    // G and G′ from g and g′, which of a vertex that leaves slowly are known to their own rounding.
+    const Gap<T> gap{vertex.gap.value + T(2) * (body.beta + dot(x, at.swirl)),
+                     vertex.gap.rate + T(2) * (dot(rate, at.swirl) + dot(x, quarter_turned(at.swirl))),
                      T(2) * (dot(rate, rate) - spin2 * dot(y, vertex.arm)), T(0)};
+    if (!(gap.value < 0)) return T(0);
     const T third =
         T(2) * body.alpha * spin2 * (T(3) * magnitude(flight.velocity) + fabs(flight.spin) * (body.outer + body.beta));
-    if (gap.value < 0) return safe_step(gap, third);
-    if (!flight.struck || vertex.vertex != 0) return T(0);
-    const Gap<T> bound = departure_bound(flight, body.beta, rate_rounding(body, flight), third, at.time);
-    return bound.value < 0 ? safe_step(bound, third) : T(0);
+    return safe_step(gap, third);
 }
 
 /// The time for which no vertex can touch because the container does not come so far; 0 if that is not so.
 template <class T>
-T sheltered_time_of_vertices(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
+T sheltered_time_of_vertices(const Body<T>& body, const Flight<T>& flight, const Departures<T>& departures,
+                             const Instant<T>& at) {
     using std::fabs;
     const Vec2<T> place = at.centre + at.swirl;
     const T distance = magnitude(place);
@@ -66,6 +49,8 @@ T sheltered_time_of_vertices(const Body<T>& body, const Flight<T>& flight, const
     if (!(distance > T(0) && body.beta < T(1))) return T(0);
     NearestTwo<T> pair;
     look_around(body, flight, at, place, pair);
+    leave_without_rounding(body, flight, departures, at, pair.first);
+    leave_without_rounding(body, flight, departures, at, pair.second);
     // As `two_are_enough`, about the swirl's centre.
     const T turning = T(0.5) * body.spacing / (fabs(flight.spin) + T(2) * speed / distance);
     const T enough = std::min(turning, T(distance / (T(2) * speed)));
@@ -77,10 +62,11 @@ T sheltered_time_of_vertices(const Body<T>& body, const Flight<T>& flight, const
 /// from the swirl's centre.
 template <class T>
 [[gnu::noinline]] T longer_step(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
-                                const Instant<T>& at, const Gap<T>& circle) {
+                                const Departures<T>& departures, const Instant<T>& at, const Gap<T>& circle) {
     const bool inside = circle.value < T(-16) * epsilon<T>() * body.inner;  // beyond the rounding of |X|
     const T round = inside ? safe_step(circle, bounds.centre_third) : T(0);
-    return std::max({round, sheltered_time(body, flight, at), sheltered_time_of_vertices(body, flight, at)});
+    return std::max(
+        {round, sheltered_time(body, flight, at), sheltered_time_of_vertices(body, flight, departures, at)});
 }
 
 }  // namespace swirl::detail

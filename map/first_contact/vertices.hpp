@@ -142,6 +142,13 @@ inline bool touch_together(const Gap<T>& first, const Gap<T>& second, const T& t
     return apart <= T(16) * epsilon<T>() * (std::max(first.rate, second.rate) + first.rate * second.rate * time);
 }
 
+template <class T>
+inline void take(const Candidate<T>& vertex, FirstContact<T>& contact) {
+    contact.outcome = FirstContactOutcome::contact;
+    contact.vertex = vertex.vertex;
+    contact.arm = vertex.arm;
+}
+
 /// Decides which of the two strikes: the earlier; on an exact tie the larger u_n, then the lower number.
 template <class T>
 inline void choose(const NearestTwo<T>& pair, FirstContact<T>& contact) {
@@ -153,10 +160,7 @@ inline void choose(const NearestTwo<T>& pair, FirstContact<T>& contact) {
         const T difference = pair.second.gap.rate - pair.first.gap.rate;  // g′ = 2 u_n
         take_second = difference > 0 || (difference == 0 && pair.second.vertex < pair.first.vertex);
     }
-    const Candidate<T>& chosen = take_second ? pair.second : pair.first;
-    contact.outcome = FirstContactOutcome::contact;
-    contact.vertex = chosen.vertex;
-    contact.arm = chosen.arm;
+    take(take_second ? pair.second : pair.first, contact);
 }
 
 }  // namespace detail

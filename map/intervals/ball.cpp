@@ -31,7 +31,11 @@ Ball around(double middle, double radius) {
 Ball decimal(const std::string& text) {
     Ball result;
     // Digits, a point and an exponent only: Arb's reader also takes intervals, whose width would be the user's word.
-    const bool plain = !text.empty() && text.find_first_not_of("0123456789+-.eE") == std::string::npos;
+    const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
+    const char* end = text.data() + text.size();
+    double value = 0;
+    const bool plain = text.find_first_not_of("0123456789+-.eE") == std::string::npos &&
+                       std::from_chars(begin, end, value).ptr == end && begin != end;
     if (!plain || arb_set_str(result.raw(), text.c_str(), ball_precision) != 0 || !is_finite(result))
         throw std::invalid_argument("'" + text + "' is not a decimal number");
     return result;

@@ -52,6 +52,7 @@ Disc disc_about(acb_srcptr ball, double more) {
     Disc disc{middle(re), middle(im), 0};
     const double across = upper(abs(re - Ball(disc.re))), along = upper(abs(im - Ball(disc.im)));
     disc.radius = up(up(std::hypot(across, along) * (1 + 1e-15)) + more);
+    if (!std::isfinite(disc.radius)) disc = {0, 0, std::numeric_limits<double>::infinity()};
     return disc;
 }
 

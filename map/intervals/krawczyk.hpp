@@ -46,6 +46,6 @@ BallVector krawczyk_image(const BallSystem& system, const BallVector& middle, co
 bool lies_inside(const BallVector& inner, const BallVector& outer);
 
 /// The zero that a box was proven to hold, enclosed ever closer: K again and again, until it no longer narrows.
-BallVector narrowed(const BallSystem& system, BallVector box, const Eigen::MatrixXd& inverse);
+BallVector narrowed(const BallSystem& system, BallVector box);
 
 }  // namespace swirl::intervals

@@ -44,7 +44,8 @@ Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
 template <class T>
 struct WoundAngle {
     T phase{};
-    T turns{};  ///< an integer, held in T: the times of a decaying orbit (β = 0, e < 1) exceed every integer type
+    T turns{};       ///< an integer, held in T: the times of a decaying orbit (β = 0, e < 1) exceed every integer type
+    T more_turns{};  ///< what rounding left out of it beyond 2⁵³ turns, where one turn more may not change it
 
     void add(const T& change) {
         using std::fmod;
@@ -54,7 +55,11 @@ struct WoundAngle {
         phase = fmod(sum, turn);  // exact, however many turns
         if (phase < 0) phase = phase + turn;
         if (!(phase < turn)) phase = T(0);  // −tiny + 2π rounds to 2π
-        turns = turns + round((sum - phase) / turn);
+        const T more = more_turns + round((sum - phase) / turn);
+        const T whole = turns + more;
+        const T added = whole - turns;  // Knuth's sum: its rounding error, whichever of the two is larger
+        more_turns = (turns - (whole - added)) + (more - added);
+        turns = whole;
     }
     /// The whole angle, which grows with `phase` and `turns`. Beyond 10⁶ turns it is rounded once: two roundings may be
     /// longer than a flight, and time would fall by one.
@@ -63,7 +68,7 @@ struct WoundAngle {
         const T turn = T(2 * pi<T>());
         const T whole = turn * turns;
         if constexpr (std::is_floating_point_v<T>)
-            if (fabs(turns) > T(1 << 20)) return whole + (phase + std::fma(turn, turns, -whole));
+            if (fabs(turns) > T(1 << 20)) return whole + (phase + (std::fma(turn, turns, -whole) + turn * more_turns));
         return phase + whole;
     }
 };

@@ -6,7 +6,8 @@
 // (`landed_like`), B that of the motion from there to the next impact. Both are central differences with error O(h²).
 // If only neighbours on one side pass through the same events as the orbit (`same_way`), B's column is a one-sided
 // difference, with error O(h²) from two neighbours and O(h) from one; if none does, the column is zero. A singular
-// value of B within rounding belongs to a direction that contact removes, and is set to zero.
+// value of B within rounding belongs to a direction that contact removes, and is set to zero. A neighbour that takes
+// eight times as long in contact as the orbit shows that h is no small step there: the derivative is then NaN.
 #pragma once
 
 #include "map/derivative/linearised_collision.hpp"
@@ -14,7 +15,9 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -25,6 +28,12 @@ namespace detail {
 constexpr double difference_step = 1e-5;
 /// Contact is integrated with an error of some 10⁻¹⁴: in a difference over 2 h that is 10⁻⁹.
 constexpr double difference_rounding = 1e-8;
+
+/// How many power series a neighbour of an orbit in contact may take.
+inline long most_steps_beside(const ReturnStep<double>& known) {
+    constexpr long fewest = 500, more = 8;
+    return std::max(fewest, more * contact_steps(known));
+}
 
 /// The coordinates in which a state in contact can differ: a disk has no χ; a moving edge turns as one piece, S = u_t;
 /// an edge at rest has ψ only.
@@ -132,28 +141,36 @@ Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b);
 
 }  // namespace detail
 
-/// DF(z), where `known` is F(z) and leads through contact.
+/// DF(z), where `known` is F(z) and leads through contact; NaN where neighbours stay in contact for much longer.
+///   series  is added how many power series it took, or as much in looks at flights, if it is given
 template <class Map>
 auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z,
-                                const ReturnStep<double>& known) {
+                                const ReturnStep<double>& known, long* series = nullptr) {
     constexpr int dimension = section_dimension<Map::shape>;
     constexpr double h = detail::difference_step;
     const PostImpactState<double> base = post_impact_state(z);
     const ChatterCompletion completion = detail::lasting_completion(map.completion(base), known.contacts);
     const int freedom = detail::contact_freedom(map.contact(), completion);
     Eigen::Matrix<double, dimension, 4> b = Eigen::Matrix<double, dimension, 4>::Zero();
-    for (int i = 0; i < freedom; ++i) {
+    constexpr long looks_per_series = 64;  // of the flight after contact
+    const long most_steps = detail::most_steps_beside(known);
+    bool follows = true;
+    for (int i = 0; i < freedom && follows; ++i) {
         const auto end = [&](double step) -> std::optional<PostImpactState<double>> {
             ChatterCompletion near = completion;
             near.state = detail::moved_by(completion, i, step);
-            const ReturnStep<double> return_step = map.advance_in_contact(base, near);
+            const ReturnStep<double> return_step = map.advance_in_contact(base, near, contact_horizon, {}, most_steps);
+            if (series) *series += contact_steps(return_step) + return_step.collision.steps / looks_per_series;
+            if (return_step.outcome == Outcome::contact_cut) follows = false;
             if (!detail::same_way(return_step, known)) return {};
             return return_step.collision.after;
         };
         b.col(i) = detail::column_of<Map::shape>(known.collision.after, end, h);
     }
-    return Eigen::Matrix<double, dimension, dimension>(
-        detail::without_rounding(b) * detail::landing_derivative<Map::shape>(map.contact(), z, completion));
+    using Derivative = Eigen::Matrix<double, dimension, dimension>;
+    if (!follows) return Derivative(Derivative::Constant(std::numeric_limits<double>::quiet_NaN()));
+    return Derivative(detail::without_rounding(b) *
+                      detail::landing_derivative<Map::shape>(map.contact(), z, completion));
 }
 
 }  // namespace swirl

@@ -21,6 +21,14 @@ struct ReturnStep {
     std::vector<ContactSegment> contacts;
 };
 
+/// How many power series a return step took in contact.
+template <class T>
+long contact_steps(const ReturnStep<T>& step) {
+    long steps = 0;
+    for (const ContactSegment& segment : step.contacts) steps += segment.steps;
+    return steps;
+}
+
 /// How long contact may last without an impact before the orbit ends as `in_contact`, in 1/ω_s. A body that moves so
 /// fast in contact that it is not followed so long (`most_contact_steps`) ends as `contact_cut`.
 inline constexpr double contact_horizon = 1000;
@@ -72,7 +80,8 @@ public:
 
     /// The return step from a landing on; `post_impact` is the state after the impact before it.
     ReturnStep<T> advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion& completion,
-                                     double horizon = contact_horizon, const ContactSink& sink = {}) const;
+                                     double horizon = contact_horizon, const ContactSink& sink = {},
+                                     long most_steps = most_contact_steps) const;
 
 private:
     /// A step of no duration and no impulse: iterating F would repeat it without end.
@@ -178,9 +187,10 @@ auto ReturnMap<Map>::completion(const PostImpactState<T>& post_impact) const -> 
 
 template <class Map>
 auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion& completion,
-                                        double horizon, const ContactSink& sink) const -> ReturnStep<T> {
+                                        double horizon, const ContactSink& sink, long most_steps) const
+    -> ReturnStep<T> {
     const ContactPhase phase = completion.struck ? struck_at_once(*contact_, state_in_double(post_impact))
-                                                 : follow_contact(*contact_, completion, horizon, sink);
+                                                 : follow_contact(*contact_, completion, horizon, sink, most_steps);
     ReturnStep<T> return_step = after_contact(post_impact, phase);
     return_step.contact_work = T(phase.sums.work + completion.jacobi);
     return return_step;

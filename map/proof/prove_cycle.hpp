@@ -5,9 +5,9 @@
 
 namespace swirl::proof {
 
-/// True if Swirl was built with interval arithmetic (Arb). Without it the functions of this folder throw
-/// std::invalid_argument, in one line.
-bool has_interval_arithmetic();
+/// @throws std::invalid_argument in one line unless Swirl was built with interval arithmetic (Arb); so do then the
+/// other functions of this folder
+void require_interval_arithmetic();
 
 /// Proves that an explicit box about the claimed points holds exactly one cycle of F with the claimed word, that no
 /// vertex touches earlier on any of its flights, that every impact is in its mode, that its period is k and no less;

@@ -1,24 +1,42 @@
 // What a build without Arb answers.
+#include "map/proof/all_fixed_points.hpp"
 #include "map/proof/prove_cycle.hpp"
+#include "map/proof_check/stated_cycle.hpp"
 
 #include <stdexcept>
 
-namespace swirl::proof {
+namespace swirl {
 
 namespace {
 
 [[noreturn]] void refuse() {
-    throw std::invalid_argument("this build of swirl has no interval arithmetic: it was built without Arb (FLINT)");
+    throw std::invalid_argument(
+        "this build of swirl has no interval arithmetic: build it where Arb is (FLINT 3, or libflint-arb-dev) to prove "
+        "cycles");
 }
 
 }  // namespace
 
-bool has_interval_arithmetic() {
-    return false;
-}
+namespace proof {
 
+void require_interval_arithmetic() {
+    refuse();
+}
 CycleProof prove_cycle(const Scene<double>&, const CycleClaim&) {
     refuse();
 }
+AllFixedPoints all_fixed_points(const Scene<double>&, double, const std::function<bool()>&) {
+    refuse();
+}
 
-}  // namespace swirl::proof
+}  // namespace proof
+
+namespace proof_check {
+
+std::string what_fails(const StatedCycle&) {
+    refuse();
+}
+
+}  // namespace proof_check
+
+}  // namespace swirl

@@ -99,13 +99,16 @@ std::string check_multipliers(const CheckedSystem& system, const StatedCycle& cy
         // An exact 0 or 1 is known from the impact's rank or the family: its disc is to hold that one alone.
         const bool known = (is_exactly(stated, 0) && sticks) || (is_exactly(stated, 1) && cycle.phase);
         std::size_t match = own.size(), near = 0;
+        bool own_is_exact = false;
         for (std::size_t i = 0; i < own.size(); ++i) {
             const double apart = std::hypot(stated.re - own[i].re, stated.im - own[i].im);
             const bool fits = known ? apart <= own[i].radius : (apart + own[i].radius) * (1 + 1e-12) <= stated.radius;
             if (known && fits) ++near;
-            if (fits && !taken[i]) match = i;
+            if (!fits || taken[i] || own_is_exact) continue;
+            match = i;
+            own_is_exact = known && own[i].radius == 0;
         }
-        if (match == own.size() || (known && near != 1)) {
+        if (match == own.size() || (known && near != 1 && !own_is_exact)) {
             char text[120];
             std::snprintf(text, sizeof text, "the multiplier %.9g %+.9gi is not in its disc", stated.re, stated.im);
             return text;

@@ -32,6 +32,7 @@ struct Follower {
     const ContactSink& sink;
     ContactPhase phase;
     double settled_jacobi = 0;  ///< change of J when a neighbour came to rest: part of the next piece's landing
+    long steps_left = most_contact_steps;
 
     void finish(ContactEvent event, const PostImpactState<double>& post_impact, int vertex_step) {
         phase.finish = event;
@@ -77,7 +78,9 @@ struct Follower {
                 sink({phase.sums.time + sums.time, phase.sums.turned + sums.turned, phase.sums.work + sums.work}, s, m,
                      z);
             };
-        const ContactEnd end = run_contact(scene, choice.support, choice.motion, choice.state, left, shifted);
+        const ContactEnd end =
+            run_contact(scene, choice.support, choice.motion, choice.state, left, shifted, steps_left);
+        steps_left -= end.steps;
         const double start = phase.sums.time;
         phase.sums.time += end.sums.time;
         phase.sums.turned += end.sums.turned;
@@ -142,8 +145,9 @@ struct Follower {
 }  // namespace
 
 ContactPhase follow_contact(const ContactScene& scene, const ChatterCompletion& completion, double horizon,
-                            const ContactSink& sink) {
+                            const ContactSink& sink, long most_steps) {
     Follower follower{scene, sink, {}};
+    follower.steps_left = most_steps;
     follower.follow({true, completion.support, ContactMotion::sticking, completion.state, completion.vertex_step,
                      ContactEvent::release},
                     ContactEvent::landing, horizon);

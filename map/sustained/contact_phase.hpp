@@ -35,9 +35,10 @@ struct ContactPhase {
     std::vector<ContactSegment> segments;
 };
 
-/// Follows contact until the body leaves the wall, another vertex strikes, or `horizon` is over.
+/// Follows contact until the body leaves the wall, another vertex strikes, `horizon` is over, or so many power series
+/// were made.
 ContactPhase follow_contact(const ContactScene& scene, const ChatterCompletion& completion, double horizon,
-                            const ContactSink& sink = {});
+                            const ContactSink& sink = {}, long most_steps = most_contact_steps);
 
 /// Where two vertices strike in turn and flights shrink to rounding (`ChatterCompletion::struck`): the strike of the
 /// neighbour, at the same time.

@@ -58,7 +58,7 @@ ContactEnd advanced_at_once(const ContactScene& scene, const ContactState& start
 }  // namespace
 
 ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& start,
-                       double duration, const ContactSink& sink) {
+                       double duration, const ContactSink& sink, long most_steps) {
     const Problem problem{scene, support, motion};
     if (!sink && duration > long_contact * longest_step(scene, support, start) &&
         holds_throughout(scene, support, motion, start))
@@ -73,7 +73,8 @@ ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion
         return end;
     };
     // Ends at: an event, the duration, or the step limit.
-    while (time < duration && ++end.steps <= most_contact_steps) {
+    while (time < duration && end.steps < most_steps) {
+        ++end.steps;
         const Step step(problem, y);
         const double h =
             std::min({step_of(step.series(), local_error), longest_step(scene, support, y.contact()), duration - time});

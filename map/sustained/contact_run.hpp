@@ -61,11 +61,11 @@ struct ContactEnd {
 /// Called with the motion in contact: the sums since its beginning, support, motion, state.
 using ContactSink = std::function<void(const ContactSums&, Support, ContactMotion, const ContactState&)>;
 
-/// Contact motion of one kind ends after so many steps (some seconds): reached by a body that swings millions of times
-/// within the duration.
-inline constexpr long most_contact_steps = 1'000'000;
+/// Contact ends as cut after so many steps (0.3 s): reached by a body that swings ten thousand times within the
+/// duration.
+inline constexpr long most_contact_steps = 100'000;
 
-/// Integrates one kind of contact motion until an event, at most for `duration` (or `most_contact_steps`: event
+/// Integrates one kind of contact motion until an event, at most for `duration` (or `most_steps`: event
 /// horizon, with a shorter time).
 /// Each step is a power series in time (contact_series.hpp) with last terms below 10⁻¹⁶. Its coefficients bound the
 /// forces on the step, which on most steps proves that it has no event; the others are examined in sixteen parts. An
@@ -73,6 +73,6 @@ inline constexpr long most_contact_steps = 1'000'000;
 /// duration in one closed-form step, unless a sink is given (rim_pendulum.hpp).
 /// Cost: one to three microseconds per step, a few steps per radian of swirl or turn.
 ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& start,
-                       double duration, const ContactSink& sink = {});
+                       double duration, const ContactSink& sink = {}, long most_steps = most_contact_steps);
 
 }  // namespace swirl

@@ -22,17 +22,11 @@ inline T leaving_time(const Gap<T>& gap, const T& third, const T& fourth, const 
     return time;
 }
 
-/// True for an edge's other end a moment after it has lifted: still within rounding of the wall, and moving away.
-template <class T>
-inline bool has_lifted(const Gap<T>& gap) {
-    using std::fabs;
-    return fabs(gap.value) <= T(4) * epsilon<T>() && gap.rate < T(0);
-}
-
 /// Advances by a time in which nothing can touch; false (still at the start) if no such time makes the gaps larger than
-/// rounding.
+/// rounding. `departures` are a polygon's vertices that leave.
 template <Shape shape, class T>
-bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, Instant<T>& at) {
+bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds, Departures<T>& departures,
+                Instant<T>& at) {
     using std::fabs;
     const T fourth = derivative_bounds<4, shape>(body, flight).vertex;
     // Below the scale of the flight's own accelerations and velocities, however weak the swirl.
@@ -48,21 +42,24 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
     } else {
         NearestTwo<T> pair;
         look_around(body, flight, at, pair);
+        departures = departures_of(body, flight, at, pair, true);
         T time = two_are_enough(body, flight, bounds, magnitude(at.centre));
         for (const auto* candidate : {&pair.first, &pair.second}) {
             const Gap<T>& gap = candidate->gap;
+            const bool lifts = (candidate == &pair.first ? departures.first : departures.second).leaves;
             const bool closed = gap.value > T(-1e-12) && fabs(gap.rate) <= slow;
-            const bool lifts = has_lifted(gap);
-            time = std::min(time, closed ? leaving_time(gap, bounds.vertex_third, fourth, rounding)
-                                  // Half of it: the whole may lead to the wall itself.
-                                  : lifts            ? T(T(0.5) * safe_step_off_the_wall(gap, bounds.vertex_third))
-                                  : gap.value < T(0) ? T(T(0.5) * safe_step(gap, bounds.vertex_third))
-                                                     : T(0));
+            time =
+                std::min(time, closed ? leaving_time(gap, bounds.vertex_third, fourth, rounding)
+                               // Half of it: the whole may lead to the wall itself.
+                               : lifts && gap.rate < T(0) ? T(T(0.5) * safe_step_off_the_wall(gap, bounds.vertex_third))
+                               : gap.value < T(0)         ? T(T(0.5) * safe_step(gap, bounds.vertex_third))
+                                                          : T(0));
         }
         if (time > T(0)) advance<shape>(flight, at, time);
         look_around(body, flight, at, pair);
-        const auto is_inside = [](const Gap<T>& gap) { return gap.value < T(0) || has_lifted(gap); };
-        if (is_inside(pair.first.gap) && is_inside(pair.second.gap)) return true;
+        leave_without_rounding(body, flight, departures, at, pair.first);
+        leave_without_rounding(body, flight, departures, at, pair.second);
+        if (pair.first.gap.value < T(0) && pair.second.gap.value < T(0)) return true;
     }
     at = start;
     return false;
@@ -79,11 +76,12 @@ std::optional<FirstContact<T>> contact_after_release(const Body<T>& body, const 
     FirstContact<T> contact;
     contact.at = instant_at_start(flight);
     const auto bounds = detail::bounds_of<shape>(body, flight);
-    if (!detail::leave_wall<shape>(body, flight, bounds, contact.at)) return {};
+    detail::Departures<T> departures;
+    if (!detail::leave_wall<shape>(body, flight, bounds, departures, contact.at)) return {};
     if constexpr (shape == Shape::disk)
         detail::advance_to_contact_disk(body, flight, bounds, contact);
     else
-        detail::advance_to_contact_polygon(body, flight, bounds, contact);
+        detail::advance_to_contact_polygon(body, flight, bounds, departures, contact);
     return contact;
 }
 

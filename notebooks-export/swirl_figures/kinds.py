@@ -29,6 +29,12 @@ def _with(group, column=None):
 
 _simulate = _with("collisions")
 
+
+def _describes(record):
+    """Other records list the attracting modes of a scene beside what orbits came to."""
+    return "steady_modes" in record and not {"runs", "sweep", "columns"} & set(record.groups)
+
+
 #: By name; a record's first match is its default.
 KINDS = {
     "orbit": Kind(_simulate, orbit.draw_into, orbit.size),
@@ -45,7 +51,7 @@ KINDS = {
     "spectrum": Kind(_with("spectrum", "frequency"), spectrum.draw_into, spectrum.size),
     "recurrence": Kind(_with("recurrence", "RR"), recurrence.draw_into, recurrence.size),
     "lyapunov": Kind(_with("lyapunov", "exponents"), lyapunov.draw_into, lyapunov.size),
-    "steady-modes": Kind(_with("steady_modes"), steady_modes.draw_into, steady_modes.size),
+    "steady-modes": Kind(_describes, steady_modes.draw_into, steady_modes.size),
     "tour": Kind(tour.is_tour, tour.draw_into, tour.size),
     "tradeoff": Kind(_with("rungs"), tradeoff.draw_into, tradeoff.size),
 }

@@ -22,10 +22,22 @@ def _missed(count, flights, most):
     return f"missed {count:.0f} of {flights:,.0f}" + (f" (below {most:.1g} at 95 %)" if count == 0 else "")
 
 
-def _label_rung(axes, x, y, words, chosen):
-    axes.annotate(words, (x, y), xytext=(9, 0), textcoords="offset points", fontsize="small", va="center",
+def _lowered(seconds, error, kept, decades):
+    """By how many points the label of each rung stands below its marker. Of rungs with like errors the slowest has its
+    own at its side, the fastest below, and those between above."""
+    lowered = numpy.zeros(len(error))
+    for i in numpy.flatnonzero(kept):
+        like = kept & (abs(numpy.log10(numpy.where(kept, error, 1) / error[i])) < 0.08 * decades)
+        slower, faster = (like & (seconds > seconds[i])).sum(), (like & (seconds < seconds[i])).sum()
+        if slower > 0:
+            lowered[i] = 22 if faster == 0 else -26 * slower
+    return lowered
+
+
+def _label_rung(axes, x, y, words, chosen, lowered=0):
+    axes.annotate(words, (x, y), xytext=(9, -lowered), textcoords="offset points", fontsize="small", va="center",
                   color=VERMILION if chosen else "0.2", weight="bold" if chosen else "normal", clip_on=False,
-                  bbox={"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.85})
+                  bbox={"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.85}, zorder=1)
 
 
 def _draw_precision(axes, record, recommended):
@@ -34,6 +46,8 @@ def _draw_precision(axes, record, recommended):
     names, seconds, error = record.names("rungs", "name"), column("seconds_per_collision"), column("error")
     kept = (error > 0) & (seconds > 0)
     floor = 1e-3 * error[kept].min() if kept.any() else 1e-20
+    decades = numpy.log10(max(1e3, 30 * column("error_largest")[kept].max() / floor)) if kept.any() else 1
+    lowered = _lowered(seconds, error, kept, decades)
     for i, name in enumerate(names):
         if not seconds[i] > 0:
             continue
@@ -47,7 +61,7 @@ def _draw_precision(axes, record, recommended):
             words = f"{name}, {_time(seconds[i])}"
             if not is_narrow(axes.figure) or column("missed_contacts")[i] > 0:
                 words += "\n" + _missed(column("missed_contacts")[i], column("flights")[i], column("missed_rate_most")[i])
-            _label_rung(axes, seconds[i], error[i], "recommended: " * chosen + words, chosen)
+            _label_rung(axes, seconds[i], error[i], "recommended: " * chosen + words, chosen, lowered[i])
         elif i == len(names) - 1:
             axes.plot(seconds[i], floor, "v", ms=7, color=GREY, clip_on=False)
             words = f"{name}, {_time(seconds[i])}" + "\nthe others are compared with it" * (not is_narrow(axes.figure))

@@ -69,8 +69,10 @@ std::vector<double> shares_of_estimate(int sides, Law law, double v) {
     tests::Random random(17 + sides + 100 * static_cast<int>(law));
     std::vector<double> shares;
     for (int i = 0; i < 400; ++i) {
-        Scene<double> s = tests::random_scene(random, sides, random.chance(0.3) ? 0 : random.between(0, 1),
-                                              random.between(0, 0.9), law);
+        // Named, as the order in which a call's arguments are drawn is the compiler's.
+        const double restitution = random.between(0, 0.9);
+        const double mu = random.chance(0.3) ? 0 : random.between(0, 1);
+        const Scene<double> s = tests::random_scene(random, sides, mu, restitution, law);
         SectionPoint<double> z = tests::random_point(random, s, v);
         const ContactScene scene = tests::contact_of(s);
         if (std::abs(z.chi) > 0.9 * scene.widest_chi && sides != disk_sides) continue;

@@ -90,6 +90,58 @@ TEST(SearchAtExtremes, ABodyAtRestThatSpinsByAFractionHasNoContact) {
               Outcome::no_contact);
 }
 
+/// A vertex that leaves with u_n = 0, exactly in every number type, with speeds of 2⁻⁴⁰ in a swirl of 2⁻⁸⁰.
+template <class T>
+Flight<T> leaving_flight() {
+    Flight<T> flight;
+    flight.arm = {T(0.3), T(0.4)};
+    flight.centre = {T(1) - flight.arm.x, -flight.arm.y};
+    flight.spin = T(std::ldexp(1.0, -40));
+    flight.velocity = {flight.spin * flight.arm.y, T(std::ldexp(-0.75, -40))};
+    flight.phase = {T(-1), T(0)};
+    flight.beta = T(std::ldexp(1.0, -80));
+    flight.struck = true;
+    return flight;
+}
+
+// Plainly formed, the gap is rounding until τ = ε/2⁻⁴⁰ = 2⁻¹² and has half of its digits at τ = 2¹⁴ only.
+TEST(SearchAtExtremes, AVertexThatLeavesSlowlyKeepsTheDigitsOfItsGap) {
+    const Body<double> body = make_body(scene_of(5, 0.5, std::ldexp(1.0, -80)));
+    const auto flight = leaving_flight<double>();
+    const auto exact_flight = leaving_flight<Quad>();
+    detail::Candidate<double> vertex{0, flight.arm, struck_gap_at_start(flight)};
+    const auto departure = detail::departure_of(body, flight, instant_at_start(flight), vertex, false);
+    ASSERT_TRUE(departure.leaves);
+    for (const double time : {1e-6, 1e-3, 0.1, 0.24, 0.26, 1.0, 3.0, 10.0, 1e3, 1e6, 1e9}) {
+        const auto at = instant_at<Shape::polygon>(flight, time);
+        const auto exact = struck_gap(exact_flight, instant_at<Shape::polygon>(exact_flight, Quad(time)));
+        vertex.arm = at.arm;
+        vertex.gap = struck_gap(flight, at);
+        const double size = detail::gap_of_departure(flight, departure, at, vertex);
+        const double value = static_cast<double>(exact.value), rate = static_cast<double>(exact.rate);
+        EXPECT_LT(value, 0) << time;
+        EXPECT_LE(std::abs(vertex.gap.value - value), 1e-13 * size) << time;
+        EXPECT_LE(std::abs(vertex.gap.value - value), 1e-12 * std::abs(value)) << time;
+        EXPECT_LE(std::abs(vertex.gap.rate - rate), 1e-12 * std::abs(rate)) << time;
+    }
+}
+
+// A body that spins 10¹² times faster than it moves meets the wall after 10¹¹ units of time, each known to 10⁻⁵.
+TEST(SearchAtExtremes, FastSpinAfterALongFlightPutsTheVertexOnTheWall) {
+    for (const int sides : {3, 5, 8})
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            Random random(seed);
+            const LabStart<double> start{0, 0, 1e-12, 0, random.angle(), random.log_between(1e2, 1e4)};
+            with_collision_map(scene_of(sides, 0.6, 0), [&](const auto& map) {
+                constexpr Shape shape = std::decay_t<decltype(map)>::shape;
+                const auto contact = first_contact<shape>(map.body(), flight_from(map.body(), start));
+                ASSERT_EQ(contact.outcome, FirstContactOutcome::contact);
+                const Vec2<double> x = contact.at.centre + contact.arm;
+                EXPECT_NEAR(std::sqrt(dot(x, x)), 1, 1e-14) << sides << " sides, seed " << seed;
+            });
+        }
+}
+
 template <class T>
 T worst_gap(int sides) {
     using std::fabs;

@@ -74,6 +74,19 @@ TEST(WoundAngle, LosesNothingOverManyTurns) {
     EXPECT_LT(angle.phase, 2 * M_PI);
 }
 
+TEST(WoundAngle, CountsTurnsBeyondThoseThatADoubleHolds) {
+    WoundAngle<double> angle;
+    angle.add(2e17);
+    double before = angle.unwound();
+    const double start = before;
+    for (int i = 0; i < 1'000'000; ++i) {
+        angle.add(1.7);
+        ASSERT_GE(angle.unwound(), before) << i;
+        before = angle.unwound();
+    }
+    EXPECT_NEAR(before - start, 1.7e6, 64);  // two roundings of 2·10¹⁷
+}
+
 /// The laboratory's state half-way through a flight, turned so that the swirl's arm lies along x again.
 LabStart<double> half_way(const LabState<double>& s, const LabFrame<double>& frame, double half) {
     const double turn = -(frame.time.phase + half);

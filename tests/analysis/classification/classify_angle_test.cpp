@@ -108,17 +108,23 @@ TEST(ClassifyAngle, AConstantSpinIsSteadyHoweverTheAngleIsRounded) {
 }
 
 TEST(ClassifyAngle, RoundingThatNoiseDoesNotHideGivesNoWrongVerdict) {
+    int undecided = 0;
+    const auto expect = [&](Mode found, Mode right, double noise) {
+        undecided += found == Mode::undecided ? 1 : 0;
+        EXPECT_TRUE(found == right || found == Mode::undecided) << noise;
+    };
     for (const double noise : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0})  // of the unit
         for (unsigned seed = 1; seed <= 5; ++seed) {
             const double unit = 0.5 * degree;
             const auto verdict = [&](auto spin) {
                 return classify_angle(rounded(angle_of(1800, noise * unit, spin, seed), unit), spacing, {}, unit).mode;
             };
-            EXPECT_EQ(verdict(constant), Mode::steady) << noise;
-            EXPECT_EQ(verdict(cycle), Mode::quasi_steady) << noise;
-            EXPECT_EQ(verdict(torus), Mode::quasi_steady) << noise;
-            EXPECT_EQ(verdict(chaos), Mode::chaotic) << noise;
+            expect(verdict(constant), Mode::steady, noise);
+            expect(verdict(cycle), Mode::quasi_steady, noise);
+            expect(verdict(torus), Mode::quasi_steady, noise);
+            expect(verdict(chaos), Mode::chaotic, noise);
         }
+    EXPECT_LE(undecided, 6) << "of 120";
 }
 
 TEST(ClassifyAngle, AWeakContinuumBesideLinesIsNotQuasiSteady) {

@@ -1,6 +1,6 @@
 """Records that are damaged, edited, packed anew: damaged_records_test.py SWIRL [COUNT]
 
-Each of COUNT damaged copies (10 unless given) goes to every reader: exit 2 and one line, whatever was damaged; and once
+Each of COUNT damaged copies (6 unless given) goes to every reader: exit 2 and one line, whatever was damaged; and once
 more without its checksum, where an answer is allowed, but neither a crash nor a hang."""
 
 import random
@@ -12,7 +12,7 @@ import h5py
 
 from driving import InFolder, document, run
 
-COUNT = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 10
+COUNT = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 6
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 SWEEP = "sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.2:0.8:3 --transient 100 --collisions 64"
 HEAD = 512

@@ -1,6 +1,7 @@
 """Drives the built `swirl` as a user does. The first argument of the script that imports this is the binary."""
 
 import json
+import os
 import shlex
 import signal
 import subprocess
@@ -11,6 +12,16 @@ import unittest
 from pathlib import Path
 
 SWIRL = str(Path(sys.argv.pop(1)).resolve())
+#: A sanitizer's build, some eight times slower, looks for bad memory in the same paths with fewer repeats.
+SANITIZED = os.environ.get("SWIRL_SANITIZED") == "1"
+
+
+def sized(full, fewer):
+    return fewer if SANITIZED else full
+
+
+#: What a search for cycles is given besides: nothing, or less to search.
+SEARCH = sized("", "--starts 100 --trajectories 1 --collisions 200")
 
 
 def _refuse(constant):

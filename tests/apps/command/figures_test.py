@@ -29,7 +29,7 @@ SHORT = "--transient 1000 --collisions 2000"
 COMMANDS = {
     "orbit": f"simulate {CHAOTIC} --collisions 500",
     "wall": "simulate --sides disk --alpha 0.1 --beta 0.05 --mu 0.4 --restitution 0.3 --time 60 --sample 0.02",
-    "verdict": f"classify {HEXAGON} {SHORT}",
+    "verdict": f"classify {HEXAGON} {SHORT} --exhaustive",
     "runs": f"classify {HEXAGON} {SHORT} --runs 4",
     "recurrence": f"recurrence {CHAOTIC} {SHORT} --image 60",
     "thresholds": f"recurrence {CHAOTIC} {SHORT} --threshold 0.1,0.2,0.3",

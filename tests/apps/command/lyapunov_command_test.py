@@ -9,7 +9,7 @@ from pathlib import Path
 
 import xarray
 
-from driving import document, run
+from driving import document, run, sized
 
 REFERENCES = Path(sys.argv.pop(1))
 
@@ -17,7 +17,7 @@ REFERENCES = Path(sys.argv.pop(1))
 class Lyapunov(unittest.TestCase):
     def test_cycles_have_the_logarithms_of_their_multipliers(self):
         largest = 0
-        for case in json.loads((REFERENCES / "cycles.json").read_text())["cycles"]:
+        for case in json.loads((REFERENCES / "cycles.json").read_text())["cycles"][::sized(1, 4)]:
             flags = " ".join(f"--{k} {case[k]}" for k in ("sides", "alpha", "beta", "mu", "restitution", "law"))
             point = ",".join(case["point"][k] for k in ("psi", "chi", "vn", "vt", "S"))
             found = document(f"lyapunov {flags} --point={point} --transient 1000 --collisions 20000")
@@ -30,10 +30,10 @@ class Lyapunov(unittest.TestCase):
                     error = abs(exponent - math.log(modulus) / case["period"])
                     largest = max(largest, error)
                     self.assertLess(error, 1e-6, (flags, modulus))
-        print(f"20 cycles: largest error of an exponent {largest:.1e}")
+        print(f"largest error of an exponent {largest:.1e}")
 
     def test_without_friction_and_loss_exponents_pair_to_zero(self):
-        for sides in ("3", "6", "1000", "disk"):
+        for sides in sized(("3", "6", "1000", "disk"), ("6", "disk")):
             found = document(f"lyapunov --sides {sides} --alpha 0.3 --beta 0.5 --mu 0 --restitution 1 "
                              "--collisions 20000")
             exponents, errors = found["exponents"], found["standard_errors"]

@@ -5,7 +5,7 @@ import unittest
 
 import xarray
 
-from driving import Keeping, Refusing, document, run
+from driving import SEARCH, Keeping, Refusing, document, run, sized
 
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 POINT = "-0.083922288419212287574,0.027966794811174552721,-0.55420644250323559488,0.88979354385790028771,-0.97926605821858726645"
@@ -13,7 +13,7 @@ POINT = "-0.083922288419212287574,0.027966794811174552721,-0.5542064425032355948
 
 class Orbits(Refusing):
     def test_the_published_fixed_point_is_found_with_its_multipliers(self):
-        found = document(f"orbits {HEXAGON} --period 1")["orbits"]
+        found = document(f"orbits {HEXAGON} --period 1 {SEARCH}")["orbits"]
         wanted = [float(x) for x in POINT.split(",")]
         best = min(found, key=lambda o: abs(o["points"][0]["S"] - wanted[4]))
         for name, value in zip(("psi", "chi", "vn", "vt", "S"), wanted):
@@ -111,7 +111,8 @@ class Orbits(Refusing):
         records = []
         for threads in (1, 2):
             path = self.folder / f"{threads}.h5"
-            self.assertEqual(run(f"orbits {HEXAGON} --max-period 2 --threads {threads} -o {path} --quiet").returncode, 0)
+            flags = f"--max-period 2 --threads {threads} {SEARCH}"
+            self.assertEqual(run(f"orbits {HEXAGON} {flags} -o {path} --quiet").returncode, 0)
             records.append(path.read_bytes())
         self.assertEqual(*records)
         orbits = xarray.open_dataset(self.folder / "1.h5", group="orbits", engine="h5netcdf")
@@ -122,7 +123,7 @@ class Orbits(Refusing):
         # A 3-cycle with an impact at u_n = 0.02 and a multiplier of 8e4: its other points, where the given one leads to, are
         # 8e4 times farther off.
         cycle = (-3.140464623458104, 0.0008869223756284513, -0.018611351111013124, 0.09296616479760035, -1.4824151997686588)
-        for size in (1e-3, 1e-6):
+        for size in sized((1e-3, 1e-6), (1e-6,)):
             found = given = 0
             for i in range(5):
                 for sign in (size, -size):
@@ -137,16 +138,16 @@ class Orbits(Refusing):
             self.assertGreaterEqual(given, 9)
 
     def test_an_orbit_that_ends_says_how_far_it_came(self):
-        result = run("orbits --sides disk --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.1 --near=0,-0.001,0.1,-1 --period 9 --json")
+        result = run("orbits --sides disk --alpha 0.4 --beta 0.1 --mu 2 --restitution 0.1 --near=0,-0.001,0.1,-1 --period 9 --json")
         answer = json.loads(result.stdout)
         self.assertEqual((result.returncode, answer["residual"], answer["candidates"]), (3, None, 0))
         self.assertIn("impacts", answer["limits"][0])
 
     def test_cycles_without_restitution_can_be_given_back(self):
         scene = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0"
-        found = document(f"orbits {scene} --period 1 --starts 100 --trajectories 2")["orbits"]
+        found = document(f"orbits {scene} --period 1 --starts 100 --trajectories {sized(2, 1)}")["orbits"]
         self.assertGreaterEqual(len(found), 3)
-        for orbit in found:
+        for orbit in found[:sized(len(found), 5)]:
             point = ",".join(repr(orbit["points"][0][name]) for name in ("psi", "chi", "vn", "vt", "S"))
             again = document(f"orbits {scene} --near={point}")
             self.assertLess(again["distance"], 1e-9)

@@ -80,8 +80,8 @@ class Figures(WithRecords):
     def test_every_record_is_drawn(self):
         from matplotlib.image import imread
         for name in self.records:
-            pixels = imread(self.draw(name, "png"))[..., :3]
-            colours = numpy.unique((pixels.reshape(-1, 3) * 255).astype(int), axis=0)
+            pixels = (imread(self.draw(name, "png"))[..., :3] * 255).astype(int)
+            colours = numpy.unique(pixels @ [1 << 16, 1 << 8, 1])  # as one number: rows take seconds to sort
             self.assertGreater(len(colours), 20, name)
 
     def test_every_format_is_written(self):
@@ -97,12 +97,10 @@ class Figures(WithRecords):
         self.assertEqual(json.loads(result.stdout)["kind"], "spin", result.stderr)
 
     def test_equal_records_give_equal_figures(self):
-        for suffix in HEADS:
-            contents = set()
-            for name in ("a", "b"):
-                run(f"plot {self.records['chaotic']} -o {self.folder}/{name}.{suffix} --quiet")
-                contents.add((self.folder / f"{name}.{suffix}").read_bytes())
-            self.assertEqual(len(contents), 1, suffix)
+        for suffix in HEADS:  # from two processes: the command and this one
+            here, there = self.draw("chaotic", suffix), self.folder / f"command.{suffix}"
+            run(f"plot {self.records['chaotic']} -o {there} --quiet")
+            self.assertEqual(here.read_bytes(), there.read_bytes(), suffix)
 
     def test_titles_and_axes_have_symbols(self):
         def texts(figure):
@@ -131,7 +129,7 @@ class Figures(WithRecords):
         numpy.testing.assert_array_equal(sorted(map(tuple, solid)), sorted(map(tuple, dashed)))
 
     def test_a_name_is_only_a_name(self):
-        for name in ("a b.png", "$(touch x).png", "-dash.png", "quote'\".svg"):
+        for name in ("-dash $(touch x).png", "quote'\".svg"):
             result = run(["plot", str(self.records["single"]), f"--output={name}"], cwd=self.folder)
             self.assertEqual(result.returncode, 0, (name, result.stderr))
             self.assertTrue((self.folder / name).is_file())

@@ -160,6 +160,29 @@ class KnownEndings(unittest.TestCase):
         "a million sides": "--sides 1000000 --alpha 0.999999 --beta 0.5 --mu 0.5 --restitution 0.9",
     }
 
+    # Of the draw: vertices that leave with u_n = 0 in a weak swirl (16, 494, 537, 657, 723, 728), bodies that reach the
+    # wall within rounding for longer than the swirl turns (96, 712, 868), an edge's two vertices striking in turn with
+    # ever less (774), fast spin after a long flight (174, 593), a vertex that turns away just before the wall (587),
+    # more turns of the swirl than a double can count (215, 425).
+    DRAWN = (16, 96, 174, 215, 425, 494, 537, 587, 593, 657, 712, 723, 728, 774, 868)
+
+    def test_drawn_scenes_stay_inside_and_have_a_name(self):
+        for number in self.DRAWN:
+            flags = scene_of(number)
+            found, seconds = follow(words("simulate", flags, f"--collisions={IMPACTS}"))
+            self.assertEqual(troubles_of_orbit(flags, found), [], number)
+            self.assertNotEqual(found["outcome"], "unresolved", number)
+            self.assertLess(seconds, MOST_SECONDS, number)
+
+    # Of the draw: long swings on the wall in a weak swirl, a landing at each impact.
+    DEAR = (88, 186, 749)
+
+    def test_verdicts_on_impacts_that_cost_much_come_within_seconds(self):
+        for number in self.DEAR:
+            judged, seconds = follow(words("classify", scene_of(number)))
+            self.assertLess(seconds, MOST_SECONDS, number)
+            self.assertIn(judged["mode"], ("chaotic", "quasi-steady", "steady", "undecided"), number)
+
     def test_they_have_a_name(self):
         for name, flags in self.SCENES.items():
             found, seconds = follow([SWIRL, "simulate", *flags.split(), f"--collisions={IMPACTS}", "--json"])

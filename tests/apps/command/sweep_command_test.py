@@ -7,11 +7,12 @@ import unittest
 
 import xarray
 
-from driving import InFolder, document, run, start
+from driving import InFolder, document, run, sized, start
 
 BASE = "--sides 6 --mu 0.5 --restitution 0.95 --transient 300 --collisions 300"
 GRID = f"{BASE} --grid alpha=0.2:0.7:6 --grid beta=0.1:0.9:5 --runs 2"
-LONG = f"{BASE} --grid alpha=0.2:0.7:26 --grid beta=0.1:0.9:25 --runs 4"
+COLUMNS = sized(13, 3)
+LONG = f"{BASE} --grid alpha=0.2:0.7:{COLUMNS} --grid beta=0.1:0.9:25 --runs 4"
 
 
 class BadGrids(InFolder):
@@ -70,7 +71,7 @@ class SteadyModes(InFolder):
 
 class Refined(InFolder):
     TREE = "--sides 6 --mu 0.5 --restitution 0.95 --transient 400 --collisions 200 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4"
-    FULL = TREE.replace(":4", ":13")
+    FULL = TREE.replace(":4", ":13")  # what --refine 2 makes of it
 
     def test_a_tree_has_the_full_grids_cells_where_it_looked_and_its_neighbours_elsewhere(self):
         tree, full = self.folder / "tree.h5", self.folder / "full.h5"
@@ -92,7 +93,7 @@ class Refined(InFolder):
                 self.assertTrue((record["impacts_spent"].values[~seen] == 0).all())
 
     def test_killed_and_continued_it_is_the_same_record(self):
-        longer = self.TREE.replace("--collisions 200", "--collisions 4000") + " --refine 2 --exhaustive --quiet"
+        longer = self.TREE.replace("--collisions 200", f"--collisions {sized(4000, 400)}") + " --refine 2 --exhaustive --quiet"
         whole, cut = self.folder / "whole.h5", self.folder / "cut.h5"
         begin = time.monotonic()
         self.assertEqual(run(f"sweep {longer} -o {whole}").returncode, 0)
@@ -201,6 +202,7 @@ class Sweeps(InFolder):
 
     def test_fewer_impacts_give_the_verdicts_of_all(self):
         scene = GRID.replace("--transient 300 --collisions 300", "--transient 3000 --collisions 3000")
+        scene = sized(scene, scene.replace(":6", ":3").replace(":5", ":2"))
         few, all_ = document(f"sweep {scene}"), document(f"sweep {scene} --exhaustive")
         self.assertEqual((few["settings"]["exhaustive"], all_["settings"]["exhaustive"]), (False, True))
         spent = {"few": 0, "all": 0}
@@ -249,7 +251,8 @@ class Sweeps(InFolder):
         self.assertFalse((self.folder / ".cut.h5.journal").exists())
 
     def test_interrupted_it_says_what_is_kept_if_a_record_was_asked_for(self):
-        kept = r"^swirl: interrupted; [1-9]\d* of 2600 runs are kept: the same command goes on from there$"
+        kept = r"^swirl: interrupted; [1-9]\d* of {} runs are kept: the same command goes on from there$"
+        kept = kept.format(100 * COLUMNS)
         longer = LONG.replace("--collisions 300", "--collisions 20000")
         for flags, said in ((f"-o {self.folder}/a.h5", kept), (f"-o {self.folder}/b.h5 --quiet", "^$"), ("", "^$")):
             process = start(f"sweep {longer} {flags}", stderr=subprocess.PIPE, text=True)

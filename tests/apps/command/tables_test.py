@@ -6,7 +6,7 @@ import unittest
 
 import xarray
 
-from driving import InFolder, document, run
+from driving import SEARCH, InFolder, document, run
 
 CYCLE = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"
 CHAOS = "--sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1"
@@ -45,7 +45,7 @@ class Classify(unittest.TestCase):
     def test_quiet_prints_nothing_anywhere(self):
         for command in (f"classify {CYCLE} {SHORT}", f"classify {CYCLE} {SHORT} --runs 2", "tour",
                         f"simulate {CYCLE}", f"describe {CYCLE}", f"lyapunov {CYCLE} {SHORT}",
-                        f"orbits {CYCLE} --period 1", f"recurrence {CYCLE} {SHORT}", f"spectrum {CYCLE} {SHORT}",
+                        f"orbits {CYCLE} --period 1 {SEARCH}", f"recurrence {CYCLE} {SHORT}", f"spectrum {CYCLE} {SHORT}",
                         f"sweep --sides 6 --beta 0.5 --mu 0.5 --restitution 0.9 --grid alpha=0.3:0.4:2 {SHORT}",
                         f"bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.9 --along alpha=0.3:0.4:2 {SHORT}"):
             result = run(command + " --quiet")

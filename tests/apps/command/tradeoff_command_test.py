@@ -145,7 +145,8 @@ class Regimes(unittest.TestCase):
     def test_an_orbit_that_comes_to_roll_is_compared_up_to_there(self):
         found = self.check(ROLLS, "quasi-steady", "in-contact")
         self.assertEqual(found["flights"]["outcome"], "in-contact")
-        self.assertEqual({row["outcome"] for row in found["rungs"]}, {"in-contact"})
+        proven = [row["outcome"] for name, row in rungs(found).items() if name in ("double", "extended", "quad")]
+        self.assertEqual(set(proven), {"in-contact"})  # searches to compare with may lose the body near the wall
         self.assertEqual(found["recommended"], "double")
 
     def test_an_orbit_that_leads_through_contact(self):

@@ -4,7 +4,7 @@ import unittest
 
 import xarray
 
-from driving import InFolder, document, run
+from driving import SEARCH, InFolder, document, run
 
 # Powers of two, so that the conversions are exact and the orbits the same to the bit.
 LENGTH, RATE, MASS = 2.0, 4.0, 8.0
@@ -96,7 +96,7 @@ class Records(InFolder):
                 ("classify --runs 2", "runs", "mean_S", RATE), ("sweep --grid mu=0.5:0.6:2", "sweep", "mean_S", RATE),
                 ("spectrum", "spectrum", "frequency", RATE), ("orbits --period 1", "orbits", "return_time", 1 / RATE)):
             record = self.folder / "r.h5"
-            more = "--quiet" if command.startswith("orbits") else flags
+            more = f"{SEARCH} --quiet" if command.startswith("orbits") else flags
             self.assertEqual(run(f"{command} {PHYSICAL} {more} -o {record}").returncode, 0, command)
             with xarray.open_dataset(record, group=group, engine="h5netcdf") as data:
                 self.assertEqual(data[column].attrs["physical_scale"], scale, command)

@@ -88,7 +88,7 @@ Comparison compare(long count, std::uint64_t seed) {
 }
 
 TEST(Sequential, VerdictsAreThoseOfAllImpacts) {
-    const Comparison found = compare(tests::sample_count(60), 20261122);
+    const Comparison found = compare(tests::sample_count(16), 20261122);
     EXPECT_EQ(found.different, 0);
     EXPECT_LT(found.few, found.all);
 }

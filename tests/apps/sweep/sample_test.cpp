@@ -40,7 +40,7 @@ TEST(SweepSample, SobolsSequenceIsTheKnownOne) {
 }
 
 TEST(SweepSample, PointsLieInTheBoxAndSidesAreWhole) {
-    GridForm form{sample_from("sobol:64"), 1, 0};
+    GridForm form{sample_from("latin:64"), 1, 0};
     const auto grid = grid_from({"alpha=0.2:0.6", "sides=3:6"}, form);
     EXPECT_EQ(cell_count(grid), 64u);
     std::vector<int> sides(7, 0);

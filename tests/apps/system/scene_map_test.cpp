@@ -64,10 +64,10 @@ TEST(SceneMap, FollowsTheOrbitOfSimulateBitForBit) {
             // What repeats itself is left out, and what has no next impact ends: both without another bit.
             State all_at_once = begin.state;
             const auto steps = static_cast<std::int64_t>(states.size()) - 1;
-            EXPECT_EQ(map.follow(all_at_once, steps, {}), steps);
+            EXPECT_EQ(analysis::follow(map, all_at_once, steps), steps);
             EXPECT_TRUE(same_bits(all_at_once, states.back()));
             if (states.size() < 3000) {
-                EXPECT_EQ(map.follow(all_at_once, 10, {}), 0);
+                EXPECT_EQ(analysis::follow(map, all_at_once, 10), 0);
             }
         });
     }
@@ -93,7 +93,7 @@ TEST(SceneMap, StopsWhenItIsTold) {
     with_scene_map(scenes[0], [&](const auto& map) {
         State z = begin_orbit(map, random_start(0.5, paper_speed, 1, 0)).state;
         int asked = 0;
-        const auto steps = map.follow(z, 1'000'000'000, [&] { return ++asked == 3; });
+        const auto steps = analysis::follow(map, z, 1'000'000'000, [&] { return ++asked == 3; });
         EXPECT_GT(steps, 0);
         EXPECT_LT(steps, 100'000);
     });

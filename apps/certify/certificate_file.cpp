@@ -1,0 +1,138 @@
+#include "apps/certify/certificate_file.hpp"
+
+#include "apps/command_line/errors.hpp"
+#include "apps/command_line/text_file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <boost/crc.hpp>
+#include <cstdint>
+
+namespace swirl::apps::certify {
+
+namespace {
+
+using Json = nlohmann::json;
+using proof_check::StatedCycle;
+using proof_check::StatedStep;
+
+constexpr std::string_view before_checksum = ",\n  \"checksum\": \"crc-64/xz ";
+
+std::uint64_t crc_of(std::string_view bytes) {
+    boost::crc_optimal<64, 0x42F0E1EBA9EA3693U, ~std::uint64_t{0}, ~std::uint64_t{0}, true, true> crc;
+    crc.process_bytes(bytes.data(), bytes.size());
+    return crc.checksum();
+}
+
+std::string tail_of(std::string_view document) {
+    return fmt::format("{}{:016x}\"\n}}\n", before_checksum, crc_of(document));
+}
+
+std::array<double, 5> coordinates_in(const Json& z) {
+    const auto at = [&z](const char* name) { return z.at(name).get<double>(); };
+    return {at("psi"), z.contains("chi") ? at("chi") : 0.0, at("vn"), at("vt"), at("S")};
+}
+
+void read_scene(const Json& scene, StatedCycle& cycle) {
+    const Json& sides = scene.at("sides");
+    cycle.sides = sides.is_string() ? (sides.get<std::string>() == "disk" ? 0 : -1) : sides.get<int>();
+    cycle.alpha = scene.at("alpha").get<double>();
+    cycle.beta = scene.at("beta").get<double>();
+    cycle.mu = scene.at("mu").get<double>();
+    cycle.restitution = scene.at("restitution").get<double>();
+    cycle.law = scene.at("law").get<std::string>();
+    cycle.inertia_factor = scene.at("inertia_factor").get<double>();
+}
+
+/// The parameter in which an orbit's scene differs from the document's.
+void read_parameters(const Json& parameters, StatedCycle& cycle) {
+    for (const auto& [name, value] : parameters.items()) {
+        double* const place = name == "alpha"            ? &cycle.alpha
+                              : name == "beta"           ? &cycle.beta
+                              : name == "mu"             ? &cycle.mu
+                              : name == "restitution"    ? &cycle.restitution
+                              : name == "inertia-factor" ? &cycle.inertia_factor
+                                                         : nullptr;
+        if (place == nullptr) throw BadInput(fmt::format("'{}' is no parameter of a scene", name));
+        *place = value.get<double>();
+    }
+}
+
+StatedCycle cycle_in(const Json& document, const Json& orbit) {
+    StatedCycle cycle;
+    read_scene(document.at("scene"), cycle);
+    cycle.uniform_lamina = orbit.at("inertia").get<std::string>() == "uniform lamina";
+    read_parameters(orbit.at("parameters"), cycle);
+    for (const Json& step : orbit.at("steps")) {
+        StatedStep stated;
+        stated.point = coordinates_in(step.at("point"));
+        stated.radius = coordinates_in(step.at("half_widths"));
+        stated.time = step.at("flight_time").get<double>();
+        stated.time_radius = step.at("flight_time_half_width").get<double>();
+        stated.vertex_step = step.at("vertex_step").get<int>();
+        stated.contact_mode = step.at("contact_mode").get<std::string>();
+        stated.slip = step.at("slip").get<int>();
+        cycle.steps.push_back(stated);
+    }
+    for (const Json& disc : orbit.at("multipliers"))
+        cycle.multipliers.push_back({disc.at(0).get<double>(), disc.at(1).get<double>(), disc.at(2).get<double>()});
+    cycle.stability = orbit.at("stability").get<std::string>();
+    const Json& phase = orbit.at("phase");
+    if (!phase.is_null()) {
+        const bool by_time = phase.contains("tau");
+        cycle.phase = StatedCycle::Phase{by_time, phase.at(by_time ? "tau" : "S").get<double>()};
+    }
+    if (orbit.at("period").get<std::size_t>() != cycle.steps.size())
+        throw BadInput(
+            fmt::format("its period is {}, but it has {} steps", orbit.at("period").dump(), cycle.steps.size()));
+    // What is said twice is said alike.
+    double widest = 0;
+    for (const StatedStep& step : cycle.steps) {
+        widest = std::max(widest, step.time_radius);
+        for (const double radius : step.radius) widest = std::max(widest, radius);
+    }
+    if (!cycle.steps.empty() &&
+        (orbit.at("radius").get<double>() != widest || coordinates_in(orbit.at("point")) != cycle.steps[0].point))
+        throw BadInput("its point and radius are not those of its steps");
+    return cycle;
+}
+
+}  // namespace
+
+std::string with_checksum(std::string open) {
+    return open + tail_of(open);
+}
+
+bool looks_like_certificate(const std::string& text) {
+    return text.find("\"certificate\": \"swirl\"") != std::string::npos;
+}
+
+StatedCertificate read_certificate(const std::string& file) {
+    constexpr std::size_t most = std::size_t{256} << 20U;
+    const std::string text = read_text("certificate", file, most);
+    const auto refuse = [&](const std::string& why) {
+        return BadInput(fmt::format("certificate '{}': {}", file, why));
+    };
+    if (!looks_like_certificate(text)) throw refuse("it is none; swirl certify --json or -o writes one");
+    const auto end = text.rfind(before_checksum);
+    if (end == std::string::npos || text.substr(end) != tail_of(std::string_view(text).substr(0, end)))
+        throw refuse("it was changed after it was written: its checksum is another");
+    StatedCertificate stated;
+    try {
+        const Json document = Json::parse(text);
+        stated.all = document.contains("all") && !document.at("all").is_null();
+        for (const Json& orbit : document.at("orbits")) {
+            ++stated.orbits;
+            if (orbit.at("proven").get<bool>()) stated.proven.push_back({stated.orbits, cycle_in(document, orbit)});
+        }
+    } catch (const Json::exception& error) {
+        throw refuse(error.what());
+    } catch (const BadInput& error) {
+        throw refuse(error.what());
+    }
+    return stated;
+}
+
+}  // namespace swirl::apps::certify

@@ -1,0 +1,33 @@
+// Certificates as text: JSON with a checksum of all that comes before it.
+#pragma once
+
+#include "map/proof_check/stated_cycle.hpp"
+
+#include <string>
+#include <vector>
+
+namespace swirl::apps::certify {
+
+/// The document closed by a member `checksum` (CRC-64/XZ of the bytes before it): what is changed by accident or by
+/// hand is known before anything is proven again.
+///   open  a JSON object without its last brace
+std::string with_checksum(std::string open);
+
+/// True if the text is a certificate of swirl, whole or not.
+bool looks_like_certificate(const std::string& text);
+
+/// One cycle that a certificate states as proven.
+struct StatedOrbit {
+    std::size_t number = 0;  ///< in the file, from 1
+    proof_check::StatedCycle cycle;
+};
+struct StatedCertificate {
+    std::size_t orbits = 0;           ///< listed, those not proven included
+    std::vector<StatedOrbit> proven;  ///< of them
+    bool all = false;                 ///< it also states that these are all fixed points, which is not checked
+};
+
+/// @throws BadInput where the file is no certificate, was changed, or lacks a member; names the file
+StatedCertificate read_certificate(const std::string& file);
+
+}  // namespace swirl::apps::certify

@@ -1,0 +1,234 @@
+#include "apps/certify/certify_command.hpp"
+
+#include "apps/certify/certificate_file.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/parallel_pieces.hpp"
+#include "apps/command_line/record_input.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/text_file.hpp"
+#include "apps/orbits/near_orbit.hpp"
+#include "apps/record/output_file.hpp"
+#include "apps/record/record_error.hpp"
+#include "apps/system/section_coordinates.hpp"
+#include "apps/system/shooting_map.hpp"
+#include "map/orbit/orbit.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+namespace swirl::apps::certify {
+
+const char* const certify_details =
+    R"(A cycle is proven: by interval arithmetic an explicit box about it holds exactly one cycle with this word, no vertex
+touches earlier on any of its flights, every impact is in its contact mode, the period is the smallest, and each multiplier
+lies in a disc. stability: attracting, saddle or repelling, as the discs prove it; neutral of a family (one multiplier is
+exactly 1, the others inside), whose member is that with the S or flight time under phase; undecided where a disc meets the
+unit circle. radius is the largest half-width of the box. What is not proven says which inequality failed and by how much.
+The scene's numbers are decimals, 0.4 is 4/10; a point's and a box's are the doubles that are shown.
+The cycles are those of a record of orbits, continue or bifurcate, or the one near a point (--near, --period). --all proves
+all fixed points with a flight time up to --max-time and that there are no others; what it cannot decide it lists.
+The document is the certificate: --check proves it again from its numbers alone, by other equations. That --all found them
+all is not part of that.
+Exit code 0: all is proven (--all: and complete); 3: some is not; --check: 3 if what is stated could not be proven, 2 if
+the file is no certificate or was changed after it was written.
+
+Examples:
+  swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --near=-0.084,0.028,-0.554,0.89,-0.979
+  swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --all --period 1 --max-time 12)";
+
+void CertifyOptions::add_to(Flags& command) {
+    scene.add_to(command);
+    output.add_to(command, false);
+    add_file(command, "record", record, "a record of orbits, continue or bifurcate: its cycles")->type_name("RECORD");
+    command.add_option("--near", near, "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)")->type_name("");
+    command.add_option("--period", its_period, "of that cycle (default 1)")
+        ->type_name("K")
+        ->transform(whole_number(1, 256));
+    command.add_flag("--all", all, "all fixed points, with proof that there are no others");
+    command.add_option("--max-time", longest, "longest flight time of --all, in 1/omega_s (default 12)")
+        ->type_name("T");
+    add_file(command, "--check", check, "prove a certificate again")->type_name("CERT.json");
+    add_file(command, "-o,--output", certificate, "write the document, a certificate, to a file")
+        ->type_name("CERT.json")
+        ->group("Output");
+    command.add_flag("--force", output.force, "replace an existing file that is no certificate")->group("Output");
+}
+
+namespace {
+
+void require_one_input(const CertifyOptions& options) {
+    if (options.output.accuracy() != Accuracy::double_precision)
+        throw BadInput(
+            fmt::format("accuracy = {}: certify works in interval arithmetic", options.output.accuracy_name));
+    const int given = (options.record.empty() ? 0 : 1) + (options.near.empty() ? 0 : 1) + (options.all ? 1 : 0) +
+                      (options.check.empty() ? 0 : 1);
+    if (given != 1) throw BadInput("give one of: a RECORD, --near psi,chi,vn,vt,S, --all, --check CERT.json");
+    const bool scene_is_there = !options.record.empty() || !options.check.empty();
+    if (scene_is_there && options.scene.given())
+        throw BadInput("a scene is given, but the record or certificate has its own; leave one out");
+    if (options.all && options.period() != 1)
+        throw BadInput(fmt::format("period = {}: --all proves fixed points, period 1", options.period()));
+    if (options.its_period && options.near.empty() && !options.all)
+        throw BadInput("--period goes with --near; a record's cycles have their own");
+    if (options.longest && !options.all) throw BadInput("--max-time goes with --all");
+    if (options.all && !(options.max_time() > 0 && options.max_time() <= 1000))
+        throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= 1000", options.max_time()));
+    if (!options.check.empty() && !options.certificate.empty())
+        throw BadInput("--check and --output are both given; --check writes nothing");
+}
+
+/// The file of -o, opened before any work. @throws BadInput
+std::unique_ptr<OutputFile> opened(const CertifyOptions& options) {
+    const std::string& name = options.certificate;
+    if (name.empty()) return nullptr;
+    require_no_input(name, {options.record, options.scene.file()});
+    std::error_code ignored;
+    if (!options.output.force && std::filesystem::is_regular_file(name, ignored)) {
+        constexpr std::size_t most = std::size_t{256} << 20U;
+        bool own = false;
+        try {
+            own = looks_like_certificate(read_text("output", name, most));
+        } catch (const BadInput&) {  // no text file: no certificate
+        }
+        if (!own)
+            throw BadInput(
+                fmt::format("output '{}' exists and is no certificate: name another file, or give --force", name));
+    }
+    try {
+        return std::make_unique<OutputFile>(name);
+    } catch (const RecordError& error) {
+        throw BadInput(error.what());
+    }
+}
+
+void write_and_commit(OutputFile& file, const std::string& text) {
+    std::size_t written = 0;
+    while (written < text.size()) {
+        const auto now = ::write(file.descriptor(), text.data() + written, text.size() - written);
+        if (now < 0 && errno == EINTR) continue;
+        if (now < 0)
+            throw std::system_error(errno, std::generic_category(), "cannot write '" + file.name().string() + "'");
+        written += static_cast<std::size_t>(now);
+    }
+    file.commit();
+}
+
+CertifiedOrbit certified_at(const CyclePlace& place) {
+    CertifiedOrbit orbit{place.scene, place.points.size(), place.points.front(), {}};
+    const Candidate candidate = candidate_at(place);
+    if (candidate.reason.empty())
+        orbit.proof = proof::prove_cycle(place.scene, candidate.claim);
+    else
+        orbit.proof.reason = candidate.reason;
+    if (!orbit.proof.radii.empty()) orbit.point = orbit.proof.points.front();  // the box's centre
+    return orbit;
+}
+
+/// Each in its place, on all threads; those that an interruption left are dropped.
+std::vector<CertifiedOrbit> certified_of(const CertifyOptions& options, std::vector<CyclePlace> places) {
+    const auto work = std::make_shared<const std::vector<CyclePlace>>(std::move(places));
+    const auto results = std::make_shared<std::vector<std::optional<CertifiedOrbit>>>(work->size());
+    Progress progress("certify", static_cast<double>(work->size()), options.output.quiet);
+    run_pieces(work->size(), options.output.threads, progress, [work, results](std::size_t i) -> KeepResult {
+        CertifiedOrbit orbit = certified_at((*work)[i]);
+        return [results, i, orbit = std::move(orbit)] { (*results)[i] = orbit; };
+    });
+    std::vector<CertifiedOrbit> orbits;
+    for (auto& orbit : *results)
+        if (orbit) orbits.push_back(std::move(*orbit));
+    return orbits;
+}
+
+Certified certified_record(const CertifyOptions& options) {
+    const RecordCycles cycles = cycles_of_record(options.record);
+    warn_without_checksum(options.record, options.output.quiet);
+    return {cycles.scene, cycles.along, certified_of(options, cycles.places), {}, true};
+}
+
+Certified certified_near(const CertifyOptions& options, const Scene<double>& scene) {
+    const auto z = section_point_from<double>("--near", options.near, scene.is_disk());
+    require_leaving(make_body(scene), z);
+    const auto map = shooting_map_of(scene);
+    const auto found = orbits::find_near(scene, map, z, options.period(), options.period(), is_interrupted);
+    Certified certified{scene, {}, {}, {}, !found.cycles.empty()};
+    for (const analysis::Cycle& cycle : found.cycles) {
+        CyclePlace place{scene, {}};
+        for (const auto& point : cycle.points) place.points.push_back(section_point_of(point));
+        certified.orbits.push_back(certified_at(place));
+    }
+    return certified;
+}
+
+Certified certified_all(const CertifyOptions& options, const Scene<double>& scene) {
+    Certified certified{scene, {}, {}, proof::all_fixed_points(scene, options.max_time(), is_interrupted), true};
+    for (const proof::CycleProof& proof : certified.all->proven)
+        certified.orbits.push_back({scene, 1, proof.points.front(), proof});
+    return certified;
+}
+
+}  // namespace
+
+int check_certificate(const CertifyOptions& options) {
+    const StatedCertificate stated = read_certificate(options.check);
+    std::size_t holds = 0;
+    std::string refused;
+    for (const StatedOrbit& orbit : stated.proven) {
+        std::string why;
+        try {
+            why = proof_check::what_fails(orbit.cycle);
+        } catch (const std::invalid_argument& error) {
+            why = error.what();
+        }
+        if (why.empty())
+            ++holds;
+        else if (refused.empty())
+            refused = fmt::format("orbit {}: {}", orbit.number, why);
+    }
+    const bool good = holds == stated.proven.size() && holds > 0;
+    if (options.output.json) {
+        print_document([&](JsonWriter& json) {
+            json.member("orbits", stated.orbits);
+            json.member("stated", stated.proven.size());
+            json.member("proven", holds);
+            json.key("reason");
+            refused.empty() ? json.null() : json.value(refused);
+        });
+    } else if (!options.output.quiet) {
+        fmt::print("{} of {} cycles that it states as proven are proven again\n", holds, stated.proven.size());
+        if (!refused.empty()) fmt::print("  {}\n", refused);
+        if (stated.all) fmt::print("  that these are all fixed points is not checked\n");
+    }
+    return good ? exit_done : exit_numerical_ending;
+}
+
+int certify(CertifyOptions& options) {
+    require_one_input(options);
+    proof::require_interval_arithmetic();
+    if (!options.check.empty()) return check_certificate(options);
+    options.scene.read_file();
+    const bool needs_scene = options.record.empty();
+    const Scene<double> scene = needs_scene ? options.scene.scene<double>() : Scene<double>{};
+    const std::unique_ptr<OutputFile> file = opened(options);
+    note_interruptions();
+    const Certified certified = !needs_scene  ? certified_record(options)
+                                : options.all ? certified_all(options, scene)
+                                              : certified_near(options, scene);
+    if (is_interrupted()) return exit_interrupted;
+    finish_up();
+    const std::string text = with_checksum(certificate_text(options, certified));
+    if (file) write_and_commit(*file, text);
+    if (options.output.json)
+        fmt::print("{}", text);
+    else if (!options.output.quiet)
+        print_certified(options, certified);
+    const bool as_asked = certified.found && certified.proven() == certified.orbits.size() &&
+                          (!certified.all || certified.all->complete());
+    return as_asked ? exit_done : exit_numerical_ending;
+}
+
+}  // namespace swirl::apps::certify

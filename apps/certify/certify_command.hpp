@@ -1,0 +1,40 @@
+// `swirl certify`: cycles proven by interval arithmetic, and their certificates checked.
+#pragma once
+
+#include "apps/certify/certified_orbit.hpp"
+#include "apps/command_line/documents.hpp"
+#include "apps/command_line/output_options.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace swirl::apps::certify {
+
+struct CertifyOptions {
+    SceneOptions scene;
+    OutputOptions output;
+    std::string record;                      ///< whose cycles are proven
+    std::string near;                        ///< psi,chi,vn,vt,S
+    std::optional<std::int64_t> its_period;  ///< of the cycle near it; given only where it means something
+    bool all = false;                        ///< all fixed points …
+    std::optional<double> longest;           ///< … up to this flight time
+    std::string check;                       ///< a certificate to check
+    std::string certificate;                 ///< where to write one
+
+    void add_to(Flags& command);
+    int period() const { return static_cast<int>(its_period.value_or(1)); }
+    double max_time() const { return longest.value_or(12); }
+};
+
+extern const char* const certify_details;
+
+/// All that was proven, as a document or certificate without its checksum and last brace.
+std::string certificate_text(const CertifyOptions& options, const Certified& certified);
+void print_certified(const CertifyOptions& options, const Certified& certified);
+
+int certify(CertifyOptions& options);
+/// --check.
+int check_certificate(const CertifyOptions& options);
+
+}  // namespace swirl::apps::certify

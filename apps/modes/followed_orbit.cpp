@@ -1,0 +1,23 @@
+#include "apps/modes/followed_orbit.hpp"
+
+namespace swirl::apps {
+
+template <int D>
+FollowedScene<D> followed(const SceneMap<D>& map, const PostImpactState<double>& first, std::int64_t before,
+                          const analysis::ClassifyOptions& settings, bool dissipative, const analysis::Stop& stop) {
+    if (settings.exhaustive || dissipative)
+        return {analysis::follow_tail(map, first, before, settings.collisions, stop), {}};
+    // In 100 digits the eigenvalues of one cycle take as long as the orbit; double's are taken where they decide.
+    analysis::PeriodOptions period = settings.period;
+    period.exact_multipliers = false;
+    return analysis::follow_until_settled(map, first, before, settings.collisions, period, !settings.conserves, stop);
+}
+
+template FollowedScene<disk_dimension> followed(const SceneMap<disk_dimension>&, const PostImpactState<double>&,
+                                                std::int64_t, const analysis::ClassifyOptions&, bool,
+                                                const analysis::Stop&);
+template FollowedScene<polygon_dimension> followed(const SceneMap<polygon_dimension>&, const PostImpactState<double>&,
+                                                   std::int64_t, const analysis::ClassifyOptions&, bool,
+                                                   const analysis::Stop&);
+
+}  // namespace swirl::apps

@@ -1,0 +1,28 @@
+// The sets on which fixed points lie, as problems of the plane.
+#pragma once
+
+#include "map/proof/plane_cells.hpp"
+#include "map/proof/steady_in_balls.hpp"
+
+#include <vector>
+
+namespace swirl::proof {
+
+/// Fixed points of one kind: those whose contact sticks, at e = 1 those with χ = 0, those that slip throughout.
+struct FixedPointSet {
+    enum class Kind { sticking, straight, sliding } kind = Kind::sticking;
+    PlaneProblem problem;
+    std::vector<Cell> start;
+    Ball sine, width;  ///< sin χ and w where they are fixed
+};
+
+/// All of them, for 0 < τ ≤ max_time. The scene outlives it.
+std::vector<FixedPointSet> fixed_point_sets(const BallScene& scene, double max_time);
+
+/// The section point of a solution, of vertex step j.
+BallPoint<Ball> fixed_point_of(const BallScene& scene, const FixedPointSet& set, const PlaneSolution& solution);
+
+/// The contact mode there: slip of a sticking contact stops early or late; both where that is not certain.
+std::vector<ContactMode> modes_of(const BallScene& scene, const FixedPointSet& set, const PlaneSolution& solution);
+
+}  // namespace swirl::proof

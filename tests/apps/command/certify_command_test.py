@@ -1,0 +1,138 @@
+"""swirl certify, from outside: certify_command_test.py SWIRL REFERENCES [EDITS]"""
+
+import json
+import random
+import re
+import sys
+import unittest
+from pathlib import Path
+
+from driving import InFolder, document, run
+
+REFERENCES = Path(sys.argv.pop(1))
+EDITS = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 40
+
+HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
+STABLE = "--near=-0.08392228841921229,0.02796679481117455,-0.5542064425032355,0.8897935438579003,-0.9792660582185873"
+
+
+def crc64_xz(data):
+    crc = ~0 & (2**64 - 1)
+    for byte in data:
+        crc ^= byte
+        for _ in range(8):
+            crc = (crc >> 1) ^ (0xC96C5795D7870F42 if crc & 1 else 0)  # 42f0e1eba9ea3693, reflected
+    return crc ^ (2**64 - 1)
+
+
+def with_new_checksum(text):
+    body = text[:text.rindex(",\n  \"checksum\"")]
+    return f"{body},\n  \"checksum\": \"crc-64/xz {crc64_xz(body.encode()):016x}\"\n}}\n"
+
+
+class Certify(InFolder):
+    def certificate(self, arguments=f"{HEXAGON} {STABLE}"):
+        file = self.folder / "cert.json"
+        self.assertEqual(run(f"certify {arguments} -o {file} --force --quiet").returncode, 0)
+        return file
+
+    def refused(self, text, codes):
+        result = run(f"certify --check {self.file('edited.json', text)} --quiet")
+        self.assertIn(result.returncode, codes, text[:3000])
+
+    def test_a_fixed_point_is_proven_and_its_certificate_holds(self):
+        found = document(f"certify {HEXAGON} {STABLE}")
+        orbit = found["orbits"][0]
+        self.assertEqual((orbit["period"], orbit["proven"], orbit["stability"], orbit["reason"]),
+                         (1, True, "attracting", None))
+        self.assertTrue(0 < orbit["radius"] < 1e-8)
+        self.assertEqual([len(m) for m in orbit["multipliers"]], [3] * 5)
+        known = json.loads((REFERENCES / "fixed_points.json").read_text())["cycles"][1]
+        for key, value in known["point"].items():
+            self.assertLessEqual(abs(float(value) - orbit["point"][key]), orbit["steps"][0]["half_widths"][key])
+        self.assertEqual(orbit["multipliers"][-1], [0, 0, 0])  # it sticks
+        again = document(f"certify --check {self.certificate()}")
+        self.assertEqual((again["stated"], again["proven"], again["reason"]), (1, 1, None))
+        self.assertEqual(json.loads(self.certificate().read_text()), found)  # the document is the certificate
+
+    def test_a_certificate_edited_in_one_digit_is_refused(self):
+        text = self.certificate().read_text()
+        places = [m.start() for m in re.finditer(r"\d", text)]
+        draw = random.Random(1)
+        for place in draw.sample(places, min(EDITS, len(places))):
+            digit = draw.choice([d for d in "0123456789" if d != text[place]])
+            self.refused(text[:place] + digit + text[place + 1:], (2,))
+
+    def test_an_edit_with_a_new_checksum_has_to_be_true(self):
+        text = self.certificate().read_text()
+        self.assertEqual(with_new_checksum(text), text)
+        whole = json.loads(text)
+
+        def edited(old, new):
+            self.assertIn(old, text)
+            self.refused(with_new_checksum(text.replace(old, new, 1)), (2, 3))
+
+        edited('"alpha": 0.4', '"alpha": 0.40001')
+        edited('"beta": 0.5', '"beta": 0.5001')
+        edited('"restitution": 0.9', '"restitution": 0.91')
+        edited('"sides": 6', '"sides": 7')
+        edited('"law": "poisson"', '"law": "newton"')
+        edited('"period": 1', '"period": 2')
+        edited('"vertex_step": 2', '"vertex_step": 3')
+        edited('"contact_mode": "c-sticking"', '"contact_mode": "r-sticking"')
+        edited('"attracting"', '"repelling"')
+        orbit = whole["orbits"][0]
+        re0 = json.dumps(orbit["multipliers"][0][0])
+        edited(re0, json.dumps(orbit["multipliers"][0][0] + 1e-6))
+        edited(json.dumps(orbit["steps"][0]["flight_time"]), json.dumps(orbit["steps"][0]["flight_time"] + 1e-6))
+        for key in ("psi", "chi", "vn", "vt", "S"):  # twice in the text: the point and the step's
+            value = orbit["point"][key]
+            self.refused(with_new_checksum(text.replace(json.dumps(value), json.dumps(value + 1e-6))), (3,))
+
+    def test_a_file_that_is_no_certificate_is_bad_input(self):
+        for content in ("", "{}", "no json", '{"certificate": "swirl"}', json.dumps({"orbits": []})):
+            result = run(f"certify --check {self.file('x.json', content)}")
+            self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), content)
+
+    def test_all_fixed_points_are_thirty_one(self):
+        found = document(f"certify {HEXAGON} --all --period 1 --max-time 12")
+        self.assertEqual((found["all"]["complete"], found["all"]["found"], len(found["orbits"])), (True, 31, 31))
+        self.assertTrue(all(o["proven"] for o in found["orbits"]))
+        self.assertEqual(found["all"]["open"], [])
+
+    def test_the_cycles_of_a_record(self):
+        record = self.folder / "orbits.h5"
+        run(f"orbits {HEXAGON} --max-period 2 --starts 200 --trajectories 4 --quiet -o {record}")
+        listed = document(f"certify {record}", 0)
+        self.assertGreater(len(listed["orbits"]), 31)
+        self.assertEqual(listed["proven"], len(listed["orbits"]))
+        self.assertEqual({o["period"] for o in listed["orbits"]}, {1, 2})
+
+    def test_the_branches_of_a_record(self):
+        record = self.folder / "branch.h5"
+        run(f"continue {HEXAGON} --from={STABLE[7:]} --along alpha=0.39:0.41 --quiet -o {record}")
+        result = run(f"certify {record} --json")
+        found = json.loads(result.stdout)
+        self.assertGreaterEqual(found["proven"], 0.9 * len(found["orbits"]), result.stdout[:2000])
+        values = {o["parameters"]["alpha"] for o in found["orbits"]}
+        self.assertEqual(len(values), len(found["orbits"]))
+
+    def test_bad_input(self):
+        other = self.file("other.txt", "mine\n")
+        for flags in ("", f"{HEXAGON}", f"{HEXAGON} {STABLE} --all", f"{HEXAGON} --all --period 2",
+                      f"{HEXAGON} --all --max-time 0", f"{HEXAGON} --all --max-time nan", f"{HEXAGON} {STABLE} --max-time 3",
+                      f"{HEXAGON} {STABLE} --accuracy quad", f"{other}", f"--check {other}", f"--check {self.folder}/none",
+                      f"{HEXAGON} {STABLE} -o {other}", "--sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --all"):
+            result = run(f"certify {flags}")
+            self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1),
+                             (flags, result.stderr))
+        self.assertEqual(other.read_text(), "mine\n")
+
+    def test_none_exist_is_an_answer(self):
+        found = document("certify --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 0.9 --all")
+        self.assertEqual((found["orbits"], found["all"]["complete"]), ([], True))
+        self.assertIn("disk", found["all"]["none_exist"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -4,6 +4,7 @@
 #include "analysis/classification/evidence.hpp"
 #include "analysis/classification/mode.hpp"
 #include "analysis/classification/period.hpp"
+#include "analysis/classification/superstable_period.hpp"
 #include "analysis/lyapunov/exponent_sign.hpp"
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
 #include "analysis/recurrence/rates.hpp"

@@ -8,6 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -57,15 +58,33 @@ struct WideMultiplier {
     Wide modulus;
 };
 
+/// The complex pair of a 2 × 2 block [[a, b], [c, d]] on the diagonal: (a + d)/2 ± i √−(p² + b c), p = (a − d)/2.
+void add_pair(const Eigen::Matrix<Wide, 2, 2>& block, std::vector<WideMultiplier>& multipliers) {
+    const Wide p = Wide(block(0, 0) - block(1, 1)) / 2;
+    const Wide real = block(1, 1) + p;
+    const Wide imaginary = sqrt(abs(Wide(p * p + block(1, 0) * block(0, 1))));
+    const Wide modulus = sqrt(Wide(real * real + imaginary * imaginary));
+    multipliers.push_back({real, imaginary, modulus});
+    multipliers.push_back({real, -imaginary, modulus});
+}
+
+/// By the real Schur form. (Eigen's EigenSolver gives the same; what it compiles beside takes as long again.)
 std::vector<WideMultiplier> wide_multipliers(std::span<const Eigen::MatrixXd> derivatives) {
     WideMatrix product = derivatives[0].cast<Wide>();
-    for (std::size_t i = 1; i < derivatives.size(); ++i) product = derivatives[i].cast<Wide>() * product;
-    const Eigen::EigenSolver<WideMatrix> solver(product, false);
+    for (std::size_t i = 1; i < derivatives.size(); ++i)
+        product = derivatives[i].cast<Wide>().lazyProduct(product).eval();
+    const Eigen::HessenbergDecomposition<WideMatrix> hessenberg(product);
+    Eigen::RealSchur<WideMatrix> schur(product.rows());
+    schur.computeFromHessenberg(hessenberg.matrixH(), product, false);  // the second is of Schur vectors, not asked for
+    const WideMatrix& t = schur.matrixT();
     std::vector<WideMultiplier> result;
-    for (Eigen::Index i = 0; i < product.rows(); ++i) {
-        const Wide real = solver.eigenvalues()[i].real();
-        const Wide imaginary = solver.eigenvalues()[i].imag();
-        result.push_back({real, imaginary, sqrt(Wide(real * real + imaginary * imaginary))});
+    for (Eigen::Index i = 0; i < t.rows(); ++i) {
+        if (i + 1 == t.rows() || t(i + 1, i) == 0) {
+            result.push_back({t(i, i), 0, abs(t(i, i))});
+        } else {
+            add_pair(t.block<2, 2>(i, i), result);
+            ++i;
+        }
     }
     std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.modulus > b.modulus; });
     return result;
@@ -99,10 +118,10 @@ CycleExponents cycle_exponents(std::span<const Eigen::MatrixXd> derivatives, dou
     const std::size_t kept = wide.size() - static_cast<std::size_t>(lost_ranks(derivatives, rank_tolerance));
     const double length = static_cast<double>(derivatives.size());
     for (std::size_t i = 0; i < wide.size(); ++i) {
-        if (i >= kept || wide[i].modulus == 0) {
+        if (i >= kept) {
             result.multipliers.emplace_back(0, 0);
             result.exponents.push_back(-infinity);
-        } else if (wide[i].modulus < widest_ratio * wide[0].modulus) {
+        } else if (wide[i].modulus <= widest_ratio * wide[0].modulus) {
             constexpr double nan = std::numeric_limits<double>::quiet_NaN();
             result.outcome = CycleOutcome::unresolved;
             result.multipliers.emplace_back(nan, nan);

@@ -1,11 +1,10 @@
 // Lyapunov exponents of a section map: the whole spectrum by QR of DF, or the largest alone.
 #pragma once
 
+#include "analysis/linear_algebra/turned_frame.hpp"
 #include "analysis/lyapunov/exponent_record.hpp"
 #include "analysis/lyapunov/generic_frame.hpp"
 #include "analysis/section_map.hpp"
-
-#include <Eigen/QR>
 
 #include <array>
 #include <cmath>
@@ -52,14 +51,14 @@ LyapunovSpectrum lyapunov_spectrum(const M& map, State<M> state, const LyapunovO
             if (i < 0) return accumulator.finish(LyapunovOutcome::ended_in_transient);
             return accumulator.finish(step.alive ? LyapunovOutcome::not_finite : LyapunovOutcome::ended_early);
         }
-        const Eigen::HouseholderQR<Matrix<D>> qr(step.derivative * frame);
+        frame = (step.derivative * frame).eval();
+        const Vector<D> diagonal = turn_frame<D>(frame);
         state = step.state;
-        frame = qr.householderQ();
         if (i < 0) continue;
         const double norm = step.derivative.norm();
         std::array<double, D> growth;
         for (int j = 0; j < D; ++j) {
-            growth[j] = lyapunov_detail::log_growth(qr.matrixQR()(j, j), norm, options.rank_tolerance);
+            growth[j] = lyapunov_detail::log_growth(diagonal[j], norm, options.rank_tolerance);
         }
         accumulator.add(growth, step.duration);
     }

@@ -1,8 +1,7 @@
 #include "map/steady/verified_mode.hpp"
 
 #include "map/derivative/derivative.hpp"
-
-#include <Eigen/Eigenvalues>
+#include "map/derivative/multipliers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +74,7 @@ std::optional<SteadyMode> verified_mode(const MapOfScene& map, SteadyBranch bran
     const double closed =
         time_rounding(z, mode.speed) * ((1 + mode.amplification) * mode.speed + 1 + std::fabs(z.spin));
     if (!(mode.residual <= closed)) return {};
-    const Eigen::VectorXcd values = derivative.eigenvalues();
+    const Eigen::VectorXcd values = multipliers_of(derivative);
     mode.multipliers.assign(values.begin(), values.end());
     std::sort(mode.multipliers.begin(), mode.multipliers.end(),
               [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });

@@ -1,10 +1,10 @@
 // The cycles of tests/references/cycles.json and the steady modes of steady_e1.json there: points and multipliers.
 #include "map/derivative/derivative.hpp"
+#include "map/derivative/multipliers.hpp"
 #include "map/derivative/saltation.hpp"
 #include "tests/references/references.hpp"
 
 #include <gtest/gtest.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <complex>
@@ -60,8 +60,8 @@ void check_cycle(const Map& map, const json& cycle, double tolerance) {
         z = section_point(step.collision.after);
     }
     const double residual = distance(z, start);
-    const double by_jets = multiplier_error(jets.eigenvalues(), cycle["multipliers"]);
-    const double by_saltation = multiplier_error(saltation.eigenvalues(), cycle["multipliers"]);
+    const double by_jets = multiplier_error(multipliers_of(jets), cycle["multipliers"]);
+    const double by_saltation = multiplier_error(multipliers_of(saltation), cycle["multipliers"]);
     std::printf("N %3d period %2d  |F^k(z)-z| %.1e  multipliers: jets %.1e, saltation %.1e\n", map.scene().sides,
                 period, residual, by_jets, by_saltation);
     EXPECT_LE(residual, 1e-12);

@@ -1,0 +1,28 @@
+// A frame of fixed size turned by a derivative and made orthonormal again.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Householder>
+
+namespace swirl::analysis {
+
+/// The Householder decomposition A = Q R of a D × D matrix, by reflections one after the other: Q takes A's place, the
+/// diagonal of R, with its signs, is returned. The same numbers as of Eigen's HouseholderQR, whose blocks, which so
+/// small a matrix does not use, take some five seconds to compile for each size. Cost: some 8 D³/3.
+template <int D>
+Eigen::Matrix<double, D, 1> turn_frame(Eigen::Matrix<double, D, D>& a) {
+    Eigen::Matrix<double, D, 1> scale, diagonal;
+    Eigen::Matrix<double, 1, D> work;
+    for (int k = 0; k < D; ++k) {
+        a.col(k).tail(D - k).makeHouseholderInPlace(scale[k], diagonal[k]);
+        a.bottomRightCorner(D - k, D - k - 1)
+            .applyHouseholderOnTheLeft(a.col(k).tail(D - k - 1), scale[k], work.data());
+    }
+    Eigen::Matrix<double, D, D> q = Eigen::Matrix<double, D, D>::Identity();
+    for (int k = D - 1; k >= 0; --k)
+        q.bottomRightCorner(D - k, D - k).applyHouseholderOnTheLeft(a.col(k).tail(D - k - 1), scale[k], work.data());
+    a = q;
+    return diagonal;
+}
+
+}  // namespace swirl::analysis

@@ -46,7 +46,7 @@ double distance(const State& a, const State& b) {
 State some_state(const Scene<double>& scene) {
     return with_scene_map(scene, [&](const auto& map) {
         State z = begin_orbit(map, random_start(scene.beta, paper_speed, 1, 0)).state;
-        map.follow(z, 50, {});
+        analysis::follow(map, z, 50);
         return z;
     });
 }
@@ -104,7 +104,7 @@ TEST(Accuracy, FollowingIsStepAfterStep) {
                 [&](const auto& map) {
                     const State z = some_state(scene);
                     State followed = z, stepped = z;
-                    const std::int64_t steps = map.follow(followed, 10, {});
+                    const std::int64_t steps = analysis::follow(map, followed, 10);
                     for (std::int64_t i = 0; i < steps; ++i) {
                         const auto step = map.linearise(stepped);
                         ASSERT_TRUE(step.alive);
@@ -112,7 +112,10 @@ TEST(Accuracy, FollowingIsStepAfterStep) {
                         stepped = step.state;
                     }
                     EXPECT_TRUE(same_bits(followed, stepped));
-                    EXPECT_EQ(steps, 10) << name_of(accuracy);
+                    if (accuracy == Accuracy::paper && steps < 10)  // it may find no contact where there is one
+                        EXPECT_FALSE(map.advance(stepped).alive);
+                    else
+                        EXPECT_EQ(steps, 10) << name_of(accuracy);
                 },
                 contact_horizon, accuracy);
 }

@@ -257,7 +257,7 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     for (std::int64_t k = 1; k <= longest; ++k) {
         const double returned = detail::return_distance(map, tail, k, k, options.vicinity);
         if (returned <= options.closure) {
-            const auto found = detail::cycle_of_closed(map, tail, k, returned, options, effort);
+            auto found = detail::cycle_of_closed(map, tail, k, returned, options, effort);
             if (found.attracting || found.closure_persists) return found;
             break;  // passes an unstable cycle: the multiples of k do, too
         }

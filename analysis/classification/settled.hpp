@@ -111,7 +111,7 @@ FoundCycle<M> settled_cycle(const M& map, const Tail<M>& window, const PeriodOpt
     for (std::size_t i = 0; i < near.size() && i < static_cast<std::size_t>(options.candidates); ++i) {
         const auto [returned, k] = near[i];
         if (not_yet > 0 && k % not_yet == 0) continue;
-        const auto cycle = detail::cycle_near(map, window, k, returned, options, effort);
+        auto cycle = detail::cycle_near(map, window, k, returned, options, effort);
         if (detail::is_certain(map, window, options, cycle, effort)) return cycle;
         if (cycle.period > 0) not_yet = cycle.period;
     }

@@ -51,7 +51,7 @@ struct RotationNumber {
                        ///< until rounding is reached; NaN by "frequency"
     std::int64_t denominator = 0;  ///< period in samples if `periodic`, else 0
     double residual = 0;           ///< share of the variance outside the lines examined (`rotation_of_observable`)
-    std::string_view method = "";  ///< "angle", "delay angle" or "frequency"
+    std::string_view method = {};  ///< "angle", "delay angle" or "frequency"
 };
 
 /// Mean advance of an angle-like series per sample, by the weighted Birkhoff average.

@@ -82,14 +82,14 @@ NamedMode verdict_of(const Scene<double>& scene, const Start<double>& start, con
     few.collisions = settings.collisions;
     few.exhaustive = many.exhaustive = settings.exhaustive;
     few.period.exact_multipliers = false;  // the same verdict, and nobody reads them
-    const NamedMode named = name_mode(scene, start, few, is_interrupted, &samples);
+    const NamedMode named = name_mode(scene, start, few, settings.accuracy, is_interrupted, &samples);
     const bool decided = named.verdict.mode != analysis::Mode::undecided;
     if (!named.finished || decided || dissipative || named.outcome != Outcome::completed) return named;
     many.transient = std::max(many.transient, few.transient);
     many.collisions = std::max(many.collisions, few.collisions);
     many.period.exact_multipliers = false;
     OrbitSamples longer;
-    const NamedMode again = name_mode(scene, start, many, is_interrupted, &longer);
+    const NamedMode again = name_mode(scene, start, many, settings.accuracy, is_interrupted, &longer);
     samples.last = longer.last;
     return again;
 }
@@ -112,9 +112,10 @@ Attractor settle(const Scene<double>& scene, const Start<double>& start, const S
     if (named.outcome != Outcome::completed || is_dissipative_without_drive(scene)) return attractor;
     const bool decided = named.verdict.mode != analysis::Mode::undecided;
     if (decided && named.verdict.period > 0)
-        with_scene_map(scene, [&](const auto& map) {
-            take_cycle(map, named.verdict, post_impact_state(*samples.last), attractor);
-        });
+        with_scene_map(
+            scene,
+            [&](const auto& map) { take_cycle(map, named.verdict, post_impact_state(*samples.last), attractor); },
+            contact_horizon, settings.accuracy);
     else
         attractor.states = std::move(samples.points);
     return attractor;

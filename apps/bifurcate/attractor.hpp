@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/classification/mode.hpp"
+#include "apps/command_line/accuracy.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "map/orbit/outcome.hpp"
 
@@ -14,9 +15,10 @@
 namespace swirl::apps::bifurcate {
 
 struct SampleSettings {
-    std::int64_t transient = 2500;  ///< impacts before those that are kept
-    std::int64_t collisions = 500;  ///< impacts that are kept
-    bool exhaustive = false;        ///< all of them, whatever the verdict needs
+    std::int64_t transient = 2500;                   ///< impacts before those that are kept
+    std::int64_t collisions = 500;                   ///< impacts that are kept
+    bool exhaustive = false;                         ///< all of them, whatever the verdict needs
+    Accuracy accuracy = Accuracy::double_precision;  ///< in which they are followed
 };
 
 /// Where the start of a sample came from.

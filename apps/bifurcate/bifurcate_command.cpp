@@ -82,8 +82,6 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
     if (!options.start.is_random())
         throw BadInput("a diagram's starts are random: give --speed and --seed, not --x … or --point");
     options.start.require_one_way();
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: bifurcate works in double", options.output.accuracy_name));
     if (options.starts == 0 && !options.follow) throw BadInput("starts = 0 needs --follow");
     for (const double value : {along.low, along.high}) {
         const Scene<double> scene = column_scene(options, along, value);
@@ -97,6 +95,7 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
 int bifurcate(BifurcateOptions& options) {
     options.scene.read_file();
     options.start.take_units(options.scene);
+    options.settings.accuracy = options.output.accuracy();
     Diagram diagram;
     diagram.along = parameter_range_from(options.along, true, false);
     check(options, diagram.along);

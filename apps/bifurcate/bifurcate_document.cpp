@@ -189,7 +189,8 @@ Settings agreement_of(const Agreement& agreement) {
 }
 
 SceneBranches branches_of(const BifurcateOptions& options, const Diagram& diagram) {
-    return scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along);
+    return scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along,
+                          options.settings.accuracy);
 }
 
 }  // namespace
@@ -204,6 +205,7 @@ Settings diagram_settings(const BifurcateOptions& options, const Diagram& diagra
             {"transient", options.settings.transient},
             {"collisions", options.settings.collisions},
             {"exhaustive", options.settings.exhaustive},
+            {"accuracy", options.output.accuracy_name},
             {"follow", std::int64_t{options.follow}},
             {"branches", std::int64_t{options.branches}},
             {"longest_branch", std::int64_t{options.longest_branch}}};

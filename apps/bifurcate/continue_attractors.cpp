@@ -31,7 +31,8 @@ public:
     Search(const BifurcateOptions& options, Diagram& diagram)
         : options_(options),
           diagram_(diagram),
-          scene_(scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along)) {}
+          scene_(scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along,
+                                options.settings.accuracy)) {}
 
     void look_at(double p, const Attractor& attractor) {
         if (attractor.mode == analysis::Mode::undecided) return;

@@ -19,7 +19,7 @@ std::string border_behind(const Scene<double>& scene, const analysis::CyclePoint
     analysis::CurvePoint last;
     last.points = points;
     last.shooting = analysis::shooting_residual(shooting_map_of(scene), points, 0);
-    const std::string name = border_name(scene, last, word_behind, false);
+    const std::string name = border_name(scene, last, word_behind, false, Accuracy::double_precision);
     return name == analysis::nameless_border ? "" : name;
 }
 

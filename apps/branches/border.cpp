@@ -81,9 +81,10 @@ std::string name_without_cycle(const SceneMap<D>& map, const analysis::CurvePoin
 }  // namespace
 
 std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
-                        const std::vector<std::int64_t>& word_after, bool goes_on) {
+                        const std::vector<std::int64_t>& word_after, bool goes_on, Accuracy accuracy) {
     if (!goes_on) {
-        const std::string name = with_scene_map(scene, [&](const auto& map) { return name_without_cycle(map, last); });
+        const std::string name = with_scene_map(
+            scene, [&](const auto& map) { return name_without_cycle(map, last); }, contact_horizon, accuracy);
         if (name != analysis::nameless_border) return name;
     }
     const auto before = analysis::word_of(last.shooting);

@@ -14,29 +14,29 @@ double value_of(const Scene<double>& scene, const ParameterRange& along) {
     return along.parameter ? number_of(copy, *along.parameter) : 0;
 }
 
-SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& along) {
+SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& along, Accuracy accuracy) {
     SceneBranches branches;
     branches.options.low = along.low;
     branches.options.high = along.high;
     branches.options.stop = is_interrupted;
     if (along.parameter) {
         const Parameter parameter = *along.parameter;
-        branches.map = shooting_map_of(scene, parameter);
+        branches.map = shooting_map_of(scene, parameter, accuracy);
         branches.options.forms = [scene, parameter](const analysis::CyclePoints& points, double p) {
             return scene_forms(scene, parameter, points, p);
         };
-        branches.options.name_border = [scene, parameter](const auto& last, const auto& after, bool goes_on) {
-            return border_name(with_parameter(scene, parameter, last.p), last, after, goes_on);
+        branches.options.name_border = [scene, parameter, accuracy](const auto& last, const auto& after, bool goes_on) {
+            return border_name(with_parameter(scene, parameter, last.p), last, after, goes_on, accuracy);
         };
         return branches;
     }
-    branches.map = shooting_map_of(scene);
+    branches.map = shooting_map_of(scene, accuracy);
     const bool by_time = along.name == "tau";
     branches.options.label = [by_time](const analysis::CurvePoint& point) {
         return by_time ? point.shooting.duration : point.points.front()[point.points.front().size() - 1];
     };
-    branches.options.name_border = [scene](const auto& last, const auto& after, bool goes_on) {
-        return border_name(scene, last, after, goes_on);
+    branches.options.name_border = [scene, accuracy](const auto& last, const auto& after, bool goes_on) {
+        return border_name(scene, last, after, goes_on, accuracy);
     };
     return branches;
 }

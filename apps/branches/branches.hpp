@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/continuation/continue_branch.hpp"
+#include "apps/command_line/accuracy.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/parameter_range.hpp"
 
@@ -16,7 +17,9 @@ struct SceneBranches {
     analysis::ShootingMap map;
     analysis::ContinuationOptions options;
 };
-SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& along);
+///   accuracy  in which each step is computed (SceneMap)
+SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& along,
+                             Accuracy accuracy = Accuracy::double_precision);
 
 /// The scene's value of the parameter; a family's is not needed.
 double value_of(const Scene<double>& scene, const ParameterRange& along);
@@ -24,7 +27,7 @@ double value_of(const Scene<double>& scene, const ParameterRange& along);
 /// The name of a border from the last cycle before it and the word behind it: "stick-slip", "two-vertices", "grazing",
 /// "landing" (contact that lasts begins or ends), or "border" where none of these is seen there.
 std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& last,
-                        const std::vector<std::int64_t>& word_after, bool goes_on);
+                        const std::vector<std::int64_t>& word_after, bool goes_on, Accuracy accuracy);
 
 /// Second and third derivatives of Fᵏ by differences of DF in 113 bits.
 analysis::HigherForms scene_forms(const Scene<double>& scene, Parameter parameter, const analysis::CyclePoints& points,

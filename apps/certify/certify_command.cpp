@@ -154,7 +154,8 @@ Certified certified_near(const CertifyOptions& options, const Scene<double>& sce
     const auto z = section_point_from<double>("--near", options.near, scene.is_disk());
     require_leaving(make_body(scene), z);
     const auto map = shooting_map_of(scene);
-    const auto found = orbits::find_near(scene, map, z, options.period(), options.period(), is_interrupted);
+    const auto found = orbits::find_near(scene, map, Accuracy::double_precision, z, options.period(), options.period(),
+                                         is_interrupted);
     Certified certified{scene, {}, {}, {}, !found.cycles.empty()};
     for (const analysis::Cycle& cycle : found.cycles) {
         CyclePlace place{scene, {}};

@@ -87,9 +87,11 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
         open_record(options.output, "Mode of a swirled polygon", {options.scene.file(), options.input.record},
                     options.scene.units());
     exit_when_interrupted();
+    const Accuracy accuracy = options.output.accuracy();
     OrbitSamples samples;
-    const NamedMode named = recorded ? name_recorded(scene, start, *recorded, options.settings)
-                                     : name_mode(scene, start, options.settings, {}, record ? &samples : nullptr);
+    const NamedMode named = recorded
+                                ? name_recorded(scene, start, *recorded, options.settings, accuracy)
+                                : name_mode(scene, start, options.settings, accuracy, {}, record ? &samples : nullptr);
     if (record) {
         const RecordGroup root = record->root();
         write_scene(root, scene, &options.start);
@@ -128,8 +130,7 @@ int classify_scene(ClassifyCommandOptions& options) {
     options.scene.read_file();
     options.start.take_units(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: classify works in double", options.output.accuracy_name));
+    options.output.accuracy();  // a wrong name is told before any work
     return several ? classify_runs(options, scene) : classify_one(options, scene, recorded);
 }
 

@@ -78,20 +78,22 @@ RecordedOrbit recorded_orbit(const std::string& file, std::optional<std::int64_t
 }
 
 NamedMode name_recorded(const Scene<double>& scene, const Start<double>& start, const RecordedOrbit& orbit,
-                        analysis::ClassifyOptions settings) {
+                        analysis::ClassifyOptions settings, Accuracy accuracy) {
     OrbitSamples samples;
     analysis::ClassifyOptions whole = settings;  // all impacts, to compare them with the record's
     whole.exhaustive = true;
-    NamedMode named = name_mode(scene, start, whole, {}, &samples);
-    if (repeats(orbit, named, samples)) return settings.exhaustive ? named : name_mode(scene, start, settings);
+    NamedMode named = name_mode(scene, start, whole, accuracy, {}, &samples);
+    if (repeats(orbit, named, samples))
+        return settings.exhaustive ? named : name_mode(scene, start, settings, accuracy);
     const std::size_t row = std::min(first_row(orbit), orbit.columns.values.back().size() - 1);
     settings.transient = 0;
-    named = name_mode(scene, recorded_point(orbit.columns, row), settings);
+    named = name_mode(scene, recorded_point(orbit.columns, row), settings, accuracy);
     named.impacts += orbit.first;
     named.verdict.evidence.push_back(
         {"orbit from the start repeats the record", 0, 1,
-         "followed from its start in double it parts from the record (made with more digits, or by another version): "
-         "judged from the state that the record holds after the transient",
+         fmt::format("followed from its start in {} it parts from the record (made in another accuracy, or by another "
+                     "version): judged from the state that the record holds after the transient",
+                     name_of(accuracy)),
          "1: judged from its start"});
     return named;
 }

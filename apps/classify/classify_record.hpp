@@ -28,10 +28,10 @@ RecordedOrbit recorded_orbit(const std::string& file, std::optional<std::int64_t
                              std::optional<std::int64_t> collisions, SceneOptions& scene, StartOptions& start);
 
 /// The verdict on it. The orbit is followed again from its start, which gives the record's own bits, and is compared
-/// with them. Where they part (a record in more digits, of another version or instruction set: chaos makes other orbits
-/// of that), it is followed from the state that the record holds at the tail's beginning; the evidence says so.
+/// with them. Where they part (a record in another accuracy, of another version or instruction set: chaos makes other
+/// orbits of that), it is followed from the state that the record holds at the tail's beginning; the evidence says so.
 ///   settings  with the orbit's `first` as transient and its `collisions`
 NamedMode name_recorded(const Scene<double>& scene, const Start<double>& start, const RecordedOrbit& orbit,
-                        analysis::ClassifyOptions settings);
+                        analysis::ClassifyOptions settings, Accuracy accuracy);
 
 }  // namespace swirl::apps::classify

@@ -20,11 +20,12 @@ std::vector<RunVerdict> follow_all(const ClassifyCommandOptions& options, const 
     const auto count = static_cast<std::size_t>(options.runs);
     const double speed = options.start.speed();
     const std::uint64_t seed = options.start.seed();
+    const Accuracy accuracy = options.output.accuracy();
     std::vector<std::optional<RunVerdict>> results(count);
     Progress progress("classify", static_cast<double>(count), options.output.quiet);
     run_pieces(count, options.output.threads, progress,
-               [&results, &options, scene, speed, seed](std::size_t r) -> KeepResult {
-                   const auto verdict = classify_run(scene, speed, seed + r, options.settings);
+               [&results, &options, scene, speed, seed, accuracy](std::size_t r) -> KeepResult {
+                   const auto verdict = classify_run(scene, speed, seed + r, options.settings, accuracy);
                    if (!verdict) return {};
                    return [&results, r, verdict] { results[r] = verdict; };
                });
@@ -57,7 +58,8 @@ void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     found.steady = steady_shares(scene, settled);
     // Verdicts with all their evidence are not kept, run by run: this one is made again.
     const std::uint64_t seed = found.runs[found.attractors.front().runs.front()].seed;
-    NamedMode first = name_mode(scene, random_start(scene.beta, speed, seed, 0), options.settings, is_interrupted);
+    NamedMode first = name_mode(scene, random_start(scene.beta, speed, seed, 0), options.settings,
+                                options.output.accuracy(), is_interrupted);
     if (is_interrupted()) return;
     if (found.escape) name_remaining(*found.escape, first);
     found.first = std::move(first);
@@ -66,8 +68,9 @@ void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
 }  // namespace
 
 std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
-                                       const analysis::ClassifyOptions& settings) {
-    const NamedMode named = name_mode(scene, random_start(scene.beta, speed, seed, 0), settings, is_interrupted);
+                                       const analysis::ClassifyOptions& settings, Accuracy accuracy) {
+    const NamedMode named =
+        name_mode(scene, random_start(scene.beta, speed, seed, 0), settings, accuracy, is_interrupted);
     if (!named.finished) return std::nullopt;
     return run_verdict(seed, named);
 }

@@ -23,7 +23,7 @@ struct RunsFound {
 /// One run: what `swirl classify --seed` gives. A pure function of its arguments, unless it is interrupted: then
 /// nothing.
 std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
-                                       const analysis::ClassifyOptions& settings);
+                                       const analysis::ClassifyOptions& settings, Accuracy accuracy);
 
 /// Run r starts from seed + r. Equal arguments give equal results, whatever the number of threads.
 /// @return the exit code @throws BadInput for a start that is given, not random

@@ -1,9 +1,6 @@
 #include "apps/command_line/output_options.hpp"
 
-#include "apps/command_line/errors.hpp"
 #include "apps/command_line/number_checks.hpp"
-
-#include <fmt/format.h>
 
 namespace swirl::apps {
 
@@ -26,16 +23,7 @@ void OutputOptions::add_to(Flags& app, bool with_record) {
         ->type_name("T")
         ->transform(whole_number(0, 4096))
         ->group("Output");
-    app.add_option("--accuracy", accuracy_name, "double (default), extended (80-bit) or quad (113-bit)")
-        ->type_name("NAME")
-        ->group("Output");
-}
-
-Accuracy OutputOptions::accuracy() const {
-    if (accuracy_name == "double") return Accuracy::double_precision;
-    if (accuracy_name == "extended") return Accuracy::extended;
-    if (accuracy_name == "quad") return Accuracy::quad;
-    throw BadInput(fmt::format("accuracy = {} is none of: double, extended, quad", accuracy_name));
+    app.add_option("--accuracy", accuracy_name, accuracy_help())->type_name("NAME")->group("Output");
 }
 
 }  // namespace swirl::apps

@@ -1,13 +1,12 @@
 // The form of the results (table, JSON, record), and how much is printed beside them.
 #pragma once
 
+#include "apps/command_line/accuracy.hpp"
 #include "apps/command_line/flags.hpp"
 
 #include <string>
 
 namespace swirl::apps {
-
-enum class Accuracy { double_precision, extended, quad };
 
 /// Adds an option that names a file. An empty name, which CLI11 takes for a flag that was not given, is refused.
 Flag add_file(Flags& command, const std::string& flag, std::string& file, const std::string& help);
@@ -24,7 +23,7 @@ struct OutputOptions {
     void add_to(Flags& command, bool with_record = true);
 
     /// @throws BadInput for a name that is none
-    Accuracy accuracy() const;
+    Accuracy accuracy() const { return accuracy_from(accuracy_name); }
 };
 
 }  // namespace swirl::apps

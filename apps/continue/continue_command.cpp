@@ -66,8 +66,9 @@ analysis::CyclePoints cycle_from(const ContinueOptions& options, const Scene<dou
 }
 
 /// Over a parameter a cycle must be isolated, along itself it must be a member of a family of one parameter.
-bool lies_on_curve(const Scene<double>& scene, const ParameterRange& along, const analysis::CyclePoints& cycle) {
-    const auto map = shooting_map_of(scene);
+bool lies_on_curve(const Scene<double>& scene, Accuracy accuracy, const ParameterRange& along,
+                   const analysis::CyclePoints& cycle) {
+    const auto map = shooting_map_of(scene, accuracy);
     const auto shooting = analysis::shooting_residual(map, cycle, 0);
     return shooting.alive && analysis::family_directions(shooting, map.dimension).cols() == (along.parameter ? 0 : 1);
 }
@@ -78,7 +79,8 @@ Settings settings_of(const ContinueOptions& options) {
             {"range", options.along},
             {"period", std::int64_t{options.period}},
             {"switch", std::int64_t{options.switches}},
-            {"longest_step", options.longest_step}};
+            {"longest_step", options.longest_step},
+            {"accuracy", options.output.accuracy_name}};
 }
 
 void write_document(const ContinueOptions& options, const Scene<double>& scene, const SceneBranches& system,
@@ -96,13 +98,12 @@ int continue_orbit(ContinueOptions& options) {
     options.scene.read_file();
     const ParameterRange along = parameter_range_from(options.along, false, true);
     const Scene<double> scene = options.scene.scene<double>();
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: continue works in double", options.output.accuracy_name));
+    const Accuracy accuracy = options.output.accuracy();
     if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
         throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
     if (along.parameter)
         for (const double end : {along.low, along.high}) validated(with_parameter(scene, *along.parameter, end));
-    SceneBranches system = scene_branches(scene, along);
+    SceneBranches system = scene_branches(scene, along, accuracy);
     const double p = value_of(scene, along);
     if (along.parameter && (p < along.low || p > along.high))
         throw BadInput(fmt::format("{} = {:g} of the scene is outside the range of --along: {:g} to {:g}", along.name,
@@ -110,7 +111,7 @@ int continue_orbit(ContinueOptions& options) {
     system.options.longest_step = options.longest_step;
     system.options.first_step = std::min(1e-3, options.longest_step);
     auto cycle = cycle_from(options, scene, system.map, p);
-    if (!cycle.empty() && !lies_on_curve(scene, along, cycle)) {
+    if (!cycle.empty() && !lies_on_curve(scene, accuracy, along, cycle)) {
         tell(fmt::format("swirl: the cycle is {}",
                          along.parameter
                              ? "a member of a family: follow it by --along S=A:B or tau=A:B"

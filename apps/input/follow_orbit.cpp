@@ -45,15 +45,15 @@ void follow(SceneOrbit<T>& orbit, const ImpactRange& range, bool quiet, Trajecto
 
 template <class T>
 void follow_in(const SceneOptions& scene_options, const StartOptions& start_options, const ImpactRange& range,
-               bool quiet, OrbitColumns& columns) {
+               const OutputOptions& output, OrbitColumns& columns) {
     const Scene<T> scene = scene_options.scene<T>();
     const Start<T> start = start_options.start<T>(scene);
-    SceneOrbit<T> orbit(scene, start);
+    SceneOrbit<T> orbit(scene, start, baseline_of(output.accuracy()));
     std::visit(
         [&](const auto& s) {
             TrajectorySegmenter cutter(scene, s);
             columns.contact_scene = cutter.scene();
-            follow(orbit, range, quiet, cutter, columns);
+            follow(orbit, range, output.quiet, cutter, columns);
         },
         start);
 }
@@ -93,17 +93,8 @@ OrbitColumns follow_orbit(const SceneOptions& scene_options, const StartOptions&
     columns.names = names;
     columns.values.resize(names.size());
     note_interruptions();
-    switch (output.accuracy()) {
-        case Accuracy::double_precision:
-            follow_in<double>(scene_options, start_options, range, output.quiet, columns);
-            break;
-        case Accuracy::extended:
-            follow_in<long double>(scene_options, start_options, range, output.quiet, columns);
-            break;
-        case Accuracy::quad:
-            follow_in<Quad>(scene_options, start_options, range, output.quiet, columns);
-            break;
-    }
+    with_number_of(output.accuracy(),
+                   [&]<class T>(const T&) { follow_in<T>(scene_options, start_options, range, output, columns); });
     return columns;
 }
 

@@ -139,13 +139,12 @@ int lyapunov(LyapunovCommandOptions& options) {
     options.scene.read_file();
     options.start.take_units(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: lyapunov works in double", options.output.accuracy_name));
+    const Accuracy accuracy = options.output.accuracy();
     const Start<double> start = options.start.start<double>(scene);
     std::optional<RecordWriter> record = open_record(options.output, "Lyapunov spectrum of a swirled polygon",
                                                      {options.scene.file()}, options.scene.units());
     exit_when_interrupted();
-    const OrbitSpectrum s = spectrum_of(scene, start, options.transient, options.collisions);
+    const OrbitSpectrum s = spectrum_of(scene, start, options.transient, options.collisions, accuracy);
     const Settings settings = {{"transient", options.transient},
                                {"collisions", options.collisions},
                                {"accuracy", options.output.accuracy_name}};

@@ -46,7 +46,7 @@ inline constexpr double regular_agreement = 1e-8;
 /// The spectrum of one orbit. A pure function of its arguments.
 /// @throws std::invalid_argument for a scene or start out of range
 OrbitSpectrum spectrum_of(const Scene<double>& scene, const Start<double>& start, std::int64_t transient,
-                          std::int64_t collisions);
+                          std::int64_t collisions, Accuracy accuracy = Accuracy::double_precision);
 
 int lyapunov(LyapunovCommandOptions& options);
 

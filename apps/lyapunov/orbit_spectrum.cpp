@@ -36,8 +36,8 @@ std::vector<double> better_means(const analysis::LyapunovSpectrum& spectrum) {
 }  // namespace
 
 OrbitSpectrum spectrum_of(const Scene<double>& scene, const Start<double>& start, std::int64_t transient,
-                          std::int64_t collisions) {
-    return with_scene_map(scene, [&](const auto& map) {
+                          std::int64_t collisions, Accuracy accuracy) {
+    const auto measure = [&](const auto& map) {
         OrbitSpectrum result;
         result.jacobi_residual = std::numeric_limits<double>::quiet_NaN();
         const OrbitBegin begin = begin_orbit(map, start);
@@ -74,7 +74,8 @@ OrbitSpectrum spectrum_of(const Scene<double>& scene, const Start<double>& start
                     map, begin.state, [&](const auto& state) { return jacobi_gradient(map, state); }, 100)
                     .largest_residual;
         return result;
-    });
+    };
+    return with_scene_map(scene, measure, contact_horizon, accuracy);
 }
 
 }  // namespace swirl::apps::lyapunov

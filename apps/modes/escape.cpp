@@ -62,11 +62,12 @@ std::int64_t last_impact_away(const SceneMap<D>& map, const Start<double>& start
 }
 
 /// How long a run was in chaos; nothing of one whose date of leaving is not known.
-analysis::ChaoticStay stay_of(const Scene<double>& scene, double speed, const RunVerdict& run) {
+analysis::ChaoticStay stay_of(const Scene<double>& scene, Accuracy accuracy, double speed, const RunVerdict& run) {
     if (is_chaotic(run) || is_on_wall(run)) return {run.impacts, !is_chaotic(run)};
     if (!is_on_cycle(run)) return {};
     const Start<double> start = random_start(scene.beta, speed, run.seed, 0);
-    return {with_scene_map(scene, [&](const auto& map) { return last_impact_away(map, start, run); }), true};
+    const auto last_away = [&](const auto& map) { return last_impact_away(map, start, run); };
+    return {with_scene_map(scene, last_away, contact_horizon, accuracy), true};
 }
 
 /// What a document, a record says of it.
@@ -90,14 +91,15 @@ std::optional<analysis::EscapeRate> escape_of(const Scene<double>& scene, double
     const auto has_left = [](const RunVerdict& run) { return is_on_cycle(run) || is_on_wall(run); };
     if (std::none_of(runs.begin(), runs.end(), is_chaotic) || std::none_of(runs.begin(), runs.end(), has_left))
         return std::nullopt;
+    const Accuracy accuracy = output.accuracy();
     std::vector<analysis::ChaoticStay> stays(runs.size());
     Progress progress("escapes from chaos", static_cast<double>(runs.size()), output.quiet);
-    const bool whole =
-        run_pieces(runs.size(), output.threads, progress, [scene, speed, runs, &stays](std::size_t r) -> KeepResult {
-            const analysis::ChaoticStay stay = stay_of(scene, speed, runs[r]);
-            if (is_interrupted()) return {};  // it was followed no further
-            return [&stays, r, stay] { stays[r] = stay; };
-        });
+    const bool whole = run_pieces(runs.size(), output.threads, progress,
+                                  [scene, accuracy, speed, runs, &stays](std::size_t r) -> KeepResult {
+                                      const analysis::ChaoticStay stay = stay_of(scene, accuracy, speed, runs[r]);
+                                      if (is_interrupted()) return {};  // it was followed no further
+                                      return [&stays, r, stay] { stays[r] = stay; };
+                                  });
     if (!whole) return std::nullopt;
     return analysis::escape_rate(stays, chaos_begins);
 }

@@ -171,12 +171,15 @@ NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const anal
 }  // namespace
 
 NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& options,
-                    const analysis::Stop& stop, OrbitSamples* samples) {
+                    Accuracy accuracy, const analysis::Stop& stop, OrbitSamples* samples) {
     analysis::ClassifyOptions settings = options;
     settings.conserves = scene.mu == 0 && scene.restitution == 1;
-    return with_scene_map(scene, [&](const auto& map) {
+    const auto name = [&](const auto& map) {
         return name_in(map, start, settings, is_dissipative_without_drive(scene), stop, samples);
-    });
+    };
+    NamedMode named = with_scene_map(scene, name, contact_horizon, accuracy);
+    named.accuracy = accuracy;
+    return named;
 }
 
 }  // namespace swirl::apps

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/classification/classify.hpp"
+#include "apps/command_line/accuracy.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "map/orbit/outcome.hpp"
 
@@ -15,6 +16,7 @@ struct NamedMode {
     analysis::Classification verdict;
     Outcome outcome = Outcome::completed;
     long long impacts = 0;
+    Accuracy accuracy = Accuracy::double_precision;  ///< in which its orbit was followed
     bool finished = true;  ///< false: stopped before there was a verdict; nothing else is meaningful then
 };
 
@@ -25,9 +27,11 @@ struct OrbitSamples {
 };
 
 /// Classifies one start of a scene. A pure function of its arguments, if it is not stopped.
-///   samples  filled where it is given
+///   accuracy  in which each step is computed (SceneMap)
+///   samples   filled where it is given
 /// @throws std::invalid_argument for a scene or start out of range
 NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& settings,
-                    const analysis::Stop& stop = {}, OrbitSamples* samples = nullptr);
+                    Accuracy accuracy = Accuracy::double_precision, const analysis::Stop& stop = {},
+                    OrbitSamples* samples = nullptr);
 
 }  // namespace swirl::apps

@@ -9,7 +9,7 @@ namespace swirl::apps {
 
 namespace {
 
-Settings settings_of(const analysis::ClassifyOptions& s) {
+Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s) {
     return {{"transient", s.transient},
             {"collisions", s.collisions},
             {"exhaustive", s.exhaustive},
@@ -19,7 +19,8 @@ Settings settings_of(const analysis::ClassifyOptions& s) {
             {"closure", s.period.closure},
             {"vicinity", s.period.vicinity},
             {"residual", s.period.residual},
-            {"neutral", analysis::neutral_margin}};
+            {"neutral", analysis::neutral_margin},
+            {"accuracy", std::string(name_of(named.accuracy))}};
 }
 
 Table<NamedMode> verdict_table() {
@@ -58,12 +59,12 @@ Table<analysis::Evidence> evidence_table() {
 void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings) {
     write_members(json, verdict_table(), named);
     write_evidence(json, named.verdict.evidence);
-    write_json(json, "settings", settings_of(settings));
+    write_json(json, "settings", settings_of(named, settings));
 }
 
 void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings) {
     write_attributes(group, verdict_table(), named);
-    write_attributes(group.group("settings"), settings_of(settings));
+    write_attributes(group.group("settings"), settings_of(named, settings));
     write_evidence(group, named.verdict.evidence);
 }
 

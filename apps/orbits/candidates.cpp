@@ -68,7 +68,7 @@ std::vector<CyclePoints> trajectories_of(const Scene<double>& scene, const Candi
             }
             return trajectories;
         },
-        horizon);
+        horizon, options.accuracy);
 }
 
 std::vector<CyclePoints> returning_candidates(const analysis::ShootingMap& map, int k,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/cycles/find_cycles.hpp"
+#include "apps/command_line/accuracy.hpp"
 #include "map/model/scene.hpp"
 
 #include <cstdint>
@@ -16,9 +17,10 @@ struct CandidateOptions {
     std::int64_t collisions = 2000;  ///< impacts of each
     double speed = 1.0 / 7;          ///< of the trajectories' random starts
     std::uint64_t seed = 1;
-    int returns = 30;            ///< close returns per trajectory and period
-    double vicinity = 0.5;       ///< how close (Euclidean)
-    std::function<bool()> stop;  ///< true: end with what there is
+    Accuracy accuracy = Accuracy::double_precision;  ///< in which each step is computed (SceneMap)
+    int returns = 30;                                ///< close returns per trajectory and period
+    double vicinity = 0.5;                           ///< how close (Euclidean)
+    std::function<bool()> stop;                      ///< true: end with what there is
 };
 
 /// Trajectories from random starts, transients included: each a list of states on the section.

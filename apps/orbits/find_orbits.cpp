@@ -86,7 +86,8 @@ FoundOrbits find_orbits(const Scene<double>& scene, const analysis::ShootingMap&
     if (found.none_exist) return found;
     const auto stopped = [&] { return options.candidates.stop && options.candidates.stop(); };
     if (options.first_period == 1)
-        found.steady = find_steady_cycles(scene, map, options.max_time, stopped, options.threads, found.cycles);
+        found.steady = find_steady_cycles(scene, map, options.max_time, stopped, options.threads,
+                                          options.candidates.accuracy, found.cycles);
     const bool searches = options.last_period > 1 || can_land(scene);
     const auto trajectories = searches ? trajectories_of(scene, options.candidates) : std::vector<CyclePoints>{};
     const auto timed = timed_map_of(scene);

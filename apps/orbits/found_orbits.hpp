@@ -3,6 +3,7 @@
 
 #include "analysis/cycles/cycle.hpp"
 #include "analysis/cycles/unseen_cycles.hpp"
+#include "apps/command_line/accuracy.hpp"
 #include "map/steady/steady_modes.hpp"
 
 #include <cstdint>
@@ -43,6 +44,7 @@ struct FoundOrbits {
     double reached = std::numeric_limits<double>::quiet_NaN();  ///< residual that it reached; NaN: nothing to solve
     double distance = std::numeric_limits<double>::infinity();  ///< of the nearest point of a cycle from --near
     std::vector<std::string> limits;                            ///< what the search left out
+    Accuracy accuracy = Accuracy::double_precision;             ///< of the map that has these cycles
     bool interrupted = false;
     bool none_exist = false;  ///< proven: every impact takes (map/model/scene.hpp, `is_dissipative_without_drive`)
 

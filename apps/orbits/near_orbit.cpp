@@ -39,6 +39,7 @@ struct NearSearch {
     const Scene<double>& scene;
     const analysis::ShootingMap& map;
     const analysis::TimedMap& timed;
+    Accuracy accuracy;
     Eigen::VectorXd near;
     int period;
 };
@@ -113,7 +114,7 @@ std::vector<Returning> best_of_cloud(const NearSearch& search, double radius) {
         all.resize(kept);
         return all;
     };
-    return with_scene_map(search.scene, follow, solver_horizon);
+    return with_scene_map(search.scene, follow, solver_horizon, search.accuracy);
 }
 
 /// What is said of a point whose orbit has not k impacts.
@@ -148,14 +149,15 @@ Solution nearest_cycle(const NearSearch& search, const std::function<bool()>& st
 
 }  // namespace
 
-FoundOrbits find_near(const Scene<double>& scene, const analysis::ShootingMap& map, const SectionPoint<double>& z,
-                      int first_period, int last_period, const std::function<bool()>& stop) {
+FoundOrbits find_near(const Scene<double>& scene, const analysis::ShootingMap& map, Accuracy accuracy,
+                      const SectionPoint<double>& z, int first_period, int last_period,
+                      const std::function<bool()>& stop) {
     FoundOrbits found;
     const auto timed = timed_map_of(scene);
     const Eigen::VectorXd near = coordinates_of(z, scene.is_disk());
     analysis::KnownCycles known(map, 0, same_cycle, false);
     for (int k = first_period; k <= last_period && !stop(); ++k) {
-        const Solution best = nearest_cycle({scene, map, timed, near, k}, stop, found);
+        const Solution best = nearest_cycle({scene, map, timed, accuracy, near, k}, stop, found);
         found.iterations = best.iterations;
         found.reached = std::isfinite(best.residual) ? best.residual : std::nan("");
         if (best.points.empty()) continue;

@@ -16,8 +16,10 @@ namespace swirl::apps::orbits {
 ///   times farther from the cycle than z is; of some thousand points about it some lie near the manifold of points that
 ///   stay near the cycle. Clouds grow from 3·10⁻⁶ to 3·10⁻², until one holds a cycle.
 /// Cost: up to 5 × 400,000 steps of the map and some 60 solutions.
+///   map   in that accuracy
 ///   stop  true: end with what there is
-FoundOrbits find_near(const Scene<double>& scene, const analysis::ShootingMap& map, const SectionPoint<double>& z,
-                      int first_period, int last_period, const std::function<bool()>& stop);
+FoundOrbits find_near(const Scene<double>& scene, const analysis::ShootingMap& map, Accuracy accuracy,
+                      const SectionPoint<double>& z, int first_period, int last_period,
+                      const std::function<bool()>& stop);
 
 }  // namespace swirl::apps::orbits

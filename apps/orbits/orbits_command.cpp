@@ -96,8 +96,6 @@ std::optional<SectionPoint<double>> near_point(const OrbitsOptions& options, con
 
 /// What no combination of flags or no range allows.
 void check(const OrbitsOptions& options) {
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: orbits works in double", options.output.accuracy_name));
     options.periods();
     if (!(options.max_time > 0 && options.max_time <= 1e4))
         throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= 10000", options.max_time));
@@ -119,14 +117,16 @@ int orbits(OrbitsOptions& options) {
     check(options);
     const std::optional<Pin> pin = pin_from(options.pin);
     const auto near = near_point(options, scene);
-    const auto map = shooting_map_of(scene);
+    options.candidates.accuracy = options.output.accuracy();
+    const auto map = shooting_map_of(scene, options.candidates.accuracy);
     std::optional<RecordWriter> record =
         open_record(options.output, "Cycles of a swirled polygon", {options.scene.file()}, options.scene.units());
     note_interruptions();
     options.candidates.stop = is_interrupted;
     const auto [first, last] = options.periods();
-    FoundOrbits found = near ? find_near(scene, map, *near, first, last, is_interrupted)
+    FoundOrbits found = near ? find_near(scene, map, options.candidates.accuracy, *near, first, last, is_interrupted)
                              : find_orbits(scene, map, find_options_of(options));
+    found.accuracy = options.candidates.accuracy;
     if (pin) pin_families(scene, map, *pin, found);
     found.interrupted = is_interrupted();
     finish_up();

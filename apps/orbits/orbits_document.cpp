@@ -66,7 +66,7 @@ std::string stability_in_words(const Cycle& c) {
 /// The cycles of a map. `longest`: the longest period, to which lists of points are filled up.
 Table<Cycle> cycle_table(const Scene<double>& scene, const FoundOrbits& found, std::size_t longest) {
     using F = Field<Cycle>;
-    const CycleTable at{scene, shooting_map_of(scene), found};
+    const CycleTable at{scene, shooting_map_of(scene, found.accuracy), found};
     const auto d = static_cast<std::size_t>(at.map.dimension);
     const auto family = [at](JsonWriter& json, const Cycle& c) { write_family(json, at, c); };
     const auto re = [](const Cycle& c) { return parts_of(c, std::real); };
@@ -168,7 +168,8 @@ Settings orbits_settings(const OrbitsOptions& options) {
             {"most_starts", options.most_starts},
             {"trajectories", options.candidates.trajectories},
             {"collisions", options.candidates.collisions},
-            {"seed", options.candidates.seed}};
+            {"seed", options.candidates.seed},
+            {"accuracy", options.output.accuracy_name}};
 }
 
 void write_orbits_document(const OrbitsOptions& options, const Scene<double>& scene, const FoundOrbits& found) {

@@ -18,10 +18,17 @@ std::optional<SteadyMode> typical_member(const Scene<double>& scene, const Stead
     return {};
 }
 
+/// The modes are confirmed by the map in double; one with another search need not have them.
+bool is_fixed(const analysis::ShootingMap& map, const Eigen::VectorXd& z) {
+    const auto step = map.step(z, 0);
+    return step.alive && map.distance(step.state, z) <= same_mode;
+}
+
 }  // namespace
 
 SteadySearch find_steady_cycles(const Scene<double>& scene, const analysis::ShootingMap& map, double max_time,
-                                const std::function<bool()>& stop, int threads, std::vector<analysis::Cycle>& cycles) {
+                                const std::function<bool()>& stop, int threads, Accuracy accuracy,
+                                std::vector<analysis::Cycle>& cycles) {
     SteadyOptions options;
     options.longest_flight = max_time;
     const SteadyModes steady = steady_modes(scene, options);
@@ -38,7 +45,9 @@ SteadySearch find_steady_cycles(const Scene<double>& scene, const analysis::Shoo
     }
     analysis::KnownCycles known(map, 0, same_mode, false);
     for (const SteadyMode& mode : modes) {
-        if (stop() || !known.add({coordinates_of(mode.point, scene.is_disk())}, mode.residual)) lost(mode.tau);
+        const Eigen::VectorXd z = coordinates_of(mode.point, scene.is_disk());
+        const bool confirmed = accuracy == Accuracy::double_precision || is_fixed(map, z);
+        if (stop() || !confirmed || !known.add({z}, mode.residual)) lost(mode.tau);
         if (stop()) break;
     }
     auto listed = known.completed(threads);

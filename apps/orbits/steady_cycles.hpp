@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/cycles/known_cycles.hpp"
+#include "apps/command_line/accuracy.hpp"
 #include "apps/orbits/found_orbits.hpp"
 
 #include <functional>
@@ -9,11 +10,13 @@
 namespace swirl::apps::orbits {
 
 /// Every fixed point of F by impacts alone with τ ≤ max_time; of a family over τ the member midway.
-///   stop  true: end with what there is
+///   map       in that accuracy: where it is not double, it has to have the fixed point, too
+///   stop      true: end with what there is
 /// Cost: steady_modes', and some 30 ms a point for its multipliers in 100 digits.
 /// @throws std::invalid_argument for a max_time out of range
 SteadySearch find_steady_cycles(const Scene<double>& scene, const analysis::ShootingMap& map, double max_time,
-                                const std::function<bool()>& stop, int threads, std::vector<analysis::Cycle>& cycles);
+                                const std::function<bool()>& stop, int threads, Accuracy accuracy,
+                                std::vector<analysis::Cycle>& cycles);
 
 /// The family that a fixed point belongs to, if it is one of these.
 const SteadyFamily* family_of(const Scene<double>& scene, const std::vector<SteadyFamily>& families,

@@ -114,7 +114,7 @@ template <class T>
 Ending run_in(const SimulateOptions& options, Sinks& sinks) {
     const Scene<T> scene = options.scene.template scene<T>();
     const Start<T> start = options.start.template start<T>(scene);
-    SceneOrbit<T> orbit(scene, start);
+    SceneOrbit<T> orbit(scene, start, baseline_of(options.output.accuracy()));
     return std::visit(
         [&](const auto& s) {
             Samples samples(options, scene, s);
@@ -126,15 +126,7 @@ Ending run_in(const SimulateOptions& options, Sinks& sinks) {
 }  // namespace
 
 Ending follow_impacts(const SimulateOptions& options, Sinks& sinks) {
-    switch (options.output.accuracy()) {
-        case Accuracy::double_precision:
-            return run_in<double>(options, sinks);
-        case Accuracy::extended:
-            return run_in<long double>(options, sinks);
-        case Accuracy::quad:
-            return run_in<Quad>(options, sinks);
-    }
-    return {};
+    return with_number_of(options.output.accuracy(), [&]<class T>(const T&) { return run_in<T>(options, sinks); });
 }
 
 }  // namespace swirl::apps::simulate

@@ -23,9 +23,9 @@ void JoinOptions::add_to(Flags& command) {
 namespace {
 
 /// In the order of settings_of.
-constexpr std::array<const char*, 17> in_order = {
+constexpr std::array<const char*, 18> in_order = {
     "swirl_version",  "grid", "sample", "sides", "alpha",     "beta",       "mu",         "restitution", "law",
-    "inertia_factor", "runs", "speed",  "seed",  "transient", "collisions", "exhaustive", "threshold"};
+    "inertia_factor", "runs", "speed",  "seed",  "transient", "collisions", "exhaustive", "threshold",   "accuracy"};
 
 std::string text_of(const AttributeValue& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return *text;

@@ -43,12 +43,13 @@ bool run_cells(const SweepOptions& options, const std::vector<std::size_t>& cell
     for (const std::size_t cell : cells)
         for (std::size_t i = cell * runs; i < (cell + 1) * runs; ++i)
             if (!done[i]) left.push_back(i);
+    const Accuracy accuracy = options.output.accuracy();
     Progress progress(task, static_cast<double>(left.size()), options.output.quiet);
     const bool all = run_pieces(left.size(), options.output.threads, progress, [&](std::size_t i) -> KeepResult {
         const std::size_t index = left[i];
         const Scene<double> scene = cell_scene(options.scene, sweep.grid, index / runs);
         const double speed = cell_speed(options.start.speed(), sweep.grid, index / runs);
-        const auto result = sweep_run(scene, speed, options.start.seed(), index % runs, options.settings);
+        const auto result = sweep_run(scene, speed, options.start.seed(), index % runs, options.settings, accuracy);
         if (!result) return {};
         return [&sweep, &done, journal, index, result] {
             sweep.results[index] = *result;

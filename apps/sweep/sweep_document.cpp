@@ -235,7 +235,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
             group.dimension(axes.back(), axis.points.size());
         }
         group.write<double>(dimension_of(axis), {axis.sampled ? "cell" : dimension_of(axis)}, axis.points,
-                            {"1", "parameter " + axis.name, {}});
+                            {axis.name == "speed" ? "R_c omega_s" : "1", "parameter " + axis.name, {}});
     }
     group.dimension("run", static_cast<std::uint64_t>(sweep.runs));
     group.dimension("mode", mode_count);

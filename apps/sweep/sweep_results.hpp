@@ -21,7 +21,7 @@ struct RunResult {
 /// Run `run` of a scene: a pure function of its arguments. Its start is that of `swirl classify --seed (seed + run)`.
 /// Nothing if it is interrupted.
 std::optional<RunResult> sweep_run(const Scene<double>& scene, double speed, std::uint64_t seed, std::uint64_t run,
-                                   const analysis::ClassifyOptions& settings);
+                                   const analysis::ClassifyOptions& settings, Accuracy accuracy);
 
 inline constexpr int mode_count = 4;
 inline constexpr std::array<analysis::Mode, mode_count> all_modes = {

@@ -28,6 +28,7 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     settings.emplace_back("collisions", options.settings.collisions);
     settings.emplace_back("exhaustive", options.settings.exhaustive);
     settings.emplace_back("threshold", options.settings.recurrence_threshold);
+    settings.emplace_back("accuracy", options.output.accuracy_name);
     return settings;
 }
 

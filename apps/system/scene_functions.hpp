@@ -15,7 +15,7 @@ struct SceneFunctions {
     using Step = ReturnStep<double>;
     using Derivative = analysis::Matrix<D>;
 
-    std::shared_ptr<const void> (*make)(const Scene<double>&);
+    std::shared_ptr<const void> (*make)(const Scene<double>&, Accuracy);
     const ContactScene& (*contact)(const void* map);
     Step (*first_impact)(const void* map, const LabStart<double>& start);
     Outcome (*advance)(const void* map, Step& step, double horizon, const ContactSink& sink);
@@ -27,14 +27,61 @@ struct SceneFunctions {
     Derivative (*through_contact)(const void* map, const SectionPoint<double>& z, const Step& known, long& series);
 };
 
-/// The functions of the map that `with_collision_map` chooses; defined in scene_functions_of_disks.cpp and
-/// scene_functions_of_polygons.cpp.
-template <ImpactRule rule>
-const SceneFunctions<disk_dimension>& disk_functions();
-template <ImpactRule rule>
-const SceneFunctions<polygon_dimension>& polygon_functions();
+/// The functions of one map, in double; defined in scene_functions_of_disks.cpp and scene_functions_of_polygons.cpp.
+template <Shape shape, ImpactRule rule>
+const SceneFunctions<section_dimension<shape>>& double_functions();
+/// The same with steps in another arithmetic, or with another search (rounded_scene.hpp); defined in
+/// scene_functions_in_extended.cpp, scene_functions_in_quad.cpp and scene_functions_of_baselines.cpp.
+template <Shape shape, ImpactRule rule>
+const SceneFunctions<section_dimension<shape>>& extended_functions();
+template <Shape shape, ImpactRule rule>
+const SceneFunctions<section_dimension<shape>>& quad_functions();
+template <Shape shape, ImpactRule rule>
+const SceneFunctions<section_dimension<shape>>& baseline_functions();
 
-/// The functions themselves, for those two files.
+// For SWIRL_EVERY_MAP in those files.
+#define SWIRL_COMPILE_DOUBLE_FUNCTIONS(T, SHAPE, RULE) \
+    template const SceneFunctions<section_dimension<SHAPE>>& double_functions<SHAPE, RULE>();
+#define SWIRL_COMPILE_EXTENDED_FUNCTIONS(T, SHAPE, RULE) \
+    template const SceneFunctions<section_dimension<SHAPE>>& extended_functions<SHAPE, RULE>();
+#define SWIRL_COMPILE_QUAD_FUNCTIONS(T, SHAPE, RULE) \
+    template const SceneFunctions<section_dimension<SHAPE>>& quad_functions<SHAPE, RULE>();
+#define SWIRL_COMPILE_BASELINE_FUNCTIONS(T, SHAPE, RULE) \
+    template const SceneFunctions<section_dimension<SHAPE>>& baseline_functions<SHAPE, RULE>();
+
+/// Follows a map; what repeats itself to the bit (ExactReturn) is not followed again.
+///   advance  the step in place, ReturnMap's: ReturnStep → Outcome
+template <class AdvanceStep>
+std::int64_t follow_steps(const Body<double>& body, PostImpactState<double>& z, std::int64_t steps,
+                          const analysis::Stop& stop, analysis::Effort& effort, const AdvanceStep& advance) {
+    constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
+    ReturnStep<double> step;
+    step.collision.after = z;
+    ExactReturn exact;
+    bool repeats = false;
+    std::int64_t done = 0, look = 0;
+    while (done < steps && !effort.is_spent()) {
+        if (stop && done >= look) {
+            if (stop()) break;
+            look = done + between;
+        }
+        const Outcome outcome = advance(step);
+        effort.spent += effort_of(step);
+        if (outcome != Outcome::completed) break;
+        const PostImpactState<double>& after = step.collision.after;
+        if (has_come_to_rest(body, after) || has_diverged(body, after)) break;
+        z = after;
+        ++done;
+        if (repeats) continue;
+        const std::int64_t period = exact.after(z);
+        if (period == 0) continue;
+        repeats = true;
+        done += (steps - done) / period * period;
+    }
+    return done;
+}
+
+/// The functions themselves, for the files of double.
 template <Shape shape, ImpactRule rule>
 struct ConcreteScene {
     static constexpr int dimension = section_dimension<shape>;
@@ -54,7 +101,7 @@ struct ConcreteScene {
 
     static const ConcreteScene& of(const void* map) { return *static_cast<const ConcreteScene*>(map); }
 
-    static std::shared_ptr<const void> make(const Scene<double>& scene) {
+    static std::shared_ptr<const void> make(const Scene<double>& scene, Accuracy) {
         return std::make_shared<const ConcreteScene>(scene);
     }
     static const ContactScene& contact(const void* map) { return of(map).return_map.contact(); }
@@ -67,33 +114,9 @@ struct ConcreteScene {
     }
     static std::int64_t follow(const void* map, State& z, std::int64_t steps, double horizon,
                                const analysis::Stop& stop, analysis::Effort& effort) {
-        constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
         const auto& return_map = of(map).return_map;
-        const auto& body = return_map.map().body();
-        Step step;
-        step.collision.after = z;
-        ExactReturn exact;
-        bool repeats = false;
-        std::int64_t done = 0, look = 0;
-        while (done < steps && !effort.is_spent()) {
-            if (stop && done >= look) {
-                if (stop()) break;
-                look = done + between;
-            }
-            const Outcome outcome = return_map.advance(step, horizon);
-            effort.spent += effort_of(step);
-            if (outcome != Outcome::completed) break;
-            const State& after = step.collision.after;
-            if (has_come_to_rest(body, after) || has_diverged(body, after)) break;
-            z = after;
-            ++done;
-            if (repeats) continue;
-            const std::int64_t period = exact.after(z);
-            if (period == 0) continue;
-            repeats = true;
-            done += (steps - done) / period * period;
-        }
-        return done;
+        return follow_steps(return_map.map().body(), z, steps, stop, effort,
+                            [&return_map, horizon](Step& step) { return return_map.advance(step, horizon); });
     }
     static Derivative through_flight(const void* map, const State& z, const Step& known) {
         return of(map).differentiated.derivative_of(z, known.collision);

@@ -2,12 +2,11 @@
 
 namespace swirl::apps {
 
-template <ImpactRule rule>
-const SceneFunctions<disk_dimension>& disk_functions() {
-    return ConcreteScene<Shape::disk, rule>::functions;
+template <Shape shape, ImpactRule rule>
+const SceneFunctions<section_dimension<shape>>& double_functions() {
+    return ConcreteScene<shape, rule>::functions;
 }
 
-template const SceneFunctions<disk_dimension>& disk_functions<ImpactRule::frictionless>();
-template const SceneFunctions<disk_dimension>& disk_functions<ImpactRule::poisson>();
+SWIRL_EVERY_DISK_MAP(SWIRL_COMPILE_DOUBLE_FUNCTIONS, double)
 
 }  // namespace swirl::apps

@@ -2,14 +2,11 @@
 
 namespace swirl::apps {
 
-template <ImpactRule rule>
-const SceneFunctions<polygon_dimension>& polygon_functions() {
-    return ConcreteScene<Shape::polygon, rule>::functions;
+template <Shape shape, ImpactRule rule>
+const SceneFunctions<section_dimension<shape>>& double_functions() {
+    return ConcreteScene<shape, rule>::functions;
 }
 
-template const SceneFunctions<polygon_dimension>& polygon_functions<ImpactRule::frictionless>();
-template const SceneFunctions<polygon_dimension>& polygon_functions<ImpactRule::poisson>();
-template const SceneFunctions<polygon_dimension>& polygon_functions<ImpactRule::newton>();
-template const SceneFunctions<polygon_dimension>& polygon_functions<ImpactRule::stronge>();
+SWIRL_EVERY_POLYGON_MAP(SWIRL_COMPILE_DOUBLE_FUNCTIONS, double)
 
 }  // namespace swirl::apps

@@ -10,24 +10,42 @@ namespace swirl::apps {
 
 namespace {
 
-/// The choice of `with_collision_map`, made without a map.
-const SceneFunctions<disk_dimension>& functions_for(const Scene<double>& scene,
-                                                    std::integral_constant<int, disk_dimension>) {
-    return scene.mu == 0 ? disk_functions<ImpactRule::frictionless>() : disk_functions<ImpactRule::poisson>();
+template <Shape shape, ImpactRule rule>
+const SceneFunctions<section_dimension<shape>>& functions_in(Accuracy accuracy) {
+    switch (accuracy) {
+        case Accuracy::double_precision:
+            break;
+        case Accuracy::extended:
+            return extended_functions<shape, rule>();
+        case Accuracy::quad:
+            return quad_functions<shape, rule>();
+        case Accuracy::paper:
+        case Accuracy::brent:
+        case Accuracy::fixed_step:
+            return baseline_functions<shape, rule>();
+    }
+    return double_functions<shape, rule>();
 }
 
-const SceneFunctions<polygon_dimension>& functions_for(const Scene<double>& scene,
+/// The choice of `with_collision_map`, made without a map.
+const SceneFunctions<disk_dimension>& functions_for(const Scene<double>& scene, Accuracy accuracy,
+                                                    std::integral_constant<int, disk_dimension>) {
+    return scene.mu == 0 ? functions_in<Shape::disk, ImpactRule::frictionless>(accuracy)
+                         : functions_in<Shape::disk, ImpactRule::poisson>(accuracy);
+}
+
+const SceneFunctions<polygon_dimension>& functions_for(const Scene<double>& scene, Accuracy accuracy,
                                                        std::integral_constant<int, polygon_dimension>) {
-    if (scene.mu == 0) return polygon_functions<ImpactRule::frictionless>();
+    if (scene.mu == 0) return functions_in<Shape::polygon, ImpactRule::frictionless>(accuracy);
     switch (scene.law) {
         case Law::newton:
-            return polygon_functions<ImpactRule::newton>();
+            return functions_in<Shape::polygon, ImpactRule::newton>(accuracy);
         case Law::stronge:
-            return polygon_functions<ImpactRule::stronge>();
+            return functions_in<Shape::polygon, ImpactRule::stronge>(accuracy);
         case Law::poisson:
             break;
     }
-    return polygon_functions<ImpactRule::poisson>();
+    return functions_in<Shape::polygon, ImpactRule::poisson>(accuracy);
 }
 
 /// What a step says of a return step from which an orbit goes on.
@@ -42,12 +60,16 @@ void fill(Step& step, const ReturnStep<double>& return_step) {
 }  // namespace
 
 template <int D>
-SceneMap<D>::SceneMap(const Scene<double>& scene, double horizon)
-    : SceneMap(&functions_for(scene, std::integral_constant<int, D>()), scene, horizon) {}
+SceneMap<D>::SceneMap(const Scene<double>& scene, double horizon, Accuracy accuracy)
+    : SceneMap(&functions_for(scene, accuracy, std::integral_constant<int, D>()), scene, horizon, accuracy) {}
 
 template <int D>
-SceneMap<D>::SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon)
-    : functions_(functions), map_(functions->make(scene)), body_(make_body(scene)), horizon_(horizon) {
+SceneMap<D>::SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon, Accuracy accuracy)
+    : functions_(functions),
+      map_(functions->make(scene, accuracy)),
+      body_(make_body(scene)),
+      horizon_(horizon),
+      accuracy_(accuracy) {
     if (scene.is_disk() != (D == disk_dimension)) throw std::logic_error("a map of the other shape's dimension");
 }
 

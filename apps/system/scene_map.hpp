@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/section_map.hpp"
+#include "apps/command_line/accuracy.hpp"
 #include "apps/system/letter.hpp"
 #include "apps/system/section_coordinates.hpp"
 #include "map/derivative/parameter.hpp"
@@ -19,10 +20,11 @@ struct SceneFunctions;
 
 /// F with sustained contact, of dimension 5 (polygons) or 4 (disks), whatever the impact rule: what differs is compiled
 /// once for each, behind plain function pointers (scene_functions.hpp), so that analyses are compiled once a dimension.
-/// Its states are those that `simulate` iterates, bit for bit; coordinates are (ψ, χ, v_n, v_t, S), a disk's
-/// (ψ, v_n, v_t, S). It ends (`alive` false) where there is no next impact, and where speeds leave the numbers.
-/// The derivative, by the coordinates, is exact for a flight and made of differences through contact
-/// (map/orbit/return_derivative.hpp). Copies share what they are made of.
+/// In double its states are those that `simulate` iterates, bit for bit; in another accuracy each step is computed
+/// there and rounded to double (rounded_scene.hpp). Coordinates are (ψ, χ, v_n, v_t, S), a disk's (ψ, v_n, v_t, S). It
+/// ends (`alive` false) where there is no next impact, and where speeds leave the numbers. The derivative, by the
+/// coordinates, is exact for a flight and made of differences through contact (map/orbit/return_derivative.hpp). Copies
+/// share what they are made of.
 template <int D>
 class SceneMap {
 public:
@@ -31,12 +33,14 @@ public:
     using State = PostImpactState<double>;
     using Derivative = analysis::Matrix<D>;
 
-    ///   horizon  the map ends where contact lasts longer than that
+    ///   horizon   the map ends where contact lasts longer than that
+    ///   accuracy  in which a step is computed; its result is rounded to double
     /// @throws std::invalid_argument if the scene is out of range
-    explicit SceneMap(const Scene<double>& scene, double horizon = contact_horizon);
+    explicit SceneMap(const Scene<double>& scene, double horizon = contact_horizon,
+                      Accuracy accuracy = Accuracy::double_precision);
 
     /// The same shape and impact rule with other numbers: friction stays, where μ is 0 too (its limit μ → 0).
-    SceneMap with(const Scene<double>& scene) const { return SceneMap(functions_, scene, horizon_); }
+    SceneMap with(const Scene<double>& scene) const { return SceneMap(functions_, scene, horizon_, accuracy_); }
 
     const Body<double>& body() const { return body_; }
     /// What contact needs of the scene; only where ReturnMap has it.
@@ -82,12 +86,13 @@ public:
     Derivative through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known, long& series) const;
 
 private:
-    SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon);
+    SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon, Accuracy accuracy);
 
     const SceneFunctions<D>* functions_;
     std::shared_ptr<const void> map_;
     Body<double> body_;
     double horizon_;
+    Accuracy accuracy_;
 };
 
 extern template class SceneMap<disk_dimension>;
@@ -95,9 +100,10 @@ extern template class SceneMap<polygon_dimension>;
 
 /// Calls `use(map)` with the scene's map: the one place where a scene's dimension is looked at.
 template <class Use>
-auto with_scene_map(const Scene<double>& scene, Use&& use, double horizon = contact_horizon) {
-    if (scene.is_disk()) return use(SceneMap<disk_dimension>(scene, horizon));
-    return use(SceneMap<polygon_dimension>(scene, horizon));
+auto with_scene_map(const Scene<double>& scene, Use&& use, double horizon = contact_horizon,
+                    Accuracy accuracy = Accuracy::double_precision) {
+    if (scene.is_disk()) return use(SceneMap<disk_dimension>(scene, horizon, accuracy));
+    return use(SceneMap<polygon_dimension>(scene, horizon, accuracy));
 }
 
 }  // namespace swirl::apps

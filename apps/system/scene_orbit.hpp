@@ -3,9 +3,11 @@
 #pragma once
 
 #include "apps/command_line/start_options.hpp"
+#include "map/baselines/baseline_contact.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace swirl::apps {
 
@@ -16,8 +18,9 @@ struct SceneOrbitFunctions;
 template <class T>
 class SceneOrbit {
 public:
+    ///   search  in place of the exact one (map/baselines), in double only
     /// @throws std::invalid_argument for a scene or start out of range
-    SceneOrbit(const Scene<T>& scene, const Start<T>& start);
+    SceneOrbit(const Scene<T>& scene, const Start<T>& start, const std::optional<BaselineSearch>& search = {});
 
     /// As Orbit::advance, and so are those below.
     bool advance(double horizon = contact_horizon, const ContactSink& sink = {});

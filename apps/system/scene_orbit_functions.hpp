@@ -2,6 +2,10 @@
 #pragma once
 
 #include "apps/system/scene_orbit.hpp"
+#include "map/baselines/baseline_map.hpp"
+
+#include <stdexcept>
+#include <type_traits>
 
 namespace swirl::apps {
 
@@ -45,12 +49,21 @@ struct Owned {
 }  // namespace scene_orbit_detail
 
 template <class T>
-SceneOrbit<T>::SceneOrbit(const Scene<T>& scene, const Start<T>& start) : body_(make_body(validated(scene))) {
-    with_collision_map(scene, [&](const auto& map) {
+SceneOrbit<T>::SceneOrbit(const Scene<T>& scene, const Start<T>& start, const std::optional<BaselineSearch>& search)
+    : body_(make_body(validated(scene))) {
+    const auto own = [&](const auto& map) {
         using Owned = scene_orbit_detail::Owned<std::decay_t<decltype(map)>>;
         functions_ = &Owned::functions;
         orbit_ =
             std::visit([&](const auto& s) -> std::shared_ptr<void> { return std::make_shared<Owned>(map, s); }, start);
+    };
+    with_collision_map(scene, [&](const auto& map) {
+        using Exact = std::decay_t<decltype(map)>;
+        if (!search) return own(map);
+        if constexpr (std::is_same_v<T, double>)
+            own(BaselineMap<Exact::shape, Exact::rule>(map, *search));
+        else
+            throw std::logic_error("a baseline's search is in double");
     });
 }
 

@@ -135,7 +135,7 @@ analysis::ShootingMap without_step(const SceneMap<D>& map) {
 
 }  // namespace
 
-analysis::ShootingMap shooting_map_of(const Scene<double>& scene) {
+analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Accuracy accuracy) {
     return with_scene_map(
         scene,
         [](const auto& map) {
@@ -146,10 +146,10 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene) {
             };
             return result;
         },
-        solver_horizon);
+        solver_horizon, accuracy);
 }
 
-analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter) {
+analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter, Accuracy accuracy) {
     // Along μ there is friction, whatever this scene's own μ.
     const Scene<double> typical = parameter == Parameter::mu ? with_parameter(scene, parameter, 1.0) : scene;
     return with_scene_map(
@@ -160,7 +160,7 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter para
             result.step = MapAlongParameter<D>{map, typical, parameter};
             return result;
         },
-        solver_horizon);
+        solver_horizon, accuracy);
 }
 
 analysis::PlaneMap plane_map_of(const Scene<double>& scene, Parameter first, Parameter second) {

@@ -3,6 +3,7 @@
 
 #include "analysis/boundaries/plane_map.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
+#include "apps/command_line/accuracy.hpp"
 #include "map/derivative/parameter.hpp"
 
 namespace swirl::apps {
@@ -13,13 +14,16 @@ inline constexpr double solver_horizon = 50;
 /// The return map of one scene for solvers, by SceneMap's coordinates; the observable is S, its integral ∫S dt. Through
 /// sustained contact of up to `solver_horizon`; rebounds that end in contact count as one impact (chatter_once.hpp),
 /// with the product of their derivatives. It also ends at an impact with u_n < 10⁻⁶, its `least_margin`: rest on the
-/// wall is no cycle of impacts. @throws std::invalid_argument for a scene out of range
-analysis::ShootingMap shooting_map_of(const Scene<double>& scene);
+/// wall is no cycle of impacts.
+///   accuracy  in which each step is computed (SceneMap)
+/// @throws std::invalid_argument for a scene out of range
+analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Accuracy accuracy = Accuracy::double_precision);
 
 /// The same with a parameter, whose value in `scene` is not used. The map ends where the parameter leaves its range.
 /// ∂F/∂p is exact for a flight, a central difference through contact. Friction is what `scene` has: μ = 0 in a scene
 /// with friction is the limit μ → 0.
-analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter);
+analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter,
+                                      Accuracy accuracy = Accuracy::double_precision);
 
 /// The same with two parameters, different ones. Cost of a step: twice that with one.
 analysis::PlaneMap plane_map_of(const Scene<double>& scene, Parameter first, Parameter second);

@@ -59,8 +59,7 @@ void TourOptions::add_to(Flags& command) {
 }
 
 int tour(TourOptions& options) {
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: tour works in double", options.output.accuracy_name));
+    const Accuracy accuracy = options.output.accuracy();
     std::optional<RecordWriter> record = open_record(options.output, "Modes of swirled polygons and disks", {});
     std::optional<JsonWriter> json;
     if (options.output.json) {
@@ -73,7 +72,7 @@ int tour(TourOptions& options) {
     for (std::size_t i = 0; i < stops.size(); ++i) {
         const Scene<double> scene = scene_of(stops[i]);
         const Start<double> start = random_start(scene.beta, paper_speed, 1, 0);
-        const NamedMode named = name_mode(scene, start, settings);
+        const NamedMode named = name_mode(scene, start, settings, accuracy);
         progress.at(static_cast<double>(i + 1));
         if (record) {
             const RecordGroup group = record->root().group(stops[i].name);

@@ -38,8 +38,9 @@ std::optional<Judged> judge(const Scene<double>& scene, const OrbitStarts& start
     using Clock = std::chrono::steady_clock;
     if (before && before->verdict.outcome != Outcome::completed) return before;
     const auto begin = Clock::now();
-    const NamedMode named = name_mode(scene, starts.start(scene.beta, run), settings_for(collisions),
-                                      [&budget] { return budget.is_spent(evidence_share); });
+    const NamedMode named =
+        name_mode(scene, starts.start(scene.beta, run), settings_for(collisions), Accuracy::double_precision,
+                  [&budget] { return budget.is_spent(evidence_share); });
     if (!named.finished) return std::nullopt;
     return Judged{run_verdict(starts.seed + static_cast<std::uint64_t>(run), named),
                   std::chrono::duration<double>(Clock::now() - begin).count()};

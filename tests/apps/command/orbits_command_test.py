@@ -156,7 +156,7 @@ class Orbits(Refusing):
     def test_wrong_input(self):
         for extra, mention in [("--period 0", "period"), ("--period 2 --max-period 3", "both"), ("--near 1,2", "numbers"),
                                ("--near 0,0,1,0,0", "u_n"), ("--pin x=3", "pin"), ("--pin tau=-1", "tau"),
-                               ("--accuracy quad", "double"), ("--starts -1", "starts"),
+                               ("--accuracy half", "quad"), ("--starts -1", "starts"),
                                ("--max-time 0", "max-time"), ("--max-time nan", "max-time"), ("--max-time 20000", "10000"),
                                (f"--complete --near={POINT}", "both")]:
             self.refused(f"orbits {HEXAGON} {extra}", mention)

@@ -113,7 +113,10 @@ class Sweep(InFolder):
         self.assertGreater(abs(cell["mean_S_per_impact"] - cell["mean_S"]), 0.01)
 
     def test_the_grid_may_run_over_the_speed_of_the_starts(self):
-        cells = document(f"sweep {CYCLE} --grid speed=0.1:0.5:5 {SHORT} --quiet")["cells"]
+        record = self.folder / "speeds.h5"
+        cells = document(f"sweep {CYCLE} --grid speed=0.1:0.5:5 {SHORT} --quiet -o {record}")["cells"]
+        with xarray.open_dataset(record, group="sweep", engine="h5netcdf") as data:
+            self.assertEqual(data["speed"].attrs["units"], "R_c omega_s")
         for cell, speed in zip(cells, (0.1, 0.2, 0.3, 0.4, 0.5)):
             self.assertEqual(cell["parameters"], {"speed": speed})
             self.assertEqual(cell["mean_S"], document(f"classify {CYCLE} --speed {speed} {SHORT}")["mean_S"])

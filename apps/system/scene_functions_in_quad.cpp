@@ -1,0 +1,12 @@
+#include "apps/system/rounded_scene.hpp"
+
+namespace swirl::apps {
+
+template <Shape shape, ImpactRule rule>
+const SceneFunctions<section_dimension<shape>>& quad_functions() {
+    return RoundedScene<CollisionMap<Quad, shape, rule>>::functions;
+}
+
+SWIRL_EVERY_MAP(SWIRL_COMPILE_QUAD_FUNCTIONS, double)
+
+}  // namespace swirl::apps

@@ -1,0 +1,12 @@
+#include "apps/system/rounded_scene.hpp"
+
+namespace swirl::apps {
+
+template <Shape shape, ImpactRule rule>
+const SceneFunctions<section_dimension<shape>>& baseline_functions() {
+    return RoundedScene<BaselineMap<shape, rule>>::functions;
+}
+
+SWIRL_EVERY_MAP(SWIRL_COMPILE_BASELINE_FUNCTIONS, double)
+
+}  // namespace swirl::apps

@@ -55,7 +55,6 @@ private:
         ArcPoint next;
         failure_ = correct(arc_, here(), h_, next);
         if (failure_ == Correction::word_changed) word_behind_ = next.at.word;
-        if (failure_ == Correction::map_ended) word_behind_.clear();
         if (failure_ == Correction::converged && arc_.product(here().tangent, next.tangent) < least_cosine_along)
             failure_ = Correction::failed;
         if (failure_ != Correction::converged) return shorten();
@@ -138,6 +137,7 @@ private:
     }
 
     void append(BoundaryPoint next) {
+        word_behind_.clear();
         if (is_beside_last(next.at)) boundary_.points.pop_back();
         boundary_.points.push_back(std::move(next));
         renew_borders(system_, here().y);
@@ -194,7 +194,7 @@ private:
     double h_;
     int successes_ = 0;
     Correction failure_ = Correction::converged;  ///< how the last step failed
-    std::vector<std::int64_t> word_behind_;
+    std::vector<std::int64_t> word_behind_;       ///< seen since the last point, if any
     bool has_left_ = false;
     bool ended_ = false;
 };

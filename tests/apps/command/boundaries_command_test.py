@@ -1,11 +1,20 @@
 """swirl boundaries, from outside: boundaries_command_test.py SWIRL"""
 
+import json
 import math
 import unittest
 
 import xarray
 
-from driving import InFolder, Keeping, Refusing, document, run
+from driving import InFolder, Keeping, Refusing, run
+
+
+def document(arguments, code=(0,)):
+    """As driving.document, where one of several exit codes is as good: a search that finds nothing on one side of a border."""
+    result = run(f"{arguments} --json")
+    assert result.returncode in code and (result.returncode or not result.stderr), (arguments, result.stderr)
+    return json.loads(result.stdout)
+
 
 HEXAGON = "--sides 6 --mu 0.5 --restitution 0.95"
 PLANE = f"{HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5"
@@ -89,6 +98,28 @@ class Boundaries(InFolder):
         for kind, end in ends:  # the map ends at u_n = 1e-6, a little before the border
             self.assertLess(min(math.dist(place(end), place(special)) for special in touching
                                 if special["kind"] == f"{kind}-grazing"), 1e-5)
+
+    def test_continue_up_to_a_border_curve_ends_on_it(self):
+        answer = document(f"boundaries {HEXAGON} --plane alpha=0.5:0.7 --plane beta=0.1:0.3 --max-period 2 --lines 1")
+        kinds = {curve["kind"] for curve in answer["curves"]}
+        self.assertIn("grazing", kinds)
+        for curve in answer["curves"]:
+            if curve["kind"] not in ("grazing", "stick-slip"):
+                continue
+            point = curve["points"][len(curve["points"]) // 2]
+            alpha, beta = place(point)
+            near = ",".join(repr(x) for x in point["point"].values())
+            found = []
+            for shift in (1e-5, -1e-5):  # a grazing cycle is there on one side
+                orbits = document(f"orbits {HEXAGON} --alpha {alpha + shift!r} --beta {beta!r} --near={near} "
+                                  f"--period {curve['period']}", code=(0, 3))["orbits"]
+                for orbit in orbits:
+                    start = ",".join(repr(x) for x in orbit["points"][0].values())
+                    branches = document(f"continue {HEXAGON} --alpha {alpha + shift!r} --beta {beta!r} --switch 0 --from={start} "
+                                        f"--period {orbit['period']} --along alpha={alpha - 4e-3!r}:{alpha + 4e-3!r}", code=(0, 3))
+                    found += [special["parameter"] for branch in branches["branches"] for special in branch["special"]
+                              if special["kind"] == curve["kind"]]
+            self.assertLess(min(abs(value - alpha) for value in found), 1e-9, (curve["kind"], alpha, beta))
 
     def test_the_record_holds_what_the_document_says(self):
         path = self.folder / "c.h5"

@@ -71,12 +71,23 @@ private:
         successes_ = 0;
         if (h_ >= options_.shortest_step) return;
         // A border across which the map jumps stops the corrector itself: it is asked for its name, too.
+        if (word_behind_.empty()) look_behind();
         if (options_.name_border)
             boundary_.end.border =
                 options_.name_border(unstacked(here().y.head(system_.coordinates()), system_.map.dimension),
                                      parameters(here()), word_behind_);
         if (failure_ != Correction::failed || !boundary_.end.border.empty()) return end(BoundaryEnd::border);
         end(apart(here()).norm() < nearly_halved ? BoundaryEnd::halved : BoundaryEnd::not_converged);
+    }
+
+    /// The word a little farther along the tangent: where DF jumps the corrector finds no point behind.
+    void look_behind() {
+        for (const double h : {1e-8, 1e-7, 1e-6, 1e-5}) {
+            const PlaneShooting behind = system_.shooting(here().y + h * here().tangent);
+            if (!behind.alive || behind.word == here().at.word) continue;
+            word_behind_ = behind.word;
+            return;
+        }
     }
 
     /// How far outside the plane, in its widths; negative inside.

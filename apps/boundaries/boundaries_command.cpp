@@ -89,7 +89,7 @@ int boundaries(BoundariesOptions& options) {
     note_interruptions();
     if (options.from.empty())
         seeds = seeds_on_lines(
-            scene, plane, {options.lines, 16, 2, options.max_period, options.output.threads, options.output.quiet});
+            scene, plane, {options.lines, 24, 2, options.max_period, options.output.threads, options.output.quiet});
     const PlaneCurves found = follow_seeds(scene, plane, seeds, {options.longest_step, options.output.quiet});
     std::optional<Agreement> agreement;
     if (map && !is_interrupted()) agreement = compare(scene, plane, found.curves, *map);

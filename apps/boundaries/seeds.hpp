@@ -28,7 +28,7 @@ void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps);
 
 struct LineOptions {
     int lines = 12;      ///< through the plane, each way, evenly spaced
-    int columns = 16;    ///< of the diagram along a line
+    int columns = 24;    ///< of the diagram along a line
     int starts = 2;      ///< of a column
     int max_period = 4;  ///< of the cycles that are followed
     int threads = 0;

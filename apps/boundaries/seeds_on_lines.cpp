@@ -18,10 +18,15 @@ namespace {
 
 using analysis::Branch;
 
+constexpr double golden_mean = 0.6180339887498949;  // its multiples are spread most evenly
+
 /// A line along one axis of the plane.
 struct Line {
     int axis = 0;
     Eigen::Vector2d p{0, 0};  ///< of which only the other axis counts
+    /// Of its columns, in their spacing: no two lines have theirs at the same places, so that a band which is narrower
+    /// than the spacing but runs across lines is met.
+    double offset = 0.5;
 };
 
 std::vector<Line> lines_through(const Plane& plane, int count) {
@@ -29,7 +34,7 @@ std::vector<Line> lines_through(const Plane& plane, int count) {
     for (int axis = 0; axis < 2; ++axis) {
         for (int i = 0; i < count; ++i) {
             const Eigen::Vector2d low = plane.low(), width = plane.high() - low;
-            lines.push_back({axis, low + (i + 0.5) / count * width});
+            lines.push_back({axis, low + (i + 0.5) / count * width, std::fmod((i + 1) * golden_mean, 1.0)});
         }
     }
     return lines;
@@ -40,6 +45,7 @@ class LineSearch {
 public:
     LineSearch(const Scene<double>& scene, const Plane& plane, const Line& line, const LineOptions& options)
         : options_(options),
+          offset_(line.offset),
           range_(plane.axes[static_cast<std::size_t>(line.axis)]),
           scene_(scene_at(scene, plane, line.p)),
           branches_(scene_branches(scene_, range_)) {
@@ -48,7 +54,7 @@ public:
 
     std::vector<Branch> find() {
         for (int i = 0; i < options_.columns; ++i) {
-            const double value = range_.low + (i + 0.5) / options_.columns * (range_.high - range_.low);
+            const double value = range_.low + (i + offset_) / options_.columns * (range_.high - range_.low);
             for (int run = 0; run < options_.starts && !is_interrupted(); ++run) look_from(value, run);
         }
         follow_switches(branches_, found_, 1, static_cast<std::size_t>(options_.max_period));
@@ -74,6 +80,7 @@ private:
     }
 
     const LineOptions& options_;
+    double offset_;
     ParameterRange range_;
     Scene<double> scene_;
     SceneBranches branches_;

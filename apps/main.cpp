@@ -1,6 +1,7 @@
 // The `swirl` command: parses, runs one subcommand, and turns every way of failing into one line and an exit code.
 #include "apps/animate/animate_command.hpp"
 #include "apps/bifurcate/bifurcate_command.hpp"
+#include "apps/boundaries/boundaries_command.hpp"
 #include "apps/certify/certify_command.hpp"
 #include "apps/classify/classify_command.hpp"
 #include "apps/command_line/command.hpp"
@@ -79,6 +80,9 @@ Commands add_commands(CLI::App& app) {
         add_command<bifurcate::BifurcateOptions>(app, "bifurcate",
                                                  "what orbits settle on over one parameter, and the branches beneath",
                                                  bifurcate::bifurcate_details, bifurcate::bifurcate),
+        add_command<boundaries::BoundariesOptions>(app, "boundaries",
+                                                   "curves in two parameters on which cycles bifurcate",
+                                                   boundaries::boundaries_details, boundaries::boundaries),
         add_command<sweep::SweepOptions>(app, "sweep", "the modes across parameters", sweep::sweep_details,
                                          sweep::sweep),
         add_command<tradeoff::TradeoffOptions>(app, "tradeoff", "accuracy against cost, measured on a scene",

@@ -1,4 +1,4 @@
-// --along NAME=A:B[:COUNT]: the parameter that a branch or a diagram runs over.
+// --along NAME=A:B[:COUNT]: the parameter that a branch or a diagram runs over; --plane NAME=A:B.
 #pragma once
 
 #include "apps/command_line/errors.hpp"
@@ -20,6 +20,8 @@ struct ParameterRange {
 /// @throws BadInput naming the value and what is allowed
 ///   counted   COUNT is wanted
 ///   families  S and tau are allowed
-ParameterRange parameter_range_from(const std::string& text, bool counted, bool families);
+///   flag      that it was given by
+ParameterRange parameter_range_from(const std::string& text, bool counted, bool families,
+                                    const std::string& flag = "along");
 
 }  // namespace swirl::apps

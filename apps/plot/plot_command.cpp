@@ -23,6 +23,8 @@ const char* const plot_details =
   orbits              multipliers: in the complex plane, with the mean spin of each orbit
   bifurcate, continue bifurcation: samples, branches and the points where they change; of special points of one kind
                       that lie within a marker of one another the first is drawn, and their number told
+  boundaries          boundaries: curves in two parameters and their special points; over the mode map of a sweep that is
+                      given first
   sweep, join         modes: bands, a map or panels, by the number of parameters; of --sample its points
   tradeoff            tradeoff: work against precision, how the verdict settles, what pieces of the model add
   describe, tour      steady-modes; tour

@@ -163,4 +163,35 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter para
         solver_horizon, accuracy);
 }
 
+analysis::PlaneMap plane_map_of(const Scene<double>& scene, Parameter first, Parameter second) {
+    Scene<double> typical = scene;
+    for (const Parameter parameter : {first, second})
+        if (parameter == Parameter::mu) typical = with_parameter(typical, parameter, 1.0);
+    return with_scene_map(
+        typical,
+        [&]<int D>(const SceneMap<D>& map) {
+            const analysis::ShootingMap shape = without_step(map);
+            analysis::PlaneMap plane{D, shape.angle_periods, shape.least_margin, {}};
+            plane.step = [map, typical, first, second](const Eigen::VectorXd& z, const Eigen::Vector2d& p) {
+                analysis::PlaneStep step;
+                if (!is_allowed(first, p[0]) || !is_allowed(second, p[1])) return step;
+                const MapAlongParameter<D> along_first{map, with_parameter(typical, second, p[1]), first};
+                const MapAlongParameter<D> along_second{map, with_parameter(typical, first, p[0]), second};
+                const analysis::ShootingStep a = along_first(z, p[0]), b = along_second(z, p[1]);
+                step.alive = a.alive && b.alive && a.letter == b.letter;
+                if (!step.alive) return step;
+                step.state = a.state;
+                step.by_state = a.by_state;
+                step.by_parameters.resize(D, 2);
+                step.by_parameters << a.by_parameter, b.by_parameter;
+                step.letter = a.letter;
+                step.duration = a.duration;
+                step.margin = a.margin;
+                return step;
+            };
+            return plane;
+        },
+        solver_horizon);
+}
+
 }  // namespace swirl::apps

@@ -1,6 +1,7 @@
 // A scene's return map for solvers: sizes at run time, one parameter if asked for.
 #pragma once
 
+#include "analysis/boundaries/plane_map.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
 #include "apps/command_line/accuracy.hpp"
 #include "map/derivative/parameter.hpp"
@@ -23,6 +24,9 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Accuracy accur
 /// with friction is the limit μ → 0.
 analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter,
                                       Accuracy accuracy = Accuracy::double_precision);
+
+/// The same with two parameters, different ones. Cost of a step: twice that with one.
+analysis::PlaneMap plane_map_of(const Scene<double>& scene, Parameter first, Parameter second);
 
 /// The scene's flights with the time of their impact as the last coordinate and the gap then as a constraint, for
 /// `analysis::solve_near_grazing`. No sustained contact.

@@ -4,7 +4,7 @@ import dataclasses
 from dataclasses import dataclass
 from typing import Callable
 
-from . import (balance, bifurcation, contacts, lyapunov, multipliers, orbit, path, recurrence, section, shares, spectrum,
+from . import (balance, bifurcation, boundaries, contacts, lyapunov, multipliers, orbit, path, recurrence, section, shares, spectrum,
                spin, steady_modes, sweep, tour, tradeoff, verdict)
 from .look import Look, blank_figure, limit_abscissa
 from .record import RecordError, open_record
@@ -44,6 +44,7 @@ KINDS = {
     "balance": Kind(_simulate, balance.draw_into, balance.size),
     "contacts": Kind(contacts.has_contacts, contacts.draw_into, contacts.size),
     "modes": Kind(_with("sweep"), sweep.draw_into, sweep.size),
+    "boundaries": Kind(boundaries.is_of_curves, boundaries.draw_into, boundaries.size),
     "bifurcation": Kind(bifurcation.is_diagram, bifurcation.draw_into, bifurcation.size),
     "multipliers": Kind(_with("orbits"), multipliers.draw_into, multipliers.size),
     "shares": Kind(_with("runs", "mode"), shares.draw_into, shares.size),
@@ -80,7 +81,7 @@ def kind_of(record, kind=None):
 
 def draw(records, kind=None, look=Look()):
     """The figure of a record, of its default kind or of the kind named; of several records one figure: those of a section
-    portrait in the same axes, others below one another, (a), (b), …"""
+    portrait in the same axes, boundaries over the mode map that they follow, others below one another, (a), (b), …"""
     records = [open_record(record) for record in (records if isinstance(records, (list, tuple)) else [records])]
     if len(records) > MOST_RECORDS:
         raise RecordError(f"{len(records)} records: a figure shows at most {MOST_RECORDS}")
@@ -88,6 +89,8 @@ def draw(records, kind=None, look=Look()):
     with styled_with(look.letters):
         if len(records) == 1:
             return _draw_one(records[0], names[0], look)
+        if names[0] == "modes" and set(names[1:]) == {"boundaries"}:
+            return _draw_over_map(records, look)
         together = KINDS[names[0]].together
         if together and set(names) == {names[0]}:
             return _draw_together(records, names[0], look)
@@ -98,6 +101,12 @@ def _draw_one(record, name, look):
     kind = KINDS[name]
     figure = blank_figure(*kind.size(record, look.width))
     limit_abscissa(kind.draw_into(figure, record, look), look, name)
+    return figure
+
+
+def _draw_over_map(records, look):
+    figure = blank_figure(*boundaries.size(records[0], look.width))
+    limit_abscissa(boundaries.draw_over_map(figure, records, look), look, "boundaries")
     return figure
 
 

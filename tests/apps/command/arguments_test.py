@@ -25,6 +25,7 @@ NUMBERS = {
     f"orbits {SCENE}": ["--period", "--max-period", "--starts", "--trajectories", "--collisions"],
     f"continue {SCENE} --from={POINT} --along beta=0.4:0.6": ["--period", "--switch", "--longest-step"],
     f"bifurcate {SCENE} --along beta=0.4:0.6:2": ["--starts", "--transient", "--collisions", "--longest-branch"],
+    f"boundaries {SCENE} --plane alpha=0.4:0.5 --plane beta=0.4:0.5": ["--max-period", "--lines", "--longest-step"],
     f"sweep {SCENE} --grid mu=0.1:0.2:2": ["--runs", "--transient", "--collisions", "--threshold"],
     f"tradeoff {SCENE}": ["--budget"],
     f"describe {SCENE}": ["--max-time", "--alpha", "--beta", "--mu", "--restitution", "--inertia-factor"],

@@ -131,6 +131,31 @@ def write_orbits(path, count, largest):
         _write(group, "stability", ["orbit"], stability)
 
 
+def write_boundaries(path):
+    """Fold, flip and Neimark–Sacker curves of the Hénon map in the layout of `swirl boundaries`: alpha is a, beta is b."""
+    b = numpy.linspace(-1, 1, 41)
+    curves = [("fold", 1, -(1 - b) ** 2 / 4, b, numpy.ones(41)), ("flip", 1, 3 * (1 - b) ** 2 / 4, b, numpy.ones(41)),
+              ("flip", 2, (1 - b) ** 2 + (1 + b) ** 2 / 4, b, numpy.ones(41)),
+              ("neimark-sacker", 1, numpy.linspace(-1, 3, 41), numpy.full(41, -1.0), numpy.full(41, 1.5))]
+    settings = {"first": "alpha", "first_low": -1.5, "first_high": 4.5, "second": "beta", "second_low": -1.1,
+                "second_high": 1.1}
+    with _record(path, settings, {name: value for name, value in SCENE.items() if name != "beta"}) as file:
+        group = file.create_group("curves")
+        _dimension(group, "point", 41 * len(curves))
+        _write(group, "curve", ["point"], numpy.repeat(numpy.arange(len(curves)), 41))
+        for name, index in (("first", 2), ("second", 3), ("largest_multiplier", 4)):
+            _write(group, name, ["point"], numpy.concatenate([curve[index] for curve in curves]))
+        group = file.create_group("curve_ends")
+        _dimension(group, "curve", len(curves))
+        _write(group, "kind", ["curve"], [curve[0] for curve in curves])
+        _write(group, "period", ["curve"], numpy.array([curve[1] for curve in curves]))
+        group = file.create_group("special")
+        _dimension(group, "special_point", 4)
+        _write(group, "kind", ["special_point"], ["1:1", "1:4", "1:3", "1:2"])
+        _write(group, "first", ["special_point"], numpy.array([-1, 0, 1.25, 3]))
+        _write(group, "second", ["special_point"], numpy.full(4, -1.0))
+
+
 RUNGS = [("double", 2.3e-7, 4e-16, 6e-14, 3e-10, 1e4, 0), ("extended", 1.9e-6, 2e-19, 3e-17, 2e-13, 1e4, 0),
          ("paper", 4.4e-6, 3e-14, 9e-14, 4e-9, 1e4, 37), ("fixed-step", 3.2e-5, 2e-3, 2e-2, 4e-1, 1e4, 412),
          ("quad", 6.1e-5, *[numpy.nan] * 5)]

@@ -44,7 +44,7 @@ SLOW = {"tour": "tour", "tradeoff": f"tradeoff {HEXAGON} --budget 2"}
 KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
             "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
-            "diagram": ["bifurcation"], "cycles": ["multipliers"]}
+            "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}
 #: Drawn by plot_test.py, on a screen; here with --all alone.
 DRAWN_ELSEWHERE = {"orbit", "spin", "path", "modes", "bifurcation", "multipliers"}
 HEADS = {".png": b"\x89PNG\r\n", ".svg": b"<?xml", ".pdf": b"%PDF-"}
@@ -66,13 +66,14 @@ class WithRecords(unittest.TestCase):
             cls.records[name] = cls.folder / f"{name}.h5"
             result = run(f"{command} --quiet -o {cls.records[name]}")
             assert result.returncode == 0, (command, result.stderr)
-        for name in ("diagram", "cycles"):
+        for name in ("diagram", "cycles", "curves"):
             cls.records[name] = cls.folder / f"{name}.h5"
         for count in (1, 2, 3):
             cls.records[f"points{count}"] = cls.folder / f"points{count}.h5"
             figure_records.write_sampled_sweep(cls.records[f"points{count}"], ["alpha", "beta", "mu"][:count], 150)
         figure_records.write_bifurcation(cls.records["diagram"])
         figure_records.write_orbits(cls.records["cycles"], 30, 100.0)
+        figure_records.write_boundaries(cls.records["curves"])
 
 
 class EveryRecord(WithRecords):

@@ -1,0 +1,243 @@
+#include "analysis/boundaries/boundary_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace swirl::analysis {
+
+namespace {
+
+constexpr double least_cosine_along = 0.97;  // between tangents a step apart: a bend of 14 degrees
+
+/// a − b of coordinates of points, and whatever comes after them; angles as angles.
+Eigen::VectorXd angles_apart(const AugmentedSystem& system, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    Eigen::VectorXd d = a - b;
+    const Eigen::Index dimension = system.map.dimension;
+    for (Eigen::Index i = 0; i < std::min(system.coordinates(), d.size()); ++i)
+        if (const double period = system.map.angle_periods[static_cast<std::size_t>(i % dimension)]; period > 0)
+            d[i] = std::remainder(d[i], period);
+    return d;
+}
+
+/// Where the corrector fails with halves of a cycle that are so near, the curve meets one of cycles of half the period.
+constexpr double nearly_halved = 0.02;
+
+class BoundaryWalk {
+public:
+    BoundaryWalk(AugmentedSystem system, const ArcPoint& start, const BoundaryOptions& options, Boundary& boundary)
+        : system_(std::move(system)),
+          arc_(equations_of(system_)),
+          options_(options),
+          boundary_(boundary),
+          start_(start),
+          h_(options.first_step) {
+        boundary_.points.push_back(boundary_point_at(system_, start));
+    }
+
+    void run() {
+        while (!ended_) step();  // ends: every step goes on, or halves h down to the shortest
+    }
+
+private:
+    const ArcPoint& here() const { return boundary_.points.back().at; }
+    Eigen::Vector2d parameters(const ArcPoint& point) const { return point.y.segment<2>(system_.coordinates()); }
+
+    void end(BoundaryEnd why) {
+        boundary_.end.why = why;
+        ended_ = true;
+    }
+
+    void step() {
+        if (options_.stop && options_.stop()) return end(BoundaryEnd::stopped);
+        if (static_cast<int>(boundary_.points.size()) >= options_.most_points) return end(BoundaryEnd::most_points);
+        ArcPoint next;
+        failure_ = correct(arc_, here(), h_, next);
+        if (failure_ == Correction::word_changed) word_behind_ = next.at.word;
+        if (failure_ == Correction::converged && arc_.product(here().tangent, next.tangent) < least_cosine_along)
+            failure_ = Correction::failed;
+        if (failure_ != Correction::converged) return shorten();
+        if (leaves_plane(next)) return reach_edge(next);
+        if (halves(next) < 0) return reach_half(next);
+        if (becomes_real(next)) return reach_real(next);
+        accept(next);
+        if (++successes_ > 1) h_ = std::min(1.4 * h_, options_.longest_step);
+        if (has_closed()) end(BoundaryEnd::closed);
+    }
+
+    void shorten() {
+        h_ *= 0.5;
+        successes_ = 0;
+        if (h_ >= options_.shortest_step) return;
+        // A border across which the map jumps stops the corrector itself: it is asked for its name, too.
+        if (word_behind_.empty()) look_behind();
+        if (options_.name_border)
+            boundary_.end.border =
+                options_.name_border(unstacked(here().y.head(system_.coordinates()), system_.map.dimension),
+                                     parameters(here()), word_behind_);
+        if (failure_ != Correction::failed || !boundary_.end.border.empty()) return end(BoundaryEnd::border);
+        end(apart(here()).norm() < nearly_halved ? BoundaryEnd::halved : BoundaryEnd::not_converged);
+    }
+
+    /// The word a little farther along the tangent: where DF jumps the corrector finds no point behind.
+    void look_behind() {
+        for (const double h : {1e-8, 1e-7, 1e-6, 1e-5}) {
+            const PlaneShooting behind = system_.shooting(here().y + h * here().tangent);
+            if (!behind.alive || behind.word == here().at.word) continue;
+            word_behind_ = behind.word;
+            return;
+        }
+    }
+
+    /// How far outside the plane, in its widths; negative inside.
+    double outside(const ArcPoint& point) const {
+        const Eigen::Array2d p = parameters(point).array(), width = (options_.high - options_.low).array();
+        const Eigen::Array2d below = (options_.low.array() - p) / width, above = (p - options_.high.array()) / width;
+        return below.max(above).maxCoeff();
+    }
+    bool leaves_plane(const ArcPoint& next) const { return outside(next) > 0; }
+
+    /// The last point is that on the plane's edge itself.
+    void reach_edge(const ArcPoint& beyond) {
+        finish_between(outside(here()), outside(beyond), [this](const ArcPoint& at) { return outside(at); });
+        end(BoundaryEnd::plane);
+    }
+
+    /// From the cycle's first half to its second; infinite for an odd period.
+    Eigen::VectorXd apart(const ArcPoint& point) const {
+        const Eigen::Index half = system_.coordinates() / 2;
+        if (system_.period % 2 != 0) return Eigen::VectorXd::Constant(1, std::numeric_limits<double>::infinity());
+        return angles_apart(system_, point.y.segment(half, half), point.y.head(half));
+    }
+    /// How the two halves lie to each other, against how they lie here: negative if they were exchanged on the way,
+    /// through a cycle of half the period (the fold curve of doubled cycles ends so, at a generalised flip).
+    double halves(const ArcPoint& point) const { return system_.period % 2 != 0 ? 1 : apart(here()).dot(apart(point)); }
+    void reach_half(const ArcPoint& beyond) {
+        finish_between(halves(here()), halves(beyond), [this](const ArcPoint& at) { return halves(at); });
+        end(BoundaryEnd::halved);
+    }
+
+    double cosine(const ArcPoint& point) const { return point.y[system_.coordinates() + 2]; }
+    bool becomes_real(const ArcPoint& next) const {
+        return system_.kind == BoundaryKind::neimark_sacker && std::abs(cosine(next)) > 1;
+    }
+
+    /// A pair meets at ±1: the curve of the bifurcation ends there, its equations don't.
+    void reach_real(const ArcPoint& beyond) {
+        const double one = std::copysign(1.0, cosine(beyond));
+        find_special(boundary_point_at(system_, beyond));  // 1:1 or 1:2 among others
+        finish_between(1 - std::abs(cosine(here())), 1 - std::abs(cosine(beyond)),
+                       [this, one](const ArcPoint& at) { return 1 - one * cosine(at); });
+        end(one > 0 ? BoundaryEnd::one_to_one : BoundaryEnd::one_to_two);
+    }
+
+    template <class Value>
+    void finish_between(double f0, double f1, const Value& value) {
+        ArcPoint last;
+        if (f0 == 0 || !locate(arc_, here(), h_, f0, f1, value, last)) return;
+        BoundaryPoint point = boundary_point_at(system_, last);
+        if (system_.kind != BoundaryKind::neimark_sacker || std::abs(cosine(last)) < 1 - 1e-12) find_special(point);
+        append(std::move(point));
+    }
+
+    void accept(const ArcPoint& next) {
+        BoundaryPoint point = boundary_point_at(system_, next);
+        find_special(point);
+        append(std::move(point));
+    }
+
+    void append(BoundaryPoint next) {
+        word_behind_.clear();
+        if (is_beside_last(next.at)) boundary_.points.pop_back();
+        boundary_.points.push_back(std::move(next));
+        renew_borders(system_, here().y);
+        arc_ = equations_of(system_);
+        if (options_.progress) options_.progress(parameters(here()));
+    }
+
+    /// Points of codimension 2 on the way to `next`, in order.
+    void find_special(const BoundaryPoint& next) {
+        const double h = arc_.product(here().tangent, next.at.y - here().y);
+        if (!(h > 0)) return;
+        std::vector<std::pair<double, BoundarySpecial>> found;
+        for (const auto& test : tests_of(system_, options_.forms)) {
+            const auto seen = [&test](const BoundaryPoint& point) {
+                return test.seen ? test.seen(point) : test.value(point.at);
+            };
+            const double f0 = seen(boundary_.points.back()), f1 = seen(next);
+            if (!(f0 * f1 <= 0) || f0 == 0 || std::max(std::abs(f0), std::abs(f1)) <= test.noise) continue;
+            ArcPoint at = next.at;
+            if (f1 != 0 && !locate(arc_, here(), h, test.value(here()), test.value(next.at), test.value, at)) continue;
+            if (outside(at) > 1e-9 || !is_what_it_seems(system_, test.kind, at)) continue;
+            found.emplace_back(arc_.product(here().tangent, at.y - here().y),
+                               BoundarySpecial{test.kind, boundary_point_at(system_, at, options_.forms),
+                                               boundary_.points.size() - 1});
+        }
+        std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (auto& [s, special] : found) boundary_.special.push_back(std::move(special));
+    }
+
+    /// Short steps towards a border are no points of interest: the last stands for them.
+    bool is_beside_last(const ArcPoint& next) const {
+        constexpr double beside = 1e-5;
+        const std::size_t count = boundary_.points.size();
+        if (count < 2 || (!boundary_.special.empty() && boundary_.special.back().after + 1 >= count)) return false;
+        const Eigen::VectorXd step = next.y - boundary_.points[count - 2].at.y;
+        return arc_.product(step, step) < beside * beside;
+    }
+
+    /// True if the curve is back at its first point after having left its neighbourhood, in the same direction.
+    bool has_closed() {
+        const double away = distance_between(system_, here().y, start_.y);
+        has_left_ = has_left_ || away > 3 * options_.longest_step;
+        if (!has_left_ || away > options_.longest_step || boundary_.points.size() < 4) return false;
+        const Eigen::Index n = system_.coordinates();  // a cyclic shift leaves the parameters' part as it is
+        return (here().tangent.segment<2>(n).cwiseQuotient(system_.unit))
+                   .dot(start_.tangent.segment<2>(n).cwiseQuotient(system_.unit)) > 0;
+    }
+
+    AugmentedSystem system_;
+    ArcSystem arc_;
+    const BoundaryOptions& options_;
+    Boundary& boundary_;
+    ArcPoint start_;
+    double h_;
+    int successes_ = 0;
+    Correction failure_ = Correction::converged;  ///< how the last step failed
+    std::vector<std::int64_t> word_behind_;       ///< seen since the last point, if any
+    bool has_left_ = false;
+    bool ended_ = false;
+};
+
+}  // namespace
+
+double distance_between(const AugmentedSystem& system, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                        Eigen::VectorXd* turned) {
+    const Eigen::Index n = system.coordinates(), d = system.map.dimension;
+    const Eigen::VectorXd weights = equations_of(system).weights;
+    double least = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd shifted = b;
+    for (Eigen::Index shift = 0; shift < n; shift += d) {
+        shifted.head(n - shift) = b.segment(shift, n - shift);
+        shifted.segment(n - shift, shift) = b.head(shift);
+        const Eigen::VectorXd across = angles_apart(system, shifted, a);
+        const double away = std::sqrt(across.cwiseAbs2().dot(weights));
+        if (!(away < least)) continue;
+        least = away;
+        if (turned != nullptr) *turned = a + across;
+    }
+    return least;
+}
+
+Eigen::VectorXd normalised(const AugmentedSystem& system, Eigen::VectorXd y) {
+    return angles_apart(system, y, Eigen::VectorXd::Zero(y.size()));
+}
+
+void walk_boundary(AugmentedSystem system, const ArcPoint& start, const BoundaryOptions& options, Boundary& boundary) {
+    boundary.kind = system.kind;
+    boundary.period = system.period;
+    BoundaryWalk(std::move(system), start, options, boundary).run();
+}
+
+}  // namespace swirl::analysis

@@ -1,0 +1,178 @@
+#include "apps/boundaries/against.hpp"
+
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/stability.hpp"
+#include "analysis/linear_algebra/dense.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/system/shooting_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace swirl::apps::boundaries {
+
+namespace {
+
+constexpr double same_cycle = 1e-6, same_spin = 1e-6;
+
+struct AttractingCycle {
+    analysis::CyclePoints points;
+    double mean_spin = 0;
+};
+
+/// The attracting cycles of every cell, carried from cell to cell.
+class CellCycles {
+public:
+    CellCycles(const Scene<double>& scene, const Plane& plane, const MappedPlane& map)
+        : scene_(scene), plane_(plane), map_(map), cycles_(map.cells()) {}
+
+    void spread_from(const std::vector<Curve>& curves) {
+        for (const auto& curve : curves)
+            for (const auto& point : curve.points)
+                if (is_edge_of_stability(point)) push(nearest_cell(point.parameters), point.points, true);
+        while (!waiting_.empty() && !is_interrupted()) {
+            const auto [cell, guess] = std::move(waiting_.front());
+            waiting_.pop_front();
+            look(cell, guess);
+        }
+    }
+
+    const std::vector<AttractingCycle>& of(std::size_t cell) const { return cycles_[cell]; }
+
+private:
+    /// No multiplier lies outside the circle: the cycle attracts on one side.
+    static bool is_edge_of_stability(const CurveCycle& point) {
+        return !point.multipliers.empty() && std::abs(point.multipliers.front()) < 1 + analysis::neutral_margin;
+    }
+
+    std::size_t nearest_cell(const Eigen::Vector2d& p) const {
+        std::size_t place[2];
+        for (int axis = 0; axis < 2; ++axis) {
+            const auto& values = map_.values[static_cast<std::size_t>(axis)];
+            const auto nearer = [&](double a, double b) { return std::abs(a - p[axis]) < std::abs(b - p[axis]); };
+            place[axis] =
+                static_cast<std::size_t>(std::min_element(values.begin(), values.end(), nearer) - values.begin());
+        }
+        return place[0] * map_.values[1].size() + place[1];
+    }
+
+    /// The cell and those beside it.
+    void push(std::size_t cell, const analysis::CyclePoints& guess, bool itself) {
+        const std::size_t width = map_.values[1].size(), row = cell / width, column = cell % width;
+        if (itself) waiting_.emplace_back(cell, guess);
+        if (row > 0) waiting_.emplace_back(cell - width, guess);
+        if (row + 1 < map_.values[0].size()) waiting_.emplace_back(cell + width, guess);
+        if (column > 0) waiting_.emplace_back(cell - 1, guess);
+        if (column + 1 < width) waiting_.emplace_back(cell + 1, guess);
+    }
+
+    void look(std::size_t cell, const analysis::CyclePoints& guess) {
+        const analysis::ShootingMap map = shooting_map_of(scene_at(scene_, plane_, map_.place(cell)));
+        for (const auto& known : cycles_[cell])  // what is all but there already
+            if (analysis::distance_between(map, known.points, guess) < same_cycle) return;
+        analysis::CyclePoints points = guess;
+        analysis::polish_cycle(map, points, 0);
+        const auto shooting = analysis::shooting_residual(map, points, 0);
+        if (!analysis::closes_to(shooting, 1e-11)) return;
+        for (const auto& known : cycles_[cell])
+            if (analysis::distance_between(map, known.points, points) < same_cycle) return;
+        if (analysis::minimal_cycle(map, points, same_cycle).size() < points.size()) return;
+        const Eigen::VectorXcd multipliers = analysis::eigenvalues_of(analysis::monodromy(shooting));
+        if (!(multipliers.cwiseAbs().maxCoeff() < 1)) return;
+        cycles_[cell].push_back({points, shooting.integral / shooting.duration});
+        push(cell, points, false);
+    }
+
+    const Scene<double>& scene_;
+    const Plane& plane_;
+    const MappedPlane& map_;
+    std::vector<std::vector<AttractingCycle>> cycles_;
+    std::deque<std::pair<std::size_t, analysis::CyclePoints>> waiting_;
+};
+
+bool agrees(const MappedPlane::Run& run, const AttractingCycle& cycle) {
+    return run.periodic && run.period == static_cast<std::int64_t>(cycle.points.size()) &&
+           std::abs(run.mean_spin - cycle.mean_spin) < same_spin;
+}
+
+void compare_cell(const MappedPlane& map, std::size_t cell, const std::vector<AttractingCycle>& cycles,
+                  std::int64_t longest, Agreement& agreement) {
+    const auto begin = map.all.begin() + static_cast<std::ptrdiff_t>(cell * map.runs);
+    const std::vector<MappedPlane::Run> runs(begin, begin + static_cast<std::ptrdiff_t>(map.runs));
+    const bool waits = std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.undecided; });
+    bool unseen = false, missing = false;
+    for (const auto& cycle : cycles) {
+        if (std::any_of(runs.begin(), runs.end(), [&](const auto& run) { return agrees(run, cycle); })) continue;
+        unseen = true;
+        agreement.list.push_back({map.place(cell), static_cast<std::int64_t>(cycle.points.size()), cycle.mean_spin,
+                                  waits ? "transient" : "too-few-starts"});
+    }
+    for (const auto& run : runs) {
+        if (!run.periodic || run.period > longest) continue;
+        if (std::any_of(cycles.begin(), cycles.end(), [&](const auto& cycle) { return agrees(run, cycle); })) continue;
+        missing = true;
+        agreement.list.push_back({map.place(cell), run.period, run.mean_spin, "curve-missing"});
+    }
+    agreement.with_cycle += !cycles.empty();
+    agreement.unseen_cells += unseen;
+    agreement.missing_cells += missing;
+}
+
+}  // namespace
+
+Agreement compare(const Scene<double>& scene, const Plane& plane, const std::vector<Curve>& curves,
+                  const MappedPlane& map) {
+    CellCycles cycles(scene, plane, map);
+    cycles.spread_from(curves);
+    std::int64_t longest = 0;
+    for (const auto& curve : curves) longest = std::max(longest, static_cast<std::int64_t>(curve.period));
+    Agreement agreement;
+    agreement.cells = map.cells();
+    for (std::size_t cell = 0; cell < map.cells() && !is_interrupted(); ++cell)
+        compare_cell(map, cell, cycles.of(cell), longest, agreement);
+    return agreement;
+}
+
+void write_agreement(JsonWriter& json, const Plane& plane, const Agreement& agreement) {
+    json.key("against");
+    json.begin_object(JsonLayout::rows);
+    json.member("cells", agreement.cells);
+    json.member("with_cycle", agreement.with_cycle);
+    json.member("unseen_cells", agreement.unseen_cells);
+    json.member("missing_cells", agreement.missing_cells);
+    json.key("disagreements");
+    json.begin_array(JsonLayout::rows);
+    for (const auto& entry : agreement.list) {
+        json.begin_object();
+        json.key("parameters");
+        json.begin_object();
+        for (int axis = 0; axis < 2; ++axis)
+            json.member(plane.axes[static_cast<std::size_t>(axis)].name, entry.parameters[axis]);
+        json.end_object();
+        json.member("period", entry.period);
+        json.member("mean_S", entry.mean_spin);
+        json.member("why", entry.why);
+        json.end_object();
+    }
+    json.end_array();
+    json.end_object();
+}
+
+void print_agreement(const Plane& plane, const Agreement& agreement) {
+    const auto share = [&](std::size_t count) {
+        return 100.0 * static_cast<double>(count) / static_cast<double>(agreement.cells);
+    };
+    fmt::print("against the map: {} cells, {} with an attracting cycle by the curves\n", agreement.cells,
+               agreement.with_cycle);
+    fmt::print("  a run came to a cycle that no curve leads to: {} cells, {:.2f} %\n", agreement.missing_cells,
+               share(agreement.missing_cells));
+    fmt::print("  a cycle attracts that no run came to:         {} cells, {:.2f} %\n", agreement.unseen_cells,
+               share(agreement.unseen_cells));
+    for (const auto& entry : agreement.list)
+        fmt::print("  {} = {:<10.6g} {} = {:<10.6g} period {:<3} mean S {:>13.9f}  {}\n", plane.axes[0].name,
+                   entry.parameters[0], plane.axes[1].name, entry.parameters[1], entry.period, entry.mean_spin,
+                   entry.why);
+}
+
+}  // namespace swirl::apps::boundaries

@@ -1,0 +1,57 @@
+// The curves of a plane and the mode map of a sweep, checked against each other.
+#pragma once
+
+#include "apps/boundaries/curves.hpp"
+
+namespace swirl::apps::boundaries {
+
+/// The runs of a sweep over the plane's two parameters.
+struct MappedPlane {
+    struct Run {
+        bool periodic = false;   ///< it came to a fixed point or cycle of impacts
+        bool undecided = false;  ///< it has no verdict
+        std::int64_t period = 0;
+        double mean_spin = 0;
+    };
+    std::array<std::vector<double>, 2> values;  ///< of the parameters, in the plane's order
+    std::size_t runs = 0;                       ///< in each cell
+    std::vector<Run> all;                       ///< by cell (first parameter slowest), then by run
+
+    std::size_t cells() const { return values[0].size() * values[1].size(); }
+    Eigen::Vector2d place(std::size_t cell) const {
+        return {values[0][cell / values[1].size()], values[1][cell % values[1].size()]};
+    }
+};
+
+/// @throws BadInput if it is no sweep over these two parameters alone, or of another scene
+MappedPlane mapped_plane(const std::string& file, const Scene<double>& scene, const Plane& plane);
+
+/// In one cell: an attracting cycle that only the curves or only the map know.
+struct Disagreement {
+    Eigen::Vector2d parameters{0, 0};
+    std::int64_t period = 0;
+    double mean_spin = 0;
+    /// curve-missing: a run came to it, and no curve leads there. too-few-starts: it attracts, no run came to it.
+    /// transient: nor did any, but one of the cell's runs has no verdict.
+    std::string why;
+};
+
+struct Agreement {
+    std::size_t cells = 0;
+    std::size_t with_cycle = 0;     ///< cells with an attracting cycle by the curves
+    std::size_t unseen_cells = 0;   ///< cells with an attracting cycle that no run came to
+    std::size_t missing_cells = 0;  ///< cells where a run came to a cycle that no curve leads to
+    std::vector<Disagreement> list;
+};
+
+/// Attracting cycles by the curves: those that lose their stability on one of them, carried from its points to the
+/// cells beside it and on from cell to cell by Newton's method, as long as they attract. A run agrees with one of the
+/// same period whose mean S is the same to 10⁻⁶. Cycles of longer periods than any curve's are not compared. Cost: some
+/// 0.1 ms a cycle and cell.
+Agreement compare(const Scene<double>& scene, const Plane& plane, const std::vector<Curve>& curves,
+                  const MappedPlane& map);
+
+void write_agreement(JsonWriter& json, const Plane& plane, const Agreement& agreement);
+void print_agreement(const Plane& plane, const Agreement& agreement);
+
+}  // namespace swirl::apps::boundaries

@@ -1,0 +1,151 @@
+#include "apps/boundaries/border_curve.hpp"
+
+#include "analysis/continuation/multipliers.hpp"
+#include "analysis/cycles/stability.hpp"
+#include "analysis/linear_algebra/dense.hpp"
+#include "apps/boundaries/border_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swirl::apps::boundaries {
+
+namespace {
+
+std::vector<std::complex<double>> multipliers_of(const Eigen::MatrixXd& a) {
+    if (!a.allFinite()) return {};
+    const Eigen::VectorXcd values = analysis::eigenvalues_of(a);
+    std::vector<std::complex<double>> multipliers(values.data(), values.data() + values.size());
+    analysis::sort_multipliers(multipliers);
+    return multipliers;
+}
+
+std::vector<analysis::ArcTest> tests_of(const WordMap& map, const BorderCycle& like) {
+    const std::string border(name_of(like.touch));
+    const auto shifted = [map, like](double by) {
+        return [map, like, by](const analysis::ArcPoint& at) {
+            const Eigen::MatrixXd a = monodromy_of(map, like, at.y);
+            return analysis::determinant_of(a + by * Eigen::MatrixXd::Identity(a.rows(), a.cols()));
+        };
+    };
+    const auto pairs = [map, like](const analysis::ArcPoint& at) {
+        return analysis::neimark_sacker_function(multipliers_of(monodromy_of(map, like, at.y)));
+    };
+    return {{"fold-" + border, shifted(-1)}, {"flip-" + border, shifted(1)}, {"neimark-sacker-" + border, pairs}};
+}
+
+bool has_pair_on_circle(const std::vector<std::complex<double>>& multipliers) {
+    return std::any_of(multipliers.begin(), multipliers.end(),
+                       [](const auto& m) { return m.imag() > 1e-6 && std::abs(std::abs(m) - 1) < 1e-6; });
+}
+
+analysis::ArcOptions options_of(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
+                                const BorderOptions& options) {
+    analysis::ArcOptions arc;
+    arc.low = plane.low();
+    arc.high = plane.high();
+    arc.parameters = layout_of(map, cycle).parameters();
+    arc.longest_step = options.longest_step;
+    arc.first_step = std::min(arc.first_step, options.longest_step);
+    arc.tests = tests_of(map, cycle);
+    arc.accepts = [map, cycle](const analysis::ArcPoint& at) { return refusal_of(map, cycle, at.y); };
+    arc.stop = options.stop;
+    return arc;
+}
+
+/// The cycle, solved, on the border itself; false if it is none.
+bool begin(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const analysis::ArcSystem& system,
+           analysis::ArcPoint& start) {
+    constexpr double farthest = 0.05;  // seeds lie within 10⁻³, times of grazing within their samples
+    const Eigen::VectorXd y = unknowns_of(map, cycle);
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(y.size());
+    along[layout_of(map, cycle).parameters()] = 1;
+    if (!analysis::begin_arc(system, y, along, farthest, start)) return false;
+    const Eigen::Vector2d p = start.y.segment<2>(layout_of(map, cycle).parameters());
+    if ((p.array() < plane.low().array()).any() || (p.array() > plane.high().array()).any()) return false;
+    return refusal_of(map, cycle, start.y).empty();
+}
+
+/// b's unknowns with whole turns added to its angles, so that they lie nearest to a's.
+Eigen::VectorXd turned_to(const WordMap& map, const Eigen::VectorXd& a, Eigen::VectorXd b, Eigen::Index coordinates) {
+    for (Eigen::Index i = 0; i < coordinates; ++i)
+        if (const double period = map.angle_periods[static_cast<std::size_t>(i % map.dimension)]; period > 0)
+            b[i] = a[i] + std::remainder(b[i] - a[i], period);
+    return b;
+}
+
+std::string ending_of(analysis::ArcEnd end, const std::string& why) {
+    switch (end) {
+        case analysis::ArcEnd::plane:
+            return "plane";
+        case analysis::ArcEnd::closed:
+            return "closed";
+        case analysis::ArcEnd::refused:
+            return why;
+        case analysis::ArcEnd::failed:
+            return "not-converged";
+        case analysis::ArcEnd::most_points:
+            return "most-points";
+        case analysis::ArcEnd::stopped:
+            return "stopped";
+    }
+    return "?";
+}
+
+CurveCycle cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
+    const BorderLayout layout = layout_of(map, like);
+    CurveCycle cycle;
+    cycle.parameters = y.segment<2>(layout.parameters());
+    const Eigen::VectorXd z = turned_to(map, Eigen::VectorXd::Zero(y.size()), y, layout.parameters());
+    cycle.points = analysis::unstacked(z.head(layout.parameters()), map.dimension);
+    cycle.multipliers = multipliers_of(monodromy_of(map, like, y));
+    return cycle;
+}
+
+}  // namespace
+
+std::optional<BorderCurve> follow_border(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
+                                         const BorderOptions& options) {
+    const analysis::ArcSystem system = border_system(map, plane, cycle);
+    analysis::ArcPoint start;
+    if (!begin(map, plane, cycle, system, start)) return std::nullopt;
+    return BorderCurve{cycle, analysis::follow_arc(system, start, options_of(map, plane, cycle, options))};
+}
+
+bool is_on(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const BorderOptions& options,
+           const BorderCurve& curve) {
+    if (curve.like.touch != cycle.touch || curve.like.vertices != cycle.vertices) return false;
+    const bool touches = cycle.touch == Touch::grazing || cycle.touch == Touch::two_vertices;
+    if (touches && curve.like.vertex != cycle.vertex) return false;
+    const analysis::ArcSystem system = border_system(map, plane, cycle);
+    analysis::ArcPoint start, at;
+    if (!begin(map, plane, cycle, system, start)) return false;
+    for (const auto& point : curve.arc.points) {
+        const Eigen::VectorXd y = turned_to(map, point.y, start.y, layout_of(map, cycle).parameters());
+        const Eigen::VectorXd apart = y - point.y;
+        if (system.product(apart, apart) > 4 * options.longest_step * options.longest_step) continue;
+        const double along = system.product(point.tangent, apart);
+        if (analysis::correct(system, point, along, at, false) != analysis::Correction::converged) continue;
+        if ((at.y - y).lpNorm<Eigen::Infinity>() < 1e-6) return true;
+    }
+    return false;
+}
+
+Curve curve_of(const WordMap& map, const BorderCurve& border) {
+    const BorderCycle& like = border.like;
+    Curve curve{std::string(name_of(like.touch)),
+                like.points.size(),
+                {},
+                {},
+                ending_of(border.arc.begin, border.arc.begin_why),
+                ending_of(border.arc.end, border.arc.end_why)};
+    for (const auto& point : border.arc.points) curve.points.push_back(cycle_at(map, like, point.y));
+    for (const auto& special : border.arc.special) {
+        CurveSpecial found{special.kind, cycle_at(map, like, special.at.y), special.after};
+        const bool pair = special.kind.rfind("neimark-sacker", 0) == 0;
+        if (!pair || has_pair_on_circle(found.cycle.multipliers)) curve.special.push_back(std::move(found));
+    }
+    return curve;
+}
+
+}  // namespace swirl::apps::boundaries

@@ -1,0 +1,108 @@
+#include "apps/boundaries/boundaries_command.hpp"
+
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/standard_streams.hpp"
+
+#include <optional>
+
+namespace swirl::apps::boundaries {
+
+const char* const boundaries_details =
+    R"(Curves in a plane of two parameters (alpha, beta, mu, restitution, inertia-factor) on which cycles bifurcate: fold, flip,
+neimark-sacker, followed by pseudo-arclength on minimally augmented systems, each once. They begin at the special points of
+branches of cycles of period <= --max-period along --lines lines through the plane each way (diagrams as of `swirl
+bifurcate`, every branch followed stable or not), or at those of a record (--from: of continue, bifurcate --branches or
+boundaries). Along them the coefficient of the normal form (`swirl continue --help`).
+Points of codimension 2: cusp, generalised-flip, chenciner, 1:1, 1:2, 1:3, 1:4, fold-flip, fold-neimark-sacker,
+flip-neimark-sacker, double-neimark-sacker.
+Why a curve ends: plane (it leaves it); closed; 1:1, 1:2 (neimark-sacker: the pair is real from there on); halved (the cycle
+becomes one of half its period); a border of the map: grazing, two-vertices, stick-slip, landing, or border where none of
+these is seen; not-converged; most-points (5000 each way); stopped (interrupted).
+Borders: grazing (a vertex touches within a flight; so does one whose impact vanishes), two-vertices (another vertex is on
+the wall as one strikes) and stick-slip (the contact mode of an impact changes), with the times of impacts as unknowns; their
+special points fold-grazing, flip-two-vertices ... are where a curve of that kind ends on them. Landing is not followed.
+--against MAP.h5, a sweep over the same two parameters: which attracting cycles, by the curves, no run came to
+(too-few-starts, or transient: a run has no verdict), and which a run came to and no curve leads to (curve-missing).
+`swirl plot` draws the record, alone or over the record of a sweep.
+
+Examples:
+  swirl boundaries --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.6 --plane beta=0.3:0.6 --max-period 1 --lines 2
+  swirl boundaries --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.4:0.6 --plane beta=0.2:0.4 --lines 1 -o curves.h5)";
+
+void BoundariesOptions::add_to(Flags& command) {
+    scene.add_to(command);
+    output.add_to(command);
+    command.add_option("--plane", plane, "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
+        ->type_name("")
+        ->allow_extra_args(false);
+    command.add_option("--max-period", max_period, "longest period of the cycles on lines (default 4)")
+        ->type_name("K")
+        ->transform(whole_number(1, 64));
+    command.add_option("--lines", lines, "lines through the plane each way (default 12)")
+        ->type_name("L")
+        ->transform(whole_number(1, 10'000));
+    add_file(command, "--from", from, "a record whose special points the curves begin at, in place of lines");
+    add_file(command, "--against", against, "a sweep's record over the same plane, to be compared cell by cell");
+    command
+        .add_option("--longest-step", longest_step, "along a curve, in the plane's widths, 1e-6 to 1 (default 0.02)")
+        ->type_name("H");
+}
+
+Settings settings_of(const BoundariesOptions& options, const Plane& plane) {
+    return {{"first", plane.axes[0].name},
+            {"first_low", plane.axes[0].low},
+            {"first_high", plane.axes[0].high},
+            {"second", plane.axes[1].name},
+            {"second_low", plane.axes[1].low},
+            {"second_high", plane.axes[1].high},
+            {"max_period", std::int64_t{options.max_period}},
+            {"lines", std::int64_t{options.from.empty() ? options.lines : 0}},
+            {"longest_step", options.longest_step}};
+}
+
+namespace {
+
+void print_all(const Plane& plane, const PlaneCurves& found, const std::optional<Agreement>& agreement) {
+    print_curves(plane, found);
+    if (agreement) print_agreement(plane, *agreement);
+}
+
+}  // namespace
+
+int boundaries(BoundariesOptions& options) {
+    options.scene.read_file();
+    const Plane plane = plane_from(options.plane);
+    const Scene<double> scene = scene_of(options.scene, plane);
+    if (options.output.accuracy() != Accuracy::double_precision)
+        throw BadInput(fmt::format("accuracy = {}: boundaries works in double", options.output.accuracy_name));
+    if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
+        throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
+    std::optional<MappedPlane> map;
+    if (!options.against.empty()) map = mapped_plane(options.against, scene, plane);
+    std::vector<Seed> seeds;
+    if (!options.from.empty()) seeds = seeds_of_record(options.from, scene, plane);
+    std::optional<RecordWriter> record =
+        open_record(options.output, "Curves of bifurcations of a swirled polygon",
+                    {options.scene.file(), options.from, options.against}, options.scene.units());
+    note_interruptions();
+    if (options.from.empty())
+        seeds = seeds_on_lines(
+            scene, plane, {options.lines, 24, 2, options.max_period, options.output.threads, options.output.quiet});
+    const PlaneCurves found = follow_seeds(scene, plane, seeds, {options.longest_step, options.output.quiet});
+    std::optional<Agreement> agreement;
+    if (map && !is_interrupted()) agreement = compare(scene, plane, found.curves, *map);
+    finish_up();
+    if (record) {
+        write_curves_record(*record, options, scene, plane, found);
+        record->finish();
+    }
+    if (options.output.json)
+        write_curves_document(options, scene, plane, found, agreement);
+    else if (!options.output.quiet)
+        print_all(plane, found, agreement);
+    return is_interrupted() ? exit_interrupted : exit_done;
+}
+
+}  // namespace swirl::apps::boundaries

@@ -1,0 +1,35 @@
+// `swirl boundaries`: the curves that bound modes in a plane of two parameters.
+#pragma once
+
+#include "apps/boundaries/against.hpp"
+#include "apps/command_line/output_options.hpp"
+
+#include <optional>
+
+namespace swirl::apps::boundaries {
+
+struct BoundariesOptions {
+    SceneOptions scene;
+    OutputOptions output;
+    std::vector<std::string> plane;
+    int max_period = 4;
+    int lines = 12;
+    std::string from, against;
+    double longest_step = 0.02;
+
+    void add_to(Flags& command);
+};
+
+extern const char* const boundaries_details;
+
+Settings settings_of(const BoundariesOptions& options, const Plane& plane);
+
+void write_curves_document(const BoundariesOptions& options, const Scene<double>& scene, const Plane& plane,
+                           const PlaneCurves& found, const std::optional<Agreement>& agreement);
+void write_curves_record(RecordWriter& record, const BoundariesOptions& options, const Scene<double>& scene,
+                         const Plane& plane, const PlaneCurves& found);
+void print_curves(const Plane& plane, const PlaneCurves& found);
+
+int boundaries(BoundariesOptions& options);
+
+}  // namespace swirl::apps::boundaries

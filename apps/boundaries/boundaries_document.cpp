@@ -1,0 +1,177 @@
+#include "apps/boundaries/boundaries_command.hpp"
+#include "apps/branches/branches.hpp"
+#include "apps/output/write_table.hpp"
+#include "apps/system/section_coordinates.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace swirl::apps::boundaries {
+
+namespace {
+
+/// A cycle of a curve, or one of its special points.
+struct CycleRow {
+    std::size_t curve;
+    const CurveCycle* cycle;
+    const CurveSpecial* special = nullptr;
+};
+
+std::vector<double> all_coordinates_of(const CycleRow& row) {
+    std::vector<double> values;
+    for (const auto& z : row.cycle->points) values.insert(values.end(), z.begin(), z.end());
+    return values;
+}
+
+void write_parameters(JsonWriter& json, const Plane& plane, const Eigen::Vector2d& p) {
+    json.begin_object();
+    for (int axis = 0; axis < 2; ++axis) json.member(plane.axes[static_cast<std::size_t>(axis)].name, p[axis]);
+    json.end_object();
+}
+
+/// The cycles of curves along dimension `rows`. `list_length`: coordinates of the longest cycle, to which
+/// lists are filled up.
+Table<CycleRow> cycle_table(const Plane& plane, const std::string& rows, std::size_t list_length) {
+    using Row = CycleRow;
+    using F = Field<Row>;
+    const auto parameter = [](int axis) { return [axis](const Row& row) { return row.cycle->parameters[axis]; }; };
+    return {{rows},
+            {F{"curve", &Row::curve, "1", "number of the curve"}.record_only(),
+             F{"period", [](const Row& row) { return row.cycle->points.size(); }, "1", "k"}.record_only(),
+             {"parameters",
+              [plane](JsonWriter& json, const Row& row) { write_parameters(json, plane, row.cycle->parameters); }},
+             F{"first", parameter(0), "1", "value of the parameter named by settings: first"}.record_only(),
+             F{"second", parameter(1), "1", "value of the parameter named by settings: second"}.record_only(),
+             {"point", [](JsonWriter& json, const Row& row) { write_point(json, row.cycle->points.front()); }},
+             F{"points", all_coordinates_of, "1", "section points; NaN beyond the period"}
+                 .along({"phase", "coordinate"}, list_length)
+                 .record_only(),
+             {"multipliers", [](JsonWriter& json, const Row& row) { json.array(row.cycle->multipliers); }},
+             F{"largest_multiplier", [](const Row& row) { return std::abs(row.cycle->multipliers.front()); }, "1",
+               "modulus"}
+                 .record_only(),
+             F{"angle", [](const Row& row) { return row.cycle->angle; }, "rad", "theta of the critical multiplier"}
+                 .record_only(),
+             {"coefficient", [](JsonWriter& json, const Row& row) { json.value(row.cycle->coefficient); }},
+             F{"coefficient_re", [](const Row& row) { return row.cycle->coefficient.real(); }, "1", "normal form: b"}
+                 .record_only(),
+             F{"coefficient_im", [](const Row& row) { return row.cycle->coefficient.imag(); }, "1", "normal form: b"}
+                 .record_only()}};
+}
+
+Table<CycleRow> special_table(const Plane& plane, std::size_t list_length) {
+    Table<CycleRow> table = cycle_table(plane, "special_point", list_length);
+    table.fields.insert(table.fields.begin(), {"kind", [](const CycleRow& row) { return row.special->kind; }});
+    table.fields.push_back({"after", [](const CycleRow& row) { return row.special->after; }, "1",
+                            "point of the curve that it comes after; the first is 0"});
+    return table;
+}
+
+std::vector<CycleRow> points_of(const Curve& curve, std::size_t number) {
+    std::vector<CycleRow> rows;
+    for (const auto& point : curve.points) rows.push_back({number, &point});
+    return rows;
+}
+
+std::vector<CycleRow> special_of(const Curve& curve, std::size_t number) {
+    std::vector<CycleRow> rows;
+    for (const auto& special : curve.special) rows.push_back({number, &special.cycle, &special});
+    return rows;
+}
+
+Table<Curve> curve_table(const Plane& plane) {
+    using F = Field<Curve>;
+    const auto points = [plane](JsonWriter& json, const Curve& curve) {
+        write_rows(json, cycle_table(plane, "", 1), points_of(curve, 0));
+    };
+    const auto special = [plane](JsonWriter& json, const Curve& curve) {
+        write_rows(json, special_table(plane, 1), special_of(curve, 0));
+    };
+    const auto ends = [](JsonWriter& json, const Curve& curve) {
+        json.array(std::vector<std::string>{curve.begins, curve.ends});
+    };
+    return {{"curve"},
+            {{"kind", &Curve::kind},
+             {"period", &Curve::period, "1", "k"},
+             {"points", points},
+             {"special", special},
+             {"ends", ends},
+             F{"begins_at", &Curve::begins}.record_only(),
+             F{"ends_at", &Curve::ends}.record_only()}};
+}
+
+void write_cycles(const RecordGroup& group, const Table<CycleRow>& table, const std::vector<CycleRow>& rows,
+                  std::size_t longest) {
+    group.dimension(table.dimensions.front(), rows.size());
+    group.dimension("phase", longest);
+    const auto names = coordinate_names(rows.front().cycle->points.front().size());
+    group.dimension("coordinate", names.size());
+    group.write_strings("coordinate", {"coordinate"}, names);
+    write_columns(group, table, rows);
+}
+
+/// How many curves of each kind and period there are, in words.
+std::string counts_of(const std::vector<Curve>& curves) {
+    std::map<std::string, int> counts;
+    for (const auto& curve : curves) ++counts[curve.kind];
+    std::string text;
+    for (const auto& [kind, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, kind);
+    return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+void write_curves_document(const BoundariesOptions& options, const Scene<double>& scene, const Plane& plane,
+                           const PlaneCurves& found, const std::optional<Agreement>& agreement) {
+    print_document([&](JsonWriter& json) {
+        write_json(json, "scene", scene_settings_of(scene, plane));
+        if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
+        write_json(json, "curves", curve_table(plane), found.curves);
+        json.member("seeds", found.seeds);
+        json.member("without_curve", found.without);
+        json.list("not_followed", found.left_out);
+        if (agreement) write_agreement(json, plane, *agreement);
+        write_json(json, "settings", settings_of(options, plane));
+    });
+}
+
+void write_curves_record(RecordWriter& record, const BoundariesOptions& options, const Scene<double>& scene,
+                         const Plane& plane, const PlaneCurves& found) {
+    const auto root = record.root();
+    write_attributes(root.group("scene"), scene_settings_of(scene, plane));
+    write_attributes(root.group("settings"), settings_of(options, plane));
+    std::size_t longest = 1;
+    std::vector<CycleRow> points, special;
+    for (std::size_t c = 0; c < found.curves.size(); ++c) {
+        longest = std::max(longest, found.curves[c].period);
+        for (const auto& row : points_of(found.curves[c], c)) points.push_back(row);
+        for (const auto& row : special_of(found.curves[c], c)) special.push_back(row);
+    }
+    const std::size_t length =
+        longest * static_cast<std::size_t>((scene.is_disk() ? disk_dimension : polygon_dimension));
+    if (!points.empty()) {
+        write_cycles(root.group("curves"), cycle_table(plane, "point", length), points, longest);
+        write_record(root.group("curve_ends"), curve_table(plane), found.curves);
+    }
+    if (!special.empty()) write_cycles(root.group("special"), special_table(plane, length), special, longest);
+}
+
+void print_curves(const Plane& plane, const PlaneCurves& found) {
+    const auto place = [&](const Eigen::Vector2d& p) { return fmt::format("({:.6g}, {:.6g})", p[0], p[1]); };
+    fmt::print("curves in ({}, {})\n", plane.axes[0].name, plane.axes[1].name);
+    fmt::print("{:>5}  {:<15} {:>6} {:>7}  {:<42}  {}\n", "curve", "kind", "period", "points", "from", "to");
+    for (std::size_t c = 0; c < found.curves.size(); ++c) {
+        const Curve& curve = found.curves[c];
+        fmt::print("{:>5}  {:<15} {:>6} {:>7}  {:<42}  {}\n", c, curve.kind, curve.period, curve.points.size(),
+                   place(curve.points.front().parameters) + " " + curve.begins,
+                   place(curve.points.back().parameters) + " " + curve.ends);
+        for (const auto& special : curve.special)
+            fmt::print("       {:<22} {} = {:.10f}  {} = {:.10f}\n", special.kind, plane.axes[0].name,
+                       special.cycle.parameters[0], plane.axes[1].name, special.cycle.parameters[1]);
+    }
+    fmt::print("{} curves: {}; from {} special points, {} of them without a curve\n", found.curves.size(),
+               counts_of(found.curves), found.seeds, found.without);
+    for (const auto& kind : found.left_out) fmt::print("not followed: {}\n", kind);
+}
+
+}  // namespace swirl::apps::boundaries

@@ -1,0 +1,50 @@
+// The curves of a plane as they are written, whatever equations they solve.
+#pragma once
+
+#include "apps/boundaries/seeds.hpp"
+
+#include <limits>
+
+namespace swirl::apps::boundaries {
+
+struct CurveCycle {
+    Eigen::Vector2d parameters{0, 0};
+    analysis::CyclePoints points;
+    std::vector<std::complex<double>> multipliers;  ///< by falling modulus
+    double angle = 0;                               ///< θ of the critical multiplier e^{iθ}
+    /// b of the normal form (analysis/continuation/normal_form.hpp); NaN where there is none.
+    std::complex<double> coefficient{std::numeric_limits<double>::quiet_NaN(),
+                                     std::numeric_limits<double>::quiet_NaN()};
+};
+
+struct CurveSpecial {
+    std::string kind;
+    CurveCycle cycle;
+    std::size_t after = 0;  ///< between the curve's points `after` and `after` + 1
+};
+
+struct Curve {
+    std::string kind;
+    std::size_t period = 1;
+    std::vector<CurveCycle> points;
+    std::vector<CurveSpecial> special;
+    std::string begins, ends;  ///< why it ends there
+};
+
+struct FollowOptions {
+    double longest_step = 0.02;
+    bool quiet = true;
+};
+
+struct PlaneCurves {
+    std::vector<Curve> curves;
+    std::size_t seeds = 0;              ///< special points that curves were sought from
+    std::size_t without = 0;            ///< of those: at which none was found
+    std::vector<std::string> left_out;  ///< kinds of borders that are not followed, each once
+};
+
+/// Follows the curve through every seed, each once. What an interruption leaves is what was finished.
+PlaneCurves follow_seeds(const Scene<double>& scene, const Plane& plane, const std::vector<Seed>& seeds,
+                         const FollowOptions& options);
+
+}  // namespace swirl::apps::boundaries

@@ -1,0 +1,114 @@
+#include "analysis/boundaries/follow_boundary.hpp"
+#include "apps/boundaries/border_curve.hpp"
+#include "apps/boundaries/smooth_curve.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/progress.hpp"
+#include "apps/system/shooting_map.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace swirl::apps::boundaries {
+
+namespace {
+
+using analysis::Boundary;
+
+/// Follows seeds, and the borders that smooth curves end on.
+class SeedWalk {
+public:
+    SeedWalk(const Scene<double>& scene, const Plane& plane, const FollowOptions& follow)
+        : scene_(scene),
+          plane_(plane),
+          map_(plane_map_of(scene, plane.parameter(0), plane.parameter(1))),
+          words_(word_map_of(scene, plane.parameter(0), plane.parameter(1))),
+          options_(smooth_options(scene, plane, follow.longest_step)),
+          border_options_{follow.longest_step, is_interrupted} {}
+
+    void follow(const Seed& seed) {
+        ++result_.seeds;
+        if (const auto kind = smooth_kind(seed.kind)) return follow_smooth(seed, *kind);
+        if (seed.kind == "grazing" || seed.kind == "two-vertices" || seed.kind == "stick-slip")
+            return follow_touch(seed);
+        if (std::find(result_.left_out.begin(), result_.left_out.end(), seed.kind) == result_.left_out.end())
+            result_.left_out.push_back(seed.kind);
+    }
+
+    std::vector<Seed> take_ends() { return std::exchange(ends_, {}); }
+    PlaneCurves take_result() { return std::move(result_); }
+
+private:
+    void follow_smooth(const Seed& seed, analysis::BoundaryKind kind) {
+        if (analysis::is_on_boundary(map_, kind, seed.points, seed.p, seed.multiplier, options_, known_)) return;
+        Boundary boundary;
+        if (!analysis::follow_boundary(map_, kind, seed.points, seed.p, seed.multiplier, options_, boundary)) {
+            ++result_.without;
+            return;
+        }
+        if (is_interrupted()) return;  // cut short: not finished
+        const analysis::ShootingMap coordinates = analysis::on_line(map_, 0, plane_.low());
+        result_.curves.push_back(curve_of(boundary, coordinates));
+        keep_end(result_.curves.back().points.front(), result_.curves.back().begins);
+        keep_end(result_.curves.back().points.back(), result_.curves.back().ends);
+        known_.push_back(std::move(boundary));
+    }
+
+    void follow_touch(const Seed& seed) {
+        const auto cycle = border_cycle_of(words_, seed);
+        if (!cycle) {
+            ++result_.without;
+            return;
+        }
+        for (const auto& known : borders_)
+            if (is_on(words_, plane_, *cycle, border_options_, known)) return;
+        auto curve = follow_border(words_, plane_, *cycle, border_options_);
+        if (!curve) {
+            ++result_.without;
+            return;
+        }
+        if (is_interrupted()) return;
+        result_.curves.push_back(curve_of(words_, *curve));
+        borders_.push_back(std::move(*curve));
+    }
+
+    /// A smooth curve that ends on a border is a place to begin at on that border.
+    void keep_end(const CurveCycle& last, const std::string& why) {
+        if (why != "grazing" && why != "two-vertices") return;
+        Seed seed{why, last.points, last.parameters, 1};
+        const auto shooting =
+            analysis::shooting_residual(shooting_map_of(scene_at(scene_, plane_, last.parameters)), last.points, 0);
+        if (!shooting.alive) return;
+        name_flights(seed, shooting.steps);
+        ends_.push_back(std::move(seed));
+    }
+
+    Scene<double> scene_;
+    Plane plane_;
+    analysis::PlaneMap map_;
+    WordMap words_;
+    analysis::BoundaryOptions options_;
+    BorderOptions border_options_;
+    PlaneCurves result_;
+    std::vector<Boundary> known_;
+    std::vector<BorderCurve> borders_;
+    std::vector<Seed> ends_;
+};
+
+}  // namespace
+
+PlaneCurves follow_seeds(const Scene<double>& scene, const Plane& plane, const std::vector<Seed>& seeds,
+                         const FollowOptions& options) {
+    SeedWalk walk(scene, plane, options);
+    Progress progress("curves", static_cast<double>(seeds.size()), options.quiet);
+    double done = 0;
+    for (const Seed& seed : seeds) {
+        if (is_interrupted()) break;
+        walk.follow(seed);
+        progress.at(++done);
+    }
+    for (const Seed& seed : walk.take_ends())
+        if (!is_interrupted()) walk.follow(seed);
+    return walk.take_result();
+}
+
+}  // namespace swirl::apps::boundaries

@@ -1,0 +1,68 @@
+#include "apps/boundaries/against.hpp"
+#include "apps/record/record_reader.hpp"
+
+#include <algorithm>
+
+namespace swirl::apps::boundaries {
+
+namespace {
+
+/// What the sweep says of its scene, beside its grid, must be this scene's.
+void require_same_scene(const RecordReader& record, const std::string& file, const Settings& scene) {
+    for (const auto& [name, value] : scene) {
+        if (!record.has_attribute("/settings", name)) continue;
+        const AttributeValue there = record.attribute("/settings", name);
+        if (there.index() == value.index() && there != value)
+            throw BadInput(fmt::format("--against '{}' is of another scene: its {} differs", file, name));
+    }
+}
+
+/// The places of the codes of these names among an attribute's.
+std::vector<bool> are_named(const RecordReader& record, const std::string& attribute,
+                            const std::vector<std::string>& names) {
+    std::vector<bool> chosen;
+    for (const auto& name : record.attribute<std::vector<std::string>>("/settings", attribute))
+        chosen.push_back(std::find(names.begin(), names.end(), name) != names.end());
+    return chosen;
+}
+
+MappedPlane read_plane(const RecordReader& record, const std::string& file, const Scene<double>& scene,
+                       const Plane& plane) {
+    if (!record.contains("/sweep/run_period"))
+        throw BadInput(fmt::format("--against '{}' is no record of swirl sweep over a grid", file));
+    const auto dimensions = record.info("/sweep/run_period").dimensions;
+    const std::string names[] = {plane.axes[0].name, plane.axes[1].name};
+    const bool straight = dimensions.size() == 3 && dimensions[0] == names[0] && dimensions[1] == names[1];
+    const bool turned = dimensions.size() == 3 && dimensions[0] == names[1] && dimensions[1] == names[0];
+    if (!straight && !turned)
+        throw BadInput(fmt::format("--against '{}' is no sweep over {} and {} alone", file, names[0], names[1]));
+    require_same_scene(record, file, scene_settings_of(scene, plane));
+    MappedPlane map;
+    for (std::size_t axis = 0; axis < 2; ++axis) map.values[axis] = record.read<double>("/sweep/" + names[axis]);
+    const auto periods = record.read<std::int64_t>("/sweep/run_period");
+    const auto spins = record.read<double>("/sweep/run_mean_S");
+    const auto kinds = record.read<std::uint8_t>("/sweep/run_kind");
+    const auto periodic = are_named(record, "kinds", {"fixed-point", "cycle"});
+    const auto undecided = are_named(record, "kinds", {"none", "transient"});
+    map.runs = periods.size() / map.cells();
+    map.all.resize(periods.size());
+    const std::size_t n0 = map.values[0].size(), n1 = map.values[1].size();
+    for (std::size_t i = 0; i < map.all.size(); ++i) {
+        const std::size_t cell = i / map.runs, run = i % map.runs;
+        const std::size_t from = turned ? (cell % n1 * n0 + cell / n1) * map.runs + run : i;
+        map.all[i] = {periodic.at(kinds[from]), undecided.at(kinds[from]), periods[from], spins[from]};
+    }
+    return map;
+}
+
+}  // namespace
+
+MappedPlane mapped_plane(const std::string& file, const Scene<double>& scene, const Plane& plane) {
+    try {
+        return read_plane(RecordReader(file), file, scene, plane);
+    } catch (const RecordError& error) {
+        throw BadInput(error.what());
+    }
+}
+
+}  // namespace swirl::apps::boundaries

@@ -1,0 +1,47 @@
+// Where boundaries of a plane begin: special points of branches along lines through it, or of a record.
+#pragma once
+
+#include "analysis/boundaries/boundary.hpp"
+#include "apps/boundaries/plane.hpp"
+
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace swirl::apps::boundaries {
+
+/// A cycle at which a curve begins, both ways.
+struct Seed {
+    std::string kind;  ///< fold, flip, neimark-sacker, or a border's name
+    analysis::CyclePoints points;
+    Eigen::Vector2d p{0, 0};
+    std::complex<double> multiplier;  ///< the critical one
+    /// Of a border: the times of the flights, and the vertices on at their ends. Empty through sustained contact.
+    std::vector<double> times{};
+    std::vector<int> vertices{};
+    /// Of stick-slip: the contact modes before and behind the border.
+    std::vector<ContactMode> modes_before{}, modes_behind{};
+};
+
+/// Sets `times` and `vertices` of a seed from the steps of its cycle, or of one beside it.
+void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps);
+
+struct LineOptions {
+    int lines = 12;      ///< through the plane, each way, evenly spaced
+    int columns = 24;    ///< of the diagram along a line
+    int starts = 2;      ///< of a column
+    int max_period = 4;  ///< of the cycles that are followed
+    int threads = 0;
+    bool quiet = true;
+};
+
+/// Diagrams along lines through the plane (`swirl bifurcate`'s), every cycle of a period followed along its line,
+/// stable or not, with the branches that flips and branch points lead to; their special points. Start r of every column
+/// is that of `swirl classify --seed 1+r`. Cost: some 0.5 s a line.
+std::vector<Seed> seeds_on_lines(const Scene<double>& scene, const Plane& plane, const LineOptions& options);
+
+/// The special points in a record of `continue`, `bifurcate --branches` or `boundaries` along a parameter of the plane.
+/// @throws BadInput if it is none, or of another scene
+std::vector<Seed> seeds_of_record(const std::string& file, const Scene<double>& scene, const Plane& plane);
+
+}  // namespace swirl::apps::boundaries

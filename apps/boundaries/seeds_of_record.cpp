@@ -1,0 +1,132 @@
+#include "apps/boundaries/seeds.hpp"
+#include "apps/command_line/record_input.hpp"
+#include "apps/record/record_reader.hpp"
+#include "apps/system/shooting_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swirl::apps::boundaries {
+
+namespace {
+
+std::string text_of(const AttributeValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.17g}", *number);
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *whole);
+    return "?";
+}
+
+/// What the record says of the scene beside the parameters `varied` must be the scene's.
+void require_same_scene(const RecordReader& record, const std::string& file, const Settings& scene,
+                        const std::vector<std::string>& varied) {
+    for (const auto& [name, value] : scene) {
+        if (std::find(varied.begin(), varied.end(), name) != varied.end()) continue;
+        if (!record.has_attribute("/scene", name)) continue;
+        const std::string there = text_of(record.attribute("/scene", name)), here = text_of(value);
+        if (there != here)
+            throw BadInput(fmt::format("record '{}' has {} = {}; the scene has {}", file, name, there, here));
+    }
+}
+
+std::complex<double> critical_multiplier(const std::string& kind, double angle) {
+    if (kind == "flip") return -1;
+    return kind == "neimark-sacker" ? std::polar(1.0, angle) : std::complex<double>(1);
+}
+
+/// The cycles in the rows of a group with `points`, `period` and `kind`.
+std::vector<Seed> cycles_of(const RecordReader& record, const std::string& group) {
+    const auto shape = record.info(group + "/points").shape;
+    const auto all = record.read<double>(group + "/points");
+    const auto periods = record.read<std::int64_t>(group + "/period");
+    std::vector<Seed> seeds;
+    for (std::size_t row = 0; row < periods.size(); ++row) {
+        Seed seed;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(periods[row]); ++i) {
+            Eigen::VectorXd z(static_cast<Eigen::Index>(shape.at(2)));
+            for (std::size_t a = 0; a < shape.at(2); ++a)
+                z[static_cast<Eigen::Index>(a)] = all[(row * shape.at(1) + i) * shape.at(2) + a];
+            seed.points.push_back(std::move(z));
+        }
+        seeds.push_back(std::move(seed));
+    }
+    return seeds;
+}
+
+/// Of `continue` and `bifurcate`: special points along one parameter of the plane.
+std::vector<Seed> seeds_of_branches(const RecordReader& record, const std::string& file, const Scene<double>& scene,
+                                    const Plane& plane) {
+    const auto along = record.attribute<std::string>("/settings", "along");
+    const int axis = along == plane.axes[0].name ? 0 : 1;
+    const ParameterRange& other = plane.axes[static_cast<std::size_t>(1 - axis)];
+    if (along != plane.axes[static_cast<std::size_t>(axis)].name)
+        throw BadInput(fmt::format("record '{}' is along {}, which is no parameter of the plane", file, along));
+    std::string other_name = other.name, own_name = along;
+    for (std::string* name : {&other_name, &own_name}) std::replace(name->begin(), name->end(), '-', '_');
+    require_same_scene(record, file, scene_settings(scene), {own_name, other_name});
+    const auto value = record.attribute<double>("/scene", other_name);
+    if (!record.contains("/special/points"))
+        throw BadInput(fmt::format("record '{}' holds no special points of branches", file));
+    auto seeds = cycles_of(record, "/special");
+    const auto kinds = record.read_strings("/special/kind");
+    const auto parameters = record.read<double>("/special/parameter");
+    const auto angles = record.read<double>("/special/form_angle");
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+        seeds[i].kind = kinds[i];
+        seeds[i].p[axis] = parameters[i];
+        seeds[i].p[1 - axis] = value;
+        seeds[i].multiplier = critical_multiplier(kinds[i], std::isfinite(angles[i]) ? angles[i] : 1);
+    }
+    for (std::size_t i = 0; i < seeds.size(); ++i) {  // of a border: the map's steps from its last cycle
+        if (seeds[i].kind != "grazing" && seeds[i].kind != "two-vertices") continue;
+        const auto shooting =
+            analysis::shooting_residual(shooting_map_of(scene_at(scene, plane, seeds[i].p)), seeds[i].points, 0);
+        if (shooting.alive) name_flights(seeds[i], shooting.steps);
+    }
+    std::erase_if(seeds, [](const Seed& seed) { return seed.kind == "branch-point"; });
+    return seeds;
+}
+
+/// Of `boundaries`: a cycle in the middle of each curve.
+std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string& file, const Scene<double>& scene,
+                                  const Plane& plane) {
+    for (const auto& [name, axis] : {std::pair("first", 0), std::pair("second", 1)})
+        if (record.attribute<std::string>("/settings", name) != plane.axes[static_cast<std::size_t>(axis)].name)
+            throw BadInput(fmt::format("record '{}' is of another plane", file));
+    require_same_scene(record, file, scene_settings_of(scene, plane), {});
+    if (!record.contains("/curves/points")) return {};
+    const auto all = cycles_of(record, "/curves");
+    const auto curve = record.read<std::int64_t>("/curves/curve");
+    const auto first = record.read<double>("/curves/first"), second = record.read<double>("/curves/second");
+    const auto angles = record.read<double>("/curves/angle");
+    const auto kinds = record.read_strings("/curve_ends/kind");
+    std::vector<Seed> seeds;
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+        while (end < all.size() && curve[end] == curve[begin]) ++end;
+        const std::size_t middle = begin + (end - begin) / 2;
+        Seed seed = all[middle];
+        seed.kind = kinds[static_cast<std::size_t>(curve[begin])];
+        seed.p = {first[middle], second[middle]};
+        seed.multiplier = critical_multiplier(seed.kind, angles[middle]);
+        seeds.push_back(std::move(seed));
+    }
+    return seeds;
+}
+
+}  // namespace
+
+std::vector<Seed> seeds_of_record(const std::string& file, const Scene<double>& scene, const Plane& plane) {
+    try {
+        const RecordReader record(file);
+        if (!record.contains("/scene") || !record.contains("/settings"))
+            throw BadInput(
+                fmt::format("record '{}' is none of: continue, bifurcate with --branches, boundaries", file));
+        if (record.has_attribute("/settings", "along")) return seeds_of_branches(record, file, scene, plane);
+        if (record.has_attribute("/settings", "first")) return seeds_of_curves(record, file, scene, plane);
+        throw BadInput(fmt::format("record '{}' is none of: continue, bifurcate with --branches, boundaries", file));
+    } catch (const RecordError& error) {
+        throw BadInput(error.what());
+    }
+}
+
+}  // namespace swirl::apps::boundaries

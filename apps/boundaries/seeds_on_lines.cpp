@@ -1,0 +1,145 @@
+#include "analysis/continuation/on_branch.hpp"
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
+#include "apps/bifurcate/attractor.hpp"
+#include "apps/boundaries/seeds.hpp"
+#include "apps/branches/branches.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/parallel_pieces.hpp"
+#include "apps/system/letter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace swirl::apps::boundaries {
+
+namespace {
+
+using analysis::Branch;
+
+constexpr double golden_mean = 0.6180339887498949;  // its multiples are spread most evenly
+
+/// A line along one axis of the plane.
+struct Line {
+    int axis = 0;
+    Eigen::Vector2d p{0, 0};  ///< of which only the other axis counts
+    /// Of its columns, in their spacing: no two lines have theirs at the same places, so that a band which is narrower
+    /// than the spacing but runs across lines is met.
+    double offset = 0.5;
+};
+
+std::vector<Line> lines_through(const Plane& plane, int count) {
+    std::vector<Line> lines;
+    for (int axis = 0; axis < 2; ++axis) {
+        for (int i = 0; i < count; ++i) {
+            const Eigen::Vector2d low = plane.low(), width = plane.high() - low;
+            lines.push_back({axis, low + (i + 0.5) / count * width, std::fmod((i + 1) * golden_mean, 1.0)});
+        }
+    }
+    return lines;
+}
+
+/// The branches of one line, each once.
+class LineSearch {
+public:
+    LineSearch(const Scene<double>& scene, const Plane& plane, const Line& line, const LineOptions& options)
+        : options_(options),
+          offset_(line.offset),
+          range_(plane.axes[static_cast<std::size_t>(line.axis)]),
+          scene_(scene_at(scene, plane, line.p)),
+          branches_(scene_branches(scene_, range_)) {
+        branches_.options.forms = nullptr;  // a curve has its own
+    }
+
+    std::vector<Branch> find() {
+        for (int i = 0; i < options_.columns; ++i) {
+            const double value = range_.low + (i + offset_) / options_.columns * (range_.high - range_.low);
+            for (int run = 0; run < options_.starts && !is_interrupted(); ++run) look_from(value, run);
+        }
+        follow_switches(branches_, found_, 1, static_cast<std::size_t>(options_.max_period));
+        return std::move(found_);
+    }
+
+private:
+    void look_from(double value, int run) {
+        const Scene<double> scene = with_parameter(scene_, *range_.parameter, value);
+        const std::uint64_t seed = 1 + static_cast<std::uint64_t>(run);
+        const auto attractor = bifurcate::settle(scene, random_start(scene.beta, paper_speed, seed, 0), {});
+        if (!attractor.finished || attractor.period == 0 || attractor.period > options_.max_period) return;
+        follow(attractor.states, value);
+    }
+
+    void follow(const analysis::CyclePoints& states, double value) {
+        for (const auto& branch : found_)
+            if (analysis::find_on_branch(branches_.map, branch, value, states)) return;
+        const auto shot = analysis::solve_shooting(branches_.map, states, value, 1e-10);
+        Branch branch;
+        if (shot.converged && analysis::continue_branch(branches_.map, shot.points, value, branches_.options, branch))
+            found_.push_back(std::move(branch));
+    }
+
+    const LineOptions& options_;
+    double offset_;
+    ParameterRange range_;
+    Scene<double> scene_;
+    SceneBranches branches_;
+    std::vector<Branch> found_;
+};
+
+std::complex<double> critical_multiplier(const analysis::SpecialPoint& special) {
+    if (special.kind == analysis::SpecialKind::fold) return 1;
+    if (special.kind == analysis::SpecialKind::flip) return -1;
+    std::complex<double> best = 0;
+    for (const auto& m : special.cycle.multipliers)
+        if (m.imag() > 0 && std::abs(std::abs(m) - 1) < std::abs(std::abs(best) - 1)) best = m;
+    return best;
+}
+
+std::vector<Seed> seeds_of(const std::vector<Branch>& branches, const Line& line) {
+    std::vector<Seed> seeds;
+    for (const auto& branch : branches) {
+        for (const auto& special : branch.special) {
+            if (special.kind == analysis::SpecialKind::branch_point || !special.located) continue;
+            Seed seed{kind_of(special), special.cycle.at.points, line.p, critical_multiplier(special)};
+            name_flights(seed, special.cycle.at.shooting.steps);
+            for (const auto letter : special.word_before) seed.modes_before.push_back(letter_from(letter).mode);
+            for (const auto letter : special.word_after) seed.modes_behind.push_back(letter_from(letter).mode);
+            seed.p[line.axis] = special.cycle.at.p;
+            seeds.push_back(std::move(seed));
+        }
+    }
+    return seeds;
+}
+
+}  // namespace
+
+void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps) {
+    for (const auto& step : steps) {
+        const Letter letter = letter_from(step.letter);
+        if (letter.through_contact) {
+            seed.times.clear();
+            seed.vertices.clear();
+            return;
+        }
+        seed.times.push_back(step.duration);
+        seed.vertices.push_back(letter.vertex_step);
+    }
+}
+
+std::vector<Seed> seeds_on_lines(const Scene<double>& scene, const Plane& plane, const LineOptions& options) {
+    const auto lines = lines_through(plane, options.lines);
+    std::vector<std::vector<Seed>> of_lines(lines.size());
+    Progress progress("lines", static_cast<double>(lines.size()), options.quiet);
+    run_pieces(lines.size(), options.threads, progress, [&](std::size_t i) -> KeepResult {
+        const auto found =
+            std::make_shared<std::vector<Seed>>(seeds_of(LineSearch(scene, plane, lines[i], options).find(), lines[i]));
+        if (is_interrupted()) return {};
+        return [&of_lines, i, found] { of_lines[i] = std::move(*found); };
+    });
+    std::vector<Seed> seeds;
+    for (auto& of_line : of_lines) seeds.insert(seeds.end(), of_line.begin(), of_line.end());
+    return seeds;
+}
+
+}  // namespace swirl::apps::boundaries

@@ -1,0 +1,202 @@
+"""swirl boundaries, from outside: boundaries_command_test.py SWIRL"""
+
+import json
+import math
+import unittest
+
+import xarray
+
+from driving import InFolder, Keeping, Refusing, run
+
+
+def document(arguments, code=(0,)):
+    """As driving.document, where one of several exit codes is as good: a search that finds nothing on one side of a border."""
+    result = run(f"{arguments} --json")
+    assert result.returncode in code and (result.returncode or not result.stderr), (arguments, result.stderr)
+    return json.loads(result.stdout)
+
+
+HEXAGON = "--sides 6 --mu 0.5 --restitution 0.95"
+PLANE = f"{HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5"
+#: A line each way: seconds.
+SMALL = f"{PLANE} --max-period 1 --lines 1"
+
+
+def place(point):
+    return point["parameters"]["alpha"], point["parameters"]["beta"]
+
+
+class Boundaries(InFolder):
+    @classmethod
+    def setUpClass(cls):
+        cls.answer = document(f"boundaries {SMALL}")
+
+    def test_curves_carry_the_multiplier_that_they_are_of(self):
+        answer = self.answer
+        kinds = {curve["kind"] for curve in answer["curves"]}
+        self.assertLessEqual({"fold", "flip", "neimark-sacker"}, kinds)
+        for curve in answer["curves"]:
+            self.assertEqual(len(curve["ends"]), 2)
+            for point in curve["points"]:
+                alpha, beta = place(point)
+                rounding = 1e-12  # the last point lies on the edge as Newton's method leaves it
+                self.assertTrue(-rounding <= alpha - 0.4 <= 0.2 + rounding, (alpha, beta))
+                self.assertTrue(-rounding <= beta - 0.25 <= 0.25 + rounding, (alpha, beta))
+                critical = {"fold": lambda m: abs(m - 1), "flip": lambda m: abs(m + 1),
+                            "neimark-sacker": lambda m: abs(abs(m) - 1)}.get(curve["kind"])
+                if critical:  # a multiplier that is double moves as the root of rounding
+                    self.assertLess(min(critical(complex(*m)) for m in point["multipliers"]), 1e-6)
+
+    def test_a_curve_that_leaves_the_plane_ends_on_its_edge(self):
+        for curve in self.answer["curves"]:
+            for point, why in zip((curve["points"][0], curve["points"][-1]), curve["ends"]):
+                if why == "plane":
+                    alpha, beta = place(point)
+                    self.assertLess(min(abs(alpha - 0.4), abs(alpha - 0.6), abs(beta - 0.25), abs(beta - 0.5)), 1e-12)
+
+    def test_continue_across_a_curve_has_its_special_point_there(self):
+        for curve in self.answer["curves"]:
+            if curve["kind"] not in ("fold", "flip", "neimark-sacker"):
+                continue
+            point = curve["points"][len(curve["points"]) // 2]
+            alpha, beta = place(point)
+            # From the cycle on the curve itself, which is singular there, a little off it in alpha.
+            branches = document(f"continue {HEXAGON} --alpha {alpha - 1e-4!r} --beta {beta!r} --switch 0 "
+                                f"--from={','.join(repr(x) for x in point['point'].values())} "
+                                f"--along alpha={alpha - 0.01!r}:{alpha + 0.01!r}")
+            found = [special["parameter"] for branch in branches["branches"] for special in branch["special"]
+                     if special["kind"] == curve["kind"]]
+            if not branches["branches"]:  # behind a fold there is no cycle
+                branches = document(f"continue {HEXAGON} --alpha {alpha + 1e-4!r} --beta {beta!r} --switch 0 "
+                                    f"--from={','.join(repr(x) for x in point['point'].values())} "
+                                    f"--along alpha={alpha - 0.01!r}:{alpha + 0.01!r}")
+                found = [special["parameter"] for branch in branches["branches"] for special in branch["special"]
+                         if special["kind"] == curve["kind"]]
+            self.assertLess(min(abs(value - alpha) for value in found), 1e-9, (curve["kind"], alpha, beta))
+
+    def test_no_curve_comes_twice(self):
+        curves = self.answer["curves"]
+        for i, curve in enumerate(curves):
+            middle = place(curve["points"][len(curve["points"]) // 2])
+            for other in curves[:i]:
+                if (other["kind"], other["period"]) == (curve["kind"], curve["period"]):
+                    # Points lie 0.02 of the plane's width apart at most.
+                    nearest = min(math.dist(middle, place(point)) for point in other["points"])
+                    spin = min(abs(curve["points"][len(curve["points"]) // 2]["point"]["S"] - point["point"]["S"])
+                               for point in other["points"])
+                    self.assertTrue(nearest > 1e-4 or spin > 1e-4, (i, curve["kind"], middle))
+
+    def test_a_point_on_two_curves_is_found_on_both(self):
+        # The ends on borders too: curves of the two kinds do not know each other.
+        answer = document(f"boundaries {HEXAGON} --plane alpha=0.6:0.9 --plane beta=0.05:0.4 --max-period 1 --lines 5")
+        resonances = [special for curve in answer["curves"] for special in curve["special"] if special["kind"] == "1:2"]
+        self.assertEqual(len(resonances), 2)  # of the flip curve, and where the Neimark–Sacker curve ends
+        for special in resonances:
+            self.assertLess(math.dist(place(special), (0.788667565, 0.2554828)), 1e-8)
+        touching = [special for curve in answer["curves"] if curve["kind"] == "grazing" for special in curve["special"]]
+        ends = [(curve["kind"], curve["points"][i]) for curve in answer["curves"] for i, why in zip((0, -1), curve["ends"])
+                if why == "grazing" and curve["kind"] in ("fold", "flip")]
+        self.assertGreater(len(ends), 1)
+        for kind, end in ends:  # the map ends at u_n = 1e-6, a little before the border
+            self.assertLess(min(math.dist(place(end), place(special)) for special in touching
+                                if special["kind"] == f"{kind}-grazing"), 1e-5)
+
+    def test_continue_up_to_a_border_curve_ends_on_it(self):
+        answer = document(f"boundaries {HEXAGON} --plane alpha=0.5:0.7 --plane beta=0.1:0.3 --max-period 2 --lines 1")
+        kinds = {curve["kind"] for curve in answer["curves"]}
+        self.assertIn("grazing", kinds)
+        for curve in answer["curves"]:
+            if curve["kind"] not in ("grazing", "stick-slip"):
+                continue
+            point = curve["points"][len(curve["points"]) // 2]
+            alpha, beta = place(point)
+            near = ",".join(repr(x) for x in point["point"].values())
+            found = []
+            for shift in (1e-5, -1e-5):  # a grazing cycle is there on one side
+                orbits = document(f"orbits {HEXAGON} --alpha {alpha + shift!r} --beta {beta!r} --near={near} "
+                                  f"--period {curve['period']}", code=(0, 3))["orbits"]
+                for orbit in orbits:
+                    start = ",".join(repr(x) for x in orbit["points"][0].values())
+                    branches = document(f"continue {HEXAGON} --alpha {alpha + shift!r} --beta {beta!r} --switch 0 --from={start} "
+                                        f"--period {orbit['period']} --along alpha={alpha - 4e-3!r}:{alpha + 4e-3!r}", code=(0, 3))
+                    found += [special["parameter"] for branch in branches["branches"] for special in branch["special"]
+                              if special["kind"] == curve["kind"]]
+            self.assertLess(min(abs(value - alpha) for value in found), 1e-9, (curve["kind"], alpha, beta))
+
+    def test_the_record_holds_what_the_document_says(self):
+        path = self.folder / "c.h5"
+        answer = document(f"boundaries {SMALL} -o {path}")
+        curves = xarray.open_dataset(path, group="curves", engine="h5netcdf")
+        self.assertEqual(list(curves["first"].values), [place(p)[0] for c in answer["curves"] for p in c["points"]])
+        self.assertEqual(list(curves["second"].values), [place(p)[1] for c in answer["curves"] for p in c["points"]])
+        ends = xarray.open_dataset(path, group="curve_ends", engine="h5netcdf")
+        self.assertEqual(list(ends["kind"].values), [c["kind"] for c in answer["curves"]])
+        self.assertEqual([[a, b] for a, b in zip(ends["begins_at"].values, ends["ends_at"].values)],
+                         [c["ends"] for c in answer["curves"]])
+
+    def test_special_points_of_a_record_are_places_to_begin(self):
+        lines, again = self.folder / "line.h5", self.folder / "c.h5"
+        start = "-0.0839,0.028,-0.5542,0.8898,-0.9793"
+        run(f"continue --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --from={start} --along alpha=0.3:0.5 "
+            f"--quiet -o {lines}")
+        scene = "--sides 6 --mu 0.5 --restitution 0.9 --plane alpha=0.3:0.5 --plane beta=0.4:0.6"
+        first = document(f"boundaries {scene} --from {lines} -o {again}")["curves"]
+        self.assertGreater(len(first), 0)
+        second = document(f"boundaries {scene} --from {again}")["curves"]
+        smooth = ("fold", "flip", "neimark-sacker")
+        self.assertEqual(sorted(c["kind"] for c in first if c["kind"] in smooth),
+                         sorted(c["kind"] for c in second if c["kind"] in smooth))
+
+    def test_equal_bytes_whatever_the_threads(self):
+        answers = [run(f"boundaries {SMALL} --json --threads {threads}").stdout for threads in (1, 2)]
+        self.assertEqual(*answers)
+
+    def test_a_disk(self):
+        answer = document("boundaries --sides disk --mu 0.3 --restitution 0.5 --plane alpha=0.2:0.4 --plane beta=0.2:0.4 "
+                          "--max-period 1 --lines 1")
+        self.assertIsInstance(answer["curves"], list)
+
+    def test_against_a_map(self):
+        path = self.folder / "map.h5"
+        run(f"sweep {HEXAGON} --grid alpha=0.5:0.59:6 --grid beta=0.26:0.35:6 --runs 1 --quiet -o {path}")
+        against = document(f"boundaries {SMALL} --against {path}")["against"]
+        self.assertEqual(against["cells"], 36)
+        self.assertGreater(against["with_cycle"], 10)
+        self.assertLess(against["missing_cells"], 5)  # of cycles of period 1
+        for entry in against["disagreements"]:
+            self.assertIn(entry["why"], ("too-few-starts", "transient", "curve-missing"))
+
+
+class Wrong(Refusing):
+    def test_wrong_input_is_one_line_and_exit_2(self):
+        for extra, mention in (("", "--plane"), ("--plane alpha=0.4:0.6", "twice"),
+                               ("--plane alpha=0.4:0.6 --plane alpha=0.1:0.2", "different"),
+                               ("--plane alpha=0.4:0.6 --plane size=0.1:0.2", "none of"),
+                               ("--plane alpha=0.4:1.2 --plane beta=0.1:0.2", "alpha = 1.2"),
+                               ("--plane alpha=0.4:0.6:3 --plane beta=0.1:0.2", "NAME=A:B"),
+                               ("--plane alpha=nan:0.6 --plane beta=0.1:0.2", "finite"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --max-period 0", "max-period"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --longest-step 2", "longest-step"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --accuracy quad", "double"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --from none.h5", "none.h5"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --against none.h5", "none.h5")):
+            self.refused(f"boundaries {HEXAGON} {extra}", mention)
+
+    def test_records_of_other_kinds_are_refused(self):
+        scene = "--sides 6 --mu 0.5 --restitution 0.9"
+        path = self.folder.parent / (self.folder.name + ".h5")
+        self.addCleanup(path.unlink)
+        run(f"orbits {scene} --alpha 0.4 --beta 0.5 --period 1 --starts 1 --trajectories 1 --collisions 100 --quiet -o {path}")
+        plane = "--plane alpha=0.4:0.6 --plane beta=0.1:0.2"
+        self.refused(f"boundaries {scene} {plane} --from {path}", "none of")
+        self.refused(f"boundaries {scene} {plane} --against {path}", "no record of swirl sweep")
+
+
+class Interrupted(Keeping):
+    def test_what_is_finished_is_kept(self):
+        answer = self.interrupt(f"boundaries {HEXAGON} --plane alpha=0.1:0.9 --plane beta=0.05:1.05 --lines 60 --threads 1", 1.5)
+        self.assertIsInstance(answer["curves"], list)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -170,9 +170,11 @@ private:
             ArcPoint at = next.at;
             if (f1 != 0 && !locate(arc_, here(), h, test.value(here()), test.value(next.at), test.value, at)) continue;
             if (outside(at) > 1e-9 || !is_what_it_seems(system_, test.kind, at)) continue;
-            found.emplace_back(arc_.product(here().tangent, at.y - here().y),
-                               BoundarySpecial{test.kind, boundary_point_at(system_, at, options_.forms),
-                                               boundary_.points.size() - 1});
+            BoundarySpecial special{test.kind, boundary_point_at(system_, at, options_.forms),
+                                    boundary_.points.size() - 1};
+            if (!has_coefficient(system_.kind, test.kind))
+                special.cycle.coefficient = std::numeric_limits<double>::quiet_NaN();
+            found.emplace_back(arc_.product(here().tangent, at.y - here().y), std::move(special));
         }
         std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         for (auto& [s, special] : found) boundary_.special.push_back(std::move(special));

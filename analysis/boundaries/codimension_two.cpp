@@ -84,7 +84,7 @@ std::vector<Complex> others(std::vector<Complex> multipliers, Complex critical, 
     return multipliers;
 }
 
-/// b of the point's own kind; NaN where it does not exist.
+/// b of the curve's kind; NaN where it does not exist. (Of its poles: `has_coefficient`.)
 Complex coefficient_at(const AugmentedSystem& system, const ArcPoint& point, const Forms& forms) {
     CriticalPoint critical;
     critical.derivative = monodromy_at(system, point);
@@ -199,6 +199,13 @@ bool is_what_it_seems(const AugmentedSystem& system, CodimensionTwo kind, const 
     const auto left = others(multipliers_of(monodromy_at(system, point)), system.multiplier(point.y), pair);
     return std::any_of(left.begin(), left.end(),
                        [](Complex m) { return m.imag() > 1e-6 && std::abs(std::abs(m) - 1) < 1e-6; });
+}
+
+bool has_coefficient(BoundaryKind curve, CodimensionTwo kind) {
+    using enum CodimensionTwo;
+    if (kind == one_to_one || kind == one_to_two) return false;
+    if (curve == BoundaryKind::flip) return kind != fold_flip;
+    return curve == BoundaryKind::fold || (kind != one_to_three && kind != fold_neimark_sacker);
 }
 
 BoundaryPoint boundary_point_at(const AugmentedSystem& system, const ArcPoint& at, const Forms& forms) {

@@ -34,6 +34,10 @@ std::vector<CodimensionTest> tests_of(
 /// Does the point have what its test says? Of points with a second pair: is the pair complex?
 bool is_what_it_seems(const AugmentedSystem& system, CodimensionTwo kind, const ArcPoint& point);
 
+/// Does the curve's coefficient exist at such a point? It has poles where another multiplier is what the elimination of
+/// lower terms divides by (1: fold–flip, fold–Neimark–Sacker; e^{−iθ} = e^{2iθ}: 1:3), and none at a double multiplier.
+bool has_coefficient(BoundaryKind curve, CodimensionTwo kind);
+
 /// Multipliers and coefficient of a point. Cost: some 10 to 20 derivatives of Fᵏ.
 BoundaryPoint boundary_point_at(
     const AugmentedSystem& system, const ArcPoint& at,

@@ -76,8 +76,12 @@ std::vector<WideMultiplier> wide_multipliers(std::span<const Eigen::MatrixXd> de
     const Eigen::HessenbergDecomposition<WideMatrix> hessenberg(product);
     Eigen::RealSchur<WideMatrix> schur(product.rows());
     schur.computeFromHessenberg(hessenberg.matrixH(), product, false);  // the second is of Schur vectors, not asked for
-    const WideMatrix& t = schur.matrixT();
     std::vector<WideMultiplier> result;
+    if (schur.info() != Eigen::Success) {  // zeros where no rank is lost are unresolved
+        result.resize(static_cast<std::size_t>(product.rows()));
+        return result;
+    }
+    const WideMatrix& t = schur.matrixT();
     for (Eigen::Index i = 0; i < t.rows(); ++i) {
         if (i + 1 == t.rows() || t(i + 1, i) == 0) {
             result.push_back({t(i, i), 0, abs(t(i, i))});

@@ -1,5 +1,7 @@
 #include "apps/boundaries/border_system.hpp"
 
+#include "apps/system/shooting_map.hpp"
+
 #include <cmath>
 
 namespace swirl::apps::boundaries {
@@ -119,7 +121,10 @@ analysis::ArcSystem border_system(const WordMap& map, const Plane& plane, const 
     analysis::ArcSystem system;
     system.weights = Eigen::VectorXd::Constant(count, 1.0 / static_cast<double>(layout.period));
     system.weights.segment<2>(layout.parameters()) = (plane.high() - plane.low()).cwiseAbs2().cwiseInverse();
-    system.equations = [map, like, layout](const Eigen::VectorXd& y, analysis::ArcEquations& at) {
+    const Parameter first = plane.parameter(0), second = plane.parameter(1);
+    system.equations = [map, like, layout, first, second](const Eigen::VectorXd& y, analysis::ArcEquations& at) {
+        const Eigen::Vector2d p = y.segment<2>(layout.parameters());
+        if (!is_allowed(first, p[0]) || !is_allowed(second, p[1])) return false;  // where Newton's method went astray
         return border_equations(map, like, layout, y, at);
     };
     return system;

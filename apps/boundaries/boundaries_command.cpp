@@ -2,6 +2,7 @@
 
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
 
@@ -19,7 +20,7 @@ Points of codimension 2: cusp, generalised-flip, chenciner, 1:1, 1:2, 1:3, 1:4, 
 flip-neimark-sacker, double-neimark-sacker.
 Why a curve ends: plane (it leaves it); closed; 1:1, 1:2 (neimark-sacker: the pair is real from there on); halved (the cycle
 becomes one of half its period); a border of the map: grazing, two-vertices, stick-slip, landing, or border where none of
-these is seen; not-converged; most-points (5000 each way); stopped (interrupted).
+these is seen; not-converged; most-points (5000 each way).
 Borders: grazing (a vertex touches within a flight; so does one whose impact vanishes), two-vertices (another vertex is on
 the wall as one strikes) and stick-slip (the contact mode of an impact changes), with the times of impacts as unknowns; their
 special points fold-grazing, flip-two-vertices ... are where a curve of that kind ends on them. Landing is not followed.
@@ -80,9 +81,15 @@ int boundaries(BoundariesOptions& options) {
     if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
         throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
     std::optional<MappedPlane> map;
-    if (!options.against.empty()) map = mapped_plane(options.against, scene, plane);
+    if (!options.against.empty()) {
+        map = mapped_plane(options.against, scene, plane);
+        warn_without_checksum(options.against, options.output.quiet);
+    }
     std::vector<Seed> seeds;
-    if (!options.from.empty()) seeds = seeds_of_record(options.from, scene, plane);
+    if (!options.from.empty()) {
+        seeds = seeds_of_record(options.from, scene, plane);
+        warn_without_checksum(options.from, options.output.quiet);
+    }
     std::optional<RecordWriter> record =
         open_record(options.output, "Curves of bifurcations of a swirled polygon",
                     {options.scene.file(), options.from, options.against}, options.scene.units());
@@ -90,9 +97,11 @@ int boundaries(BoundariesOptions& options) {
     if (options.from.empty())
         seeds = seeds_on_lines(
             scene, plane, {options.lines, 24, 2, options.max_period, options.output.threads, options.output.quiet});
-    const PlaneCurves found = follow_seeds(scene, plane, seeds, {options.longest_step, options.output.quiet});
+    PlaneCurves found = follow_seeds(scene, plane, seeds, {options.longest_step, options.output.quiet});
+    found.whole = !is_interrupted();
     std::optional<Agreement> agreement;
     if (map && !is_interrupted()) agreement = compare(scene, plane, found.curves, *map);
+    if (is_interrupted()) agreement.reset();  // of some cells only
     finish_up();
     if (record) {
         write_curves_record(*record, options, scene, plane, found);

@@ -119,6 +119,10 @@ std::string counts_of(const std::vector<Curve>& curves) {
     return text.empty() ? "none" : text;
 }
 
+std::string outcome_of(const PlaneCurves& found) {
+    return found.whole ? "completed" : "interrupted";
+}
+
 }  // namespace
 
 void write_curves_document(const BoundariesOptions& options, const Scene<double>& scene, const Plane& plane,
@@ -127,6 +131,7 @@ void write_curves_document(const BoundariesOptions& options, const Scene<double>
         write_json(json, "scene", scene_settings_of(scene, plane));
         if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
         write_json(json, "curves", curve_table(plane), found.curves);
+        json.member("outcome", outcome_of(found));
         json.member("seeds", found.seeds);
         json.member("without_curve", found.without);
         json.list("not_followed", found.left_out);
@@ -140,6 +145,7 @@ void write_curves_record(RecordWriter& record, const BoundariesOptions& options,
     const auto root = record.root();
     write_attributes(root.group("scene"), scene_settings_of(scene, plane));
     write_attributes(root.group("settings"), settings_of(options, plane));
+    write_attributes(root.group("result"), {{"outcome", outcome_of(found)}});
     std::size_t longest = 1;
     std::vector<CycleRow> points, special;
     for (std::size_t c = 0; c < found.curves.size(); ++c) {
@@ -172,6 +178,7 @@ void print_curves(const Plane& plane, const PlaneCurves& found) {
     fmt::print("{} curves: {}; from {} special points, {} of them without a curve\n", found.curves.size(),
                counts_of(found.curves), found.seeds, found.without);
     for (const auto& kind : found.left_out) fmt::print("not followed: {}\n", kind);
+    if (!found.whole) fmt::print("interrupted: curves are missing\n");
 }
 
 }  // namespace swirl::apps::boundaries

@@ -41,6 +41,7 @@ struct PlaneCurves {
     std::size_t seeds = 0;              ///< special points that curves were sought from
     std::size_t without = 0;            ///< of those: at which none was found
     std::vector<std::string> left_out;  ///< kinds of borders that are not followed, each once
+    bool whole = true;                  ///< false: interrupted before all were followed
 };
 
 /// Follows the curve through every seed, each once. What an interruption leaves is what was finished.

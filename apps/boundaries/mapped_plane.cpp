@@ -2,6 +2,7 @@
 #include "apps/record/record_reader.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace swirl::apps::boundaries {
 
@@ -31,11 +32,17 @@ MappedPlane read_plane(const RecordReader& record, const std::string& file, cons
     if (!record.contains("/sweep/run_period"))
         throw BadInput(fmt::format("--against '{}' is no record of swirl sweep over a grid", file));
     const auto dimensions = record.info("/sweep/run_period").dimensions;
-    const std::string names[] = {plane.axes[0].name, plane.axes[1].name};
+    std::string names[] = {plane.axes[0].name, plane.axes[1].name};
+    for (auto& name : names) std::replace(name.begin(), name.end(), '-', '_');  // as records have it
     const bool straight = dimensions.size() == 3 && dimensions[0] == names[0] && dimensions[1] == names[1];
     const bool turned = dimensions.size() == 3 && dimensions[0] == names[1] && dimensions[1] == names[0];
     if (!straight && !turned)
         throw BadInput(fmt::format("--against '{}' is no sweep over {} and {} alone", file, names[0], names[1]));
+    if (record.contains("/sweep/visited"))
+        throw BadInput(fmt::format(
+            "--against '{}' is a refined sweep, where cells that were not run hold their neighbours' verdict: give one "
+            "without --refine",
+            file));
     require_same_scene(record, file, scene_settings_of(scene, plane));
     MappedPlane map;
     for (std::size_t axis = 0; axis < 2; ++axis) map.values[axis] = record.read<double>("/sweep/" + names[axis]);
@@ -44,13 +51,17 @@ MappedPlane read_plane(const RecordReader& record, const std::string& file, cons
     const auto kinds = record.read<std::uint8_t>("/sweep/run_kind");
     const auto periodic = are_named(record, "kinds", {"fixed-point", "cycle"});
     const auto undecided = are_named(record, "kinds", {"none", "transient"});
+    if (map.cells() == 0 || periods.empty() || periods.size() % map.cells() != 0 || spins.size() != periods.size() ||
+        kinds.size() != periods.size() || periodic.size() != undecided.size() ||
+        *std::max_element(kinds.begin(), kinds.end()) >= periodic.size())
+        throw BadInput(fmt::format("--against '{}' is damaged: its runs do not fit its grid", file));
     map.runs = periods.size() / map.cells();
     map.all.resize(periods.size());
     const std::size_t n0 = map.values[0].size(), n1 = map.values[1].size();
     for (std::size_t i = 0; i < map.all.size(); ++i) {
         const std::size_t cell = i / map.runs, run = i % map.runs;
         const std::size_t from = turned ? (cell % n1 * n0 + cell / n1) * map.runs + run : i;
-        map.all[i] = {periodic.at(kinds[from]), undecided.at(kinds[from]), periods[from], spins[from]};
+        map.all[i] = {periodic[kinds[from]], undecided[kinds[from]], periods[from], spins[from]};
     }
     return map;
 }

@@ -5,8 +5,7 @@
 namespace swirl::apps::boundaries {
 
 Plane plane_from(const std::vector<std::string>& texts) {
-    if (texts.size() != 2)
-        throw BadInput(fmt::format("--plane was given {} times: it is wanted twice, NAME=A:B each", texts.size()));
+    if (texts.size() != 2) throw BadInput(fmt::format("planes = {}: --plane NAME=A:B is wanted twice", texts.size()));
     Plane plane;
     for (std::size_t i = 0; i < 2; ++i) plane.axes[i] = parameter_range_from(texts[i], false, false, "plane");
     if (plane.axes[0].name == plane.axes[1].name)

@@ -1,6 +1,7 @@
 #include "apps/boundaries/seeds.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/record/record_reader.hpp"
+#include "apps/system/section_coordinates.hpp"
 #include "apps/system/shooting_map.hpp"
 
 #include <algorithm>
@@ -29,16 +30,31 @@ void require_same_scene(const RecordReader& record, const std::string& file, con
     }
 }
 
+Eigen::Index dimension_of(const Scene<double>& scene) {
+    return scene.is_disk() ? disk_dimension : polygon_dimension;
+}
+
 std::complex<double> critical_multiplier(const std::string& kind, double angle) {
     if (kind == "flip") return -1;
     return kind == "neimark-sacker" ? std::polar(1.0, angle) : std::complex<double>(1);
 }
 
+[[noreturn]] void refuse_damaged(const std::string& file, const std::string& group) {
+    throw BadInput(fmt::format("record '{}' is damaged: columns of {} do not fit each other", file, group));
+}
+
 /// The cycles in the rows of a group with `points`, `period` and `kind`.
-std::vector<Seed> cycles_of(const RecordReader& record, const std::string& group) {
+std::vector<Seed> cycles_of(const RecordReader& record, const std::string& file, const std::string& group,
+                            Eigen::Index dimension) {
     const auto shape = record.info(group + "/points").shape;
     const auto all = record.read<double>(group + "/points");
     const auto periods = record.read<std::int64_t>(group + "/period");
+    const auto fits = [&](std::int64_t period) {
+        return period >= 1 && static_cast<std::uint64_t>(period) <= shape[1];
+    };
+    if (shape.size() != 3 || shape[0] != periods.size() || shape[2] != static_cast<std::uint64_t>(dimension) ||
+        all.size() != shape[0] * shape[1] * shape[2] || !std::all_of(periods.begin(), periods.end(), fits))
+        refuse_damaged(file, group);
     std::vector<Seed> seeds;
     for (std::size_t row = 0; row < periods.size(); ++row) {
         Seed seed;
@@ -67,10 +83,12 @@ std::vector<Seed> seeds_of_branches(const RecordReader& record, const std::strin
     const auto value = record.attribute<double>("/scene", other_name);
     if (!record.contains("/special/points"))
         throw BadInput(fmt::format("record '{}' holds no special points of branches", file));
-    auto seeds = cycles_of(record, "/special");
+    auto seeds = cycles_of(record, file, "/special", dimension_of(scene));
     const auto kinds = record.read_strings("/special/kind");
     const auto parameters = record.read<double>("/special/parameter");
     const auto angles = record.read<double>("/special/form_angle");
+    if (kinds.size() != seeds.size() || parameters.size() != seeds.size() || angles.size() != seeds.size())
+        refuse_damaged(file, "/special");
     for (std::size_t i = 0; i < seeds.size(); ++i) {
         seeds[i].kind = kinds[i];
         seeds[i].p[axis] = parameters[i];
@@ -95,11 +113,15 @@ std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string&
             throw BadInput(fmt::format("record '{}' is of another plane", file));
     require_same_scene(record, file, scene_settings_of(scene, plane), {});
     if (!record.contains("/curves/points")) return {};
-    const auto all = cycles_of(record, "/curves");
+    const auto all = cycles_of(record, file, "/curves", dimension_of(scene));
     const auto curve = record.read<std::int64_t>("/curves/curve");
     const auto first = record.read<double>("/curves/first"), second = record.read<double>("/curves/second");
     const auto angles = record.read<double>("/curves/angle");
     const auto kinds = record.read_strings("/curve_ends/kind");
+    const auto is_one = [&](std::int64_t c) { return c >= 0 && static_cast<std::size_t>(c) < kinds.size(); };
+    if (curve.size() != all.size() || first.size() != all.size() || second.size() != all.size() ||
+        angles.size() != all.size() || !std::all_of(curve.begin(), curve.end(), is_one))
+        refuse_damaged(file, "/curves");
     std::vector<Seed> seeds;
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
         while (end < all.size() && curve[end] == curve[begin]) ++end;

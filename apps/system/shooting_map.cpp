@@ -54,22 +54,6 @@ analysis::ShootingStep step_of(const SceneMap<D>& map, const Eigen::VectorXd& z,
     return step;
 }
 
-/// True if the parameter is within its range there.
-bool is_allowed(Parameter parameter, double value) {
-    switch (parameter) {
-        case Parameter::alpha:
-            return value > 0 && value < 1;
-        case Parameter::restitution:
-            return value >= 0 && value <= 1;
-        case Parameter::inertia_factor:
-            return value > 0 && detail::is_holdable(value);
-        case Parameter::beta:
-        case Parameter::mu:
-            break;
-    }
-    return value >= 0 && detail::is_holdable(value);
-}
-
 /// F along a parameter. `typical` has the shape and the impact rule.
 template <int D>
 struct MapAlongParameter {
@@ -161,6 +145,21 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter para
             return result;
         },
         solver_horizon, accuracy);
+}
+
+bool is_allowed(Parameter parameter, double value) {
+    switch (parameter) {
+        case Parameter::alpha:
+            return value > 0 && value < 1;
+        case Parameter::restitution:
+            return value >= 0 && value <= 1;
+        case Parameter::inertia_factor:
+            return value > 0 && detail::is_holdable(value);
+        case Parameter::beta:
+        case Parameter::mu:
+            break;
+    }
+    return value >= 0 && detail::is_holdable(value);
 }
 
 analysis::PlaneMap plane_map_of(const Scene<double>& scene, Parameter first, Parameter second) {

@@ -8,6 +8,9 @@
 
 namespace swirl::apps {
 
+/// True if the parameter is within its range there.
+bool is_allowed(Parameter parameter, double value);
+
 /// Solvers ask for cycles of impacts: contact that lasts longer than a few swings has none.
 inline constexpr double solver_horizon = 50;
 

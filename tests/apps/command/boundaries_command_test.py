@@ -4,6 +4,7 @@ import json
 import math
 import unittest
 
+import h5py
 import xarray
 
 from driving import InFolder, Keeping, Refusing, run
@@ -156,6 +157,35 @@ class Boundaries(InFolder):
                           "--max-period 1 --lines 1")
         self.assertIsInstance(answer["curves"], list)
 
+    def test_newtons_method_may_leave_a_parameters_range(self):
+        answer = document("boundaries --sides 5 --alpha 0.4 --beta 0.3 --plane mu=0:0.5 --plane restitution=0.7:1 "
+                          "--max-period 1 --lines 1")
+        self.assertGreater(len(answer["curves"]), 0)
+        self.assertEqual(answer["outcome"], "completed")
+
+    def test_columns_that_do_not_fit_are_refused(self):
+        path = self.folder / "c.h5"
+        document(f"boundaries {SMALL} -o {path}")
+        for column, wrong in (("curves/period", 0), ("curves/period", -1), ("curves/period", 1000),
+                              ("curves/curve", -3), ("curves/curve", 77)):
+            with h5py.File(path, "r+") as record:
+                right = record[column][0]
+                record[column][0] = wrong
+            content = path.read_bytes()
+            path.write_bytes(bytes(512) + content[512:])  # without its checksum
+            result = run(f"boundaries {SMALL} --from {path}")
+            self.assertEqual((result.returncode, result.stdout), (2, ""), (column, wrong, result.stderr))
+            self.assertIn("damaged", result.stderr)
+            with h5py.File(path, "r+") as record:
+                record[column][0] = right
+
+    def test_against_a_map_over_the_inertia_factor(self):
+        path, plane = self.folder / "map.h5", "--plane alpha=0.5:0.6 --plane inertia-factor=0.3:0.5"
+        scene = f"{HEXAGON} --beta 0.3"
+        run(f"sweep {scene} --grid alpha=0.5:0.6:2 --grid inertia-factor=0.3:0.5:2 --runs 1 --collisions 300 --quiet -o {path}")
+        against = document(f"boundaries {scene} {plane} --max-period 1 --lines 1 --against {path}")["against"]
+        self.assertEqual(against["cells"], 4)
+
     def test_against_a_map(self):
         path = self.folder / "map.h5"
         run(f"sweep {HEXAGON} --grid alpha=0.5:0.59:6 --grid beta=0.26:0.35:6 --runs 1 --quiet -o {path}")
@@ -190,12 +220,16 @@ class Wrong(Refusing):
         plane = "--plane alpha=0.4:0.6 --plane beta=0.1:0.2"
         self.refused(f"boundaries {scene} {plane} --from {path}", "none of")
         self.refused(f"boundaries {scene} {plane} --against {path}", "no record of swirl sweep")
+        path.unlink()
+        run(f"sweep {scene} --grid alpha=0.4:0.6:2 --grid beta=0.1:0.2:2 --refine 1 --runs 1 --collisions 100 --quiet -o {path}")
+        self.refused(f"boundaries {scene} {plane} --against {path}", "refined sweep")
 
 
 class Interrupted(Keeping):
     def test_what_is_finished_is_kept(self):
         answer = self.interrupt(f"boundaries {HEXAGON} --plane alpha=0.1:0.9 --plane beta=0.05:1.05 --lines 60 --threads 1", 1.5)
         self.assertIsInstance(answer["curves"], list)
+        self.assertEqual(answer["outcome"], "interrupted")
 
 
 if __name__ == "__main__":

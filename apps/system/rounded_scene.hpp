@@ -4,8 +4,10 @@
 // so is contact (ReturnMap).
 #pragma once
 
+#include "apps/system/in_digits.hpp"
 #include "apps/system/scene_functions.hpp"
 #include "map/baselines/baseline_map.hpp"
+#include "map/derivative/parameter.hpp"
 
 #include <stdexcept>
 #include <type_traits>
@@ -15,60 +17,12 @@ namespace swirl::apps {
 
 namespace rounded_detail {
 
-template <class To, class From>
-Vec2<To> as(const Vec2<From>& v) {
-    return {static_cast<To>(v.x), static_cast<To>(v.y)};
-}
-
-/// The directions are brought to unit length in T, so that the body touches to T's rounding.
-template <class T>
-PostImpactState<T> in_more_digits(const PostImpactState<double>& z) {
-    if constexpr (std::is_same_v<T, double>)
-        return z;
-    else
-        return {renormalised(as<T>(z.psi)), renormalised(as<T>(z.chi)), T(z.vn), T(z.vt), T(z.spin)};
-}
-
-template <class T>
-Flight<T> in_more_digits(const Flight<double>& f) {
-    return {as<T>(f.centre), as<T>(f.velocity), as<T>(f.phase), as<T>(f.arm), T(f.spin), T(f.beta), f.struck};
-}
-
-template <class T>
-Scene<T> in_more_digits(const Scene<double>& s) {
-    return {s.sides, T(s.alpha), T(s.beta), T(s.mu), T(s.restitution), s.law, T(s.inertia_factor)};
-}
-
-template <class T>
-Collision<double> rounded(const Collision<T>& c) {
-    const auto number = [](const T& x) { return static_cast<double>(x); };
-    Collision<double> result;
-    result.outcome = c.outcome;
-    result.after = {as<double>(c.after.psi), as<double>(c.after.chi), number(c.after.vn), number(c.after.vt),
-                    number(c.after.spin)};
-    result.flight_time = number(c.flight_time);
-    result.normal = as<double>(c.normal);
-    result.vertex_step = c.vertex_step;
-    result.impulse = {number(c.impulse.normal), number(c.impulse.tangential), c.impulse.mode};
-    result.jacobi_restitution = number(c.jacobi_restitution);
-    result.jacobi_friction = number(c.jacobi_friction);
-    result.simultaneous = c.simultaneous;
-    result.steps = c.steps;
-    return result;
-}
-
-template <class T>
-ReturnStep<double> rounded(ReturnStep<T>&& step) {
-    return {step.outcome, rounded(step.collision), static_cast<double>(step.turned),
-            static_cast<double>(step.contact_work), std::move(step.contacts)};
-}
-
 template <class Map>
 Map make_map(const Scene<double>& scene, Accuracy accuracy) {
     if constexpr (std::is_same_v<typename Map::Number, double>)
         return Map(scene, baseline_of(accuracy).value());
     else
-        return Map(in_more_digits<typename Map::Number>(scene));
+        return Map(scene_in<typename Map::Number>(scene));
 }
 
 }  // namespace rounded_detail
@@ -107,15 +61,14 @@ struct RoundedScene {
     }
     static Step first_impact(const void* scene, const LabStart<double>& start) {
         const RoundedScene& here = of(scene);
-        return rounded_detail::rounded(
-            here.return_map.advance(rounded_detail::in_more_digits<T>(flight_from(here.body, start))));
+        return rounded_from(here.return_map.advance(flight_in<T>(flight_from(here.body, start))));
     }
     Outcome advance_rounded(Step& step, double horizon, const ContactSink& sink) const {
         ReturnStep<T> next;
-        next.collision.after = rounded_detail::in_more_digits<T>(step.collision.after);
+        next.collision.after = begin_in<T>(map.body(), step.collision.after);
         const Outcome outcome = return_map.advance(next, horizon, sink);
         if (outcome == Outcome::completed)
-            step = rounded_detail::rounded(std::move(next));
+            step = rounded_from(std::move(next));
         else
             step.contacts = std::move(next.contacts);
         return outcome;

@@ -1,7 +1,9 @@
 // A rung of a map's own type, for the files that compile them.
 #pragma once
 
+#include "apps/system/in_digits.hpp"
 #include "apps/tradeoff/rung.hpp"
+#include "map/derivative/parameter.hpp"
 #include "map/orbit/speed_limits.hpp"
 
 #include <algorithm>
@@ -10,51 +12,6 @@
 #include <vector>
 
 namespace swirl::apps::tradeoff {
-
-template <class To, class From>
-Vec2<To> vector_in(const Vec2<From>& v) {
-    return {static_cast<To>(v.x), static_cast<To>(v.y)};
-}
-
-/// The same numbers in another type, rounded where it has fewer digits.
-template <class To, class From>
-PostImpactState<To> state_in(const PostImpactState<From>& z) {
-    return {vector_in<To>(z.psi), vector_in<To>(z.chi), static_cast<To>(z.vn), static_cast<To>(z.vt),
-            static_cast<To>(z.spin)};
-}
-
-template <class T>
-Scene<T> scene_in(const Scene<double>& s) {
-    return {s.sides, T(s.alpha), T(s.beta), T(s.mu), T(s.restitution), s.law, T(s.inertia_factor)};
-}
-
-template <class T>
-Collision<double> rounded_from(const Collision<T>& c) {
-    const auto d = [](const T& x) { return static_cast<double>(x); };
-    return {c.outcome,
-            state_in<double>(c.after),
-            d(c.flight_time),
-            vector_in<double>(c.normal),
-            c.vertex_step,
-            {d(c.impulse.normal), d(c.impulse.tangential), c.impulse.mode},
-            d(c.jacobi_restitution),
-            d(c.jacobi_friction),
-            c.simultaneous,
-            c.steps};
-}
-
-/// Double's directions have length 1 to its own rounding, and an impact without restitution leaves at u_n = 0 to that:
-/// in more digits neither would be a state of the section.
-template <class T>
-PostImpactState<T> begin_in(const Body<T>& body, const PostImpactState<double>& state) {
-    PostImpactState<T> z = state_in<T>(state);
-    if constexpr (std::is_same_v<T, double>) return z;
-    z.psi = renormalised(z.psi);
-    z.chi = renormalised(z.chi);
-    const T un = contact_kinematics(body, z).un;
-    if (un > T(0)) z.vn = z.vn - un;
-    return z;
-}
 
 /// A number type T: the return map, contact too.
 template <class T>
@@ -95,8 +52,8 @@ struct Followed {
         RungStep result;
         result.outcome = follower.advance(step);
         const Collision<T>& c = step.collision;
-        result.rounded = {result.outcome, rounded_from(c), static_cast<double>(step.turned),
-                          static_cast<double>(step.contact_work), step.contacts};
+        result.rounded = rounded_from(step);
+        result.rounded.outcome = result.outcome;
         result.after = state_in<Quad>(c.after);
         if (result.outcome != Outcome::completed) return result;
         if (has_diverged(map.body(), c.after)) result.outcome = Outcome::diverged;

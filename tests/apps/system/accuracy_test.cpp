@@ -2,9 +2,12 @@
 #include "apps/command_line/accuracy.hpp"
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/start_options.hpp"
+#include "apps/system/in_digits.hpp"
 #include "apps/system/orbit_ending.hpp"
 #include "apps/system/scene_map.hpp"
 #include "apps/system/scene_orbit.hpp"
+#include "map/derivative/parameter.hpp"
+#include "tests/apps/system/scene_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +16,8 @@
 namespace swirl::apps {
 namespace {
 
+using tests::scene_of;
 using State = PostImpactState<double>;
-
-Scene<double> scene_of(int sides, double alpha, double beta, double mu, double restitution, Law law = Law::poisson) {
-    return {sides, alpha, beta, mu, restitution, law, uniform_inertia_factor<double>(sides)};
-}
 
 /// Every shape and impact rule, without contact.
 const Scene<double> scenes[] = {scene_of(6, 0.3, 0.5, 0.5, 1.0),
@@ -94,6 +94,24 @@ TEST(Accuracy, AStepInMoreDigitsIsRoundedOnce) {
     EXPECT_GT(double_apart, extended_apart) << "double is what it would be without the option";
     EXPECT_LT(extended_apart, 5e-16) << "a last bit of numbers below 2";
     EXPECT_LT(double_apart, 1e-12);
+}
+
+// u_n = 0 after an impact without restitution: rounded to double, half of such states would leave into the wall.
+TEST(Accuracy, WhatLeavesWithoutRestitutionIsAStateInMoreDigitsToo) {
+    int into_wall = 0;
+    for (const Law law : {Law::poisson, Law::newton, Law::stronge}) {
+        const Scene<double> scene = scene_of(6, 0.4, 0.9, 0.1, 0, law);
+        const Body<Quad> body = make_body(scene_in<Quad>(scene));
+        State z = some_state(scene);
+        with_scene_map(scene, [&](const auto& map) {
+            for (int i = 0; i < 20; ++i) {
+                into_wall += contact_kinematics(body, state_in<Quad>(z)).un > Quad(0);
+                EXPECT_LE(contact_kinematics(body, begin_in<Quad>(body, z)).un, epsilon<Quad>());
+                ASSERT_EQ(analysis::follow(map, z, 1), 1);
+            }
+        });
+    }
+    EXPECT_GT(into_wall, 0) << "what would be wrong without it is not tried";
 }
 
 TEST(Accuracy, FollowingIsStepAfterStep) {

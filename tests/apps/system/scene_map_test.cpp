@@ -4,6 +4,7 @@
 #include "apps/command_line/start_options.hpp"
 #include "apps/system/orbit_ending.hpp"
 #include "map/orbit/orbit.hpp"
+#include "tests/apps/system/scene_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +13,8 @@
 namespace swirl::apps {
 namespace {
 
+using tests::scene_of;
 using State = PostImpactState<double>;
-
-Scene<double> scene_of(int sides, double alpha, double beta, double mu, double restitution, Law law = Law::poisson) {
-    return {sides, alpha, beta, mu, restitution, law, uniform_inertia_factor<double>(sides)};
-}
 
 /// Every shape and impact rule; chaos, cycles, chatter with sustained contact.
 const Scene<double> scenes[] = {scene_of(6, 0.3, 0.5, 0.5, 0.95),

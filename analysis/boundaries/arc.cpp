@@ -61,6 +61,12 @@ Correction solve(const ArcSystem& system, Eigen::VectorXd y, ArcPoint& point,
 
 }  // namespace
 
+double outside_plane(const Eigen::Vector2d& low, const Eigen::Vector2d& high, const Eigen::Vector2d& p) {
+    if (!p.allFinite()) return std::numeric_limits<double>::infinity();
+    const Eigen::Array2d width = (high - low).array();
+    return ((low - p).array() / width).max((p - high).array() / width).maxCoeff();
+}
+
 bool begin_arc(const ArcSystem& system, const Eigen::VectorXd& guess, const Eigen::VectorXd& along, double farthest,
                ArcPoint& point) {
     constexpr double small = 1e-10;

@@ -34,6 +34,12 @@ struct ArcPoint {
     ArcEquations at;
 };
 
+/// Between tangents a step apart: a bend of 14 degrees.
+inline constexpr double least_cosine_along = 0.97;
+
+/// How far p is outside the plane low … high, in its widths; negative inside, infinite where p is no number.
+double outside_plane(const Eigen::Vector2d& low, const Eigen::Vector2d& high, const Eigen::Vector2d& p);
+
 /// A point of the curve near a guess, by Newton's method with steps of minimum norm, and the tangent there.
 ///   along  the tangent has a positive product with it
 ///   farthest  in arclength, that the point may lie from the guess

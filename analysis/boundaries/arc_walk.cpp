@@ -1,5 +1,7 @@
 #include "analysis/boundaries/arc_walk.hpp"
 
+#include "analysis/continuation/put_before.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -7,8 +9,6 @@
 namespace swirl::analysis {
 
 namespace {
-
-constexpr double least_cosine_along = 0.97;  // between tangents a step apart: a bend of 14 degrees
 
 class ArcWalk {
 public:
@@ -57,9 +57,7 @@ private:
 
     /// How far outside the plane, in its widths; negative inside.
     double outside(const ArcPoint& point) const {
-        const Eigen::Array2d p = point.y.segment<2>(options_.parameters).array();
-        const Eigen::Array2d width = (options_.high - options_.low).array();
-        return ((options_.low.array() - p) / width).max((p - options_.high.array()) / width).maxCoeff();
+        return outside_plane(options_.low, options_.high, point.y.segment<2>(options_.parameters));
     }
 
     void reach_edge(const ArcPoint& beyond) {
@@ -110,19 +108,11 @@ Arc follow_arc(const ArcSystem& system, const ArcPoint& start, const ArcOptions&
     ArcPoint turned = start;
     turned.tangent *= -1;
     ArcWalk(system, turned, options, back).run();
-    const std::size_t count = back.points.size();  // its first is the other's first
-    std::reverse(back.points.begin(), back.points.end());
-    for (auto& point : back.points) point.tangent *= -1;
-    std::reverse(back.special.begin(), back.special.end());
-    for (auto& special : back.special) special.after = count - 2 - special.after;
-    for (auto& special : arc.special) special.after += count - 1;
-    back.points.insert(back.points.end(), arc.points.begin() + 1, arc.points.end());
-    back.special.insert(back.special.end(), arc.special.begin(), arc.special.end());
-    back.begin = back.end;
-    back.begin_why = back.end_why;
-    back.end = arc.end;
-    back.end_why = arc.end_why;
-    return back;
+    arc.begin_why = back.end_why;
+    put_before(
+        std::move(back), arc, [](ArcPoint& point) { point.tangent *= -1; },
+        [](ArcSpecial& special) { special.at.tangent *= -1; });
+    return arc;
 }
 
 }  // namespace swirl::analysis

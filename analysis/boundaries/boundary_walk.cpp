@@ -9,8 +9,6 @@ namespace swirl::analysis {
 
 namespace {
 
-constexpr double least_cosine_along = 0.97;  // between tangents a step apart: a bend of 14 degrees
-
 /// a − b of coordinates of points, and whatever comes after them; angles as angles.
 Eigen::VectorXd angles_apart(const AugmentedSystem& system, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     Eigen::VectorXd d = a - b;
@@ -92,9 +90,7 @@ private:
 
     /// How far outside the plane, in its widths; negative inside.
     double outside(const ArcPoint& point) const {
-        const Eigen::Array2d p = parameters(point).array(), width = (options_.high - options_.low).array();
-        const Eigen::Array2d below = (options_.low.array() - p) / width, above = (p - options_.high.array()) / width;
-        return below.max(above).maxCoeff();
+        return outside_plane(options_.low, options_.high, parameters(point));
     }
     bool leaves_plane(const ArcPoint& next) const { return outside(next) > 0; }
 

@@ -64,14 +64,6 @@ Eigen::MatrixXd monodromy_at(const AugmentedSystem& system, const ArcPoint& poin
     return monodromy(shooting);
 }
 
-std::vector<Complex> multipliers_of(const Eigen::MatrixXd& a) {
-    if (!a.allFinite()) return {};
-    const Eigen::VectorXcd values = eigenvalues_of(a);
-    std::vector<Complex> multipliers(values.data(), values.data() + values.size());
-    sort_multipliers(multipliers);
-    return multipliers;
-}
-
 /// Without the one nearest to `critical`, and without its conjugate if that is another.
 std::vector<Complex> others(std::vector<Complex> multipliers, Complex critical, bool pair) {
     const auto leave_out = [&](Complex m) {
@@ -124,7 +116,7 @@ double chenciner_function(Complex b) {
 double other_pairs_function(const AugmentedSystem& system, const ArcPoint& point) {
     const bool pair = system.kind == BoundaryKind::neimark_sacker;
     return neimark_sacker_function(
-        others(multipliers_of(monodromy_at(system, point)), system.multiplier(point.y), pair));
+        others(sorted_multipliers(monodromy_at(system, point)), system.multiplier(point.y), pair));
 }
 
 void add_real_tests(const AugmentedSystem& system, const Forms& forms, std::vector<CodimensionTest>& tests) {
@@ -196,7 +188,7 @@ bool is_what_it_seems(const AugmentedSystem& system, CodimensionTwo kind, const 
     if (kind != CodimensionTwo::double_neimark_sacker &&
         (pair || (kind != CodimensionTwo::fold_neimark_sacker && kind != CodimensionTwo::flip_neimark_sacker)))
         return true;
-    const auto left = others(multipliers_of(monodromy_at(system, point)), system.multiplier(point.y), pair);
+    const auto left = others(sorted_multipliers(monodromy_at(system, point)), system.multiplier(point.y), pair);
     return std::any_of(left.begin(), left.end(),
                        [](Complex m) { return m.imag() > 1e-6 && std::abs(std::abs(m) - 1) < 1e-6; });
 }
@@ -209,7 +201,7 @@ bool has_coefficient(BoundaryKind curve, CodimensionTwo kind) {
 }
 
 BoundaryPoint boundary_point_at(const AugmentedSystem& system, const ArcPoint& at, const Forms& forms) {
-    return {at, multipliers_of(monodromy_at(system, at)), coefficient_at(system, at, forms)};
+    return {at, sorted_multipliers(monodromy_at(system, at)), coefficient_at(system, at, forms)};
 }
 
 }  // namespace swirl::analysis

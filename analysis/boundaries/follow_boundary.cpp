@@ -1,33 +1,14 @@
 #include "analysis/boundaries/follow_boundary.hpp"
 
 #include "analysis/boundaries/boundary_walk.hpp"
+#include "analysis/continuation/put_before.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace swirl::analysis {
 
 namespace {
-
-/// Makes `back`, which was walked the other way from the same point, the first part of `forth`.
-void put_before(Boundary back, Boundary& forth) {
-    const std::size_t count = back.points.size();  // its first is the other's first
-    std::reverse(back.points.begin(), back.points.end());
-    for (auto& point : back.points) point.at.tangent *= -1;
-    std::reverse(back.special.begin(), back.special.end());
-    for (auto& special : back.special) special.after = count < 2 ? 0 : count - 2 - std::min(special.after, count - 2);
-    for (auto& special : forth.special) special.after += count - 1;
-    back.points.insert(back.points.end(), forth.points.begin() + 1, forth.points.end());
-    back.special.insert(back.special.end(), forth.special.begin(), forth.special.end());
-    back.begin = back.end;
-    back.end = forth.end;
-    forth = std::move(back);
-}
-
-bool is_inside(const BoundaryOptions& options, const Eigen::Vector2d& p) {
-    return (p.array() >= options.low.array()).all() && (p.array() <= options.high.array()).all();
-}
 
 /// Where the guess lies along the tangent of a known curve's point, corrected: the same cycle?
 bool is_beside(const AugmentedSystem& like, const ArcPoint& on_curve, const Eigen::VectorXd& y) {
@@ -49,7 +30,7 @@ bool follow_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& 
                      std::complex<double> multiplier, const BoundaryOptions& options, Boundary& boundary) {
     AugmentedSystem system;
     Eigen::VectorXd y;
-    if (!is_inside(options, p) ||
+    if (outside_plane(options.low, options.high, p) > 0 ||
         !augmented_system_at(map, kind, points, p, multiplier, options.high - options.low, system, y))
         return false;
     ArcPoint start;
@@ -57,7 +38,7 @@ bool follow_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& 
     along[system.coordinates()] = 1;   // the first parameter grows
     constexpr double farthest = 0.02;  // a rough cycle
     if (!begin_arc(equations_of(system), y, along, farthest, start) ||
-        !is_inside(options, start.y.segment<2>(system.coordinates())))
+        outside_plane(options.low, options.high, start.y.segment<2>(system.coordinates())) > 0)
         return false;
     if (kind == BoundaryKind::neimark_sacker && !(std::abs(start.y[system.coordinates() + 2]) < 1)) return false;
     start.y.head(system.coordinates()) = normalised(system, start.y).head(system.coordinates());
@@ -71,7 +52,9 @@ bool follow_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& 
     Boundary back;
     start.tangent *= -1;
     walk_boundary(std::move(system), start, options, back);
-    put_before(std::move(back), boundary);
+    put_before(
+        std::move(back), boundary, [](BoundaryPoint& point) { point.at.tangent *= -1; },
+        [](BoundarySpecial& special) { special.cycle.at.tangent *= -1; });
     return true;
 }
 

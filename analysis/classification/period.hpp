@@ -6,7 +6,6 @@
 #include "analysis/cycles/minimal_period.hpp"
 #include "analysis/cycles/newton.hpp"
 #include "analysis/cycles/stability.hpp"
-#include "analysis/linear_algebra/dense.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
 
 #include <algorithm>
@@ -129,7 +128,8 @@ bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::i
 }
 
 /// Newton's method for Fᵏ(z) = z, from a point of the orbit itself: for cycles that attract one point is enough,
-/// however long they are. Returns the residual reached, +∞ if the map ended or `effort` was spent.
+/// however long they are. Returns the least residual reached, +∞ if there was none: the map ended, or `effort` was
+/// spent.
 template <SectionMap M>
 double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, double goal, Effort& effort) {
     const auto equation = [&](const Eigen::VectorXd& z, Eigen::VectorXd& gap, Eigen::MatrixXd& derivative) {
@@ -171,11 +171,9 @@ template <SectionMap M>
 std::vector<std::complex<double>> clear_multipliers(const M& map, State<M> z, std::int64_t k, Effort& effort) {
     Matrix<M::dimension> derivative;
     if (!iterate(map, z, derivative, k, effort) || !(derivative.norm() < 100)) return {};
-    const Eigen::VectorXcd values = eigenvalues_of(derivative);
-    const double largest = values.cwiseAbs().maxCoeff();
+    auto multipliers = sorted_multipliers(derivative);
+    const double largest = std::abs(multipliers.front());
     if (!(largest < 0.99 && largest > 0.01)) return {};
-    std::vector<std::complex<double>> multipliers(values.data(), values.data() + values.size());
-    sort_multipliers(multipliers);
     return multipliers;
 }
 
@@ -246,7 +244,8 @@ FoundCycle<M> cycle_of_closed(const M& map, const Tail<M>& tail, std::int64_t k,
 
 /// The smallest k ≤ max_period whose cycle the orbit is on, or is settling on: either it returns to `closure` after k
 /// steps, or Newton's method from its last state finds an attracting k-cycle within the distance that its own return
-/// suggests, which the tail has come nearer to. Period 0 if neither, or where `effort` was spent before it was known.
+/// suggests, which the tail has come nearer to. Period 0 if neither. What `effort` ends is not polished: an orbit that
+/// returns is then its own evidence, and one that settles has period 0.
 /// Cost: max_period² comparisons at worst, few in practice; 20 k derivatives per candidate.
 template <SectionMap M>
 FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options, Effort& effort) {

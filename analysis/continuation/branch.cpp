@@ -1,6 +1,7 @@
 #include "analysis/continuation/branch.hpp"
 
 #include "analysis/continuation/multipliers.hpp"
+#include "analysis/continuation/put_before.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -58,21 +59,12 @@ BranchPoint branch_point_at(const CurvePoint& at) {
 }
 
 void put_before(Branch back, Branch& forth) {
-    const std::size_t count = back.points.size();  // its first is the other's first
-    std::reverse(back.points.begin(), back.points.end());
-    for (auto& point : back.points) point.at.tangent *= -1;
-    std::reverse(back.special.begin(), back.special.end());
-    for (auto& special : back.special) {
-        special.cycle.at.tangent *= -1;
-        std::swap(special.word_before, special.word_after);
-        special.after = count < 2 ? 0 : count - 2 - std::min(special.after, count - 2);
-    }
-    for (auto& special : forth.special) special.after += count - 1;
-    back.points.insert(back.points.end(), forth.points.begin() + 1, forth.points.end());
-    back.special.insert(back.special.end(), forth.special.begin(), forth.special.end());
-    back.begin = back.end;
-    back.end = forth.end;
-    forth = std::move(back);
+    put_before(
+        std::move(back), forth, [](BranchPoint& point) { point.at.tangent *= -1; },
+        [](SpecialPoint& special) {
+            special.cycle.at.tangent *= -1;
+            std::swap(special.word_before, special.word_after);
+        });
 }
 
 }  // namespace swirl::analysis

@@ -6,10 +6,7 @@
 namespace swirl::analysis {
 
 std::vector<std::complex<double>> multipliers_at(const CurvePoint& point) {
-    const Eigen::VectorXcd values = eigenvalues_of(monodromy(point.shooting));
-    std::vector<std::complex<double>> multipliers(values.data(), values.data() + values.size());
-    sort_multipliers(multipliers);
-    return multipliers;
+    return sorted_multipliers(monodromy(point.shooting));
 }
 
 double flip_function(const std::vector<std::complex<double>>& multipliers) {

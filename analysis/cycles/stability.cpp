@@ -1,5 +1,7 @@
 #include "analysis/cycles/stability.hpp"
 
+#include "analysis/linear_algebra/dense.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,6 +45,14 @@ double slowest_of(Multipliers multipliers) {
 bool attracts(Multipliers multipliers) {
     return std::all_of(multipliers.begin(), multipliers.end(),
                        [](const auto& m) { return is_one(m) || std::abs(m) < 1 - neutral_margin; });
+}
+
+std::vector<std::complex<double>> sorted_multipliers(const Eigen::MatrixXd& derivative) {
+    if (!derivative.allFinite()) return {};
+    const Eigen::VectorXcd values = eigenvalues_of(derivative);
+    std::vector<std::complex<double>> multipliers(values.data(), values.data() + values.size());
+    sort_multipliers(multipliers);
+    return multipliers;
 }
 
 void sort_multipliers(std::vector<std::complex<double>>& multipliers) {

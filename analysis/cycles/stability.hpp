@@ -1,6 +1,8 @@
 // What the multipliers of a cycle say: which are neutral, which attract, which repel.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <complex>
 #include <span>
 #include <string_view>
@@ -34,6 +36,9 @@ double slowest_of(Multipliers multipliers);
 
 /// True if all but those that are 1 lie inside the unit circle.
 bool attracts(Multipliers multipliers);
+
+/// The eigenvalues of DFᵏ in the order of `sort_multipliers`; none of a matrix that is not finite. Cost: some 10 D³.
+std::vector<std::complex<double>> sorted_multipliers(const Eigen::MatrixXd& derivative);
 
 /// By falling modulus; of a conjugate pair that with Im > 0 first.
 void sort_multipliers(std::vector<std::complex<double>>& multipliers);

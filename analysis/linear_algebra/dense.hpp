@@ -31,11 +31,4 @@ Eigen::Index rank_of(const Eigen::MatrixXd& matrix, double threshold);
 /// The determinant of a square matrix, by LU with partial pivoting.
 double determinant_of(const Eigen::MatrixXd& matrix);
 
-/// An orthonormal basis Q and the diagonal of R of the Householder decomposition matrix = Q R.
-struct OrthonormalFrame {
-    Eigen::MatrixXd q;
-    Eigen::VectorXd diagonal;
-};
-OrthonormalFrame orthonormal_frame(const Eigen::MatrixXd& matrix);
-
 }  // namespace swirl::analysis

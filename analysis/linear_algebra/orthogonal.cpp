@@ -26,9 +26,4 @@ double determinant_of(const Eigen::MatrixXd& matrix) {
     return matrix.partialPivLu().determinant();
 }
 
-OrthonormalFrame orthonormal_frame(const Eigen::MatrixXd& matrix) {
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(matrix);
-    return {qr.householderQ(), qr.matrixQR().diagonal()};
-}
-
 }  // namespace swirl::analysis

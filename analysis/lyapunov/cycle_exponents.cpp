@@ -1,6 +1,6 @@
 #include "analysis/lyapunov/cycle_exponents.hpp"
 
-#include "analysis/linear_algebra/dense.hpp"
+#include "analysis/linear_algebra/turned_frame.hpp"
 #include "analysis/lyapunov/generic_frame.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -42,11 +42,11 @@ Eigen::Index lost_ranks(std::span<const Eigen::MatrixXd> derivatives, double ran
     std::vector<bool> lost(dimension, false);
     for (Eigen::Index round = 0; round < dimension; ++round) {
         for (const Eigen::MatrixXd& derivative : derivatives) {
-            const OrthonormalFrame turned = orthonormal_frame(derivative * frame);
+            frame = derivative * frame;
+            const Eigen::VectorXd diagonal = turn_frame(frame);
             for (Eigen::Index i = 0; i < dimension; ++i) {
-                if (std::abs(turned.diagonal[i]) <= rank_tolerance * derivative.norm()) lost[i] = true;
+                if (std::abs(diagonal[i]) <= rank_tolerance * derivative.norm()) lost[i] = true;
             }
-            frame = turned.q;
         }
     }
     return std::count(lost.begin(), lost.end(), true);

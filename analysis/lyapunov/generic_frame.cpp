@@ -1,6 +1,6 @@
 #include "analysis/lyapunov/generic_frame.hpp"
 
-#include "analysis/linear_algebra/dense.hpp"
+#include "analysis/linear_algebra/turned_frame.hpp"
 
 #include <cmath>
 
@@ -12,7 +12,8 @@ Eigen::MatrixXd generic_frame(int dimension) {
     for (int i = 0; i < dimension; ++i) {
         for (int j = 0; j < dimension; ++j) seed(i, j) += std::sin(1.0 + 2.3 * i + 3.7 * j + 1.9 * i * j);
     }
-    return orthonormal_frame(seed).q;
+    turn_frame(seed);
+    return seed;
 }
 
 }  // namespace swirl::analysis

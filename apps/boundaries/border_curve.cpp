@@ -12,14 +12,6 @@ namespace swirl::apps::boundaries {
 
 namespace {
 
-std::vector<std::complex<double>> multipliers_of(const Eigen::MatrixXd& a) {
-    if (!a.allFinite()) return {};
-    const Eigen::VectorXcd values = analysis::eigenvalues_of(a);
-    std::vector<std::complex<double>> multipliers(values.data(), values.data() + values.size());
-    analysis::sort_multipliers(multipliers);
-    return multipliers;
-}
-
 std::vector<analysis::ArcTest> tests_of(const WordMap& map, const BorderCycle& like) {
     const std::string border(name_of(like.touch));
     const auto shifted = [map, like](double by) {
@@ -29,7 +21,7 @@ std::vector<analysis::ArcTest> tests_of(const WordMap& map, const BorderCycle& l
         };
     };
     const auto pairs = [map, like](const analysis::ArcPoint& at) {
-        return analysis::neimark_sacker_function(multipliers_of(monodromy_of(map, like, at.y)));
+        return analysis::neimark_sacker_function(analysis::sorted_multipliers(monodromy_of(map, like, at.y)));
     };
     return {{"fold-" + border, shifted(-1)}, {"flip-" + border, shifted(1)}, {"neimark-sacker-" + border, pairs}};
 }
@@ -98,7 +90,7 @@ CurveCycle cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::Ve
     cycle.parameters = y.segment<2>(layout.parameters());
     const Eigen::VectorXd z = turned_to(map, Eigen::VectorXd::Zero(y.size()), y, layout.parameters());
     cycle.points = analysis::unstacked(z.head(layout.parameters()), map.dimension);
-    cycle.multipliers = multipliers_of(monodromy_of(map, like, y));
+    cycle.multipliers = analysis::sorted_multipliers(monodromy_of(map, like, y));
     return cycle;
 }
 

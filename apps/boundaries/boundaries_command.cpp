@@ -76,8 +76,7 @@ int boundaries(BoundariesOptions& options) {
     options.scene.read_file();
     const Plane plane = plane_from(options.plane);
     const Scene<double> scene = scene_of(options.scene, plane);
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: boundaries works in double", options.output.accuracy_name));
+    options.output.require_double("boundaries works in double");
     if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
         throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
     std::optional<MappedPlane> map;

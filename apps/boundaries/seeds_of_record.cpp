@@ -1,5 +1,6 @@
 #include "apps/boundaries/seeds.hpp"
 #include "apps/command_line/record_input.hpp"
+#include "apps/record/flag_text.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/system/section_coordinates.hpp"
 #include "apps/system/shooting_map.hpp"
@@ -11,20 +12,14 @@ namespace swirl::apps::boundaries {
 
 namespace {
 
-std::string text_of(const AttributeValue& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.17g}", *number);
-    if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *whole);
-    return "?";
-}
-
 /// What the record says of the scene beside the parameters `varied` must be the scene's.
 void require_same_scene(const RecordReader& record, const std::string& file, const Settings& scene,
                         const std::vector<std::string>& varied) {
     for (const auto& [name, value] : scene) {
         if (std::find(varied.begin(), varied.end(), name) != varied.end()) continue;
         if (!record.has_attribute("/scene", name)) continue;
-        const std::string there = text_of(record.attribute("/scene", name)), here = text_of(value);
+        const std::string there = flag_text_of(record.attribute("/scene", name)).value_or("?"),
+                          here = flag_text_of(value).value_or("?");
         if (there != here)
             throw BadInput(fmt::format("record '{}' has {} = {}; the scene has {}", file, name, there, here));
     }

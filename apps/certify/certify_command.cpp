@@ -62,9 +62,7 @@ void CertifyOptions::add_to(Flags& command) {
 namespace {
 
 void require_one_input(const CertifyOptions& options) {
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(
-            fmt::format("accuracy = {}: certify works in interval arithmetic", options.output.accuracy_name));
+    options.output.require_double("certify works in interval arithmetic");
     const int given = (options.record.empty() ? 0 : 1) + (options.near.empty() ? 0 : 1) + (options.all ? 1 : 0) +
                       (options.check.empty() ? 0 : 1);
     if (given != 1) throw BadInput("give one of: a RECORD, --near psi,chi,vn,vt,S, --all, --check CERT.json");

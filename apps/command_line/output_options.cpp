@@ -1,6 +1,9 @@
 #include "apps/command_line/output_options.hpp"
 
+#include "apps/command_line/errors.hpp"
 #include "apps/command_line/number_checks.hpp"
+
+#include <fmt/format.h>
 
 namespace swirl::apps {
 
@@ -24,6 +27,10 @@ void OutputOptions::add_to(Flags& app, bool with_record) {
         ->transform(whole_number(0, 4096))
         ->group("Output");
     app.add_option("--accuracy", accuracy_name, accuracy_help())->type_name("NAME")->group("Output");
+}
+
+void OutputOptions::require_double(const std::string& why) const {
+    if (accuracy() != Accuracy::double_precision) throw BadInput(fmt::format("accuracy = {}: {}", accuracy_name, why));
 }
 
 }  // namespace swirl::apps

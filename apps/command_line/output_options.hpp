@@ -24,6 +24,8 @@ struct OutputOptions {
 
     /// @throws BadInput for a name that is none
     Accuracy accuracy() const { return accuracy_from(accuracy_name); }
+    /// @throws BadInput for a name other than double's, with the reason
+    void require_double(const std::string& why) const;
 };
 
 }  // namespace swirl::apps

@@ -42,8 +42,7 @@ Description description_of(const Scene<double>& scene, double max_time) {
 int describe(DescribeOptions& options) {
     options.scene.read_file();
     const Scene<double> scene = options.scene.scene<double>();
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: describe works in double", options.output.accuracy_name));
+    options.output.require_double("describe works in double");
     if (!(options.max_time > 0 && options.max_time <= 1e4))
         throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= 10000", options.max_time));
     std::optional<RecordWriter> record = open_record(options.output, "What is known of a swirled polygon",

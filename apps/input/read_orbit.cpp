@@ -1,5 +1,6 @@
 #include "apps/input/orbit_columns.hpp"
 
+#include "apps/record/flag_text.hpp"
 #include "apps/record/record_reader.hpp"
 
 #include <algorithm>
@@ -23,13 +24,9 @@ T setting(const Settings& settings, const std::string& name, T otherwise) {
     return otherwise;
 }
 
-/// A number or a word as its flag would give it: the shortest decimal, which in more digits than double is the number
-/// that the user gave.
-std::string text_of(const AttributeValue& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
-    if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
-    if (const auto* natural = std::get_if<std::uint64_t>(&value)) return fmt::format("{}", *natural);
+/// As its flag would give it; in more digits than double the shortest decimal is the number that the user gave.
+std::string required_text_of(const AttributeValue& value) {
+    if (auto text = flag_text_of(value)) return *text;
     throw BadInput("record: a value of its scene or start is neither a number nor a word");
 }
 
@@ -95,15 +92,15 @@ OrbitColumns read_orbit(const std::string& file, const ImpactRange& range, const
 
 void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptions& start) {
     for (const auto& [name, value] : record.scene)
-        scene.set(name == "inertia_factor" ? "inertia-factor" : name, text_of(value));
+        scene.set(name == "inertia_factor" ? "inertia-factor" : name, required_text_of(value));
     std::string point;
     const bool on_section =
         std::any_of(record.start.begin(), record.start.end(), [](const auto& entry) { return entry.first == "psi"; });
     for (const auto& [name, value] : record.start) {
         if (on_section)
-            point.append(point.empty() ? "" : ",").append(text_of(value));
+            point.append(point.empty() ? "" : ",").append(required_text_of(value));
         else
-            start.set(name, text_of(value));
+            start.set(name, required_text_of(value));
     }
     if (on_section) start.set("point", point);
 }

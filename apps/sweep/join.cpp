@@ -1,5 +1,6 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/record/flag_text.hpp"
 #include "apps/sweep/shard.hpp"
 
 #include <algorithm>
@@ -26,13 +27,6 @@ namespace {
 constexpr std::array<const char*, 18> in_order = {
     "swirl_version",  "grid", "sample", "sides", "alpha",     "beta",       "mu",         "restitution", "law",
     "inertia_factor", "runs", "speed",  "seed",  "transient", "collisions", "exhaustive", "threshold",   "accuracy"};
-
-std::string text_of(const AttributeValue& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
-    if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
-    return "";
-}
 
 /// The settings in the order of settings_of. @throws BadInput for one that is not known
 Settings ordered(const std::string& path, const Settings& settings) {
@@ -62,11 +56,11 @@ Sweep sweep_from(const std::string& path, const ReadShard& read, SweepOptions& o
     GridForm form;
     form.seed = setting<std::uint64_t>(path, sweep.settings, "seed");
     for (const auto& [name, value] : sweep.settings) {
-        if (name == "sample") form.sample = sample_from(text_of(value));
-        if (name == "inertia_factor" && text_of(value) != "uniform")
-            options.scene.set("inertia-factor", text_of(value));
+        const std::string text = flag_text_of(value).value_or("");
+        if (name == "sample") form.sample = sample_from(text);
+        if (name == "inertia_factor" && text != "uniform") options.scene.set("inertia-factor", text);
         for (const char* parameter : {"sides", "alpha", "beta", "mu", "restitution", "law"})
-            if (name == parameter) options.scene.set(name, text_of(value));
+            if (name == parameter) options.scene.set(name, text);
     }
     sweep.grid = grid_from(setting<std::vector<std::string>>(path, sweep.settings, "grid"), form);
     cell_scene(options.scene, sweep.grid, 0);

@@ -64,8 +64,7 @@ int tradeoff(TradeoffOptions& options) {
     options.scene.read_file();
     options.start.take_units(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
-    if (options.output.accuracy() != Accuracy::double_precision)
-        throw BadInput(fmt::format("accuracy = {}: tradeoff measures all of them", options.output.accuracy_name));
+    options.output.require_double("tradeoff measures all of them");
     const Amounts amounts(options.budget);
     const OrbitStarts starts = starts_of(options, scene, amounts);
     check_start(scene, starts.first);

@@ -1,25 +1,19 @@
 #include "analysis/lyapunov/cycle_exponents.hpp"
 
-#include "analysis/linear_algebra/turned_frame.hpp"
-#include "analysis/lyapunov/generic_frame.hpp"
+#include "analysis/lyapunov/lost_ranks.hpp"
+#include "analysis/lyapunov/wide_schur.hpp"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 namespace swirl::analysis {
 
 namespace {
-
-using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type,
-                                           boost::multiprecision::et_off>;
-using WideMatrix = Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// 100 digits less what the eigenvalue solver's normwise error and double's own 16 digits need.
@@ -32,24 +26,6 @@ void require_square(std::span<const Eigen::MatrixXd> derivatives) {
         throw std::invalid_argument("derivative of size " + std::to_string(d.rows()) + " × " +
                                     std::to_string(d.cols()) + ": all must be square and alike");
     }
-}
-
-/// The dimension of the generalised null space of DFᵏ: a frame in general position is carried round D times, since a
-/// nilpotent part of size D vanishes at the Dth power.
-Eigen::Index lost_ranks(std::span<const Eigen::MatrixXd> derivatives, double rank_tolerance) {
-    const Eigen::Index dimension = derivatives[0].rows();
-    Eigen::MatrixXd frame = generic_frame(static_cast<int>(dimension));
-    std::vector<bool> lost(dimension, false);
-    for (Eigen::Index round = 0; round < dimension; ++round) {
-        for (const Eigen::MatrixXd& derivative : derivatives) {
-            frame = derivative * frame;
-            const Eigen::VectorXd diagonal = turn_frame(frame);
-            for (Eigen::Index i = 0; i < dimension; ++i) {
-                if (std::abs(diagonal[i]) <= rank_tolerance * derivative.norm()) lost[i] = true;
-            }
-        }
-    }
-    return std::count(lost.begin(), lost.end(), true);
 }
 
 struct WideMultiplier {
@@ -73,15 +49,13 @@ std::vector<WideMultiplier> wide_multipliers(std::span<const Eigen::MatrixXd> de
     WideMatrix product = derivatives[0].cast<Wide>();
     for (std::size_t i = 1; i < derivatives.size(); ++i)
         product = derivatives[i].cast<Wide>().lazyProduct(product).eval();
-    const Eigen::HessenbergDecomposition<WideMatrix> hessenberg(product);
-    Eigen::RealSchur<WideMatrix> schur(product.rows());
-    schur.computeFromHessenberg(hessenberg.matrixH(), product, false);  // the second is of Schur vectors, not asked for
+    const std::optional<WideMatrix> schur = real_schur_form(product);
     std::vector<WideMultiplier> result;
-    if (schur.info() != Eigen::Success) {  // zeros where no rank is lost are unresolved
+    if (!schur) {  // zeros where no rank is lost are unresolved
         result.resize(static_cast<std::size_t>(product.rows()));
         return result;
     }
-    const WideMatrix& t = schur.matrixT();
+    const WideMatrix& t = *schur;
     for (Eigen::Index i = 0; i < t.rows(); ++i) {
         if (i + 1 == t.rows() || t(i + 1, i) == 0) {
             result.push_back({t(i, i), 0, abs(t(i, i))});

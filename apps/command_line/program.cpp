@@ -1,0 +1,48 @@
+#include "apps/command_line/program.hpp"
+
+#include "apps/command_line/errors.hpp"
+#include "apps/command_line/words.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace swirl::apps {
+
+Program::Program(const std::string& description, const std::string& version, const std::string& footer)
+    : app_(std::make_unique<CLI::App>(description)) {
+    app_->set_version_flag("--version", version);
+    app_->require_subcommand(0, 1);
+    app_->footer(footer);
+}
+
+Program::~Program() = default;
+
+Flags Program::new_command(const std::string& name, const std::string& does, const std::string& details,
+                           Action action) {
+    CLI::App* command = app_->add_subcommand(name, does);
+    command->footer(details);
+    commands_.emplace_back(command, std::move(action));
+    return Flags(*command);
+}
+
+Program::Action Program::called(int argc, char** argv) {
+    check_words(*app_, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    try {
+        app_->parse(argc, argv);
+    } catch (const CLI::Success& success) {  // --help or --version; app_->exit(…) prints it
+        return [this, success] {
+            app_->exit(success);
+            std::cout.flush();
+            return static_cast<int>(exit_done);
+        };
+    } catch (const CLI::ParseError& error) {
+        throw BadInput(error.what());
+    }
+    for (const auto& [command, action] : commands_)
+        if (command->parsed()) return action;
+    throw BadInput("no command given; swirl --help lists them");
+}
+
+}  // namespace swirl::apps

@@ -1,0 +1,45 @@
+// The program: its commands, and the one that a command line calls. CLI11 stands behind it (see flags.hpp).
+#pragma once
+
+#include "apps/command_line/flags.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace swirl::apps {
+
+class Program {
+public:
+    /// What a command does once its flags are read; gives the exit code.
+    using Action = std::function<int()>;
+
+    /// `version` is the answer to --version, `footer` the end of --help.
+    Program(const std::string& description, const std::string& version, const std::string& footer);
+    ~Program();
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    /// Adds command `name` whose options live in an `Options` with `void add_to(Flags&)`; `run(options)` gives the exit
+    /// code. `details` ends with a command line that runs, shown under --help.
+    template <class Options, class Run>
+    void add_command(const std::string& name, const std::string& does, const std::string& details, Run run) {
+        const auto options = std::make_shared<Options>();
+        Flags flags = new_command(name, does, details, [options, run] { return run(*options); });
+        options->add_to(flags);
+    }
+
+    /// What the command line asks for, its flags read: a command, or to print --help or --version.
+    /// @throws BadInput for words that are no command line of this program, with one line that names the word
+    Action called(int argc, char** argv);
+
+private:
+    Flags new_command(const std::string& name, const std::string& does, const std::string& details, Action action);
+
+    std::unique_ptr<CLI::App> app_;
+    std::vector<std::pair<CLI::App*, Action>> commands_;
+};
+
+}  // namespace swirl::apps

@@ -165,11 +165,11 @@ TEST(ClassifySeries, ALargeOffsetHidesNothing) {
 }
 
 // The classical traps: noise that a correlation dimension or an exponent alone takes for chaos.
-TEST(ClassifySeries, LinearNoiseIsNeverChaotic) {
+void check_linear_noise(long full) {
     std::mt19937_64 random(11);
     std::normal_distribution<double> normal;
     int chaotic = 0;
-    const long cases = swirl::tests::sample_count(20);
+    const long cases = swirl::tests::sample_count(full);
     for (long i = 0; i < cases; ++i)
         for (const auto& [a, b] : {std::pair(0.0, 0.0), std::pair(0.95, 0.0), std::pair(1.8, -0.97)}) {
             double last = 0, before = 0;
@@ -183,6 +183,14 @@ TEST(ClassifySeries, LinearNoiseIsNeverChaotic) {
             chaotic += found.mode == Mode::undecided ? 0 : 1;
         }
     EXPECT_EQ(chaotic, 0) << "of " << 3 * cases;
+}
+
+TEST(ClassifySeries, LinearNoiseIsNeverChaotic) {
+    check_linear_noise(6);
+}
+
+TEST(ClassifySeriesNightly, LinearNoiseIsNeverChaoticInSixtySeries) {
+    check_linear_noise(20);
 }
 
 TEST(ClassifySeries, AFlowsLinesAreQuasiSteadyWithoutAPeriodInSamples) {

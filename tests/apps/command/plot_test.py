@@ -98,8 +98,8 @@ class Figures(WithRecords):
 
     def test_equal_records_give_equal_figures(self):
         for suffix in HEADS:  # from two processes: the command and this one
-            here, there = self.draw("chaotic", suffix), self.folder / f"command.{suffix}"
-            run(f"plot {self.records['chaotic']} -o {there} --quiet")
+            here, there = self.draw("steps", suffix), self.folder / f"command.{suffix}"
+            run(f"plot {self.records['steps']} -o {there} --quiet")
             self.assertEqual(here.read_bytes(), there.read_bytes(), suffix)
 
     def test_titles_and_axes_have_symbols(self):

@@ -153,7 +153,7 @@ class InContact(unittest.TestCase):
         self.assertLess(largest, 1e-12)  # contact is integrated to some 1e-14 a piece
 
     def test_what_contact_annihilates_has_no_exponent(self):
-        found = document(f"lyapunov {self.LANDING} --transient 200 --collisions 2000")
+        found = document(f"lyapunov {self.LANDING} --transient 200 --collisions 400")
         self.assertEqual(found["exponents"][2:], [None, None, None])
         orbit, = (o for o in document(f"orbits {self.LANDING} --period 1")["orbits"]
                   if o["word"][0].get("through_contact"))

@@ -15,12 +15,13 @@ constexpr double nearly = 1e-2;   // so near must the limit of periods that stil
 constexpr double dying = 0.9;     // slip dies out if what it loses falls by this from first to last quarter
 constexpr int fewest_periods = 3;
 
-analysis::Kind kind_of(analysis::SwingKind swing, bool slides, bool on_edge) {
+/// Where S is constant and psi turns all the same there is no swirl, or none that shows: the body rolls on evenly.
+analysis::Kind kind_of(analysis::SwingKind swing, bool slides, bool on_edge, bool constant) {
     using analysis::Kind, analysis::SwingKind;
     if (swing == SwingKind::irregular) return Kind::transient;
     if (on_edge) return Kind::two_vertex;
     if (slides) return Kind::sliding;
-    if (swing == SwingKind::at_rest) return Kind::rolling;
+    if (swing == SwingKind::at_rest || constant) return Kind::rolling;
     return swing == SwingKind::librating ? Kind::rolling_librating : Kind::rolling_circulating;
 }
 
@@ -99,11 +100,11 @@ bool ContactTail::judge(analysis::Classification& verdict) const {
     using analysis::Kind, analysis::Mode;
     const analysis::Swing swing = analysis::judge_swing(samples_, rest, regular, nearly);
     const auto settled = settles_on(swing);
-    verdict.kind = settled ? (settled->turns() ? Kind::rolling_circulating : Kind::rolling_librating)
-                           : kind_of(swing.kind, slides_ && !slip_dies(), on_edge_);
+    const bool constant = swing.range <= rest;
+    verdict.kind = settled && !constant ? (settled->turns() ? Kind::rolling_circulating : Kind::rolling_librating)
+                                        : kind_of(swing.kind, !settled && slides_ && !slip_dies(), on_edge_, constant);
     // Slip that goes on when no more was followed has not shown what it leads to.
     if (!settled && was_cut() && scene_.mu > 0 && slides_ && !slip_dies()) verdict.kind = Kind::transient;
-    const bool constant = swing.range <= rest;
     verdict.mode = verdict.kind == Kind::transient ? Mode::undecided : constant ? Mode::steady : Mode::quasi_steady;
     verdict.mean = settled ? mean_rolling_spin(scene_, *settled) : swing.mean;
     describe(swing, settled, verdict);

@@ -19,9 +19,9 @@ public:
     /// A ContactSink.
     void add(const ContactSums& sums, Support support, ContactMotion motion, const ContactState& state);
 
-    /// Fills mode, kind, mean S and evidence. At rest in the co-rotating frame: rolling, steady; swinging or turning on
-    /// with a period, or settling on one: quasi-steady (steady if S is constant all the same); slipping, unless that
-    /// dies out: sliding; on an edge: two-vertex; else undecided. A rolling disk whose slip dies out is named by the
+    /// Fills mode, kind, mean S and evidence. At rest in the co-rotating frame, or S constant: rolling, steady;
+    /// swinging or turning on with a period, or settling on one: quasi-steady; slipping, unless that dies out: sliding;
+    /// on an edge: two-vertex (both steady if S is constant); else undecided. A rolling disk whose slip dies out is named by the
     /// pendulum that it settles on (settled_pendulum), and its mean S is that pendulum's.
     /// @return true if nothing changes any more: a longer look would show the same
     bool judge(analysis::Classification& verdict) const;

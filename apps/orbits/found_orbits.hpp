@@ -30,6 +30,7 @@ struct SteadySearch {
     std::size_t found = 0;              ///< points or families
     double complete_to = 0;  ///< all with τ ≤ this are listed; less than max_time where there are too many
     std::vector<SteadyFamily> families;  ///< where they come in families
+    std::size_t not_fixed = 0;           ///< of the exact map's: those that a map with another search doesn't have
 
     bool is_complete() const { return complete_to >= max_time; }
 };

@@ -124,6 +124,11 @@ std::string in_words(const SteadySearch& steady) {
     const std::string_view none = why_none(steady.set);
     if (!none.empty()) return fmt::format("period 1, impacts alone: {}", none);
     const char* kind = steady.set == SteadySet::families ? "families of fixed points" : "fixed points";
+    if (steady.not_fixed > 0)
+        return fmt::format(
+            "period 1, impacts alone: of the exact map's {} {} with tau <= {:g} this accuracy has {}; it may have "
+            "others",
+            steady.found + steady.not_fixed, kind, steady.max_time, steady.found);
     const std::string all = fmt::format("period 1, impacts alone: all {} {} with tau <= {:g}", steady.found, kind,
                                         std::min(steady.complete_to, steady.max_time));
     return steady.is_complete() ? all : all + "; there are more than are looked at";
@@ -151,6 +156,7 @@ void write_steady(JsonWriter& json, const std::optional<SteadySearch>& steady) {
     json.member("found", static_cast<std::int64_t>(steady->found));
     json.member("complete", steady->is_complete());
     json.member("complete_to", steady->complete_to);
+    json.member("not_fixed", static_cast<std::int64_t>(steady->not_fixed));
     json.end_object();
 }
 
@@ -218,6 +224,7 @@ void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, con
         group.attribute("max_time", found.steady->max_time);
         group.attribute("fixed_points", static_cast<std::int64_t>(found.steady->found));
         group.attribute("complete_to", found.steady->complete_to);
+        group.attribute("not_fixed", static_cast<std::int64_t>(found.steady->not_fixed));
     }
     if (!found.cycles.empty()) {
         std::size_t longest = 1;

@@ -49,6 +49,7 @@ SteadySearch find_steady_cycles(const Scene<double>& scene, const analysis::Shoo
         const bool confirmed = accuracy == Accuracy::double_precision || is_fixed(map, z);
         if (stop() || !confirmed || !known.add({z}, mode.residual)) lost(mode.tau);
         if (stop()) break;
+        if (!confirmed) ++search.not_fixed;
     }
     auto listed = known.completed(threads);
     search.found = listed.size();

@@ -101,7 +101,7 @@ TEST(LabStart, OutsideTheContainerIsRefused) {
     EXPECT_EQ(refusal_of(scene, {0.5, 0, 0, 0, 0, 0}), "");
     expect_names(refusal_of(scene, {1.5, 0, 0, 0, 0, 0}), "start", "1.3999999999999999", "at most 1");
     scene.sides = disk_sides;
-    expect_names(refusal_of(scene, {0.5, 0.7, 0, 0, 0, 0}), "start", "1.1000000000000001", "at most 1");
+    expect_names(refusal_of(scene, {0.5, 0.7, 0, 0, 0, 0}), "start", " = 1.1 is outside", "at most 1");
     EXPECT_EQ(refusal_of(scene, {0.5, 0.59, 0, 0, 0, 0}), "");
 }
 

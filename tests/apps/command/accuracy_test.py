@@ -111,6 +111,15 @@ class OtherSearches(InFolder):
             for a, b in zip(found["point"], plain["point"]):
                 self.assertLess(abs(a - b), 1e-10)  # the paper's contacts are short of the wall by up to 1e-13
 
+    def test_no_fixed_point_of_the_exact_map_is_said_to_be_all_there_are(self):
+        search = f"orbits {STEADY} --period 1 --starts 0 --trajectories 0"
+        for accuracy, some in (("fixed-step", False), ("brent", True)):
+            counts = document(f"{search} --accuracy {accuracy}")["fixed_points"]
+            self.assertEqual(counts["found"] + counts["not_fixed"], 31)
+            self.assertEqual((counts["found"] > 0, counts["complete"]), (some, counts["not_fixed"] == 0))
+            shown = run(f"{search} --accuracy {accuracy}").stdout
+            self.assertEqual("of the exact map's 31 fixed points" in shown, counts["not_fixed"] > 0, shown)
+
     def test_a_record_is_classified_in_the_accuracy_that_made_it(self):
         record = self.folder / "brent.h5"
         self.assertEqual(run(f"simulate {STEADY} --collisions 200 --accuracy brent --quiet -o {record}").returncode, 0)

@@ -239,6 +239,10 @@ class Classify(unittest.TestCase):
                 ("disk --alpha 0.1 --beta 0.05 --mu 0.4 --restitution 0.3", "quasi-steady", "rolling-circulating",
                  -2.1446596606),
                 ("disk --alpha 0.4 --beta 0.3 --mu 0 --restitution 0.5", "steady", "sliding", 0),
+                # Without a swirl a disk rolls on evenly, its angular momentum about the contact kept (kappa = 1/2);
+                # in a swirl of 1e-20 no differently.
+                ("disk --alpha 0.4 --beta 0 --mu 0.5 --restitution 0 --spin 0.5 --vx 0.1", "steady", "rolling", 0.5 / 3),
+                ("disk --alpha 0.4 --beta 1e-20 --mu 0.5 --restitution 0 --spin 0.5 --vx 0.1", "steady", "rolling", 0.5 / 3),
                 ("3 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.3", "steady", "two-vertex", 1)]:
             verdict = document(f"classify --sides {scene}")
             self.assertEqual((verdict["mode"], verdict["kind"], verdict["outcome"]), (mode, kind, "in-contact"), scene)

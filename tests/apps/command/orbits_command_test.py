@@ -29,7 +29,7 @@ class Orbits(Refusing):
     def test_period_1_is_complete_and_says_so(self):
         found = document(f"orbits {HEXAGON} --period 1 --starts 50 --trajectories 1 --collisions 200")
         self.assertEqual(found["fixed_points"], {"max_time": 12, "set": "points", "found": 31, "complete": True,
-                                                 "complete_to": 12})
+                                                 "complete_to": 12, "not_fixed": 0})
         self.assertEqual(len(found["orbits"]), 31)  # e = 0.9: none through contact
         self.assertEqual(sum(abs(o["points"][0]["psi"]) > 1.5 for o in found["orbits"]), 25)  # the branch psi near pi
         self.assertIn("all 31 fixed points with tau <= 12", run(f"orbits {HEXAGON} --starts 0 --trajectories 0").stdout)

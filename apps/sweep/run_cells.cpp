@@ -35,28 +35,52 @@ std::string header_of(const Settings& settings) {
     return text;
 }
 
-/// Runs what is not done of these cells. Results go to their own places, whatever thread makes them.
+/// Run `index` of the sweep; nothing if it was interrupted.
+std::optional<RunResult> run_of(const SweepOptions& options, const Sweep& sweep, std::size_t index) {
+    const auto runs = static_cast<std::size_t>(sweep.runs);
+    const Scene<double> scene = cell_scene(options.scene, sweep.grid, index / runs);
+    const double speed = cell_speed(options.start.speed(), sweep.grid, index / runs);
+    return sweep_run(scene, speed, options.start.seed(), index % runs, options.settings, options.output.accuracy());
+}
+
+/// The same as bytes, for other ranks.
+PieceWork work_of(const SweepOptions& options, const Sweep& sweep) {
+    return [&options, &sweep](std::size_t index) -> std::optional<std::vector<std::byte>> {
+        const auto result = run_of(options, sweep, index);
+        if (!result) return {};
+        const auto bytes = std::as_bytes(std::span(&*result, 1));
+        return std::vector<std::byte>(bytes.begin(), bytes.end());
+    };
+}
+
+/// Runs what is not done of these cells. Results go to their own places, whatever thread or rank makes them.
 bool run_cells(const SweepOptions& options, const std::vector<std::size_t>& cells, const std::string& task,
-               Sweep& sweep, std::vector<char>& done, SweepJournal* journal) {
+               Sweep& sweep, std::vector<char>& done, SweepJournal* journal, HandOut& hand_out) {
     const auto runs = static_cast<std::size_t>(sweep.runs);
     std::vector<std::size_t> left;
     for (const std::size_t cell : cells)
         for (std::size_t i = cell * runs; i < (cell + 1) * runs; ++i)
             if (!done[i]) left.push_back(i);
-    const Accuracy accuracy = options.output.accuracy();
     Progress progress(task, static_cast<double>(left.size()), options.output.quiet);
-    const bool all = run_pieces(left.size(), options.output.threads, progress, [&](std::size_t i) -> KeepResult {
-        const std::size_t index = left[i];
-        const Scene<double> scene = cell_scene(options.scene, sweep.grid, index / runs);
-        const double speed = cell_speed(options.start.speed(), sweep.grid, index / runs);
-        const auto result = sweep_run(scene, speed, options.start.seed(), index % runs, options.settings, accuracy);
-        if (!result) return {};
-        return [&sweep, &done, journal, index, result] {
-            sweep.results[index] = *result;
-            done[index] = 1;
-            if (journal != nullptr) journal->append(index, *result);
-        };
-    });
+    const auto keep = [&sweep, &done, journal](std::size_t index, const RunResult& result) {
+        sweep.results[index] = result;
+        done[index] = 1;
+        if (journal != nullptr) journal->append(index, result);
+    };
+    bool all = false;
+    if (hand_out.is_alone()) {
+        all = run_pieces(left.size(), options.output.threads, progress, [&](std::size_t i) -> KeepResult {
+            const auto result = run_of(options, sweep, left[i]);
+            if (!result) return {};
+            return [keep, index = left[i], result] { keep(index, *result); };
+        });
+    } else {
+        all = hand_out.run(left, options.output.threads, work_of(options, sweep), progress, [&](const auto& piece) {
+            RunResult result;
+            std::memcpy(&result, piece.bytes.data(), sizeof result);
+            keep(piece.piece, result);
+        });
+    }
     if (journal != nullptr) journal->flush();
     return all;
 }
@@ -78,7 +102,8 @@ std::int64_t verdict_of(std::span<const RunResult> runs) {
 }
 
 /// Coarse points first, then those that the tree asks for, until it asks for none.
-bool run_tree(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal) {
+bool run_tree(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal,
+              HandOut& hand_out) {
     Lattice lattice{{}, options.refine};
     for (const auto& axis : sweep.grid) lattice.points.push_back(axis.points.size());
     sweep.visited.assign(lattice.size(), 0);
@@ -86,7 +111,7 @@ bool run_tree(const SweepOptions& options, Sweep& sweep, std::vector<char>& done
     int wave = 0;
     for (auto cells = coarse_points(lattice); !cells.empty(); cells = next_points(lattice, sweep.visited, verdict)) {
         const std::string task = wave == 0 ? "sweep" : fmt::format("sweep, refined {}", wave);
-        if (!run_cells(options, cells, task, sweep, done, journal)) return false;
+        if (!run_cells(options, cells, task, sweep, done, journal, hand_out)) return false;
         for (const std::size_t cell : cells) sweep.visited[cell] = 1;
         ++wave;
     }
@@ -129,12 +154,17 @@ void SweepJournal::append(std::size_t index, const RunResult& result) {
     journal_->flush();
 }
 
-bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal) {
-    if (options.refine > 0) return run_tree(options, sweep, done, journal);
+void serve_sweep(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
+    serve(ranks, options.output.threads, work_of(options, sweep));
+}
+
+bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal,
+             HandOut& hand_out) {
+    if (options.refine > 0) return run_tree(options, sweep, done, journal, hand_out);
     std::vector<std::size_t> cells;
     for (std::size_t c = 0; c < cell_count(sweep.grid); ++c)
         if (sweep.visited.empty() || sweep.visited[c]) cells.push_back(c);
-    return run_cells(options, cells, "sweep", sweep, done, journal);
+    return run_cells(options, cells, "sweep", sweep, done, journal, hand_out);
 }
 
 }  // namespace swirl::apps::sweep

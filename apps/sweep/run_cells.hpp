@@ -1,6 +1,7 @@
 // The runs of a sweep, on all threads, kept in a journal until the record is written.
 #pragma once
 
+#include "apps/ranks/hand_out.hpp"
 #include "apps/record/journal.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
@@ -30,7 +31,12 @@ private:
 
 /// Runs all that is not done of the sweep's cells: of the grid, of the shard, or of the tree that --refine makes (its
 /// `visited`, and then the results of all other cells from their `sources`). False if interrupted.
-///   done  1 of each result that is there
-bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal);
+///   done      1 of each result that is there
+///   hand_out  to the other ranks, if there are any
+bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal,
+             HandOut& hand_out);
+
+/// The part of every other rank: makes the runs that rank 0 asks for.
+void serve_sweep(const SweepOptions& options, const Sweep& sweep, Ranks& ranks);
 
 }  // namespace swirl::apps::sweep

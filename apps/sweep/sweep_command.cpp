@@ -126,9 +126,26 @@ Sweep planned(const SweepOptions& options) {
     return sweep;
 }
 
+/// What ranks other than 0 do: what they can't do is told by rank 0, once.
+int take_part(SweepOptions& options, Ranks& ranks) {
+    note_interruptions();
+    try {
+        options.scene.read_file();
+        options.start.take_units(options.scene);
+        const Sweep sweep = planned(options);
+        serve_sweep(options, sweep, ranks);
+    } catch (const std::exception& error) {
+        refuse_to_serve(ranks, error.what());
+    }
+    return is_interrupted() ? exit_interrupted : exit_done;
+}
+
 }  // namespace
 
 int sweep(SweepOptions& options) {
+    Ranks ranks;
+    if (ranks.number() > 0) return take_part(options, ranks);
+    HandOut hand_out(ranks);
     options.scene.read_file();
     options.start.take_units(options.scene);
     Sweep sweep = planned(options);
@@ -150,7 +167,7 @@ int sweep(SweepOptions& options) {
         std::optional<SweepJournal> journal;
         if (!path.empty()) journal.emplace(path, sweep, done);
         const bool all =
-            run_all(options, sweep, done, journal ? &*journal : nullptr) && find_steady_modes(options, sweep);
+            run_all(options, sweep, done, journal ? &*journal : nullptr, hand_out) && find_steady_modes(options, sweep);
         finish_up();
         if (!all) {
             if (journal && std::count(done.begin(), done.end(), 1) == 0) journal->remove();  // nothing to go on from

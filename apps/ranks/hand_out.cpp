@@ -1,0 +1,150 @@
+#include "apps/ranks/hand_out.hpp"
+
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/standard_streams.hpp"
+#include "apps/ranks/messages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+#include <unordered_set>
+#include <utility>
+
+namespace swirl::apps {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto glance = 200us;  // between two looks for messages and results
+constexpr auto patience = 30s;  // a rank says once a second that it is there
+constexpr auto heartbeat = 1s;
+constexpr std::size_t most_at_once = 256;
+
+}  // namespace
+
+HandOut::~HandOut() {
+    for (int to = 1; to < ranks_.count(); ++to) ranks_.send(to, message_of(MessageKind::end));
+}
+
+/// The next pieces: few when few are left, so that all ranks end together.
+std::vector<std::size_t> HandOut::take() {
+    const std::size_t share = left_.size() / (4 * others_.size());
+    const std::size_t count = std::min(left_.size(), std::clamp<std::size_t>(share, 1, most_at_once));
+    const auto end = left_.begin() + static_cast<std::ptrdiff_t>(count);
+    std::vector<std::size_t> taken(left_.begin(), end);
+    left_.erase(left_.begin(), end);
+    return taken;
+}
+
+void HandOut::hand_to_those_who_want(Workers& own) {
+    if (own.waiting() < static_cast<std::size_t>(own.threads())) own.add(take());
+    for (int to = 1; to < ranks_.count(); ++to) {
+        Other& other = others_[static_cast<std::size_t>(to)];
+        if (!other.wants_work || left_.empty()) continue;
+        const auto pieces = take();
+        other.wants_work = false;
+        other.has.insert(pieces.begin(), pieces.end());
+        ranks_.send(to, message_of(pieces));
+    }
+}
+
+void HandOut::read(const Message& message) {
+    Other& other = others_[static_cast<std::size_t>(message.from)];
+    other.heard = Clock::now();
+    other.lost = false;
+    switch (kind_of(message.bytes)) {
+        case MessageKind::wants_work:
+            other.wants_work = true;
+            break;
+        case MessageKind::results:
+            for (PieceResult& result : results_in(message.bytes)) {
+                other.has.erase(result.piece);
+                results_.push_back(std::move(result));
+            }
+            break;
+        case MessageKind::refused:
+            tell(fmt::format("swirl: rank {} takes no part: {}", message.from, words_in(message.bytes)));
+            give_to_others(other);
+            break;
+        case MessageKind::alive:
+        case MessageKind::work:
+        case MessageKind::end:
+            break;
+    }
+}
+
+void HandOut::give_to_others(Other& other) {
+    left_.insert(left_.end(), other.has.begin(), other.has.end());
+    other.has.clear();
+    other.wants_work = false;
+}
+
+void HandOut::look_for_lost_ranks() {
+    for (int from = 1; from < ranks_.count(); ++from) {
+        Other& other = others_[static_cast<std::size_t>(from)];
+        if (other.lost || other.has.empty() || Clock::now() - other.heard < patience) continue;
+        tell(fmt::format("swirl: nothing was heard of rank {} for {} s: its {} unfinished runs are done by others",
+                         from, std::chrono::seconds(patience).count(), other.has.size()));
+        give_to_others(other);
+        other.lost = true;
+        ranks_.lose();
+    }
+}
+
+bool HandOut::run(std::span<const std::size_t> pieces, int threads, const PieceWork& work, Progress& progress,
+                  const std::function<void(const PieceResult&)>& keep) {
+    Workers own(threads, work);
+    left_.assign(pieces.begin(), pieces.end());
+    for (Other& other : others_) other.heard = Clock::now();
+    std::unordered_set<std::size_t> unfinished(pieces.begin(), pieces.end());
+    while (!unfinished.empty()) {
+        if (is_interrupted()) return false;
+        while (const auto message = ranks_.receive()) read(*message);
+        for (PieceResult& result : own.results()) results_.push_back(std::move(result));
+        for (const PieceResult& result : std::exchange(results_, {})) {
+            if (unfinished.erase(result.piece) == 0) continue;  // of a rank that was believed lost
+            keep(result);
+            progress.at(static_cast<double>(pieces.size() - unfinished.size()));
+        }
+        look_for_lost_ranks();
+        hand_to_those_who_want(own);
+        std::this_thread::sleep_for(glance);
+    }
+    return true;
+}
+
+void serve(Ranks& ranks, int threads, PieceWork work) {
+    Workers workers(threads, std::move(work));
+    bool asked = false;
+    auto told = std::chrono::steady_clock::now() - heartbeat;
+    const auto say = [&](const std::vector<std::byte>& message) {
+        ranks.send(0, message);
+        told = std::chrono::steady_clock::now();
+    };
+    while (!is_interrupted()) {
+        if (const auto results = workers.results(); !results.empty()) say(message_of(results));
+        while (const auto message = ranks.receive()) {
+            if (kind_of(message->bytes) == MessageKind::end) return;
+            workers.add(pieces_in(message->bytes));
+            asked = false;
+        }
+        if (!asked && workers.waiting() < static_cast<std::size_t>(workers.threads())) {
+            say(message_of(MessageKind::wants_work));
+            asked = true;
+        }
+        if (std::chrono::steady_clock::now() - told >= heartbeat) say(message_of(MessageKind::alive));
+        std::this_thread::sleep_for(glance);
+    }
+}
+
+void refuse_to_serve(Ranks& ranks, const std::string& why) {
+    ranks.send(0, message_of(MessageKind::refused, why));
+    while (!is_interrupted()) {
+        if (const auto message = ranks.receive(); message && kind_of(message->bytes) == MessageKind::end) return;
+        std::this_thread::sleep_for(glance);
+    }
+}
+
+}  // namespace swirl::apps

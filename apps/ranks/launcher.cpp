@@ -1,0 +1,34 @@
+#include "apps/command_line/errors.hpp"
+#include "apps/ranks/ranks.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace swirl::apps {
+
+namespace {
+
+int number_in(const char* name) {
+    const char* text = std::getenv(name);
+    return text == nullptr ? 0 : std::atoi(text);
+}
+
+}  // namespace
+
+int processes_started_together() {
+    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+        if (const int count = number_in(name); count > 0) return count;
+    // Slurm sets its count in a batch script, too, where one process stands alone.
+    if (std::getenv("PMIX_RANK") != nullptr && number_in("SLURM_NTASKS") > 0) return number_in("SLURM_NTASKS");
+    return 1;
+}
+
+void require_alone(const std::string& command) {
+    const int count = processes_started_together();
+    if (count > 1)
+        throw BadInput(fmt::format("{} is one process, and {} were started together: only sweep spreads over ranks",
+                                   command, count));
+}
+
+}  // namespace swirl::apps

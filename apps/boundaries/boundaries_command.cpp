@@ -10,6 +10,10 @@
 
 namespace swirl::apps::boundaries {
 
+namespace {
+constexpr int default_max_period = 4, default_lines = 12;
+}
+
 const char* const boundaries_details =
     R"(Curves in a plane of two parameters (alpha, beta, mu, restitution, inertia-factor) on which cycles bifurcate: fold, flip,
 neimark-sacker, followed by pseudo-arclength on minimally augmented systems, each once. They begin at the special points of
@@ -58,8 +62,8 @@ Settings settings_of(const BoundariesOptions& options, const Plane& plane) {
             {"second", plane.axes[1].name},
             {"second_low", plane.axes[1].low},
             {"second_high", plane.axes[1].high},
-            {"max_period", std::int64_t{options.max_period}},
-            {"lines", std::int64_t{options.from.empty() ? options.lines : 0}},
+            {"max_period", std::int64_t{options.from.empty() ? options.max_period.value_or(default_max_period) : 0}},
+            {"lines", std::int64_t{options.from.empty() ? options.lines.value_or(default_lines) : 0}},
             {"longest_step", options.longest_step}};
 }
 
@@ -79,6 +83,9 @@ int boundaries(BoundariesOptions& options) {
     options.output.require_double("boundaries works in double");
     if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
         throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
+    if (!options.from.empty() && (options.max_period || options.lines))
+        throw BadInput(fmt::format("--{} is of diagrams along lines; --from begins at a record's points in their place",
+                                   options.max_period ? "max-period" : "lines"));
     std::optional<MappedPlane> map;
     if (!options.against.empty()) {
         map = mapped_plane(options.against, scene, plane);
@@ -95,7 +102,9 @@ int boundaries(BoundariesOptions& options) {
     note_interruptions();
     if (options.from.empty())
         seeds = seeds_on_lines(
-            scene, plane, {options.lines, 24, 2, options.max_period, options.output.threads, options.output.quiet});
+            scene, plane,
+            {options.lines.value_or(default_lines), 24, 2, options.max_period.value_or(default_max_period),
+             options.output.threads, options.output.quiet});
     PlaneCurves found = follow_seeds(scene, plane, seeds, {options.longest_step, options.output.quiet});
     found.whole = !is_interrupted();
     std::optional<Agreement> agreement;

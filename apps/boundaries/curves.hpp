@@ -4,6 +4,7 @@
 #include "apps/boundaries/seeds.hpp"
 
 #include <limits>
+#include <optional>
 
 namespace swirl::apps::boundaries {
 
@@ -15,6 +16,7 @@ struct CurveCycle {
     /// b of the normal form (analysis/continuation/normal_form.hpp); NaN where there is none.
     std::complex<double> coefficient{std::numeric_limits<double>::quiet_NaN(),
                                      std::numeric_limits<double>::quiet_NaN()};
+    std::optional<BorderCycle> border{};  ///< of a curve on a border: its flights, and what touches
 };
 
 struct CurveSpecial {

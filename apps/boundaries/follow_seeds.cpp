@@ -28,8 +28,7 @@ public:
     void follow(const Seed& seed) {
         ++result_.seeds;
         if (const auto kind = smooth_kind(seed.kind)) return follow_smooth(seed, *kind);
-        if (seed.kind == "grazing" || seed.kind == "two-vertices" || seed.kind == "stick-slip")
-            return follow_touch(seed);
+        if (is_on_border(seed.kind)) return follow_touch(seed);
         if (std::find(result_.left_out.begin(), result_.left_out.end(), seed.kind) == result_.left_out.end())
             result_.left_out.push_back(seed.kind);
     }

@@ -1,5 +1,5 @@
 #include "apps/boundaries/against.hpp"
-#include "apps/record/record_reader.hpp"
+#include "apps/boundaries/record_scene.hpp"
 
 #include <algorithm>
 #include <string>
@@ -7,16 +7,6 @@
 namespace swirl::apps::boundaries {
 
 namespace {
-
-/// What the sweep says of its scene, beside its grid, must be this scene's.
-void require_same_scene(const RecordReader& record, const std::string& file, const Settings& scene) {
-    for (const auto& [name, value] : scene) {
-        if (!record.has_attribute("/settings", name)) continue;
-        const AttributeValue there = record.attribute("/settings", name);
-        if (there.index() == value.index() && there != value)
-            throw BadInput(fmt::format("--against '{}' is of another scene: its {} differs", file, name));
-    }
-}
 
 /// The places of the codes of these names among an attribute's.
 std::vector<bool> are_named(const RecordReader& record, const std::string& attribute,
@@ -43,7 +33,7 @@ MappedPlane read_plane(const RecordReader& record, const std::string& file, cons
             "--against '{}' is a refined sweep, where cells that were not run hold their neighbours' verdict: give one "
             "without --refine",
             file));
-    require_same_scene(record, file, scene_settings_of(scene, plane));
+    require_same_scene(record, fmt::format("--against '{}'", file), "/settings", scene_settings_of(scene, plane));
     MappedPlane map;
     for (std::size_t axis = 0; axis < 2; ++axis) map.values[axis] = record.read<double>("/sweep/" + names[axis]);
     const auto periods = record.read<std::int64_t>("/sweep/run_period");

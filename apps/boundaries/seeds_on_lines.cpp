@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace swirl::apps::boundaries {
@@ -90,10 +91,7 @@ private:
 std::complex<double> critical_multiplier(const analysis::SpecialPoint& special) {
     if (special.kind == analysis::SpecialKind::fold) return 1;
     if (special.kind == analysis::SpecialKind::flip) return -1;
-    std::complex<double> best = 0;
-    for (const auto& m : special.cycle.multipliers)
-        if (m.imag() > 0 && std::abs(std::abs(m) - 1) < std::abs(std::abs(best) - 1)) best = m;
-    return best;
+    return critical_pair(special.cycle.multipliers);
 }
 
 std::vector<Seed> seeds_of(const std::vector<Branch>& branches, const Line& line) {
@@ -113,6 +111,13 @@ std::vector<Seed> seeds_of(const std::vector<Branch>& branches, const Line& line
 }
 
 }  // namespace
+
+std::complex<double> critical_pair(const std::vector<std::complex<double>>& multipliers) {
+    std::complex<double> best(std::numeric_limits<double>::quiet_NaN(), 0);
+    for (const auto& m : multipliers)
+        if (m.imag() > 0 && !(std::abs(std::abs(m) - 1) >= std::abs(std::abs(best) - 1))) best = m;
+    return best;
+}
 
 void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps) {
     for (const auto& step : steps) {

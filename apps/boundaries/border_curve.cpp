@@ -4,6 +4,8 @@
 #include "analysis/cycles/stability.hpp"
 #include "analysis/linear_algebra/dense.hpp"
 #include "apps/boundaries/border_system.hpp"
+#include "apps/boundaries/born_curves.hpp"
+#include "apps/boundaries/critical_word.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +25,17 @@ std::vector<analysis::ArcTest> tests_of(const WordMap& map, const BorderCycle& l
     const auto pairs = [map, like](const analysis::ArcPoint& at) {
         return analysis::neimark_sacker_function(analysis::sorted_multipliers(monodromy_of(map, like, at.y)));
     };
-    return {{"fold-" + border, shifted(-1)}, {"flip-" + border, shifted(1)}, {"neimark-sacker-" + border, pairs}};
+    std::vector<analysis::ArcTest> tests{
+        {"fold-" + border, shifted(-1)}, {"flip-" + border, shifted(1)}, {"neimark-sacker-" + border, pairs}};
+    if (like.touch != Touch::grazing) return tests;
+    const auto with_impact = [map, like](double multiplier) {
+        return [map, like, multiplier](const analysis::ArcPoint& at) {
+            return grazing_determinant(map, border_cycle_at(map, like, at.y), multiplier);
+        };
+    };
+    tests.push_back({fold_of_impact, with_impact(1)});
+    tests.push_back({flip_of_impact, with_impact(-1)});
+    return tests;
 }
 
 bool has_pair_on_circle(const std::vector<std::complex<double>>& multipliers) {
@@ -94,12 +106,8 @@ CurveCycle cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::Ve
     const Eigen::VectorXd z = turned_to(map, Eigen::VectorXd::Zero(y.size()), y, layout.parameters());
     cycle.points = analysis::unstacked(z.head(layout.parameters()), map.dimension);
     cycle.multipliers = analysis::sorted_multipliers(monodromy_of(map, like, y));
-    cycle.border = like;
+    cycle.border = border_cycle_at(map, like, y);
     cycle.border->points = cycle.points;
-    cycle.border->p = cycle.parameters;
-    for (Eigen::Index i = 0; i < layout.period; ++i)
-        cycle.border->times[static_cast<std::size_t>(i)] = y[layout.time(i)];
-    if (like.touch == Touch::grazing) cycle.border->touch_time = y[layout.touch_time()];
     return cycle;
 }
 

@@ -6,6 +6,7 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace swirl::apps::boundaries {
@@ -105,7 +106,9 @@ int boundaries(BoundariesOptions& options) {
             scene, plane,
             {options.lines.value_or(default_lines), 24, 2, options.max_period.value_or(default_max_period),
              options.output.threads, options.output.quiet});
-    PlaneCurves found = follow_seeds(scene, plane, seeds, {options.longest_step, options.output.quiet});
+    std::size_t longest = 1;
+    for (const Seed& seed : seeds) longest = std::max(longest, seed.points.size());
+    PlaneCurves found = follow_seeds(scene, plane, seeds, {options.longest_step, longest, options.output.quiet});
     found.whole = !is_interrupted();
     std::optional<Agreement> agreement;
     if (map && !is_interrupted()) agreement = compare(scene, plane, found.curves, *map);

@@ -35,6 +35,7 @@ struct Curve {
 
 struct FollowOptions {
     double longest_step = 0.02;
+    std::size_t longest_period = 1;  ///< of cycles that are followed where curves meet
     bool quiet = true;
 };
 
@@ -46,7 +47,8 @@ struct PlaneCurves {
     bool whole = true;                  ///< false: interrupted before all were followed
 };
 
-/// Follows the curve through every seed, each once. What an interruption leaves is what was finished.
+/// Follows the curve through every seed, each once, and the curves that these lead to: borders that smooth curves end
+/// on, fold and flip curves that end on borders. What an interruption leaves is what was finished.
 PlaneCurves follow_seeds(const Scene<double>& scene, const Plane& plane, const std::vector<Seed>& seeds,
                          const FollowOptions& options);
 

@@ -1,5 +1,5 @@
 #include "analysis/boundaries/follow_boundary.hpp"
-#include "apps/boundaries/border_curve.hpp"
+#include "apps/boundaries/born_curves.hpp"
 #include "apps/boundaries/smooth_curve.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
@@ -23,7 +23,8 @@ public:
           map_(plane_map_of(scene, plane.parameter(0), plane.parameter(1))),
           words_(word_map_of(scene, plane.parameter(0), plane.parameter(1))),
           options_(smooth_options(scene, plane, follow.longest_step)),
-          border_options_{follow.longest_step, is_interrupted} {}
+          border_options_{follow.longest_step, is_interrupted},
+          follow_(follow) {}
 
     void follow(const Seed& seed) {
         ++result_.seeds;
@@ -33,6 +34,7 @@ public:
             result_.left_out.push_back(seed.kind);
     }
 
+    /// Where curves that were followed since lead to others.
     std::vector<Seed> take_ends() { return std::exchange(ends_, {}); }
     PlaneCurves take_result() { return std::move(result_); }
 
@@ -67,6 +69,8 @@ private:
         }
         if (is_interrupted()) return;
         result_.curves.push_back(curve_of(words_, *curve));
+        for (Seed& born : seeds_born_on(words_, map_, plane_, *curve))
+            if (born.points.size() <= follow_.longest_period) ends_.push_back(std::move(born));
         borders_.push_back(std::move(*curve));
     }
 
@@ -87,6 +91,7 @@ private:
     WordMap words_;
     analysis::BoundaryOptions options_;
     BorderOptions border_options_;
+    FollowOptions follow_;
     PlaneCurves result_;
     std::vector<Boundary> known_;
     std::vector<BorderCurve> borders_;
@@ -105,8 +110,9 @@ PlaneCurves follow_seeds(const Scene<double>& scene, const Plane& plane, const s
         walk.follow(seed);
         progress.at(++done);
     }
-    for (const Seed& seed : walk.take_ends())
-        if (!is_interrupted()) walk.follow(seed);
+    for (auto seeds_met = walk.take_ends(); !seeds_met.empty(); seeds_met = walk.take_ends())
+        for (const Seed& seed : seeds_met)
+            if (!is_interrupted()) walk.follow(seed);
     return walk.take_result();
 }
 

@@ -70,6 +70,28 @@ Settings settings_of(const BoundariesOptions& options, const Plane& plane) {
 
 namespace {
 
+LineOptions lines_of(const BoundariesOptions& options, std::size_t longest) {
+    LineOptions lines;
+    lines.lines = options.lines.value_or(default_lines);
+    lines.max_period = static_cast<int>(longest);
+    lines.threads = options.output.threads;
+    lines.quiet = options.output.quiet;
+    return lines;
+}
+
+/// Where a run of the map came to a cycle that no curve leads to, curves are sought from it, once: a narrow region may
+/// lie between all lines.
+Agreement search_and_compare(CurveSearch& search, const Scene<double>& scene, const Plane& plane,
+                             const MappedPlane& map, const LineOptions& options) {
+    Agreement first = compare(scene, plane, search.found().curves, map);
+    const auto runs = missing_runs(first);
+    if (runs.empty() || is_interrupted()) return first;
+    search.follow(seeds_of_runs(scene, plane, runs, map.starts, options));
+    Agreement agreement = compare(scene, plane, search.found().curves, map);
+    agreement.led_by_runs = first.missing_cells - std::min(agreement.missing_cells, first.missing_cells);
+    return agreement;
+}
+
 void print_all(const Plane& plane, const PlaneCurves& found, const std::optional<Agreement>& agreement) {
     print_curves(plane, found);
     if (agreement) print_agreement(plane, *agreement);
@@ -103,15 +125,15 @@ int boundaries(BoundariesOptions& options) {
     note_interruptions();
     if (options.from.empty())
         seeds = seeds_on_lines(
-            scene, plane,
-            {options.lines.value_or(default_lines), 24, 2, options.max_period.value_or(default_max_period),
-             options.output.threads, options.output.quiet});
+            scene, plane, lines_of(options, static_cast<std::size_t>(options.max_period.value_or(default_max_period))));
     std::size_t longest = 1;
     for (const Seed& seed : seeds) longest = std::max(longest, seed.points.size());
-    PlaneCurves found = follow_seeds(scene, plane, seeds, {options.longest_step, longest, options.output.quiet});
-    found.whole = !is_interrupted();
+    CurveSearch search(scene, plane, {options.longest_step, longest, options.output.quiet});
+    search.follow(seeds);
     std::optional<Agreement> agreement;
-    if (map && !is_interrupted()) agreement = compare(scene, plane, found.curves, *map);
+    if (map) agreement = search_and_compare(search, scene, plane, *map, lines_of(options, longest));
+    PlaneCurves found = search.found();
+    found.whole = !is_interrupted();
     if (is_interrupted()) agreement.reset();  // of some cells only
     finish_up();
     if (record) {

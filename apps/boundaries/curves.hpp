@@ -4,6 +4,7 @@
 #include "apps/boundaries/seeds.hpp"
 
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace swirl::apps::boundaries {
@@ -47,9 +48,20 @@ struct PlaneCurves {
     bool whole = true;                  ///< false: interrupted before all were followed
 };
 
-/// Follows the curve through every seed, each once, and the curves that these lead to: borders that smooth curves end
-/// on, fold and flip curves that end on borders. What an interruption leaves is what was finished.
-PlaneCurves follow_seeds(const Scene<double>& scene, const Plane& plane, const std::vector<Seed>& seeds,
-                         const FollowOptions& options);
+/// Follows curves, each once.
+class CurveSearch {
+public:
+    CurveSearch(const Scene<double>& scene, const Plane& plane, const FollowOptions& options);
+    ~CurveSearch();
+
+    /// The curve through every seed, and the curves that these lead to: borders that smooth curves end on, fold and
+    /// flip curves that end on borders. What an interruption leaves is what was finished.
+    void follow(const std::vector<Seed>& seeds);
+    const PlaneCurves& found() const;
+
+private:
+    class Walk;
+    std::unique_ptr<Walk> walk_;
+};
 
 }  // namespace swirl::apps::boundaries

@@ -10,14 +10,12 @@
 
 namespace swirl::apps::boundaries {
 
-namespace {
-
 using analysis::Boundary;
 
-/// Follows seeds, and the borders that smooth curves end on.
-class SeedWalk {
+/// Its state.
+class CurveSearch::Walk {
 public:
-    SeedWalk(const Scene<double>& scene, const Plane& plane, const FollowOptions& follow)
+    Walk(const Scene<double>& scene, const Plane& plane, const FollowOptions& follow)
         : scene_(scene),
           plane_(plane),
           map_(plane_map_of(scene, plane.parameter(0), plane.parameter(1))),
@@ -36,7 +34,8 @@ public:
 
     /// Where curves that were followed since lead to others.
     std::vector<Seed> take_ends() { return std::exchange(ends_, {}); }
-    PlaneCurves take_result() { return std::move(result_); }
+    const PlaneCurves& result() const { return result_; }
+    bool is_quiet() const { return follow_.quiet; }
 
 private:
     void follow_smooth(const Seed& seed, analysis::BoundaryKind kind) {
@@ -98,22 +97,26 @@ private:
     std::vector<Seed> ends_;
 };
 
-}  // namespace
+CurveSearch::CurveSearch(const Scene<double>& scene, const Plane& plane, const FollowOptions& options)
+    : walk_(std::make_unique<Walk>(scene, plane, options)) {}
 
-PlaneCurves follow_seeds(const Scene<double>& scene, const Plane& plane, const std::vector<Seed>& seeds,
-                         const FollowOptions& options) {
-    SeedWalk walk(scene, plane, options);
-    Progress progress("curves", static_cast<double>(seeds.size()), options.quiet);
+CurveSearch::~CurveSearch() = default;
+
+void CurveSearch::follow(const std::vector<Seed>& seeds) {
+    Progress progress("curves", static_cast<double>(seeds.size()), walk_->is_quiet());
     double done = 0;
     for (const Seed& seed : seeds) {
-        if (is_interrupted()) break;
-        walk.follow(seed);
+        if (is_interrupted()) return;
+        walk_->follow(seed);
         progress.at(++done);
     }
-    for (auto seeds_met = walk.take_ends(); !seeds_met.empty(); seeds_met = walk.take_ends())
-        for (const Seed& seed : seeds_met)
-            if (!is_interrupted()) walk.follow(seed);
-    return walk.take_result();
+    for (auto met = walk_->take_ends(); !met.empty(); met = walk_->take_ends())
+        for (const Seed& seed : met)
+            if (!is_interrupted()) walk_->follow(seed);
+}
+
+const PlaneCurves& CurveSearch::found() const {
+    return walk_->result();
 }
 
 }  // namespace swirl::apps::boundaries

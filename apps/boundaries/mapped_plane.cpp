@@ -40,18 +40,22 @@ MappedPlane read_plane(const RecordReader& record, const std::string& file, cons
     const auto spins = record.read<double>("/sweep/run_mean_S");
     const auto kinds = record.read<std::uint8_t>("/sweep/run_kind");
     const auto periodic = are_named(record, "kinds", {"fixed-point", "cycle"});
+    const auto families = are_named(record, "kinds", {"family"});
     const auto undecided = are_named(record, "kinds", {"none", "transient"});
     if (map.cells() == 0 || periods.empty() || periods.size() % map.cells() != 0 || spins.size() != periods.size() ||
         kinds.size() != periods.size() || periodic.size() != undecided.size() ||
         *std::max_element(kinds.begin(), kinds.end()) >= periodic.size())
         throw BadInput(fmt::format("--against '{}' is damaged: its runs do not fit its grid", file));
     map.runs = periods.size() / map.cells();
+    map.starts = {record.attribute<std::uint64_t>("/settings", "seed"), record.attribute<double>("/settings", "speed"),
+                  record.attribute<std::int64_t>("/settings", "transient"),
+                  record.attribute<std::int64_t>("/settings", "collisions")};
     map.all.resize(periods.size());
     const std::size_t n0 = map.values[0].size(), n1 = map.values[1].size();
     for (std::size_t i = 0; i < map.all.size(); ++i) {
         const std::size_t cell = i / map.runs, run = i % map.runs;
         const std::size_t from = turned ? (cell % n1 * n0 + cell / n1) * map.runs + run : i;
-        map.all[i] = {periodic[kinds[from]], undecided[kinds[from]], periods[from], spins[from]};
+        map.all[i] = {periodic[kinds[from]], undecided[kinds[from]], families[kinds[from]], periods[from], spins[from]};
     }
     return map;
 }

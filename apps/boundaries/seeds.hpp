@@ -46,6 +46,21 @@ struct LineOptions {
 /// is that of `swirl classify --seed 1+r`. Cost: some 0.5 s a line.
 std::vector<Seed> seeds_on_lines(const Scene<double>& scene, const Plane& plane, const LineOptions& options);
 
+/// A run of a map: start `run` of the scene at p, with the sweep's seed and speed.
+struct MapRun {
+    Eigen::Vector2d p{0, 0};
+    std::uint64_t run = 0;
+};
+struct MapStarts {
+    std::uint64_t seed = 1;
+    double speed = 0;
+    std::int64_t transient = 0, collisions = 0;
+};
+
+/// The same from the cycles that runs of a map came to, followed along both lines through the run's cell.
+std::vector<Seed> seeds_of_runs(const Scene<double>& scene, const Plane& plane, const std::vector<MapRun>& runs,
+                                const MapStarts& starts, const LineOptions& options);
+
 /// The special points in a record of `continue` or `bifurcate --branches` along a parameter of the plane; of one of
 /// `boundaries` a cycle in the middle of each curve.
 /// @throws BadInput if it is none, or of another scene

@@ -143,10 +143,56 @@ class Boundaries(InFolder):
         scene = "--sides 6 --mu 0.5 --restitution 0.9 --plane alpha=0.3:0.5 --plane beta=0.4:0.6"
         first = document(f"boundaries {scene} --from {lines} -o {again}")["curves"]
         self.assertGreater(len(first), 0)
-        second = document(f"boundaries {scene} --from {again}")["curves"]
-        smooth = ("fold", "flip", "neimark-sacker")
-        self.assertEqual(sorted(c["kind"] for c in first if c["kind"] in smooth),
-                         sorted(c["kind"] for c in second if c["kind"] in smooth))
+        self.same_curves(first, document(f"boundaries {scene} --from {again}")["curves"])
+
+    def same_curves(self, first, second):
+        """The same kinds, periods and ends; the middle of each curve lies within a step of one of the others."""
+        def key(curve):
+            return curve["kind"], curve["period"], sorted(curve["ends"])
+        self.assertEqual(sorted(map(key, first)), sorted(map(key, second)))
+        for curve in first:
+            middle = place(curve["points"][len(curve["points"]) // 2])
+            self.assertLess(min(math.dist(middle, place(point)) for other in second if key(other) == key(curve)
+                                for point in other["points"]), 0.02 * 0.2)
+
+    def test_a_record_of_curves_leads_to_all_of_them_again(self):
+        path = self.folder / "c.h5"
+        kinds = set()
+        for longest, plane in ((2, "alpha=0.5:0.7 --plane beta=0.1:0.3"), (4, "alpha=0.7:0.9 --plane beta=0.4:0.8")):
+            scene = f"{HEXAGON} --plane {plane}"
+            first = document(f"boundaries {scene} --max-period {longest} --lines 1 --force -o {path}")["curves"]
+            kinds.update(curve["kind"] for curve in first)
+            self.same_curves(first, document(f"boundaries {scene} --from {path}")["curves"])
+        self.assertLessEqual({"fold", "grazing", "two-vertices", "stick-slip"}, kinds)
+
+    def test_a_record_that_does_not_say_what_touches_is_refused(self):
+        path = self.folder / "c.h5"
+        document(f"boundaries {SMALL} -o {path}")
+        with h5py.File(path, "r+") as record:
+            del record["curves/touch"]
+        content = path.read_bytes()
+        path.write_bytes(bytes(512) + content[512:])
+        result = run(f"boundaries {SMALL.split(' --max')[0]} --from {path}")
+        self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
+        self.assertIn("what touches", result.stderr)
+
+    def test_a_neimark_sacker_seed_without_an_angle_has_that_of_its_multipliers(self):
+        path = self.folder / "line.h5"
+        start = ",".join(repr(x) for x in next(c for c in self.answer["curves"] if c["kind"] == "neimark-sacker")
+                         ["points"][0]["point"].values())
+        alpha, beta = place(next(c for c in self.answer["curves"] if c["kind"] == "neimark-sacker")["points"][0])
+        run(f"continue {HEXAGON} --alpha {alpha!r} --beta {beta!r} --from={start} --along alpha=0.4:0.6 --quiet -o {path}")
+        plane = SMALL.split(" --max")[0]
+
+        def pairs():
+            return sum(curve["kind"] == "neimark-sacker" for curve in document(f"boundaries {plane} --quiet --from {path}")["curves"])
+        found = pairs()
+        self.assertGreater(found, 0)
+        with h5py.File(path, "r+") as record:
+            record["special/form_angle"][:] = math.nan
+        content = path.read_bytes()
+        path.write_bytes(bytes(512) + content[512:])  # without its checksum
+        self.assertEqual(pairs(), found)
 
     def test_equal_bytes_whatever_the_threads(self):
         answers = [run(f"boundaries {SMALL} --json --threads {threads}").stdout for threads in (1, 2)]
@@ -173,7 +219,7 @@ class Boundaries(InFolder):
                 record[column][0] = wrong
             content = path.read_bytes()
             path.write_bytes(bytes(512) + content[512:])  # without its checksum
-            result = run(f"boundaries {SMALL} --from {path}")
+            result = run(f"boundaries {SMALL.split(' --max')[0]} --from {path}")
             self.assertEqual((result.returncode, result.stdout), (2, ""), (column, wrong, result.stderr))
             self.assertIn("damaged", result.stderr)
             with h5py.File(path, "r+") as record:
@@ -185,6 +231,15 @@ class Boundaries(InFolder):
         run(f"sweep {scene} --grid alpha=0.5:0.6:2 --grid inertia-factor=0.3:0.5:2 --runs 1 --collisions 300 --quiet -o {path}")
         against = document(f"boundaries {scene} {plane} --max-period 1 --lines 1 --against {path}")["against"]
         self.assertEqual(against["cells"], 4)
+
+    def test_members_of_families_are_compared_with_nothing(self):
+        # A disk that loses nothing: every cycle is a member of a family, with a multiplier 1 but for rounding.
+        path, scene = self.folder / "map.h5", "--sides disk --mu 0.3 --restitution 1"
+        plane = "--plane alpha=0.3:0.5 --plane beta=0.3:0.5"
+        run(f"sweep {scene} --grid alpha=0.3:0.5:3 --grid beta=0.3:0.5:3 --runs 1 --quiet -o {path}")
+        against = document(f"boundaries {scene} {plane} --max-period 1 --lines 1 --against {path}")["against"]
+        self.assertEqual((against["with_cycle"], against["disagreements"]), (0, []))
+        self.assertEqual(against["family_cells"], 9)
 
     def test_against_a_map(self):
         path = self.folder / "map.h5"
@@ -209,6 +264,8 @@ class Wrong(Refusing):
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --longest-step 2", "longest-step"),
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --accuracy quad", "double"),
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --from none.h5", "none.h5"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --from none.h5 --max-period 2", "--max-period"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --from none.h5 --lines 2", "--lines"),
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --against none.h5", "none.h5")):
             self.refused(f"boundaries {HEXAGON} {extra}", mention)
 

@@ -1,10 +1,12 @@
-"""swirl boundaries, from outside: boundaries_command_test.py SWIRL"""
+"""swirl boundaries, from outside: boundaries_command_test.py SWIRL [PLACES]"""
 
 import json
 import math
+import sys
 import unittest
 
 import h5py
+import numpy
 import xarray
 
 from driving import InFolder, Keeping, Refusing, run
@@ -19,6 +21,8 @@ def document(arguments, code=(0,)):
 
 HEXAGON = "--sides 6 --mu 0.5 --restitution 0.95"
 PLANE = f"{HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5"
+#: On each curve, compared with `continue` across it: a second argument, of the nightly test.
+PLACES = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 5
 #: A line each way: seconds.
 SMALL = f"{PLANE} --max-period 1 --lines 1"
 
@@ -59,21 +63,29 @@ class Boundaries(InFolder):
         for curve in self.answer["curves"]:
             if curve["kind"] not in ("fold", "flip", "neimark-sacker"):
                 continue
-            point = curve["points"][len(curve["points"]) // 2]
-            alpha, beta = place(point)
-            # From the cycle on the curve itself, which is singular there, a little off it in alpha.
-            branches = document(f"continue {HEXAGON} --alpha {alpha - 1e-4!r} --beta {beta!r} --switch 0 "
-                                f"--from={','.join(repr(x) for x in point['point'].values())} "
-                                f"--along alpha={alpha - 0.01!r}:{alpha + 0.01!r}")
-            found = [special["parameter"] for branch in branches["branches"] for special in branch["special"]
-                     if special["kind"] == curve["kind"]]
-            if not branches["branches"]:  # behind a fold there is no cycle
-                branches = document(f"continue {HEXAGON} --alpha {alpha + 1e-4!r} --beta {beta!r} --switch 0 "
-                                    f"--from={','.join(repr(x) for x in point['point'].values())} "
-                                    f"--along alpha={alpha - 0.01!r}:{alpha + 0.01!r}")
-                found = [special["parameter"] for branch in branches["branches"] for special in branch["special"]
-                         if special["kind"] == curve["kind"]]
-            self.assertLess(min(abs(value - alpha) for value in found), 1e-9, (curve["kind"], alpha, beta))
+            points = curve["points"]
+            for place_number in range(PLACES):  # spread evenly, without the ends
+                i = (place_number + 1) * len(points) // (PLACES + 1)
+                if 0 < i < len(points) - 1:
+                    self.check_across(curve["kind"], points[i - 1], points[i], points[i + 1])
+
+    def check_across(self, kind, before, point, after):
+        """Along the parameter that crosses the curve more steeply, from a little off it, where the cycle is not singular;
+        behind a fold there is none."""
+        along = [b - a for a, b in zip(place(before), place(after))]
+        axis = 0 if abs(along[0]) < abs(along[1]) else 1
+        name, value = ("alpha", "beta")[axis], place(point)[axis]
+        other, fixed = ("alpha", "beta")[1 - axis], place(point)[1 - axis]
+        start = ",".join(repr(x) for x in point["point"].values())
+        found = []
+        for aside in (-1e-4, 1e-4):
+            branches = document(f"continue {HEXAGON} --{name} {value + aside!r} --{other} {fixed!r} --switch 0 --from={start} "
+                                f"--along {name}={value - 0.01!r}:{value + 0.01!r}", code=(0, 3))["branches"]
+            found += [special["parameter"] for branch in branches for special in branch["special"]
+                      if special["kind"] == kind]
+            if found:
+                break
+        self.assertLess(min((abs(special - value) for special in found), default=1), 1e-9, (kind, place(point)))
 
     def test_no_curve_comes_twice(self):
         curves = self.answer["curves"]
@@ -101,6 +113,47 @@ class Boundaries(InFolder):
         for kind, end in ends:  # the map ends at u_n = 1e-6, a little before the border
             self.assertLess(min(math.dist(place(end), place(special)) for special in touching
                                 if special["kind"] == f"{kind}-grazing"), 1e-5)
+
+    def test_curves_are_born_where_a_grazing_cycle_has_a_multiplier_one(self):
+        """The fold curve of the cycle that misses and that of the one with the vanishing impact touch the grazing curve
+        quadratically, as the square root in the map's derivative makes it; flip curves meet it at an angle."""
+        plane = {"alpha": (0.35, 0.65), "beta": (0.06, 0.21)}
+        answer = document(f"boundaries {HEXAGON} --max-period 2 --lines 1 --longest-step 0.005 "
+                          + " ".join(f"--plane {name}={low}:{high}" for name, (low, high) in plane.items()))
+        width = numpy.array([high - low for low, high in plane.values()])
+        exponents = {}
+        for grazing in answer["curves"]:
+            if grazing["kind"] != "grazing":
+                continue
+            border = numpy.array([place(point) for point in grazing["points"]]) / width
+            for special in grazing["special"]:
+                kind = special["kind"].split("-")[0]
+                for curve in answer["curves"]:
+                    if curve["kind"] != kind:
+                        continue
+                    for way in (1, -1):
+                        points = numpy.array([place(point) for point in curve["points"][::way]]) / width
+                        if numpy.linalg.norm(points[0] - numpy.array(place(special)) / width) < 5e-4:
+                            exponents[special["kind"]] = self.tangency(border, numpy.array(place(special)) / width, points)
+        self.assertEqual(set(exponents), {"fold-grazing", "fold-vanishing-impact", "flip-grazing", "flip-vanishing-impact"})
+        for kind, exponent in exponents.items():  # fitted between 0.005 and 0.05 away, where higher powers have a share
+            self.assertLess(abs(exponent - (2 if kind.startswith("fold") else 1)), 0.06, (kind, exponent))
+
+    @staticmethod
+    def tangency(border, centre, points):
+        """The power of the distance from `centre` with which the distance of a curve from the border grows."""
+        nearest = numpy.argmin(numpy.linalg.norm(border - centre, axis=1))
+        around = border[max(0, nearest - 12):nearest + 13] - centre
+        tangent = (around[-1] - around[0]) / numpy.linalg.norm(around[-1] - around[0])
+        normal = numpy.array([-tangent[1], tangent[0]])
+        x = around @ tangent
+        line = numpy.polyfit(x[abs(x) < 0.06], (around @ normal)[abs(x) < 0.06], 6)
+        x, y = (points - centre) @ tangent, (points - centre) @ normal
+        first_far = numpy.argmax(abs(x) > 0.05) or len(x)
+        used = numpy.arange(len(x)) < first_far
+        used &= abs(x) > 5e-3
+        off = abs(y - numpy.polyval(line, x))[used]
+        return numpy.polyfit(numpy.log(abs(x[used])), numpy.log(off), 1)[0]
 
     def test_continue_up_to_a_border_curve_ends_on_it(self):
         answer = document(f"boundaries {HEXAGON} --plane alpha=0.5:0.7 --plane beta=0.1:0.3 --max-period 2 --lines 1")

@@ -65,7 +65,7 @@ class Packages(unittest.TestCase):
                               re.M)
         pages = {f"usr/share/man/man1/swirl-{command}.1.gz" for command in commands} | {"usr/share/man/man1/swirl.1.gz"}
         self.assertLessEqual(pages | {"usr/bin/swirl", "usr/share/bash-completion/completions/swirl",
-                                      "usr/share/zsh/site-functions/_swirl", "usr/share/doc/swirl/docs/tutorial.md"}, program)
+                                      "usr/share/zsh/vendor-completions/_swirl", "usr/share/doc/swirl/docs/tutorial.md"}, program)
         self.assertIn("usr/share/swirl/notebooks-export/plot_record.py", figures)
         self.assertFalse([name for name in program | figures | library if "__pycache__" in name])
         self.assertLessEqual({"usr/lib/libswirl_map.a", "usr/lib/cmake/Swirl/SwirlConfig.cmake",

@@ -45,6 +45,7 @@ void BoundariesOptions::add_to(Flags& command) {
     output.add_to(command);
     command.add_option("--plane", plane, "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
         ->type_name("")
+        ->offer(parameters_to_offer())
         ->allow_extra_args(false);
     command.add_option("--max-period", max_period, "longest period of the cycles on lines (default 4)")
         ->type_name("K")
@@ -52,8 +53,10 @@ void BoundariesOptions::add_to(Flags& command) {
     command.add_option("--lines", lines, "lines through the plane each way (default 12)")
         ->type_name("L")
         ->transform(whole_number(1, 10'000));
-    add_file(command, "--from", from, "a record whose special points the curves begin at, in place of lines");
-    add_file(command, "--against", against, "a sweep's record over the same plane, to be compared cell by cell");
+    add_file(command, "--from", from, "a record whose special points the curves begin at, in place of lines")
+        ->type_name("FILE.h5");
+    add_file(command, "--against", against, "a sweep's record over the same plane, to be compared cell by cell")
+        ->type_name("FILE.h5");
     command
         .add_option("--longest-step", longest_step, "along a curve, in the plane's widths, 1e-6 to 1 (default 0.02)")
         ->type_name("H");

@@ -37,8 +37,8 @@ HWY_INLINE LaneRoot root_of(const LaneSeries& g) {
 
 HWY_INLINE LaneGap gap_at(const LaneSeries& g, const LaneRoot& root) {
     const Lane jerk = Lane(6) * (g.c[3] + Lane(4) * g.c[4] * root.first);
-    return {Lane(0), root.rate + Lane(2) * root.second * root.half_bend,
-            Lane(2) * root.half_bend + root.second * jerk, jerk};
+    return {Lane(0), root.rate + Lane(2) * root.second * root.half_bend, Lane(2) * root.half_bend + root.second * jerk,
+            jerk};
 }
 
 HWY_INLINE Mask is_converged(const LaneRoot& root, Lane time, Lane eleventh) {
@@ -47,16 +47,10 @@ HWY_INLINE Mask is_converged(const LaneRoot& root, Lane time, Lane eleventh) {
     const Lane d = magnitude(root.first);
     const Lane d2 = d * d;
     const Lane d4 = d2 * d2;
-    return all(size <= small, size * magnitude(root.half_bend) <= small * root.rate,
-               magnitude(root.value) <= Lane(2) * root.rate * size,
-               eleventh * (d4 * d4 * (d2 * d)) * fraction(1, 39916800) <=
-                   Lane(1.0 / 1024 * unit_roundoff) * root.rate * time);
-}
-
-HWY_INLINE Mask clear_between(const LaneStart& start, const LaneGap& to, Lane h, Lane sixth) {
-    const Lane rounding(4 * unit_roundoff);
-    const InnerLanes c = inner_coefficients({Lane(0), start.rate, start.bend, start.jerk}, to, h, sixth);
-    return all(c.first <= rounding, c.second <= rounding, c.third <= rounding, c.fourth <= rounding);
+    return all(
+        size <= small, size * magnitude(root.half_bend) <= small * root.rate,
+        magnitude(root.value) <= Lane(2) * root.rate * size,
+        eleventh * (d4 * d4 * (d2 * d)) * fraction(1, 39916800) <= Lane(1.0 / 1024 * unit_roundoff) * root.rate * time);
 }
 
 /// Disks' `may_chatter`, negated. Bits of `contact_kinematics` with χ = 0.
@@ -149,7 +143,8 @@ HWY_INLINE RoundResult look_at_disks(LaneBlock& block, int i) {
                 time > Lane(0));
     const Lane outer = load(scenes.outer, i);
     const Mask converged = is_converged(root, time, centre_bound(11, flight.beta, outer, speed));
-    const Mask clear = clear_between(start, gap_at(gap, root), time, centre_bound(6, flight.beta, outer, speed));
+    const Mask clear = clear_between({Lane(0), start.rate, start.bend, start.jerk}, gap_at(gap, root), time,
+                                     centre_bound(6, flight.beta, outer, speed));
 
     const DiskAtWall at = disk_at_wall(flight, near, root, time);
     LaneState after;

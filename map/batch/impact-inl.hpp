@@ -28,16 +28,15 @@ struct LanePieces {
 };
 
 HWY_INLINE Lane compression_end(const LanePieces& path) {
-    const Lane quotient = choose(path.in_compression, path.at_kink, -path.start) /
-                          choose(path.in_compression, path.second, path.first);
+    const Lane quotient =
+        choose(path.in_compression, path.at_kink, -path.start) / choose(path.in_compression, path.second, path.first);
     return choose(path.in_compression, path.kink - quotient, quotient);
 }
 
 HWY_INLINE Lane end_at_velocity(const LanePieces& path, Lane compressed, Lane level) {
     const Mask on_first = hn::AndNot(path.in_compression, either(no(path.has_kink), level <= path.at_kink));
     const Mask beyond = no(either(path.in_compression, on_first));
-    const Lane quotient =
-        choose(beyond, level - path.at_kink, level) / choose(on_first, path.first, path.second);
+    const Lane quotient = choose(beyond, level - path.at_kink, level) / choose(on_first, path.first, path.second);
     return choose(beyond, path.kink, compressed) + quotient;
 }
 
@@ -45,12 +44,11 @@ HWY_INLINE Lane end_at_work(const LanePieces& path, Lane compressed, Lane restit
     const Lane at_kink = choose(path.has_kink, path.at_kink, Lane(0));
     const Lane straight = compressed + restitution * compressed;
     const Mask on_first = either(no(path.has_kink), straight <= path.kink);
-    const Lane compression =
-        Lane(-0.5) * ((path.start + at_kink) * path.kink + at_kink * (compressed - path.kink));
+    const Lane compression = Lane(-0.5) * ((path.start + at_kink) * path.kink + at_kink * (compressed - path.kink));
     const Lane level = restitution * path.start;
     const Lane left = (level * level - at_kink * at_kink) * (path.second / path.first);
-    const Lane root = root_of_square(
-        choose(path.in_compression, Lane(2) * compression / path.second, at_kink * at_kink + left));
+    const Lane root =
+        root_of_square(choose(path.in_compression, Lane(2) * compression / path.second, at_kink * at_kink + left));
     const Lane beyond = path.kink + left / (path.second * (at_kink + root));
     return choose(path.in_compression, compressed + restitution * root, choose(on_first, straight, beyond));
 }
@@ -99,12 +97,11 @@ HWY_INLINE LaneImpact impulse(const LaneContact& approach, Lane per_inertia, Lan
         const Mask slides = either(no(path.has_kink), end < path.kink);
         const Lane after = choose(sticks, -b3 / b1, -friction);
         const Lane tangential = choose(slides, friction * end, friction * path.kink + after * (end - path.kink));
-        const Lane stuck = choose(path.in_compression, number_of(ContactMode::c_sticking),
-                                  number_of(ContactMode::r_sticking));
-        const Lane reversed = choose(path.in_compression, number_of(ContactMode::c_reversed),
-                                     number_of(ContactMode::r_reversed));
-        return {end, tangential,
-                choose(slides, number_of(ContactMode::sliding), choose(sticks, stuck, reversed))};
+        const Lane stuck =
+            choose(path.in_compression, number_of(ContactMode::c_sticking), number_of(ContactMode::r_sticking));
+        const Lane reversed =
+            choose(path.in_compression, number_of(ContactMode::c_reversed), number_of(ContactMode::r_reversed));
+        return {end, tangential, choose(slides, number_of(ContactMode::sliding), choose(sticks, stuck, reversed))};
     }
 }
 

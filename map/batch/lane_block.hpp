@@ -31,11 +31,11 @@ struct LaneScenes {
 /// The lanes of a block: scenes, states, and what the last impact of each was.
 struct LaneBlock {
     LaneScenes scenes;
-    LaneNumbers psi_x, psi_y, chi_x, chi_y, vn, vt, spin;            ///< PostImpactState
-    LaneNumbers guess;                                               ///< > 0: where the search goes on (disk)
-    LaneNumbers looks;                                               ///< moments at which this flight was evaluated
-    LaneNumbers flight_time, normal, tangential;  ///< of the last impact
-    LaneNumbers mode, vertex_step, steps;         ///< of it, too, and whole numbers
+    LaneNumbers psi_x, psi_y, chi_x, chi_y, vn, vt, spin;  ///< PostImpactState
+    LaneNumbers guess;                                     ///< > 0: where the search goes on (disk)
+    LaneNumbers looks;                                     ///< moments at which this flight was evaluated
+    LaneNumbers flight_time, normal, tangential;           ///< of the last impact
+    LaneNumbers mode, vertex_step, steps;                  ///< of it, too, and whole numbers
     const double* vertices = nullptr;  ///< four numbers for each: what a polygon's `Body` has tabled, with the rests
 };
 

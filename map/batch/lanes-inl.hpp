@@ -27,7 +27,7 @@ using Wholes = hn::Vec<Whole>;
 struct Lane {
     hn::Vec<Tag> v;
 
-    Lane() = default;  // with the bits that happen to be there
+    Lane() = default;                                    // with the bits that happen to be there
     HWY_INLINE Lane(double x) : v(hn::Set(Tag(), x)) {}  // NOLINT: as a double converts to a number of any type
     HWY_INLINE explicit Lane(hn::Vec<Tag> vector) : v(vector) {}
 };

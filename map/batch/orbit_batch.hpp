@@ -27,9 +27,9 @@ struct BatchedOrbit {
 struct BatchedImpact {
     double flight_time = 0;
     int vertex_step = 0;
-    int steps = 0;             ///< moments at which the flight was evaluated
+    int steps = 0;  ///< moments at which the flight was evaluated
     Impulse<double> impulse;
-    bool by_lanes = false;     ///< false: the scalar code made it
+    bool by_lanes = false;  ///< false: the scalar code made it
 };
 
 /// How a batch went.
@@ -47,7 +47,8 @@ struct BatchUse {
 
 namespace detail {
 
-void fill_scene(const Body<double>& body, double mu, double restitution, double widest_sine, int lane, LaneBlock& block);
+void fill_scene(const Body<double>& body, double mu, double restitution, double widest_sine, int lane,
+                LaneBlock& block);
 void fill_state(const PostImpactState<double>& state, int lane, LaneBlock& block);
 PostImpactState<double> state_of(const LaneBlock& block, int lane);
 BatchedImpact impact_of(const LaneBlock& block, int lane);
@@ -87,7 +88,7 @@ public:
             ++use_.rounds;
             use_.filled += std::popcount(filled_);
             each(result.struck & filled_, [&](int lane) { strike(lane); });
-            each(result.left & filled_, [&](int lane) { step_alone(lane); });
+            each(result.left & filled_, [&](int lane) { leave(lane); });
         }
         return use_;
     }
@@ -109,6 +110,11 @@ private:
             Orbit& orbit = orbits_[place];
             if (orbit.done >= orbit.wanted || orbit.outcome != Outcome::completed) continue;
             const Map& map = orbit.map->map();
+            if (Map::shape == Shape::polygon && map.body().vertices.empty()) {  // too many for a table
+                while (step_alone(orbit, orbit.state) && orbit.done < orbit.wanted) {
+                }
+                continue;
+            }
             const bool has_contact = map.scene().restitution < 1;
             const double widest = has_contact ? orbit.map->contact().widest_sine : 0;
             fill_scene(map.body(), map.scene().mu, map.scene().restitution, widest, lane, block_);
@@ -134,14 +140,20 @@ private:
     }
 
     /// A step that the lanes did not decide.
-    void step_alone(int lane) {
+    void leave(int lane) {
         Orbit& orbit = orbit_in(lane);
+        if (!step_alone(orbit, state_of(block_, lane)) || orbit.done >= orbit.wanted) return refill(lane);
+        fill_state(orbit.state, lane, block_);
+    }
+
+    /// By the scalar code. @return the orbit goes on
+    bool step_alone(Orbit& orbit, const PostImpactState<double>& from) {
         ++use_.left;
         ReturnStep<double> step;
-        step.collision.after = state_of(block_, lane);
+        step.collision.after = from;
         orbit.outcome = orbit.map->advance(step);
         orbit.state = step.collision.after;
-        if (orbit.outcome != Outcome::completed) return refill(lane);
+        if (orbit.outcome != Outcome::completed) return false;
         ++use_.impacts;
         ++orbit.done;
         if constexpr (!std::is_same_v<Observe, NoObserver>) {
@@ -151,8 +163,7 @@ private:
         const Body<double>& body = orbit.map->map().body();
         if (has_come_to_rest(body, orbit.state)) orbit.outcome = Outcome::resting;
         if (has_diverged(body, orbit.state)) orbit.outcome = Outcome::diverged;
-        if (orbit.outcome != Outcome::completed || orbit.done >= orbit.wanted) return refill(lane);
-        fill_state(orbit.state, lane, block_);
+        return orbit.outcome == Outcome::completed;
     }
 
     std::span<Orbit> orbits_;
@@ -169,8 +180,8 @@ private:
 
 }  // namespace detail
 
-/// Follows orbits of one shape and impact rule, whatever else of their scenes differs, each by its `wanted` impacts or to
-/// its end. Bit for bit what `ReturnMap::advance` gives, step by step, whatever stands in the other lanes.
+/// Follows orbits of one shape and impact rule, whatever else of their scenes differs, each by its `wanted` impacts or
+/// to its end. Bit for bit what `ReturnMap::advance` gives, step by step, whatever stands in the other lanes.
 ///   observe  called as observe(orbit, impact) after every impact, the orbits' impacts in turn, orbit by orbit mixed
 /// Cost: see map/batch/README.md; of fewer orbits than lanes that of as many as lanes.
 template <class Map, class Observe>

@@ -108,8 +108,8 @@ HWY_INLINE Lane householder(const LaneSeries& g) {
     const Lane r = c[0] * c[2];
     const Lane t = c[0] * c[0] * c[3];
     const Lane third = c[1] * (square - (r + r)) + t;
-    const Lane fourth = square * (square - c[0] * (Lane(3) * c[2])) +
-                        (r * r + (Lane(2) * c[1] * t - c[0] * c[0] * (c[0] * c[4])));
+    const Lane fourth =
+        square * (square - c[0] * (Lane(3) * c[2])) + (r * r + (Lane(2) * c[1] * t - c[0] * c[0] * (c[0] * c[4])));
     return -(c[0] * third) / fourth;
 }
 
@@ -124,6 +124,13 @@ HWY_INLINE InnerLanes inner_coefficients(const LaneGap& from, const LaneGap& to,
             from.value + fraction(2, 5) * h * from.rate + fraction(1, 20) * h2 * from.bend + remainder,
             to.value - fraction(2, 5) * h * to.rate + fraction(1, 20) * h2 * to.bend + remainder,
             to.value - fraction(1, 5) * h * to.rate};
+}
+
+HWY_INLINE Mask clear_between(const LaneGap& from, const LaneGap& to, Lane h, Lane sixth) {
+    const Lane rounding(4 * unit_roundoff);
+    const InnerLanes c = inner_coefficients(from, to, h, sixth);
+    return all(c.first <= rounding, c.second <= rounding, c.third <= rounding, c.fourth <= rounding,
+               from.value <= rounding, to.value <= rounding);
 }
 
 /// Bounds of |g⁽ᵏ⁾| of the centre's gap.

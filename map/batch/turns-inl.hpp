@@ -37,8 +37,8 @@ HWY_INLINE Plane small_turn(Lane d) {
     const Lane sine = (Lane(-1.0 / 6) + s * Lane(1.0 / 120)) +
                       s2 * ((Lane(-1.0 / 5040) + s * Lane(1.0 / 362880)) + s2 * Lane(-1.0 / 39916800));
     const Lane cosine =
-        (Lane(-0.5) + s * Lane(1.0 / 24)) + s2 * ((Lane(-1.0 / 720) + s * Lane(1.0 / 40320)) +
-                                                  s2 * (Lane(-1.0 / 3628800) + s * Lane(1.0 / 479001600)));
+        (Lane(-0.5) + s * Lane(1.0 / 24)) +
+        s2 * ((Lane(-1.0 / 720) + s * Lane(1.0 / 40320)) + s2 * (Lane(-1.0 / 3628800) + s * Lane(1.0 / 479001600)));
     return {s * cosine, d + d * (s * sine)};
 }
 

@@ -59,18 +59,23 @@ HWY_INLINE LaneInstant advanced(const LaneFlight& flight, const LaneInstant& fro
 }
 
 HWY_INLINE LaneInstant choose(Mask condition, const LaneInstant& yes, const LaneInstant& otherwise) {
-    return {choose(condition, yes.time, otherwise.time),     choose(condition, yes.phase, otherwise.phase),
-            choose(condition, yes.arm, otherwise.arm),       choose(condition, yes.moved, otherwise.moved),
-            choose(condition, yes.arm_moved, otherwise.arm_moved), choose(condition, yes.centre, otherwise.centre),
-            choose(condition, yes.swirl, otherwise.swirl),   choose(condition, yes.drift, otherwise.drift)};
+    return {choose(condition, yes.time, otherwise.time),
+            choose(condition, yes.phase, otherwise.phase),
+            choose(condition, yes.arm, otherwise.arm),
+            choose(condition, yes.moved, otherwise.moved),
+            choose(condition, yes.arm_moved, otherwise.arm_moved),
+            choose(condition, yes.centre, otherwise.centre),
+            choose(condition, yes.swirl, otherwise.swirl),
+            choose(condition, yes.drift, otherwise.drift)};
 }
 
 HWY_INLINE Lane rough_angle(Lane y, Lane x) {
     const Lane a = magnitude(x), b = magnitude(y);
     const Lane t = smaller(a, b) / larger(a, b);
     const Lane s = t * t, s2 = s * s;
-    Lane angle = t * ((Lane(0.99997726) - Lane(0.33262347) * s) +
-                      s2 * ((Lane(0.19354346) - Lane(0.11643287) * s) + s2 * (Lane(0.05265332) - Lane(0.01172120) * s)));
+    Lane angle =
+        t * ((Lane(0.99997726) - Lane(0.33262347) * s) +
+             s2 * ((Lane(0.19354346) - Lane(0.11643287) * s) + s2 * (Lane(0.05265332) - Lane(0.01172120) * s)));
     angle = choose(b > a, Lane(M_PI / 2) - angle, angle);
     angle = choose(x < Lane(0), Lane(M_PI) - angle, angle);
     return choose(y < Lane(0), -angle, angle);
@@ -122,8 +127,7 @@ HWY_INLINE LaneVertex nearest_vertex(const VertexRows& vertices, const LaneFligh
     nearest.number = choose(k < Lane(0), k + vertices.sides, k);
     const Rows row = rows_of_vertex(vertices, nearest.number);
     nearest.arm = turned_to(at.arm, nearest.number, row.value);
-    nearest.gap =
-        gap_of(flight, at, nearest.arm, times(at.arm, row.rest), equal(nearest.number, Lane(0)));
+    nearest.gap = gap_of(flight, at, nearest.arm, times(at.arm, row.rest), equal(nearest.number, Lane(0)));
     return nearest;
 }
 
@@ -167,8 +171,8 @@ HWY_INLINE void seek_vertex(const VertexRows& vertices, const LaneFlight& flight
         search.nearest = nearest_vertex(vertices, flight, search.at);
         const LaneGap& g = search.nearest.gap;
         search.correction = correction_of(g);
-        open = all(open, search.nearest.known, g.rate > Lane(0),
-                   magnitude(search.correction) <= Lane(longest_correction));
+        open =
+            all(open, search.nearest.known, g.rate > Lane(0), magnitude(search.correction) <= Lane(longest_correction));
         const Mask now = all(open, is_converged(g, search.correction, search.at.time, fourth));
         search.looks = choose(now, Lane(look), search.looks);
         search.found = either(search.found, now);

@@ -17,12 +17,35 @@ struct Rows {
     Plane value, rest;
 };
 
+/// Whole rows are loaded and turned where that is quicker than gathering numbers (vectors of 2 and 4).
 HWY_INLINE Rows rows_of(const double* table, Wholes row) {
     const Tag tag;
     const Wholes at = hn::ShiftLeft<2>(row);
+    constexpr std::size_t lanes = hn::MaxLanes(Tag());
     Rows rows;
-    rows.value = {Lane(hn::GatherIndex(tag, table, at)), Lane(hn::GatherIndex(tag, table + 1, at))};
-    rows.rest = {Lane(hn::GatherIndex(tag, table + 2, at)), Lane(hn::GatherIndex(tag, table + 3, at))};
+#if HWY_TARGET != HWY_SCALAR  // which has no vectors to turn
+    if constexpr (lanes == 4) {
+        alignas(32) std::int64_t from[4];
+        hn::Store(at, Whole(), from);
+        const auto a = hn::LoadU(tag, table + from[0]), b = hn::LoadU(tag, table + from[1]);
+        const auto c = hn::LoadU(tag, table + from[2]), d = hn::LoadU(tag, table + from[3]);
+        const auto even = hn::InterleaveLower(tag, a, b), odd = hn::InterleaveUpper(tag, a, b);
+        const auto more_even = hn::InterleaveLower(tag, c, d), more_odd = hn::InterleaveUpper(tag, c, d);
+        rows.value = {Lane(hn::ConcatLowerLower(tag, more_even, even)), Lane(hn::ConcatLowerLower(tag, more_odd, odd))};
+        rows.rest = {Lane(hn::ConcatUpperUpper(tag, more_even, even)), Lane(hn::ConcatUpperUpper(tag, more_odd, odd))};
+    } else if constexpr (lanes == 2) {
+        alignas(16) std::int64_t from[2];
+        hn::Store(at, Whole(), from);
+        const auto a = hn::LoadU(tag, table + from[0]), b = hn::LoadU(tag, table + from[1]);
+        const auto c = hn::LoadU(tag, table + from[0] + 2), d = hn::LoadU(tag, table + from[1] + 2);
+        rows.value = {Lane(hn::InterleaveLower(tag, a, b)), Lane(hn::InterleaveUpper(tag, a, b))};
+        rows.rest = {Lane(hn::InterleaveLower(tag, c, d)), Lane(hn::InterleaveUpper(tag, c, d))};
+    }
+#endif
+    if constexpr (lanes != 2 && lanes != 4) {
+        rows.value = {Lane(hn::GatherIndex(tag, table, at)), Lane(hn::GatherIndex(tag, table + 1, at))};
+        rows.rest = {Lane(hn::GatherIndex(tag, table + 2, at)), Lane(hn::GatherIndex(tag, table + 3, at))};
+    }
     return rows;
 }
 

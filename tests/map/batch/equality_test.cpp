@@ -2,6 +2,8 @@
 #include "tests/map/batch/together.hpp"
 #include "tests/sample_count.hpp"
 
+#include <iostream>
+
 namespace {
 
 using namespace swirl;
@@ -19,6 +21,9 @@ template <class F>
 void expect_equal(std::uint64_t seed, int scenes, long long impacts) {
     const auto set = random_orbits<F::shape, F::rule>(seed, scenes, impacts);
     const Compared result = compare(set.orbits);
+    std::cout << detail::name_of_instruction_set() << ": " << result.impacts << " impacts of " << scenes << " scenes, "
+              << 100 * result.use.share_left() << " % left their lanes, " << 100 * result.use.lanes_in_use()
+              << " % of the lanes in use\n";
     EXPECT_EQ(result.different, 0) << "of " << result.impacts << " impacts, " << detail::name_of_instruction_set();
     EXPECT_GT(result.impacts, scenes * impacts / 4) << "most orbits end early";
     EXPECT_GT(result.by_lanes, result.impacts / 2) << "the lanes leave too much";

@@ -8,10 +8,12 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/program.hpp"
 #include "apps/command_line/standard_streams.hpp"
+#include "apps/completion/completion_command.hpp"
 #include "apps/continue/continue_command.hpp"
 #include "apps/describe/describe_command.hpp"
 #include "apps/json/json_writer.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
+#include "apps/manual/manual_command.hpp"
 #include "apps/notebook/notebook_command.hpp"
 #include "apps/orbits/orbits_command.hpp"
 #include "apps/plot/plot_command.hpp"
@@ -94,6 +96,10 @@ void add_commands(Program& program) {
                                                    notebook::notebook_details, notebook::notebook);
     program.add_command<tour::TourOptions>("tour", "name the modes of a built-in set of scenes", tour::tour_details,
                                            tour::tour);
+    program.add_command<manual::ManualOptions>("manual", "a page of the manual", manual::manual_details,
+                                               manual::manual);
+    program.add_command<completion::CompletionOptions>("completion", "the script by which a shell completes words",
+                                                       completion::completion_details, completion::completion);
 }
 
 int run_command(Program& program, int argc, char** argv) {

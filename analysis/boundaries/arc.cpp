@@ -99,6 +99,15 @@ Correction correct(const ArcSystem& system, const ArcPoint& base, double h, ArcP
     return find_tangent(system, base.tangent, point) ? Correction::converged : Correction::failed;
 }
 
+bool passes(const ArcSystem& system, const ArcPoint& base, double h, const ArcPoint& target, bool keep_word) {
+    constexpr double same = 1e-7;  // both are known to `most_rounding` or better
+    const double along = system.product(base.tangent, target.y - base.y);
+    if (!(along > 0) || !(along <= h)) return false;
+    ArcPoint at;
+    if (correct(system, base, along, at, keep_word) != Correction::converged) return false;
+    return length(system, at.y - target.y) <= same && system.product(at.tangent, target.tangent) > 0;
+}
+
 bool locate(const ArcSystem& system, const ArcPoint& base, double h, double f0, double f1,
             const std::function<double(const ArcPoint&)>& value, ArcPoint& found, bool keep_word) {
     if (!(f0 * f1 < 0)) return false;

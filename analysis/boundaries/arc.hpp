@@ -52,6 +52,10 @@ bool begin_arc(const ArcSystem& system, const Eigen::VectorXd& guess, const Eige
 ///   keep_word  another word is an outcome of its own
 Correction correct(const ArcSystem& system, const ArcPoint& base, double h, ArcPoint& point, bool keep_word = true);
 
+/// Does the curve pass `target`, one of its points, in the same direction between the base (which is not passed) and
+/// its step h? Corrected at target's place along the tangent, it is target (to 10⁻⁷).
+bool passes(const ArcSystem& system, const ArcPoint& base, double h, const ArcPoint& target, bool keep_word = true);
+
 /// Where between the base (value f0) and its step h (value f1) `value` is zero, by TOMS 748 to rounding; every trial is
 /// a corrected point. False if the corrector failed on the way, or if |value| does not fall there as at a zero (a
 /// pole).

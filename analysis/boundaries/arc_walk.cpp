@@ -1,9 +1,9 @@
 #include "analysis/boundaries/arc_walk.hpp"
 
 #include "analysis/continuation/put_before.hpp"
+#include "analysis/continuation/step_length.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace swirl::analysis {
@@ -13,7 +13,11 @@ namespace {
 class ArcWalk {
 public:
     ArcWalk(const ArcSystem& system, const ArcPoint& start, const ArcOptions& options, Arc& arc)
-        : system_(system), options_(options), arc_(arc), start_(start), h_(options.first_step) {
+        : system_(system),
+          options_(options),
+          arc_(arc),
+          start_(start),
+          h_(options.first_step, options.longest_step, options.shortest_step) {
         arc_.points.push_back(start);
     }
 
@@ -34,23 +38,24 @@ private:
         if (static_cast<int>(arc_.points.size()) >= options_.most_points) return end(ArcEnd::most_points);
         ArcPoint next;
         refusal_.clear();
-        bool found = correct(system_, here(), h_, next, false) == Correction::converged &&
+        bool found = correct(system_, here(), h_.value(), next, false) == Correction::converged &&
                      system_.product(here().tangent, next.tangent) > least_cosine_along;
         if (found && options_.accepts) {
             refusal_ = options_.accepts(next);
             found = refusal_.empty();
         }
         if (!found) return shorten();
+        if (const auto first = start_ahead()) {
+            append(*first, h_.value());
+            return end(ArcEnd::closed);
+        }
         if (outside(next) > 0) return reach_edge(next);
-        append(std::move(next), h_);
-        if (++successes_ > 1) h_ = std::min(1.4 * h_, options_.longest_step);
-        if (has_closed()) end(ArcEnd::closed);
+        append(std::move(next), h_.value());
+        h_.succeed();
     }
 
     void shorten() {
-        h_ *= 0.5;
-        successes_ = 0;
-        if (h_ >= options_.shortest_step) return;
+        if (h_.shorten()) return;
         arc_.end_why = refusal_;
         end(refusal_.empty() ? ArcEnd::failed : ArcEnd::refused);
     }
@@ -63,7 +68,7 @@ private:
     void reach_edge(const ArcPoint& beyond) {
         const auto value = [this](const ArcPoint& at) { return outside(at); };
         ArcPoint last;
-        const double f0 = outside(here()), h = h_;
+        const double f0 = outside(here()), h = h_.value();
         if (f0 < 0 && locate(system_, here(), h, f0, outside(beyond), value, last, false)) append(std::move(last), h);
         end(ArcEnd::plane);
     }
@@ -78,21 +83,21 @@ private:
         arc_.points.push_back(std::move(next));
     }
 
-    bool has_closed() {
-        const Eigen::VectorXd apart = here().y - start_.y;
-        const double away = std::sqrt(system_.product(apart, apart));
-        has_left_ = has_left_ || away > 3 * options_.longest_step;
-        return has_left_ && away < options_.longest_step && system_.product(here().tangent, start_.tangent) > 0;
+    /// The first point, if the curve is back there within the step.
+    std::optional<ArcPoint> start_ahead() const {
+        if (arc_.points.size() < 3) return std::nullopt;
+        ArcPoint start = start_;
+        if (options_.turned_to) start.y = options_.turned_to(here().y, start.y);
+        if (!passes(system_, here(), h_.value(), start, false)) return std::nullopt;
+        return start;
     }
 
     const ArcSystem& system_;
     const ArcOptions& options_;
     Arc& arc_;
     ArcPoint start_;
-    double h_;
-    int successes_ = 0;
+    StepLength h_;
     std::string refusal_;
-    bool has_left_ = false;
     bool ended_ = false;
 };
 

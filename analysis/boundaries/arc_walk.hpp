@@ -10,7 +10,7 @@ namespace swirl::analysis {
 
 enum class ArcEnd {
     plane,    ///< it left the plane
-    closed,   ///< it came back to where it began
+    closed,   ///< it came back to where it began: the last point is the first
     refused,  ///< `accepts` said no: the last point is the last one that was accepted, to the shortest step
     failed,   ///< the corrector found no point to go on
     most_points,
@@ -44,6 +44,8 @@ struct ArcOptions {
     std::vector<ArcTest> tests;
     /// Why a point is none of the curve sought, though it solves the equations; empty: it is one.
     std::function<std::string(const ArcPoint&)> accepts;
+    /// b with whole turns added to its angles, so that it lies nearest to a; empty: y has no angles.
+    std::function<Eigen::VectorXd(const Eigen::VectorXd& a, const Eigen::VectorXd& b)> turned_to;
     std::function<bool()> stop;
 };
 

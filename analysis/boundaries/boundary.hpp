@@ -34,7 +34,7 @@ std::string_view name_of(CodimensionTwo kind);
 
 enum class BoundaryEnd {
     plane,          ///< the curve left the plane
-    closed,         ///< it came back to where it began
+    closed,         ///< it came back to where it began: the last point is the first
     one_to_one,     ///< a Neimark–Sacker curve: the pair became real at 1 (behind it lie neutral saddles)
     one_to_two,     ///< the same at −1
     halved,         ///< the cycle became one of half its period

@@ -1,8 +1,13 @@
 #include "analysis/boundaries/boundary_walk.hpp"
 
+#include "analysis/continuation/step_length.hpp"
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/stability.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace swirl::analysis {
@@ -19,7 +24,7 @@ Eigen::VectorXd angles_apart(const AugmentedSystem& system, const Eigen::VectorX
     return d;
 }
 
-/// Where the corrector fails with halves of a cycle that are so near, the curve meets one of cycles of half the period.
+/// Halves of a cycle that are nearer may meet ahead; and then the curve's multiplier is that much off at most.
 constexpr double nearly_halved = 0.02;
 
 class BoundaryWalk {
@@ -30,7 +35,7 @@ public:
           options_(options),
           boundary_(boundary),
           start_(start),
-          h_(options.first_step) {
+          h_(options.first_step, options.longest_step, options.shortest_step) {
         boundary_.points.push_back(boundary_point_at(system_, start));
     }
 
@@ -51,23 +56,24 @@ private:
         if (options_.stop && options_.stop()) return end(BoundaryEnd::stopped);
         if (static_cast<int>(boundary_.points.size()) >= options_.most_points) return end(BoundaryEnd::most_points);
         ArcPoint next;
-        failure_ = correct(arc_, here(), h_, next);
+        failure_ = correct(arc_, here(), h_.value(), next);
         if (failure_ == Correction::word_changed) word_behind_ = next.at.word;
         if (failure_ == Correction::converged && arc_.product(here().tangent, next.tangent) < least_cosine_along)
             failure_ = Correction::failed;
         if (failure_ != Correction::converged) return shorten();
+        if (const auto first = start_ahead()) {
+            accept(*first);
+            return end(BoundaryEnd::closed);
+        }
         if (leaves_plane(next)) return reach_edge(next);
         if (halves(next) < 0) return reach_half(next);
         if (becomes_real(next)) return reach_real(next);
         accept(next);
-        if (++successes_ > 1) h_ = std::min(1.4 * h_, options_.longest_step);
-        if (has_closed()) end(BoundaryEnd::closed);
+        h_.succeed();
     }
 
     void shorten() {
-        h_ *= 0.5;
-        successes_ = 0;
-        if (h_ >= options_.shortest_step) return;
+        if (h_.shorten()) return;
         // A border across which the map jumps stops the corrector itself: it is asked for its name, too.
         if (word_behind_.empty()) look_behind();
         if (options_.name_border)
@@ -75,7 +81,7 @@ private:
                 options_.name_border(unstacked(here().y.head(system_.coordinates()), system_.map.dimension),
                                      parameters(here()), word_behind_);
         if (failure_ != Correction::failed || !boundary_.end.border.empty()) return end(BoundaryEnd::border);
-        end(apart(here()).norm() < nearly_halved ? BoundaryEnd::halved : BoundaryEnd::not_converged);
+        end(meets_halved() ? BoundaryEnd::halved : BoundaryEnd::not_converged);
     }
 
     /// The word a little farther along the tangent: where DF jumps the corrector finds no point behind.
@@ -109,6 +115,29 @@ private:
     /// How the two halves lie to each other, against how they lie here: negative if they were exchanged on the way,
     /// through a cycle of half the period (the fold curve of doubled cycles ends so, at a generalised flip).
     double halves(const ArcPoint& point) const { return system_.period % 2 != 0 ? 1 : apart(here()).dot(apart(point)); }
+    /// Where the corrector fails: do the halves meet a little ahead along the tangent, in a cycle of half the period
+    /// that run through twice has the curve's multiplier, too?
+    bool meets_halved() const {
+        if (system_.period % 2 != 0) return false;
+        const Eigen::Index n = system_.coordinates(), half = n / 2;
+        const Eigen::VectorXd here_apart = apart(here());
+        const double closing = here_apart.dot(here().tangent.segment(half, half) - here().tangent.head(half));
+        const double ahead = -here_apart.squaredNorm() / closing;
+        if (!(here_apart.norm() < nearly_halved) || !(ahead > 0) || !(ahead < nearly_halved)) return false;
+        const Eigen::VectorXd there = here().y + ahead * here().tangent;
+        const Eigen::VectorXd middle =
+            there.segment(half, half) - 0.5 * angles_apart(system_, there.segment(half, half), there.head(half));
+        CyclePoints points = unstacked(middle, system_.map.dimension);
+        const Eigen::Vector2d p = there.segment<2>(n);
+        polish_cycle(on_line(system_.map, 0, p), points, p[0]);
+        if (!((stacked(points) - middle).norm() < here_apart.norm())) return false;
+        const PlaneShooting shooting = plane_shooting(system_.map, stacked(points), p);
+        if (!shooting.alive || !(shooting.gap.norm() < 1e-9)) return false;
+        const auto multipliers = sorted_multipliers(monodromy(shooting));
+        const std::complex<double> critical = system_.multiplier(here().y);
+        return std::any_of(multipliers.begin(), multipliers.end(),
+                           [&](const auto& m) { return std::abs(m * m - critical) < nearly_halved; });
+    }
     void reach_half(const ArcPoint& beyond) {
         finish_between(halves(here()), halves(beyond), [this](const ArcPoint& at) { return halves(at); });
         end(BoundaryEnd::halved);
@@ -131,7 +160,7 @@ private:
     template <class Value>
     void finish_between(double f0, double f1, const Value& value) {
         ArcPoint last;
-        if (f0 == 0 || !locate(arc_, here(), h_, f0, f1, value, last)) return;
+        if (f0 == 0 || !locate(arc_, here(), h_.value(), f0, f1, value, last)) return;
         BoundaryPoint point = boundary_point_at(system_, last);
         if (system_.kind != BoundaryKind::neimark_sacker || std::abs(cosine(last)) < 1 - 1e-12) find_special(point);
         append(std::move(point));
@@ -185,14 +214,14 @@ private:
         return arc_.product(step, step) < beside * beside;
     }
 
-    /// True if the curve is back at its first point after having left its neighbourhood, in the same direction.
-    bool has_closed() {
-        const double away = distance_between(system_, here().y, start_.y);
-        has_left_ = has_left_ || away > 3 * options_.longest_step;
-        if (!has_left_ || away > options_.longest_step || boundary_.points.size() < 4) return false;
-        const Eigen::Index n = system_.coordinates();  // a cyclic shift leaves the parameters' part as it is
-        return (here().tangent.segment<2>(n).cwiseQuotient(system_.unit))
-                   .dot(start_.tangent.segment<2>(n).cwiseQuotient(system_.unit)) > 0;
+    /// The first point, its cycle begun wherever that lies nearest, if the curve is back there within the step.
+    std::optional<ArcPoint> start_ahead() const {
+        if (boundary_.points.size() < 3) return std::nullopt;
+        ArcPoint start = start_;
+        const double away = distance_between(system_, here().y, start_.y, &start.y, &start.tangent);
+        if (away > 2 * h_.value() || !passes(arc_, here(), h_.value(), start)) return std::nullopt;
+        if (!arc_.equations(start.y, start.at)) return std::nullopt;
+        return start;
     }
 
     AugmentedSystem system_;
@@ -200,31 +229,34 @@ private:
     const BoundaryOptions& options_;
     Boundary& boundary_;
     ArcPoint start_;
-    double h_;
-    int successes_ = 0;
+    StepLength h_;
     Correction failure_ = Correction::converged;  ///< how the last step failed
     std::vector<std::int64_t> word_behind_;       ///< seen since the last point, if any
-    bool has_left_ = false;
     bool ended_ = false;
 };
 
 }  // namespace
 
 double distance_between(const AugmentedSystem& system, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
-                        Eigen::VectorXd* turned) {
+                        Eigen::VectorXd* turned, Eigen::VectorXd* tangent) {
     const Eigen::Index n = system.coordinates(), d = system.map.dimension;
     const Eigen::VectorXd weights = equations_of(system).weights;
+    const auto begun_at = [n](Eigen::VectorXd y, Eigen::Index place) {
+        std::rotate(y.begin(), y.begin() + place, y.begin() + n);
+        return y;
+    };
     double least = std::numeric_limits<double>::infinity();
-    Eigen::VectorXd shifted = b;
+    Eigen::Index nearest = 0;
     for (Eigen::Index shift = 0; shift < n; shift += d) {
-        shifted.head(n - shift) = b.segment(shift, n - shift);
-        shifted.segment(n - shift, shift) = b.head(shift);
+        const Eigen::VectorXd shifted = begun_at(b, shift);
         const Eigen::VectorXd across = angles_apart(system, shifted, a);
         const double away = std::sqrt(across.cwiseAbs2().dot(weights));
         if (!(away < least)) continue;
         least = away;
+        nearest = shift;
         if (turned != nullptr) *turned = a + across;
     }
+    if (tangent != nullptr) *tangent = begun_at(*tangent, nearest);
     return least;
 }
 

@@ -2,6 +2,7 @@
 
 #include "analysis/continuation/border.hpp"
 #include "analysis/continuation/locate.hpp"
+#include "analysis/continuation/step_length.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,11 @@ constexpr double shortest_to_locate = 1e-5;  // a special point that can't be lo
 class Walk {
 public:
     Walk(const ShootingMap& map, const CurvePoint& start, const ContinuationOptions& options, Branch& branch)
-        : map_(map), options_(options), branch_(branch), start_(start), h_(options.first_step) {
+        : map_(map),
+          options_(options),
+          branch_(branch),
+          start_(start),
+          h_(options.first_step, options.longest_step, options.shortest_step) {
         branch_.points.push_back(branch_point_at(start));
     }
 
@@ -43,14 +48,14 @@ private:
         if (static_cast<int>(branch_.points.size()) >= options_.most_points) return end(BranchEnd::most_points);
         if (is_at_range() && leads_out()) return finish_at_range();
         CurvePoint next;
-        failure_ = correct(map_, here(), h_, next);
+        failure_ = correct(map_, here(), h_.value(), next);
         if (failure_ == Correction::converged && !goes_straight_to(next)) failure_ = Correction::failed;
         if (failure_ != Correction::converged) return shorten();
         if (const double p = value(next); p < options_.low || p > options_.high) return reach_range(next);
         if (is_halved(next)) return end(BranchEnd::halved);
         if (joins_family(next)) return end(BranchEnd::family);
-        if (!accept(next, h_, shortest_to_locate)) return shorten();
-        if (++successes_ > 1) h_ = std::min(1.4 * h_, options_.longest_step);
+        if (!accept(next, h_.value(), shortest_to_locate)) return shorten();
+        h_.succeed();
         if (has_closed()) end(BranchEnd::closed);
     }
 
@@ -59,9 +64,7 @@ private:
     }
 
     void shorten() {
-        h_ *= 0.5;
-        successes_ = 0;
-        if (h_ < options_.shortest_step) meet_border();
+        if (!h_.shorten()) meet_border();
     }
 
     /// False, and nothing is added, if a special point on the way could not be located and the step is longer than
@@ -90,9 +93,9 @@ private:
         const double bound = value(beyond) < options_.low ? options_.low : options_.high;
         CurvePoint last;
         const auto gap = [&](const CurvePoint& point) { return value(point) - bound; };
-        if (value(here()) != bound && locate(map_, here(), h_, gap(here()), gap(beyond), gap, last)) {
+        if (value(here()) != bound && locate(map_, here(), h_.value(), gap(here()), gap(beyond), gap, last)) {
             if (map_.has_parameter) last.p = bound;
-            accept(last, h_, h_);
+            accept(last, h_.value(), h_.value());
         }
         end(BranchEnd::range);
     }
@@ -140,7 +143,7 @@ private:
         if (!map_.has_parameter) return false;
         constexpr double level = 1e-9;
         const bool is_level = std::abs(next.parameter_slope()) < level && std::abs(here().parameter_slope()) < level &&
-                              std::abs(next.p - here().p) < level * h_;
+                              std::abs(next.p - here().p) < level * h_.value();
         const bool was_on_curve = std::exchange(on_curve_, is_on_curve(map_, next.shooting));
         return is_level || (!was_on_curve && !on_curve_);
     }
@@ -202,16 +205,14 @@ private:
         branch_.special.push_back(special);
         if (!special.goes_on) return end(BranchEnd::border);
         branch_.points.push_back(branch_point_at(behind));
-        h_ = options_.first_step;
-        successes_ = 0;
+        h_.begin_anew();
     }
 
     const ShootingMap& map_;
     const ContinuationOptions& options_;
     Branch& branch_;
     CurvePoint start_;
-    double h_;
-    int successes_ = 0;
+    StepLength h_;
     Correction failure_ = Correction::converged;  ///< how the last step failed
     bool has_left_ = false;
     bool on_curve_ = true;  ///< whether the last point that was tried was on a curve

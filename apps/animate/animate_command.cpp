@@ -25,7 +25,9 @@ Example:
 
 void AnimateOptions::add_to(Flags& command) {
     files.add_to(command, film);
-    command.add_option("--frame", frame, "container (default), laboratory or co-rotating")->type_name("NAME");
+    command.add_option("--frame", frame, "container (default), laboratory or co-rotating")
+        ->type_name("NAME")
+        ->offer({"container", "laboratory", "co-rotating"});
     command.add_option("--fps", fps, "pictures a second (default 20)")->type_name("N");
     command.add_option("--duration", duration, "of the film, in seconds (default 8)")->type_name("SECONDS");
     command.add_option("--from", from, "time of the orbit at which it begins, in 1/omega_s (default its first)")

@@ -30,9 +30,12 @@ void BifurcateOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
-    command.add_option("--along", along, "NAME=A:B:COUNT: alpha, beta, mu, restitution, inertia-factor")->type_name("");
+    command.add_option("--along", along, "NAME=A:B:COUNT: alpha, beta, mu, restitution, inertia-factor")
+        ->type_name("")
+        ->offer(parameters_to_offer());
     command.add_option("--observable", observable, "S (default), psi, chi, vn or vt: values are listed beside S")
-        ->type_name("");
+        ->type_name("")
+        ->offer({"S", "psi", "chi", "vn", "vt"});
     command.add_option("--starts", starts, "random starts per column (default 4)")
         ->type_name("R")
         ->transform(whole_number(0, 1'000'000));

@@ -2,7 +2,6 @@
 
 #include "analysis/cycles/cycle.hpp"
 #include "analysis/cycles/stability.hpp"
-#include "analysis/linear_algebra/dense.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/system/shooting_map.hpp"
 
@@ -78,8 +77,8 @@ private:
         for (const auto& known : cycles_[cell])
             if (analysis::distance_between(map, known.points, points) < same_cycle) return;
         if (analysis::minimal_cycle(map, points, same_cycle).size() < points.size()) return;
-        const Eigen::VectorXcd multipliers = analysis::eigenvalues_of(analysis::monodromy(shooting));
-        if (!(multipliers.cwiseAbs().maxCoeff() < 1)) return;
+        const auto multipliers = analysis::sorted_multipliers(analysis::monodromy(shooting));
+        if (multipliers.empty() || analysis::stability_of(multipliers) != analysis::Stability::stable) return;
         cycles_[cell].push_back({points, shooting.integral / shooting.duration});
         push(cell, points, false);
     }
@@ -105,17 +104,19 @@ void compare_cell(const MappedPlane& map, std::size_t cell, const std::vector<At
     for (const auto& cycle : cycles) {
         if (std::any_of(runs.begin(), runs.end(), [&](const auto& run) { return agrees(run, cycle); })) continue;
         unseen = true;
-        agreement.list.push_back({map.place(cell), static_cast<std::int64_t>(cycle.points.size()), cycle.mean_spin,
+        agreement.list.push_back({map.place(cell), static_cast<std::int64_t>(cycle.points.size()), cycle.mean_spin, 0,
                                   waits ? "transient" : "too-few-starts"});
     }
-    for (const auto& run : runs) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const auto& run = runs[i];
         if (!run.periodic || run.period > longest) continue;
         if (std::any_of(cycles.begin(), cycles.end(), [&](const auto& cycle) { return agrees(run, cycle); })) continue;
         missing = true;
-        agreement.list.push_back({map.place(cell), run.period, run.mean_spin, "curve-missing"});
+        agreement.list.push_back({map.place(cell), run.period, run.mean_spin, i, "curve-missing"});
     }
     agreement.with_cycle += !cycles.empty();
     agreement.unseen_cells += unseen;
+    agreement.family_cells += std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.in_family; });
     agreement.missing_cells += missing;
 }
 
@@ -134,6 +135,19 @@ Agreement compare(const Scene<double>& scene, const Plane& plane, const std::vec
     return agreement;
 }
 
+std::vector<MapRun> missing_runs(const Agreement& agreement) {
+    std::vector<MapRun> runs;
+    const Disagreement* last = nullptr;
+    for (const auto& entry : agreement.list) {
+        if (entry.why != "curve-missing") continue;
+        const bool again = last != nullptr && last->parameters == entry.parameters && last->period == entry.period &&
+                           std::abs(last->mean_spin - entry.mean_spin) < same_spin;
+        if (!again) runs.push_back({entry.parameters, entry.run});
+        last = &entry;
+    }
+    return runs;
+}
+
 void write_agreement(JsonWriter& json, const Plane& plane, const Agreement& agreement) {
     json.key("against");
     json.begin_object(JsonLayout::rows);
@@ -141,6 +155,8 @@ void write_agreement(JsonWriter& json, const Plane& plane, const Agreement& agre
     json.member("with_cycle", agreement.with_cycle);
     json.member("unseen_cells", agreement.unseen_cells);
     json.member("missing_cells", agreement.missing_cells);
+    json.member("led_by_runs", agreement.led_by_runs);
+    json.member("family_cells", agreement.family_cells);
     json.key("disagreements");
     json.begin_array(JsonLayout::rows);
     for (const auto& entry : agreement.list) {
@@ -169,6 +185,10 @@ void print_agreement(const Plane& plane, const Agreement& agreement) {
                share(agreement.missing_cells));
     fmt::print("  a cycle attracts that no run came to:         {} cells, {:.2f} %\n", agreement.unseen_cells,
                share(agreement.unseen_cells));
+    fmt::print("  cells whose cycle only the map's own runs led to: {}\n", agreement.led_by_runs);
+    if (agreement.family_cells > 0)
+        fmt::print("  a run came to a member of a family, not compared: {} cells, {:.2f} %\n", agreement.family_cells,
+                   share(agreement.family_cells));
     for (const auto& entry : agreement.list)
         fmt::print("  {} = {:<10.6g} {} = {:<10.6g} period {:<3} mean S {:>13.9f}  {}\n", plane.axes[0].name,
                    entry.parameters[0], plane.axes[1].name, entry.parameters[1], entry.period, entry.mean_spin,

@@ -4,6 +4,8 @@
 #include "analysis/cycles/stability.hpp"
 #include "analysis/linear_algebra/dense.hpp"
 #include "apps/boundaries/border_system.hpp"
+#include "apps/boundaries/born_curves.hpp"
+#include "apps/boundaries/critical_word.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +25,30 @@ std::vector<analysis::ArcTest> tests_of(const WordMap& map, const BorderCycle& l
     const auto pairs = [map, like](const analysis::ArcPoint& at) {
         return analysis::neimark_sacker_function(analysis::sorted_multipliers(monodromy_of(map, like, at.y)));
     };
-    return {{"fold-" + border, shifted(-1)}, {"flip-" + border, shifted(1)}, {"neimark-sacker-" + border, pairs}};
+    std::vector<analysis::ArcTest> tests{
+        {"fold-" + border, shifted(-1)}, {"flip-" + border, shifted(1)}, {"neimark-sacker-" + border, pairs}};
+    if (like.touch != Touch::grazing) return tests;
+    const auto with_impact = [map, like](double multiplier) {
+        return [map, like, multiplier](const analysis::ArcPoint& at) {
+            return grazing_determinant(map, border_cycle_at(map, like, at.y), multiplier);
+        };
+    };
+    tests.push_back({fold_of_impact, with_impact(1)});
+    tests.push_back({flip_of_impact, with_impact(-1)});
+    return tests;
 }
 
 bool has_pair_on_circle(const std::vector<std::complex<double>>& multipliers) {
     return std::any_of(multipliers.begin(), multipliers.end(),
                        [](const auto& m) { return m.imag() > 1e-6 && std::abs(std::abs(m) - 1) < 1e-6; });
+}
+
+/// b's unknowns with whole turns added to its angles, so that they lie nearest to a's.
+Eigen::VectorXd turned_to(const WordMap& map, const Eigen::VectorXd& a, Eigen::VectorXd b, Eigen::Index coordinates) {
+    for (Eigen::Index i = 0; i < coordinates; ++i)
+        if (const double period = map.angle_periods[static_cast<std::size_t>(i % map.dimension)]; period > 0)
+            b[i] = a[i] + std::remainder(b[i] - a[i], period);
+    return b;
 }
 
 analysis::ArcOptions options_of(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
@@ -41,6 +61,9 @@ analysis::ArcOptions options_of(const WordMap& map, const Plane& plane, const Bo
     arc.first_step = std::min(arc.first_step, options.longest_step);
     arc.tests = tests_of(map, cycle);
     arc.accepts = [map, cycle](const analysis::ArcPoint& at) { return refusal_of(map, cycle, at.y); };
+    arc.turned_to = [map, n = arc.parameters](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+        return turned_to(map, a, b, n);
+    };
     arc.stop = options.stop;
     return arc;
 }
@@ -56,14 +79,6 @@ bool begin(const WordMap& map, const Plane& plane, const BorderCycle& cycle, con
     const Eigen::Vector2d p = start.y.segment<2>(layout_of(map, cycle).parameters());
     if ((p.array() < plane.low().array()).any() || (p.array() > plane.high().array()).any()) return false;
     return refusal_of(map, cycle, start.y).empty();
-}
-
-/// b's unknowns with whole turns added to its angles, so that they lie nearest to a's.
-Eigen::VectorXd turned_to(const WordMap& map, const Eigen::VectorXd& a, Eigen::VectorXd b, Eigen::Index coordinates) {
-    for (Eigen::Index i = 0; i < coordinates; ++i)
-        if (const double period = map.angle_periods[static_cast<std::size_t>(i % map.dimension)]; period > 0)
-            b[i] = a[i] + std::remainder(b[i] - a[i], period);
-    return b;
 }
 
 std::string ending_of(analysis::ArcEnd end, const std::string& why) {
@@ -91,6 +106,8 @@ CurveCycle cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::Ve
     const Eigen::VectorXd z = turned_to(map, Eigen::VectorXd::Zero(y.size()), y, layout.parameters());
     cycle.points = analysis::unstacked(z.head(layout.parameters()), map.dimension);
     cycle.multipliers = analysis::sorted_multipliers(monodromy_of(map, like, y));
+    cycle.border = border_cycle_at(map, like, y);
+    cycle.border->points = cycle.points;
     return cycle;
 }
 

@@ -1,5 +1,7 @@
 #include "apps/boundaries/border_cycle.hpp"
 
+#include "apps/boundaries/seeds.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,6 +21,10 @@ std::string_view name_of(Touch touch) {
             break;
     }
     return "stick-slip";
+}
+
+bool is_on_border(std::string_view kind) {
+    return kind == "grazing" || kind == "two-vertices" || kind == "stick-slip";
 }
 
 namespace {
@@ -129,6 +135,7 @@ bool find_slip(const Seed& seed, BorderCycle& cycle) {
 }  // namespace
 
 std::optional<BorderCycle> border_cycle_of(const WordMap& map, const Seed& seed) {
+    if (seed.border) return seed.border;
     if (seed.times.size() != seed.points.size()) return std::nullopt;
     BorderCycle cycle;
     cycle.points = seed.points;

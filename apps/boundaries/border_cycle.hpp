@@ -1,10 +1,12 @@
 // A cycle on a border of the map: its word, and what touches the wall besides its impacts.
 #pragma once
 
-#include "apps/boundaries/seeds.hpp"
+#include "analysis/boundaries/boundary.hpp"
 #include "apps/system/word_map.hpp"
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 namespace swirl::apps::boundaries {
 
@@ -19,6 +21,11 @@ enum class Touch {
 };
 /// grazing, two-vertices, or stick-slip.
 std::string_view name_of(Touch touch);
+/// Is it a kind of curve on a border that is followed?
+bool is_on_border(std::string_view kind);
+/// Each by a name of its own, in the enumerators' order.
+inline constexpr std::array touch_names = {"grazing",   "two-vertices", "no-flight",
+                                           "slip-ends", "slip-late",    "slip-held"};
 
 /// A vanishing impact, u_n → 0, is grazing of the vertex that strikes: the cycle without it.
 struct BorderCycle {
@@ -31,9 +38,11 @@ struct BorderCycle {
     Eigen::Vector2d p{0, 0};
 };
 
-/// The cycle of a seed whose kind is grazing, two-vertices or stick-slip. Empty where it has no flights to name
-/// (through sustained contact), where nothing touches, or where no impact is left (the vanishing impact of a fixed
-/// point).
+struct Seed;
+
+/// The cycle of a seed whose kind is grazing, two-vertices or stick-slip: what it says itself, or what is seen of it.
+/// Empty where it has no flights to name (through sustained contact), where nothing touches, or where no impact is left
+/// (the vanishing impact of a fixed point).
 std::optional<BorderCycle> border_cycle_of(const WordMap& map, const Seed& seed);
 
 }  // namespace swirl::apps::boundaries

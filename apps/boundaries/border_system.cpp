@@ -35,7 +35,8 @@ const ModeMargin* margin_of(Touch touch, const WordStep& step) {
     return nullptr;
 }
 
-/// What touches: the last one or two equations.
+}  // namespace
+
 void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
                analysis::ArcEquations& at) {
     const Eigen::Index row = layout.parameters() + layout.period;
@@ -62,12 +63,19 @@ void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& 
     put(layout, 0, time, touch.rate_by, row + 1, at.jacobian);
 }
 
-bool border_equations(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
-                      analysis::ArcEquations& at) {
+void add_approach(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
+                  analysis::ArcEquations& at) {
+    const Eigen::Index row = layout.parameters() + layout.period;
+    const WordTouchRows touch = map.touch(y.head(layout.dimension), y[layout.time(0)],
+                                          y.segment<2>(layout.parameters()), like.vertices.front());
+    at.residual[row] = touch.rate;
+    put(layout, 0, layout.time(0), touch.rate_by, row, at.jacobian);
+}
+
+void add_cycle(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
+               analysis::ArcEquations& at) {
     const Eigen::Index d = layout.dimension, k = layout.period;
     const Eigen::Vector2d p = y.segment<2>(layout.parameters());
-    at.residual.resize(y.size() - 1);
-    at.jacobian = Eigen::MatrixXd::Zero(y.size() - 1, y.size());
     at.word.clear();
     for (Eigen::Index i = 0; i < k; ++i) {
         const Eigen::Index next = (i + 1) % k;
@@ -84,9 +92,13 @@ bool border_equations(const WordMap& map, const BorderCycle& like, const BorderL
         put(layout, i, layout.time(i), step.touch.gap_by, layout.parameters() + i, at.jacobian);
         at.word.push_back(static_cast<std::int64_t>(step.mode));
     }
-    add_touch(map, like, layout, y, at);
-    return at.residual.allFinite() && at.jacobian.allFinite();
 }
+
+bool is_in_range(const Plane& plane, const Eigen::Vector2d& p) {
+    return is_allowed(plane.parameter(0), p[0]) && is_allowed(plane.parameter(1), p[1]);
+}
+
+namespace {
 
 /// On a stick-slip border slip stops; where it is held or not, or late or not, it stops before the impact ends.
 std::string slip_refusal(const WordMap& map, const BorderCycle& like, const BorderLayout& layout,
@@ -121,13 +133,25 @@ analysis::ArcSystem border_system(const WordMap& map, const Plane& plane, const 
     analysis::ArcSystem system;
     system.weights = Eigen::VectorXd::Constant(count, 1.0 / static_cast<double>(layout.period));
     system.weights.segment<2>(layout.parameters()) = (plane.high() - plane.low()).cwiseAbs2().cwiseInverse();
-    const Parameter first = plane.parameter(0), second = plane.parameter(1);
-    system.equations = [map, like, layout, first, second](const Eigen::VectorXd& y, analysis::ArcEquations& at) {
-        const Eigen::Vector2d p = y.segment<2>(layout.parameters());
-        if (!is_allowed(first, p[0]) || !is_allowed(second, p[1])) return false;  // where Newton's method went astray
-        return border_equations(map, like, layout, y, at);
+    system.equations = [map, like, layout, plane](const Eigen::VectorXd& y, analysis::ArcEquations& at) {
+        if (!is_in_range(plane, y.segment<2>(layout.parameters()))) return false;  // where Newton's method went astray
+        at.residual.resize(y.size() - 1);
+        at.jacobian = Eigen::MatrixXd::Zero(y.size() - 1, y.size());
+        add_cycle(map, like, layout, y, at);
+        add_touch(map, like, layout, y, at);
+        return at.residual.allFinite() && at.jacobian.allFinite();
     };
     return system;
+}
+
+BorderCycle border_cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
+    const BorderLayout layout = layout_of(map, like);
+    BorderCycle cycle = like;
+    cycle.points = analysis::unstacked(y.head(layout.parameters()), map.dimension);
+    cycle.p = y.segment<2>(layout.parameters());
+    for (Eigen::Index i = 0; i < layout.period; ++i) cycle.times[static_cast<std::size_t>(i)] = y[layout.time(i)];
+    if (like.touch == Touch::grazing && y.size() > layout.touch_time()) cycle.touch_time = y[layout.touch_time()];
+    return cycle;
 }
 
 Eigen::VectorXd unknowns_of(const WordMap& map, const BorderCycle& cycle) {

@@ -16,8 +16,22 @@ struct BorderLayout {
 
 BorderLayout layout_of(const WordMap& map, const BorderCycle& cycle);
 
+/// The parts of the equations. The cycle: k(D + 1) rows, each impact leads to the next point and its vertex is on the
+/// wall. What touches: the row after them (and one more of grazing). The approach of the vertex that strikes first, in
+/// place of that: g′(τ_1).
+void add_cycle(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
+               analysis::ArcEquations& at);
+void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
+               analysis::ArcEquations& at);
+void add_approach(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
+                  analysis::ArcEquations& at);
+/// Of both parameters: Newton's method may lead elsewhere.
+bool is_in_range(const Plane& plane, const Eigen::Vector2d& p);
+
 analysis::ArcSystem border_system(const WordMap& map, const Plane& plane, const BorderCycle& like);
 
+/// The cycle with the numbers of y.
+BorderCycle border_cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y);
 Eigen::VectorXd unknowns_of(const WordMap& map, const BorderCycle& cycle);
 
 /// D(Fᵏ) on the side on which nothing touches, or on which there is more slip: DF_i = ∂z′ − ∂_τ z′ ∂_z g/g′.

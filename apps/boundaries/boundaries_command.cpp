@@ -6,9 +6,14 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace swirl::apps::boundaries {
+
+namespace {
+constexpr int default_max_period = 4, default_lines = 12;
+}
 
 const char* const boundaries_details =
     R"(Curves in a plane of two parameters (alpha, beta, mu, restitution, inertia-factor) on which cycles bifurcate: fold, flip,
@@ -23,9 +28,12 @@ becomes one of half its period); a border of the map: grazing, two-vertices, sti
 these is seen; not-converged; most-points (5000 each way).
 Borders: grazing (a vertex touches within a flight; so does one whose impact vanishes), two-vertices (another vertex is on
 the wall as one strikes) and stick-slip (the contact mode of an impact changes), with the times of impacts as unknowns; their
-special points fold-grazing, flip-two-vertices ... are where a curve of that kind ends on them. Landing is not followed.
+special points fold-grazing, flip-two-vertices ... are where a curve of that kind ends on them, fold- and
+flip-vanishing-impact where one of the cycle with the vanishing impact does. These fold and flip curves are followed, too,
+and what they lead to. Landing is not followed.
 --against MAP.h5, a sweep over the same two parameters: which attracting cycles, by the curves, no run came to
-(too-few-starts, or transient: a run has no verdict), and which a run came to and no curve leads to (curve-missing).
+(too-few-starts, or transient: a run has no verdict), and which a run came to and no curve leads to (curve-missing), after
+curves were sought from these, too. Members of families are compared with nothing.
 `swirl plot` draws the record, alone or over the record of a sweep.
 
 Examples:
@@ -37,6 +45,7 @@ void BoundariesOptions::add_to(Flags& command) {
     output.add_to(command);
     command.add_option("--plane", plane, "NAME=A:B, twice: alpha, beta, mu, restitution, inertia-factor")
         ->type_name("")
+        ->offer(parameters_to_offer())
         ->allow_extra_args(false);
     command.add_option("--max-period", max_period, "longest period of the cycles on lines (default 4)")
         ->type_name("K")
@@ -44,8 +53,10 @@ void BoundariesOptions::add_to(Flags& command) {
     command.add_option("--lines", lines, "lines through the plane each way (default 12)")
         ->type_name("L")
         ->transform(whole_number(1, 10'000));
-    add_file(command, "--from", from, "a record whose special points the curves begin at, in place of lines");
-    add_file(command, "--against", against, "a sweep's record over the same plane, to be compared cell by cell");
+    add_file(command, "--from", from, "a record whose special points the curves begin at, in place of lines")
+        ->type_name("FILE.h5");
+    add_file(command, "--against", against, "a sweep's record over the same plane, to be compared cell by cell")
+        ->type_name("FILE.h5");
     command
         .add_option("--longest-step", longest_step, "along a curve, in the plane's widths, 1e-6 to 1 (default 0.02)")
         ->type_name("H");
@@ -58,12 +69,34 @@ Settings settings_of(const BoundariesOptions& options, const Plane& plane) {
             {"second", plane.axes[1].name},
             {"second_low", plane.axes[1].low},
             {"second_high", plane.axes[1].high},
-            {"max_period", std::int64_t{options.max_period}},
-            {"lines", std::int64_t{options.from.empty() ? options.lines : 0}},
+            {"max_period", std::int64_t{options.from.empty() ? options.max_period.value_or(default_max_period) : 0}},
+            {"lines", std::int64_t{options.from.empty() ? options.lines.value_or(default_lines) : 0}},
             {"longest_step", options.longest_step}};
 }
 
 namespace {
+
+LineOptions lines_of(const BoundariesOptions& options, std::size_t longest) {
+    LineOptions lines;
+    lines.lines = options.lines.value_or(default_lines);
+    lines.max_period = static_cast<int>(longest);
+    lines.threads = options.output.threads;
+    lines.quiet = options.output.quiet;
+    return lines;
+}
+
+/// Where a run of the map came to a cycle that no curve leads to, curves are sought from it, once: a narrow region may
+/// lie between all lines.
+Agreement search_and_compare(CurveSearch& search, const Scene<double>& scene, const Plane& plane,
+                             const MappedPlane& map, const LineOptions& options) {
+    Agreement first = compare(scene, plane, search.found().curves, map);
+    const auto runs = missing_runs(first);
+    if (runs.empty() || is_interrupted()) return first;
+    search.follow(seeds_of_runs(scene, plane, runs, map.starts, options));
+    Agreement agreement = compare(scene, plane, search.found().curves, map);
+    agreement.led_by_runs = first.missing_cells - std::min(agreement.missing_cells, first.missing_cells);
+    return agreement;
+}
 
 void print_all(const Plane& plane, const PlaneCurves& found, const std::optional<Agreement>& agreement) {
     print_curves(plane, found);
@@ -79,6 +112,9 @@ int boundaries(BoundariesOptions& options) {
     options.output.require_double("boundaries works in double");
     if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
         throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
+    if (!options.from.empty() && (options.max_period || options.lines))
+        throw BadInput(fmt::format("--{} is of diagrams along lines; --from begins at a record's points in their place",
+                                   options.max_period ? "max-period" : "lines"));
     std::optional<MappedPlane> map;
     if (!options.against.empty()) {
         map = mapped_plane(options.against, scene, plane);
@@ -95,11 +131,15 @@ int boundaries(BoundariesOptions& options) {
     note_interruptions();
     if (options.from.empty())
         seeds = seeds_on_lines(
-            scene, plane, {options.lines, 24, 2, options.max_period, options.output.threads, options.output.quiet});
-    PlaneCurves found = follow_seeds(scene, plane, seeds, {options.longest_step, options.output.quiet});
-    found.whole = !is_interrupted();
+            scene, plane, lines_of(options, static_cast<std::size_t>(options.max_period.value_or(default_max_period))));
+    std::size_t longest = 1;
+    for (const Seed& seed : seeds) longest = std::max(longest, seed.points.size());
+    CurveSearch search(scene, plane, {options.longest_step, longest, options.output.quiet});
+    search.follow(seeds);
     std::optional<Agreement> agreement;
-    if (map && !is_interrupted()) agreement = compare(scene, plane, found.curves, *map);
+    if (map) agreement = search_and_compare(search, scene, plane, *map, lines_of(options, longest));
+    PlaneCurves found = search.found();
+    found.whole = !is_interrupted();
     if (is_interrupted()) agreement.reset();  // of some cells only
     finish_up();
     if (record) {

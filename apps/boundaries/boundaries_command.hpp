@@ -12,8 +12,7 @@ struct BoundariesOptions {
     SceneOptions scene;
     OutputOptions output;
     std::vector<std::string> plane;
-    int max_period = 4;
-    int lines = 12;
+    std::optional<int> max_period, lines;  ///< 4 and 12 unless the seeds are of a record
     std::string from, against;
     double longest_step = 0.02;
 

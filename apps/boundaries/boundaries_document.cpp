@@ -4,6 +4,7 @@
 #include "apps/system/section_coordinates.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace swirl::apps::boundaries {
@@ -23,44 +24,83 @@ std::vector<double> all_coordinates_of(const CycleRow& row) {
     return values;
 }
 
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+/// What is known of a cycle on a border beside its points; NaN and "none" of the others.
+std::vector<Field<CycleRow>> border_fields(std::size_t longest) {
+    using Row = CycleRow;
+    using F = Field<Row>;
+    std::vector<std::string> touches(touch_names.begin(), touch_names.end());
+    touches.insert(touches.begin(), "none");
+    const auto times = [](const Row& row) {
+        return row.cycle->border ? row.cycle->border->times : std::vector<double>();
+    };
+    const auto vertices = [](const Row& row) {
+        return row.cycle->border
+                   ? std::vector<double>(row.cycle->border->vertices.begin(), row.cycle->border->vertices.end())
+                   : std::vector<double>();
+    };
+    const auto touch = [](const Row& row) {
+        return row.cycle->border ? touch_names.at(static_cast<std::size_t>(row.cycle->border->touch)) : "none";
+    };
+    const auto vertex = [](const Row& row) { return row.cycle->border ? row.cycle->border->vertex : 0; };
+    const auto time = [](const Row& row) {
+        return row.cycle->border && row.cycle->border->touch == Touch::grazing ? row.cycle->border->touch_time
+                                                                               : nan_value;
+    };
+    return {
+        F{"touch", touch, "1", "what is the case on the first flight of a cycle on a border"}
+            .flags(std::move(touches))
+            .record_only(),
+        F{"touching_vertex", vertex, "1", "counted from the one that struck before"}.record_only(),
+        F{"touch_time", time, "1/omega_s", "from the first flight's beginning; of grazing"}.record_only(),
+        F{"flight_times", times, "1/omega_s", "of cycles on a border"}.along({"phase"}, longest).record_only(),
+        F{"vertex_steps", vertices, "1", "of cycles on a border: the vertex at a flight's end, counted from the last"}
+            .along({"phase"}, longest)
+            .record_only()};
+}
+
 void write_parameters(JsonWriter& json, const Plane& plane, const Eigen::Vector2d& p) {
     json.begin_object();
     for (int axis = 0; axis < 2; ++axis) json.member(plane.axes[static_cast<std::size_t>(axis)].name, p[axis]);
     json.end_object();
 }
 
-/// The cycles of curves along dimension `rows`. `list_length`: coordinates of the longest cycle, to which
-/// lists are filled up.
-Table<CycleRow> cycle_table(const Plane& plane, const std::string& rows, std::size_t list_length) {
+/// The cycles of curves along dimension `rows`. `longest`: the longest period, to which lists are filled up.
+Table<CycleRow> cycle_table(const Plane& plane, const std::string& rows, std::size_t longest, std::size_t coordinates) {
     using Row = CycleRow;
     using F = Field<Row>;
     const auto parameter = [](int axis) { return [axis](const Row& row) { return row.cycle->parameters[axis]; }; };
-    return {{rows},
-            {F{"curve", &Row::curve, "1", "number of the curve"}.record_only(),
-             F{"period", [](const Row& row) { return row.cycle->points.size(); }, "1", "k"}.record_only(),
-             {"parameters",
-              [plane](JsonWriter& json, const Row& row) { write_parameters(json, plane, row.cycle->parameters); }},
-             F{"first", parameter(0), "1", "value of the parameter named by settings: first"}.record_only(),
-             F{"second", parameter(1), "1", "value of the parameter named by settings: second"}.record_only(),
-             {"point", [](JsonWriter& json, const Row& row) { write_point(json, row.cycle->points.front()); }},
-             F{"points", all_coordinates_of, "1", "section points; NaN beyond the period"}
-                 .along({"phase", "coordinate"}, list_length)
-                 .record_only(),
-             {"multipliers", [](JsonWriter& json, const Row& row) { json.array(row.cycle->multipliers); }},
-             F{"largest_multiplier", [](const Row& row) { return std::abs(row.cycle->multipliers.front()); }, "1",
-               "modulus"}
-                 .record_only(),
-             F{"angle", [](const Row& row) { return row.cycle->angle; }, "rad", "theta of the critical multiplier"}
-                 .record_only(),
-             {"coefficient", [](JsonWriter& json, const Row& row) { json.value(row.cycle->coefficient); }},
-             F{"coefficient_re", [](const Row& row) { return row.cycle->coefficient.real(); }, "1", "normal form: b"}
-                 .record_only(),
-             F{"coefficient_im", [](const Row& row) { return row.cycle->coefficient.imag(); }, "1", "normal form: b"}
-                 .record_only()}};
+    Table<Row> table{
+        {rows},
+        {F{"curve", &Row::curve, "1", "number of the curve"}.record_only(),
+         F{"period", [](const Row& row) { return row.cycle->points.size(); }, "1", "k"}.record_only(),
+         {"parameters",
+          [plane](JsonWriter& json, const Row& row) { write_parameters(json, plane, row.cycle->parameters); }},
+         F{"first", parameter(0), "1", "value of the parameter named by settings: first"}.record_only(),
+         F{"second", parameter(1), "1", "value of the parameter named by settings: second"}.record_only(),
+         {"point", [](JsonWriter& json, const Row& row) { write_point(json, row.cycle->points.front()); }},
+         F{"points", all_coordinates_of, "1", "section points; NaN beyond the period"}
+             .along({"phase", "coordinate"}, longest * coordinates)
+             .record_only(),
+         {"multipliers", [](JsonWriter& json, const Row& row) { json.array(row.cycle->multipliers); }},
+         F{"largest_multiplier", [](const Row& row) { return std::abs(row.cycle->multipliers.front()); }, "1",
+           "modulus"}
+             .record_only(),
+         F{"angle", [](const Row& row) { return row.cycle->angle; }, "rad", "theta of the critical multiplier"}
+             .record_only(),
+         {"coefficient", [](JsonWriter& json, const Row& row) { json.value(row.cycle->coefficient); }},
+         F{"coefficient_re", [](const Row& row) { return row.cycle->coefficient.real(); }, "1", "normal form: b"}
+             .record_only(),
+         F{"coefficient_im", [](const Row& row) { return row.cycle->coefficient.imag(); }, "1", "normal form: b"}
+             .record_only()}};
+    const auto border = border_fields(longest);
+    table.fields.insert(table.fields.end(), border.begin(), border.end());
+    return table;
 }
 
-Table<CycleRow> special_table(const Plane& plane, std::size_t list_length) {
-    Table<CycleRow> table = cycle_table(plane, "special_point", list_length);
+Table<CycleRow> special_table(const Plane& plane, std::size_t longest, std::size_t coordinates) {
+    Table<CycleRow> table = cycle_table(plane, "special_point", longest, coordinates);
     table.fields.insert(table.fields.begin(), {"kind", [](const CycleRow& row) { return row.special->kind; }});
     table.fields.push_back({"after", [](const CycleRow& row) { return row.special->after; }, "1",
                             "point of the curve that it comes after; the first is 0"});
@@ -82,10 +122,10 @@ std::vector<CycleRow> special_of(const Curve& curve, std::size_t number) {
 Table<Curve> curve_table(const Plane& plane) {
     using F = Field<Curve>;
     const auto points = [plane](JsonWriter& json, const Curve& curve) {
-        write_rows(json, cycle_table(plane, "", 1), points_of(curve, 0));
+        write_rows(json, cycle_table(plane, "", 1, 1), points_of(curve, 0));
     };
     const auto special = [plane](JsonWriter& json, const Curve& curve) {
-        write_rows(json, special_table(plane, 1), special_of(curve, 0));
+        write_rows(json, special_table(plane, 1, 1), special_of(curve, 0));
     };
     const auto ends = [](JsonWriter& json, const Curve& curve) {
         json.array(std::vector<std::string>{curve.begins, curve.ends});
@@ -153,13 +193,13 @@ void write_curves_record(RecordWriter& record, const BoundariesOptions& options,
         for (const auto& row : points_of(found.curves[c], c)) points.push_back(row);
         for (const auto& row : special_of(found.curves[c], c)) special.push_back(row);
     }
-    const std::size_t length =
-        longest * static_cast<std::size_t>((scene.is_disk() ? disk_dimension : polygon_dimension));
+    const auto coordinates = static_cast<std::size_t>(scene.is_disk() ? disk_dimension : polygon_dimension);
     if (!points.empty()) {
-        write_cycles(root.group("curves"), cycle_table(plane, "point", length), points, longest);
+        write_cycles(root.group("curves"), cycle_table(plane, "point", longest, coordinates), points, longest);
         write_record(root.group("curve_ends"), curve_table(plane), found.curves);
     }
-    if (!special.empty()) write_cycles(root.group("special"), special_table(plane, length), special, longest);
+    if (!special.empty())
+        write_cycles(root.group("special"), special_table(plane, longest, coordinates), special, longest);
 }
 
 void print_curves(const Plane& plane, const PlaneCurves& found) {

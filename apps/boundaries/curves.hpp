@@ -4,6 +4,8 @@
 #include "apps/boundaries/seeds.hpp"
 
 #include <limits>
+#include <memory>
+#include <optional>
 
 namespace swirl::apps::boundaries {
 
@@ -15,6 +17,7 @@ struct CurveCycle {
     /// b of the normal form (analysis/continuation/normal_form.hpp); NaN where there is none.
     std::complex<double> coefficient{std::numeric_limits<double>::quiet_NaN(),
                                      std::numeric_limits<double>::quiet_NaN()};
+    std::optional<BorderCycle> border{};  ///< of a curve on a border: its flights, and what touches
 };
 
 struct CurveSpecial {
@@ -33,6 +36,7 @@ struct Curve {
 
 struct FollowOptions {
     double longest_step = 0.02;
+    std::size_t longest_period = 1;  ///< of cycles that are followed where curves meet
     bool quiet = true;
 };
 
@@ -44,8 +48,20 @@ struct PlaneCurves {
     bool whole = true;                  ///< false: interrupted before all were followed
 };
 
-/// Follows the curve through every seed, each once. What an interruption leaves is what was finished.
-PlaneCurves follow_seeds(const Scene<double>& scene, const Plane& plane, const std::vector<Seed>& seeds,
-                         const FollowOptions& options);
+/// Follows curves, each once.
+class CurveSearch {
+public:
+    CurveSearch(const Scene<double>& scene, const Plane& plane, const FollowOptions& options);
+    ~CurveSearch();
+
+    /// The curve through every seed, and the curves that these lead to: borders that smooth curves end on, fold and
+    /// flip curves that end on borders. What an interruption leaves is what was finished.
+    void follow(const std::vector<Seed>& seeds);
+    const PlaneCurves& found() const;
+
+private:
+    class Walk;
+    std::unique_ptr<Walk> walk_;
+};
 
 }  // namespace swirl::apps::boundaries

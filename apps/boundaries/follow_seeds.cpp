@@ -1,5 +1,5 @@
 #include "analysis/boundaries/follow_boundary.hpp"
-#include "apps/boundaries/border_curve.hpp"
+#include "apps/boundaries/born_curves.hpp"
 #include "apps/boundaries/smooth_curve.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
@@ -10,32 +10,32 @@
 
 namespace swirl::apps::boundaries {
 
-namespace {
-
 using analysis::Boundary;
 
-/// Follows seeds, and the borders that smooth curves end on.
-class SeedWalk {
+/// Its state.
+class CurveSearch::Walk {
 public:
-    SeedWalk(const Scene<double>& scene, const Plane& plane, const FollowOptions& follow)
+    Walk(const Scene<double>& scene, const Plane& plane, const FollowOptions& follow)
         : scene_(scene),
           plane_(plane),
           map_(plane_map_of(scene, plane.parameter(0), plane.parameter(1))),
           words_(word_map_of(scene, plane.parameter(0), plane.parameter(1))),
           options_(smooth_options(scene, plane, follow.longest_step)),
-          border_options_{follow.longest_step, is_interrupted} {}
+          border_options_{follow.longest_step, is_interrupted},
+          follow_(follow) {}
 
     void follow(const Seed& seed) {
         ++result_.seeds;
         if (const auto kind = smooth_kind(seed.kind)) return follow_smooth(seed, *kind);
-        if (seed.kind == "grazing" || seed.kind == "two-vertices" || seed.kind == "stick-slip")
-            return follow_touch(seed);
+        if (is_on_border(seed.kind)) return follow_touch(seed);
         if (std::find(result_.left_out.begin(), result_.left_out.end(), seed.kind) == result_.left_out.end())
             result_.left_out.push_back(seed.kind);
     }
 
+    /// Where curves that were followed since lead to others.
     std::vector<Seed> take_ends() { return std::exchange(ends_, {}); }
-    PlaneCurves take_result() { return std::move(result_); }
+    const PlaneCurves& result() const { return result_; }
+    bool is_quiet() const { return follow_.quiet; }
 
 private:
     void follow_smooth(const Seed& seed, analysis::BoundaryKind kind) {
@@ -68,6 +68,8 @@ private:
         }
         if (is_interrupted()) return;
         result_.curves.push_back(curve_of(words_, *curve));
+        for (Seed& born : seeds_born_on(words_, map_, plane_, *curve))
+            if (born.points.size() <= follow_.longest_period) ends_.push_back(std::move(born));
         borders_.push_back(std::move(*curve));
     }
 
@@ -88,27 +90,33 @@ private:
     WordMap words_;
     analysis::BoundaryOptions options_;
     BorderOptions border_options_;
+    FollowOptions follow_;
     PlaneCurves result_;
     std::vector<Boundary> known_;
     std::vector<BorderCurve> borders_;
     std::vector<Seed> ends_;
 };
 
-}  // namespace
+CurveSearch::CurveSearch(const Scene<double>& scene, const Plane& plane, const FollowOptions& options)
+    : walk_(std::make_unique<Walk>(scene, plane, options)) {}
 
-PlaneCurves follow_seeds(const Scene<double>& scene, const Plane& plane, const std::vector<Seed>& seeds,
-                         const FollowOptions& options) {
-    SeedWalk walk(scene, plane, options);
-    Progress progress("curves", static_cast<double>(seeds.size()), options.quiet);
+CurveSearch::~CurveSearch() = default;
+
+void CurveSearch::follow(const std::vector<Seed>& seeds) {
+    Progress progress("curves", static_cast<double>(seeds.size()), walk_->is_quiet());
     double done = 0;
     for (const Seed& seed : seeds) {
-        if (is_interrupted()) break;
-        walk.follow(seed);
+        if (is_interrupted()) return;
+        walk_->follow(seed);
         progress.at(++done);
     }
-    for (const Seed& seed : walk.take_ends())
-        if (!is_interrupted()) walk.follow(seed);
-    return walk.take_result();
+    for (auto met = walk_->take_ends(); !met.empty(); met = walk_->take_ends())
+        for (const Seed& seed : met)
+            if (!is_interrupted()) walk_->follow(seed);
+}
+
+const PlaneCurves& CurveSearch::found() const {
+    return walk_->result();
 }
 
 }  // namespace swirl::apps::boundaries

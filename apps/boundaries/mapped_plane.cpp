@@ -1,5 +1,5 @@
 #include "apps/boundaries/against.hpp"
-#include "apps/record/record_reader.hpp"
+#include "apps/boundaries/record_scene.hpp"
 
 #include <algorithm>
 #include <string>
@@ -7,16 +7,6 @@
 namespace swirl::apps::boundaries {
 
 namespace {
-
-/// What the sweep says of its scene, beside its grid, must be this scene's.
-void require_same_scene(const RecordReader& record, const std::string& file, const Settings& scene) {
-    for (const auto& [name, value] : scene) {
-        if (!record.has_attribute("/settings", name)) continue;
-        const AttributeValue there = record.attribute("/settings", name);
-        if (there.index() == value.index() && there != value)
-            throw BadInput(fmt::format("--against '{}' is of another scene: its {} differs", file, name));
-    }
-}
 
 /// The places of the codes of these names among an attribute's.
 std::vector<bool> are_named(const RecordReader& record, const std::string& attribute,
@@ -43,25 +33,29 @@ MappedPlane read_plane(const RecordReader& record, const std::string& file, cons
             "--against '{}' is a refined sweep, where cells that were not run hold their neighbours' verdict: give one "
             "without --refine",
             file));
-    require_same_scene(record, file, scene_settings_of(scene, plane));
+    require_same_scene(record, fmt::format("--against '{}'", file), "/settings", scene_settings_of(scene, plane));
     MappedPlane map;
     for (std::size_t axis = 0; axis < 2; ++axis) map.values[axis] = record.read<double>("/sweep/" + names[axis]);
     const auto periods = record.read<std::int64_t>("/sweep/run_period");
     const auto spins = record.read<double>("/sweep/run_mean_S");
     const auto kinds = record.read<std::uint8_t>("/sweep/run_kind");
     const auto periodic = are_named(record, "kinds", {"fixed-point", "cycle"});
+    const auto families = are_named(record, "kinds", {"family"});
     const auto undecided = are_named(record, "kinds", {"none", "transient"});
     if (map.cells() == 0 || periods.empty() || periods.size() % map.cells() != 0 || spins.size() != periods.size() ||
         kinds.size() != periods.size() || periodic.size() != undecided.size() ||
         *std::max_element(kinds.begin(), kinds.end()) >= periodic.size())
         throw BadInput(fmt::format("--against '{}' is damaged: its runs do not fit its grid", file));
     map.runs = periods.size() / map.cells();
+    map.starts = {record.attribute<std::uint64_t>("/settings", "seed"), record.attribute<double>("/settings", "speed"),
+                  record.attribute<std::int64_t>("/settings", "transient"),
+                  record.attribute<std::int64_t>("/settings", "collisions")};
     map.all.resize(periods.size());
     const std::size_t n0 = map.values[0].size(), n1 = map.values[1].size();
     for (std::size_t i = 0; i < map.all.size(); ++i) {
         const std::size_t cell = i / map.runs, run = i % map.runs;
         const std::size_t from = turned ? (cell % n1 * n0 + cell / n1) * map.runs + run : i;
-        map.all[i] = {periodic[kinds[from]], undecided[kinds[from]], periods[from], spins[from]};
+        map.all[i] = {periodic[kinds[from]], undecided[kinds[from]], families[kinds[from]], periods[from], spins[from]};
     }
     return map;
 }

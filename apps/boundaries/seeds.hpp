@@ -1,10 +1,11 @@
 // Where boundaries of a plane begin: special points of branches along lines through it, or of a record.
 #pragma once
 
-#include "analysis/boundaries/boundary.hpp"
+#include "apps/boundaries/border_cycle.hpp"
 #include "apps/boundaries/plane.hpp"
 
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,12 @@ struct Seed {
     std::vector<int> vertices{};
     /// Of stick-slip: the contact modes before and behind the border.
     std::vector<ContactMode> modes_before{}, modes_behind{};
+    /// Of a point of a curve on a border, where all of this is known.
+    std::optional<BorderCycle> border{};
 };
+
+/// Of multipliers the pair nearest to the unit circle, Im > 0; NaN if all are real.
+std::complex<double> critical_pair(const std::vector<std::complex<double>>& multipliers);
 
 /// Sets `times` and `vertices` of a seed from the steps of its cycle, or of one beside it.
 void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps);
@@ -40,7 +46,23 @@ struct LineOptions {
 /// is that of `swirl classify --seed 1+r`. Cost: some 0.5 s a line.
 std::vector<Seed> seeds_on_lines(const Scene<double>& scene, const Plane& plane, const LineOptions& options);
 
-/// The special points in a record of `continue`, `bifurcate --branches` or `boundaries` along a parameter of the plane.
+/// A run of a map: start `run` of the scene at p, with the sweep's seed and speed.
+struct MapRun {
+    Eigen::Vector2d p{0, 0};
+    std::uint64_t run = 0;
+};
+struct MapStarts {
+    std::uint64_t seed = 1;
+    double speed = 0;
+    std::int64_t transient = 0, collisions = 0;
+};
+
+/// The same from the cycles that runs of a map came to, followed along both lines through the run's cell.
+std::vector<Seed> seeds_of_runs(const Scene<double>& scene, const Plane& plane, const std::vector<MapRun>& runs,
+                                const MapStarts& starts, const LineOptions& options);
+
+/// The special points in a record of `continue` or `bifurcate --branches` along a parameter of the plane; of one of
+/// `boundaries` a cycle in the middle of each curve.
 /// @throws BadInput if it is none, or of another scene
 std::vector<Seed> seeds_of_record(const std::string& file, const Scene<double>& scene, const Plane& plane);
 

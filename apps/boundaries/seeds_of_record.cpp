@@ -1,7 +1,7 @@
+#include "analysis/cycles/stability.hpp"
+#include "apps/boundaries/record_scene.hpp"
 #include "apps/boundaries/seeds.hpp"
 #include "apps/command_line/record_input.hpp"
-#include "apps/record/flag_text.hpp"
-#include "apps/record/record_reader.hpp"
 #include "apps/system/section_coordinates.hpp"
 #include "apps/system/shooting_map.hpp"
 
@@ -11,19 +11,6 @@
 namespace swirl::apps::boundaries {
 
 namespace {
-
-/// What the record says of the scene beside the parameters `varied` must be the scene's.
-void require_same_scene(const RecordReader& record, const std::string& file, const Settings& scene,
-                        const std::vector<std::string>& varied) {
-    for (const auto& [name, value] : scene) {
-        if (std::find(varied.begin(), varied.end(), name) != varied.end()) continue;
-        if (!record.has_attribute("/scene", name)) continue;
-        const std::string there = flag_text_of(record.attribute("/scene", name)).value_or("?"),
-                          here = flag_text_of(value).value_or("?");
-        if (there != here)
-            throw BadInput(fmt::format("record '{}' has {} = {}; the scene has {}", file, name, there, here));
-    }
-}
 
 Eigen::Index dimension_of(const Scene<double>& scene) {
     return scene.is_disk() ? disk_dimension : polygon_dimension;
@@ -74,7 +61,8 @@ std::vector<Seed> seeds_of_branches(const RecordReader& record, const std::strin
         throw BadInput(fmt::format("record '{}' is along {}, which is no parameter of the plane", file, along));
     std::string other_name = other.name, own_name = along;
     for (std::string* name : {&other_name, &own_name}) std::replace(name->begin(), name->end(), '-', '_');
-    require_same_scene(record, file, scene_settings(scene), {own_name, other_name});
+    require_same_scene(record, fmt::format("record '{}'", file), "/scene", scene_settings(scene),
+                       {own_name, other_name});
     const auto value = record.attribute<double>("/scene", other_name);
     if (!record.contains("/special/points"))
         throw BadInput(fmt::format("record '{}' holds no special points of branches", file));
@@ -88,17 +76,75 @@ std::vector<Seed> seeds_of_branches(const RecordReader& record, const std::strin
         seeds[i].kind = kinds[i];
         seeds[i].p[axis] = parameters[i];
         seeds[i].p[1 - axis] = value;
-        seeds[i].multiplier = critical_multiplier(kinds[i], std::isfinite(angles[i]) ? angles[i] : 1);
+        seeds[i].multiplier = critical_multiplier(kinds[i], angles[i]);
     }
-    for (std::size_t i = 0; i < seeds.size(); ++i) {  // of a border: the map's steps from its last cycle
-        if (seeds[i].kind != "grazing" && seeds[i].kind != "two-vertices") continue;
+    for (Seed& seed : seeds) {  // what the map's steps from the cycle say
+        const bool touches = seed.kind == "grazing" || seed.kind == "two-vertices";
+        const bool has_angle = seed.kind != "neimark-sacker" || std::isfinite(std::abs(seed.multiplier));
+        if (!touches && has_angle) continue;
         const auto shooting =
-            analysis::shooting_residual(shooting_map_of(scene_at(scene, plane, seeds[i].p)), seeds[i].points, 0);
-        if (shooting.alive) name_flights(seeds[i], shooting.steps);
+            analysis::shooting_residual(shooting_map_of(scene_at(scene, plane, seed.p)), seed.points, 0);
+        if (!shooting.alive) continue;
+        if (touches)
+            name_flights(seed, shooting.steps);
+        else
+            seed.multiplier = critical_pair(analysis::sorted_multipliers(analysis::monodromy(shooting)));
     }
     std::erase_if(seeds, [](const Seed& seed) { return seed.kind == "branch-point"; });
     return seeds;
 }
+
+/// What the rows of a record's cycles say of those on a border. @throws BadInput if it is no such thing
+class BorderRows {
+public:
+    BorderRows(const RecordReader& record, const std::string& file, const Scene<double>& scene, std::size_t rows)
+        : file_(file), sides_(scene.is_disk() ? 1 : scene.sides) {
+        if (!record.contains("/curves/touch"))
+            throw BadInput(fmt::format(
+                "record '{}' does not say what touches on its border curves: an earlier version wrote it", file));
+        touch_ = record.read<std::uint8_t>("/curves/touch");
+        vertex_ = record.read<std::int64_t>("/curves/touching_vertex");
+        touch_time_ = record.read<double>("/curves/touch_time");
+        times_ = record.read<double>("/curves/flight_times");
+        vertices_ = record.read<double>("/curves/vertex_steps");
+        if (rows == 0 || touch_.size() != rows || vertex_.size() != rows || touch_time_.size() != rows ||
+            times_.size() % rows != 0 || vertices_.size() != times_.size())
+            refuse_damaged(file, "/curves");
+        longest_ = times_.size() / rows;
+    }
+
+    BorderCycle at(std::size_t row, const Seed& seed) const {
+        BorderCycle cycle;
+        if (touch_[row] < 1 || touch_[row] > touch_names.size() || seed.points.size() > longest_)
+            refuse_damaged(file_, "/curves");
+        cycle.touch = static_cast<Touch>(touch_[row] - 1);
+        const bool grazes = cycle.touch == Touch::grazing;
+        if (name_of(cycle.touch) != seed.kind || !is_vertex(static_cast<double>(vertex_[row])) ||
+            (grazes && !std::isfinite(touch_time_[row])))
+            refuse_damaged(file_, "/curves");
+        cycle.vertex = static_cast<int>(vertex_[row]);
+        cycle.touch_time = grazes ? touch_time_[row] : 0;
+        cycle.points = seed.points;
+        cycle.p = seed.p;
+        for (std::size_t i = 0; i < seed.points.size(); ++i) {
+            const double time = times_[row * longest_ + i], vertex = vertices_[row * longest_ + i];
+            if (!std::isfinite(time) || !is_vertex(vertex)) refuse_damaged(file_, "/curves");
+            cycle.times.push_back(time);
+            cycle.vertices.push_back(static_cast<int>(vertex));
+        }
+        return cycle;
+    }
+
+private:
+    bool is_vertex(double number) const { return number >= 0 && number < sides_ && number == std::floor(number); }
+
+    const std::string& file_;
+    double sides_;
+    std::vector<std::uint8_t> touch_;
+    std::vector<std::int64_t> vertex_;
+    std::vector<double> touch_time_, times_, vertices_;
+    std::size_t longest_ = 0;
+};
 
 /// Of `boundaries`: a cycle in the middle of each curve.
 std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string& file, const Scene<double>& scene,
@@ -106,7 +152,7 @@ std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string&
     for (const auto& [name, axis] : {std::pair("first", 0), std::pair("second", 1)})
         if (record.attribute<std::string>("/settings", name) != plane.axes[static_cast<std::size_t>(axis)].name)
             throw BadInput(fmt::format("record '{}' is of another plane", file));
-    require_same_scene(record, file, scene_settings_of(scene, plane), {});
+    require_same_scene(record, fmt::format("record '{}'", file), "/scene", scene_settings_of(scene, plane));
     if (!record.contains("/curves/points")) return {};
     const auto all = cycles_of(record, file, "/curves", dimension_of(scene));
     const auto curve = record.read<std::int64_t>("/curves/curve");
@@ -117,6 +163,7 @@ std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string&
     if (curve.size() != all.size() || first.size() != all.size() || second.size() != all.size() ||
         angles.size() != all.size() || !std::all_of(curve.begin(), curve.end(), is_one))
         refuse_damaged(file, "/curves");
+    const BorderRows borders(record, file, scene, all.size());
     std::vector<Seed> seeds;
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
         while (end < all.size() && curve[end] == curve[begin]) ++end;
@@ -125,6 +172,7 @@ std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string&
         seed.kind = kinds[static_cast<std::size_t>(curve[begin])];
         seed.p = {first[middle], second[middle]};
         seed.multiplier = critical_multiplier(seed.kind, angles[middle]);
+        if (is_on_border(seed.kind)) seed.border = borders.at(middle, seed);
         seeds.push_back(std::move(seed));
     }
     return seeds;

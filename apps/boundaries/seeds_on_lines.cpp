@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace swirl::apps::boundaries {
@@ -52,20 +53,33 @@ public:
         branches_.options.forms = nullptr;  // a curve has its own
     }
 
+    /// The branches of the cycle that one start comes to.
+    std::vector<Branch> find_from(double value, const MapRun& run, const MapStarts& starts) {
+        const Scene<double> scene = with_parameter(scene_, *range_.parameter, value);
+        look_from(value, random_start(scene.beta, starts.speed, starts.seed + run.run, 0),
+                  {starts.transient, starts.collisions});
+        return finish();
+    }
+
     std::vector<Branch> find() {
         for (int i = 0; i < options_.columns; ++i) {
             const double value = range_.low + (i + offset_) / options_.columns * (range_.high - range_.low);
-            for (int run = 0; run < options_.starts && !is_interrupted(); ++run) look_from(value, run);
+            const double beta = with_parameter(scene_, *range_.parameter, value).beta;
+            for (int run = 0; run < options_.starts && !is_interrupted(); ++run)
+                look_from(value, random_start(beta, paper_speed, 1 + static_cast<std::uint64_t>(run), 0), {});
         }
+        return finish();
+    }
+
+private:
+    std::vector<Branch> finish() {
         follow_switches(branches_, found_, 1, static_cast<std::size_t>(options_.max_period));
         return std::move(found_);
     }
 
-private:
-    void look_from(double value, int run) {
+    void look_from(double value, const Start<double>& start, const bifurcate::SampleSettings& settings) {
         const Scene<double> scene = with_parameter(scene_, *range_.parameter, value);
-        const std::uint64_t seed = 1 + static_cast<std::uint64_t>(run);
-        const auto attractor = bifurcate::settle(scene, random_start(scene.beta, paper_speed, seed, 0), {});
+        const auto attractor = bifurcate::settle(scene, start, settings);
         if (!attractor.finished || attractor.period == 0 || attractor.period > options_.max_period) return;
         follow(attractor.states, value);
     }
@@ -90,10 +104,7 @@ private:
 std::complex<double> critical_multiplier(const analysis::SpecialPoint& special) {
     if (special.kind == analysis::SpecialKind::fold) return 1;
     if (special.kind == analysis::SpecialKind::flip) return -1;
-    std::complex<double> best = 0;
-    for (const auto& m : special.cycle.multipliers)
-        if (m.imag() > 0 && std::abs(std::abs(m) - 1) < std::abs(std::abs(best) - 1)) best = m;
-    return best;
+    return critical_pair(special.cycle.multipliers);
 }
 
 std::vector<Seed> seeds_of(const std::vector<Branch>& branches, const Line& line) {
@@ -114,6 +125,13 @@ std::vector<Seed> seeds_of(const std::vector<Branch>& branches, const Line& line
 
 }  // namespace
 
+std::complex<double> critical_pair(const std::vector<std::complex<double>>& multipliers) {
+    std::complex<double> best(std::numeric_limits<double>::quiet_NaN(), 0);
+    for (const auto& m : multipliers)
+        if (m.imag() > 0 && !(std::abs(std::abs(m) - 1) >= std::abs(std::abs(best) - 1))) best = m;
+    return best;
+}
+
 void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps) {
     for (const auto& step : steps) {
         const Letter letter = letter_from(step.letter);
@@ -125,6 +143,23 @@ void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps) 
         seed.times.push_back(step.duration);
         seed.vertices.push_back(letter.vertex_step);
     }
+}
+
+std::vector<Seed> seeds_of_runs(const Scene<double>& scene, const Plane& plane, const std::vector<MapRun>& runs,
+                                const MapStarts& starts, const LineOptions& options) {
+    std::vector<std::vector<Seed>> of_runs(2 * runs.size());
+    Progress progress("runs of the map", static_cast<double>(of_runs.size()), options.quiet);
+    run_pieces(of_runs.size(), options.threads, progress, [&](std::size_t i) -> KeepResult {
+        const MapRun& run = runs[i / 2];
+        const Line line{static_cast<int>(i % 2), run.p};
+        const auto found = std::make_shared<std::vector<Seed>>(
+            seeds_of(LineSearch(scene, plane, line, options).find_from(run.p[line.axis], run, starts), line));
+        if (is_interrupted()) return {};
+        return [&of_runs, i, found] { of_runs[i] = std::move(*found); };
+    });
+    std::vector<Seed> seeds;
+    for (auto& of_run : of_runs) seeds.insert(seeds.end(), of_run.begin(), of_run.end());
+    return seeds;
 }
 
 std::vector<Seed> seeds_on_lines(const Scene<double>& scene, const Plane& plane, const LineOptions& options) {

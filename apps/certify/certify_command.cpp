@@ -44,7 +44,8 @@ Examples:
 void CertifyOptions::add_to(Flags& command) {
     scene.add_to(command);
     output.add_to(command, false);
-    add_file(command, "record", record, "a record of orbits, continue or bifurcate: its cycles")->type_name("RECORD");
+    add_file(command, "record", record, "a record of orbits, continue or bifurcate: its cycles")
+        ->type_name("RECORD.h5");
     command.add_option("--near", near, "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)")->type_name("");
     command.add_option("--period", its_period, "of that cycle (default 1)")
         ->type_name("K")

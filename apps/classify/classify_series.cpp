@@ -196,6 +196,7 @@ void ClassifyInput::add_to(Flags& command) {
     series.add_to(command, false);
     command.add_option("--rows", rows, "of a series: impacts, or samples in time (default: samples if times are even)")
         ->type_name("NAME")
+        ->offer({"impacts", "samples"})
         ->group("Input");
     command.add_option("--noise", noise, "standard deviation of a series' noise, if known; of --angle in its unit")
         ->type_name("SIGMA")

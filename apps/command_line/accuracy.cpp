@@ -48,6 +48,12 @@ Accuracy accuracy_from(const std::string& name, int extended_bits) {
     throw BadInput(fmt::format("accuracy = {} is none of: {}", name, allowed));
 }
 
+std::vector<std::string> accuracy_names() {
+    std::vector<std::string> names;
+    for (const Accuracy accuracy : all) names.emplace_back(name_of(accuracy));
+    return names;
+}
+
 std::string accuracy_help() {
     return fmt::format(
         "double (default), extended ({} bits), quad (113 bits); to compare with: paper, brent, fixed-step. simulate, "

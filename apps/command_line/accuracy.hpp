@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace swirl::apps {
 
@@ -27,6 +28,9 @@ std::string_view name_of(Accuracy accuracy);
 ///   extended_bits  of long double's significand
 /// @throws BadInput for a name that is none, and for "extended" where long double has no more bits than double
 Accuracy accuracy_from(const std::string& name, int extended_bits = std::numeric_limits<long double>::digits);
+
+/// Those names, whether or not this machine has the arithmetic.
+std::vector<std::string> accuracy_names();
 
 /// What --help says of the names.
 std::string accuracy_help();

@@ -1,9 +1,10 @@
 #include "apps/command_line/flags.hpp"
 
+#include "apps/command_line/definitions.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <utility>
-#include <vector>
 
 namespace swirl::apps {
 
@@ -42,6 +43,15 @@ Flag& Flag::allow_extra_args(bool allowed) {
     return *this;
 }
 
+Flag& Flag::offer(const std::vector<std::string>& words) {
+    // CLI11 keeps nothing else with an option that --help does not show.
+    std::string name = offered_words_prefix;
+    for (const std::string& word : words) name += word + '\n';
+    CLI::Validator none([](std::string&) { return std::string(); }, "");
+    option_->check(none.name(name));
+    return *this;
+}
+
 std::optional<std::int64_t> Flag::number() const {
     return option_->count() > 0 ? std::optional(option_->as<std::int64_t>()) : std::nullopt;
 }
@@ -52,6 +62,10 @@ std::optional<double> Flag::real() const {
 
 std::string Flags::command_name() const {
     return command_.get_name();
+}
+
+CLI::App& Flags::program() const {
+    return *command_.get_parent();
 }
 
 template <class Target>

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 
@@ -43,6 +44,8 @@ public:
     Flag& expected(int values);
     /// False: each value has the flag's name before it.
     Flag& allow_extra_args(bool allowed);
+    /// Words that a value may be or begin with ("alpha="), for the completion of a shell; they refuse nothing.
+    Flag& offer(const std::vector<std::string>& words);
 
     /// The whole number or real number that was given, if any.
     std::optional<std::int64_t> number() const;
@@ -58,6 +61,8 @@ public:
     explicit Flags(CLI::App& command) : command_(command) {}
 
     std::string command_name() const;
+    /// What the command is a subcommand of.
+    CLI::App& program() const;
     /// `name` as CLI11 has it: "-o,--output", "RECORD,--record" for a positional. `target` keeps its value unless the
     /// flag is given; it may be a string, an int, a 64-bit integer, a double, an optional of these, or a list of
     /// strings.

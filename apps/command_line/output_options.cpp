@@ -26,7 +26,10 @@ void OutputOptions::add_to(Flags& app, bool with_record) {
         ->type_name("T")
         ->transform(whole_number(0, 4096))
         ->group("Output");
-    app.add_option("--accuracy", accuracy_name, accuracy_help())->type_name("NAME")->group("Output");
+    app.add_option("--accuracy", accuracy_name, accuracy_help())
+        ->type_name("NAME")
+        ->offer(accuracy_names())
+        ->group("Output");
 }
 
 void OutputOptions::require_double(const std::string& why) const {

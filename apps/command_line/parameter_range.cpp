@@ -62,4 +62,10 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
     return along;
 }
 
+std::vector<std::string> parameters_to_offer(bool families) {
+    std::vector<std::string> words = {"alpha=", "beta=", "mu=", "restitution=", "inertia-factor="};
+    if (families) words.insert(words.end(), {"S=", "tau="});
+    return words;
+}
+
 }  // namespace swirl::apps

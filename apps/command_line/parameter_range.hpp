@@ -24,4 +24,7 @@ struct ParameterRange {
 ParameterRange parameter_range_from(const std::string& text, bool counted, bool families,
                                     const std::string& flag = "along");
 
+/// "alpha=", ...: with what such a range begins. `families` as above.
+std::vector<std::string> parameters_to_offer(bool families = false);
+
 }  // namespace swirl::apps

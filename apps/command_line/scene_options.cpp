@@ -13,15 +13,16 @@ namespace {
 struct SceneName {
     const char* name;
     const char* help;
+    std::vector<std::string> words = {};  ///< that completion offers
 };
 
-constexpr std::array<SceneName, 12> scene_names = {{
-    {"sides", "N: 3 to 1000000, or disk"},
+const std::array<SceneName, 12> scene_names = {{
+    {"sides", "N: 3 to 1000000, or disk", {"disk"}},
     {"alpha", "R_p/R_c, 0 < alpha < 1"},
     {"beta", "r_s/R_c, >= 0"},
     {"mu", "friction, >= 0"},
     {"restitution", "e, 0 to 1"},
-    {"law", "poisson (default), newton or stronge"},
+    {"law", "poisson (default), newton or stronge", {"poisson", "newton", "stronge"}},
     {"inertia-factor", "kappa, I = kappa m R_p^2 (default: the uniform lamina's)"},
     {"container-radius", "R_c, in your unit of length"},
     {"swirl-radius", "r_s, instead of --beta"},
@@ -82,10 +83,11 @@ void SceneOptions::add_to(Flags& command) {
                 std::string("--") + known.name,
                 [this, name = std::string(known.name)](const std::string& text) { flags_[name] = text; }, known.help)
             ->type_name("")
+            ->offer(known.words)
             ->group("Scene");
     }
     command.add_option("--scene", file_, "TOML file with the same names as keys under [scene]; flags win")
-        ->type_name("FILE")
+        ->type_name("FILE.toml")
         ->group("Scene");
 }
 

@@ -38,7 +38,8 @@ void ContinueOptions::add_to(Flags& command) {
     command.add_option("--from", from, "psi,chi,vn,vt,S near a point of the cycle (a disk drops chi)")->type_name("");
     command
         .add_option("--along", along, "NAME=A:B: alpha, beta, mu, restitution, inertia-factor; S or tau for a family")
-        ->type_name("");
+        ->type_name("")
+        ->offer(parameters_to_offer(true));
     command.add_option("--period", period, "of the cycle (default 1)")->type_name("K")->transform(whole_number(1, 256));
     command
         .add_option("--switch", switches, "how many flips and branch points to switch at one after another (default 1)")

@@ -53,7 +53,8 @@ void OrbitsOptions::add_to(Flags& command) {
         ->transform(whole_number(1, most));
     command.add_option("--near", near, "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)")->type_name("");
     command.add_option("--pin", pin, "S=VALUE or tau=VALUE: members of families with this S or return time")
-        ->type_name("");
+        ->type_name("")
+        ->offer({"S=", "tau="});
     command.add_option("--starts", candidates.starts, "random section points per period (default 1500)")
         ->type_name("R")
         ->transform(whole_number(0, most));

@@ -40,15 +40,24 @@ Example:
 
 void PlotOptions::add_to(Flags& command) {
     files.add_to(command, figure, true);
-    command.add_option("--kind", kind, "which figure, where there are several")->type_name("NAME");
+    command.add_option("--kind", kind, "which figure, where there are several")
+        ->type_name("NAME")
+        ->offer({"orbit", "spin", "path", "section", "balance", "contacts", "verdict", "shares", "recurrence",
+                 "spectrum", "lyapunov", "multipliers", "bifurcation", "boundaries", "modes", "tradeoff",
+                 "steady-modes", "tour"});
     command.add_option("--width", width, "of the figure: millimetres, 3.4in, or a journal's column by name")
-        ->type_name("WIDTH");
+        ->type_name("WIDTH")
+        ->offer({"aps", "aps-2", "nature", "nature-2", "elsevier", "elsevier-2"});
     command.add_option("--font-size", font_size, "of the letters, in points (default 9, in a column 8)")
         ->type_name("POINTS");
     command.add_flag("--no-title", no_title, "no title above: a paper's caption says it");
     command.add_option("--xlim", xlim, "range of the abscissa")->type_name("A:B");
-    command.add_option("--x", x, "of kind section: psi (default), chi, vn, vt or S")->type_name("NAME");
-    command.add_option("--y", y, "of kind section: S (default), or another of these")->type_name("NAME");
+    command.add_option("--x", x, "of kind section: psi (default), chi, vn, vt or S")
+        ->type_name("NAME")
+        ->offer({"psi", "chi", "vn", "vt", "S"});
+    command.add_option("--y", y, "of kind section: S (default), or another of these")
+        ->type_name("NAME")
+        ->offer({"psi", "chi", "vn", "vt", "S"});
 }
 
 int plot(PlotOptions& options) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace swirl::apps::recurrence_names {
 
@@ -39,6 +40,13 @@ std::string word_of(E value, const Words<E, N>& words) {
     for (const auto& [word, meaning] : words)
         if (meaning == value) return word;
     return "";
+}
+
+template <class E, std::size_t N>
+std::vector<std::string> words_of(const Words<E, N>& words) {
+    std::vector<std::string> all;
+    for (const auto& [word, meaning] : words) all.emplace_back(word);
+    return all;
 }
 
 /// Sets `target` to what `text` means; leaves it alone if `text` is empty. @throws BadInput listing the words

@@ -9,8 +9,9 @@
 namespace swirl::apps::recurrence {
 
 void ConventionOptions::add_to(Flags& command) {
+    using namespace recurrence_names;
     const auto text = [&](const char* flag, std::string& target, const std::string& help) {
-        command.add_option(flag, target, help)->type_name("NAME")->group("Conventions");
+        return command.add_option(flag, target, help)->type_name("NAME").group("Conventions");
     };
     const auto number = [&](const char* flag, std::optional<int>& target, int least, const char* help) {
         command.add_option(flag, target, help)
@@ -19,17 +20,23 @@ void ConventionOptions::add_to(Flags& command) {
             ->group("Conventions");
     };
     text("--convention", convention,
-         fmt::format("as a package does: {}", fmt::join(analysis::recurrence::preset_names(), ", ")));
-    text("--norm", norm, "euclidean (default), maximum or manhattan");
+         fmt::format("as a package does: {}", fmt::join(analysis::recurrence::preset_names(), ", ")))
+        ->offer(analysis::recurrence::preset_names());
+    text("--norm", norm, "euclidean (default), maximum or manhattan")->offer(words_of(norms));
     number("--theiler", theiler, 0, "leave out pairs less than W apart (default 1: the main diagonal; cross: 0)");
     number("--min-diagonal", min_diagonal, 1, "shortest diagonal line (default 2)");
     number("--min-vertical", min_vertical, 1, "shortest vertical line (default 2)");
     command.add_flag("--strict", strict, "recurrent when distance < threshold, instead of <=")->group("Conventions");
-    text("--rate-pairs", rate_pairs, "what RR is divided by: outside-window (default) or all pairs");
-    text("--recurrence-time", recurrence_time, "midpoints (default), white-lines or line-starts");
-    text("--triangles", triangles, "diagonal lines of both triangles (default) or one");
-    text("--border-lines", border_lines, "lines cut by the border: counted (default) or discarded");
-    text("--logarithm", logarithm, "of the entropies: natural (default), binary or decimal");
+    text("--rate-pairs", rate_pairs, "what RR is divided by: outside-window (default) or all pairs")
+        ->offer(words_of(pairs));
+    text("--recurrence-time", recurrence_time, "midpoints (default), white-lines or line-starts")
+        ->offer(words_of(times));
+    text("--triangles", triangles, "diagonal lines of both triangles (default) or one")
+        ->offer(words_of(triangle_choices));
+    text("--border-lines", border_lines, "lines cut by the border: counted (default) or discarded")
+        ->offer(words_of(borders));
+    text("--logarithm", logarithm, "of the entropies: natural (default), binary or decimal")
+        ->offer(words_of(logarithms));
 }
 
 analysis::recurrence::Settings ConventionOptions::settings() const {

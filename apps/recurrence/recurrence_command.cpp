@@ -99,6 +99,7 @@ void RecurrenceOptions::add_to(Flags& command) {
         .add_option("--observable", observables,
                     "of an orbit: S (default), psi, chi, vn, vt, x, y, ..., or a comma list of coordinates")
         ->type_name("NAME")
+        ->offer({"S", "psi", "chi", "vn", "vt", "x", "y"})
         ->group("Recurrence");
     const auto whole = whole_number(1, 1'000'000);
     command.add_option("--dimension", dimension, "of the delay embedding (default 1)")

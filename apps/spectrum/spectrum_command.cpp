@@ -82,16 +82,20 @@ void SpectrumOptions::add_to(Flags& command) {
     input.add_to(command);
     output.add_to(command);
     const auto text = [&](const char* flag, std::string& target, const char* type, const char* help) {
-        command.add_option(flag, target, help)->type_name(type)->group("Spectrum");
+        return command.add_option(flag, target, help)->type_name(type).group("Spectrum");
     };
-    text("--observable", observable, "NAME", "of an orbit: S (default), x, y, or position (x + iy, two-sided)");
-    text("--frame", frame, "NAME", "of positions: laboratory (default), container or corotating");
+    text("--observable", observable, "NAME", "of an orbit: S (default), x, y, or position (x + iy, two-sided)")
+        ->offer({"S", "x", "y", "position"});
+    text("--frame", frame, "NAME", "of positions: laboratory (default), container or corotating")
+        ->offer({"laboratory", "container", "corotating"});
     command.add_option("--bins", bins, "equal time bins of an orbit (default 4 or more an impact, a power of 2)")
         ->type_name("B")
         ->transform(whole_number(fewest_samples, most_bins))
         ->group("Spectrum");
-    text("--window", window, "NAME", "rectangular, hann (default), hamming, blackman-harris or flat-top");
-    text("--detrend", detrend, "NAME", "what is subtracted: none, mean (default) or linear");
+    text("--window", window, "NAME", "rectangular, hann (default), hamming, blackman-harris or flat-top")
+        ->offer({"rectangular", "hann", "hamming", "blackman-harris", "flat-top"});
+    text("--detrend", detrend, "NAME", "what is subtracted: none, mean (default) or linear")
+        ->offer({"none", "mean", "linear"});
     command.add_option("--segments", segments, "of Welch's method (default about 16; 1: the finest resolution)")
         ->type_name("K")
         ->transform(whole_number(1, 1'000'000))

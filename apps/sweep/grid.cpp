@@ -100,6 +100,12 @@ std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const Gri
     return grid;
 }
 
+std::vector<std::string> axes_to_offer() {
+    std::vector<std::string> words;
+    for (const char* name : axis_names) words.push_back(std::string(name) + "=");
+    return words;
+}
+
 std::size_t cell_count(const std::vector<GridAxis>& grid) {
     if (grid.front().sampled) return grid.front().points.size();
     std::size_t count = 1;

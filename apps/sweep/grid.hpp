@@ -38,6 +38,9 @@ std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const Gri
 /// True if the parameter is one of the grid's axes.
 bool has_axis(const std::vector<GridAxis>& grid, const std::string& name);
 
+/// "alpha=", ...: with what an axis begins.
+std::vector<std::string> axes_to_offer();
+
 std::size_t cell_count(const std::vector<GridAxis>& grid);
 
 /// The axes' points of a cell; the last axis runs fastest.

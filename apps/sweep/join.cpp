@@ -18,7 +18,7 @@ Example:
 
 void JoinOptions::add_to(Flags& command) {
     output.add_to(command);
-    command.add_option("shards", shards, "records that sweep --shard wrote")->type_name("SHARD");
+    command.add_option("shards", shards, "records that sweep --shard wrote")->type_name("SHARD.h5");
 }
 
 namespace {

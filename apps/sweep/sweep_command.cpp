@@ -38,11 +38,14 @@ void SweepOptions::add_to(Flags& command) {
     output.add_to(command);
     command.add_option("--grid", grid, "NAME=A:B:COUNT, once to three times; with --sample NAME=A:B")
         ->type_name("")
+        ->offer(axes_to_offer())
         ->allow_extra_args(false);
     command.add_option("--refine", refine, "halve the grid's steps so often, where neighbours differ")
         ->type_name("LEVELS")
         ->transform(whole_number(1, most_levels));
-    command.add_option("--sample", sample, "sobol:COUNT or latin:COUNT points in place of a grid")->type_name("");
+    command.add_option("--sample", sample, "sobol:COUNT or latin:COUNT points in place of a grid")
+        ->type_name("")
+        ->offer({"sobol:", "latin:"});
     command.add_option("--shard", shard, "i/n: the i-th of n shards of the cells, for swirl join")->type_name("");
     command.add_option("--runs", runs, "random starts in each cell (default 1)")
         ->type_name("R")

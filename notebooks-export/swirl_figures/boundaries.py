@@ -10,6 +10,7 @@ from .record import RecordError
 from .style import BLACK, GREEN, GREY, PURPLE
 from .sweep_grid import SweepGrid
 from .symbols import axis_label, scene_title
+from .thinning import apart
 
 #: Colours of the kinds of curves, none of them a mode's; a white edge tells them from the map beneath.
 _COLOURS = {"fold": BLACK, "flip": "#882255", "neimark-sacker": GREEN, "grazing": "#332288", "two-vertices": "#7A5C00",
@@ -19,7 +20,9 @@ _COLOURS = {"fold": BLACK, "flip": "#882255", "neimark-sacker": GREEN, "grazing"
 _SHORT = {"cusp": "CP", "generalised-flip": "GPD", "chenciner": "CH", "1:1": "R1", "1:2": "R2", "1:3": "R3", "1:4": "R4",
           "fold-flip": "LPPD", "fold-neimark-sacker": "LPNS", "flip-neimark-sacker": "PDNS",
           "double-neimark-sacker": "NSNS", "fold-grazing": "LPG", "flip-grazing": "PDG", "neimark-sacker-grazing": "NSG",
-          "fold-two-vertices": "LP2", "flip-two-vertices": "PD2", "neimark-sacker-two-vertices": "NS2"}
+          "fold-vanishing-impact": "LPV", "flip-vanishing-impact": "PDV",
+          "fold-two-vertices": "LP2", "flip-two-vertices": "PD2", "neimark-sacker-two-vertices": "NS2",
+          "fold-stick-slip": "LPS", "flip-stick-slip": "PDS", "neimark-sacker-stick-slip": "NSS"}
 
 #: A multiplier this far beyond the unit circle makes the cycle unstable on both sides of the curve.
 _OUTSIDE = 1e-6
@@ -72,16 +75,35 @@ def _draw_curves(axes, curves, x, y):
             axes.plot(*places, color=_colour(kind), ls=style, lw=width, zorder=2 if thin else 3, path_effects=edge)
 
 
+def _special_points(curves, x, y):
+    """(kind, x, y) of each special point, one on two curves once; in the order of `_SHORT`, rarer kinds of a smooth
+    map first."""
+    points = dict.fromkeys((kind, round(float(a), 6), round(float(b), 6))
+                           for kind, a, b in zip(curves.special_kinds, curves.special[x], curves.special[y]))
+    order = list(_SHORT)
+    return sorted(points, key=lambda point: order.index(point[0]) if point[0] in order else len(order))
+
+
+#: Width and height of a name beside its mark, in the axes' widths: a name that would lie on another is left out, and
+#: the legend says how many of a kind are named.
+_NAME = 0.045, 0.022
+
+
+def _named(curves, x, y):
+    """The special points, and which of them are named."""
+    points = _special_points(curves, x, y)
+    low, high = numpy.array([curves.limits[x], curves.limits[y]]).T
+    places = (numpy.array([point[1:] for point in points]).reshape(-1, 2) - low) / (high - low)
+    return points, apart(places[:, 0], places[:, 1], *_NAME)
+
+
 def _draw_special(axes, curves, x, y):
-    """A point on two curves is drawn once."""
-    seen = set()
-    for kind, a, b in zip(curves.special_kinds, curves.special[x], curves.special[y]):
-        if (kind, round(float(a), 6), round(float(b), 6)) in seen:
-            continue
-        seen.add((kind, round(float(a), 6), round(float(b), 6)))
-        axes.plot(a, b, "o", ms=3.5, mfc="white", mec=BLACK, mew=0.8, zorder=4)
-        axes.annotate(_SHORT.get(kind, kind), (a, b), xytext=(3, 2), textcoords="offset points", size="xx-small", zorder=5,
-                      path_effects=[Stroke(linewidth=1.5, foreground="white"), Normal()], clip_on=True)
+    """All have a mark, small ones where they are not named."""
+    for (kind, a, b), named in zip(*_named(curves, x, y)):
+        axes.plot(a, b, "o", ms=3.5 if named else 2, mfc="white", mec=BLACK, mew=0.8 if named else 0.5, zorder=4)
+        if named:
+            axes.annotate(_SHORT.get(kind, kind), (a, b), xytext=(3, 2), textcoords="offset points", size="xx-small",
+                          zorder=5, path_effects=[Stroke(linewidth=1.5, foreground="white"), Normal()], clip_on=True)
 
 
 def _handles(curves):
@@ -92,9 +114,12 @@ def _handles(curves):
         handles.append(Line2D([], [], color="0.3", lw=1.2, ls=style, label=f"period {period}"))
     if curves.unstable.any():
         handles.append(Line2D([], [], color="0.3", lw=0.6, label="thin: unstable on both sides"))
+    points, named = _named(curves, *curves.axes)
     for kind in [kind for kind in _SHORT if kind in set(curves.special_kinds)]:
+        of_kind = [is_named for point, is_named in zip(points, named) if point[0] == kind]
+        count = "" if all(of_kind) else f" ({sum(of_kind)} of {len(of_kind)} named)"
         handles.append(Line2D([], [], ls="", marker="o", ms=3.5, mfc="white", mec=BLACK, mew=0.8,
-                              label=f"{_SHORT[kind]}: {kind}"))
+                              label=f"{_SHORT[kind]}: {kind}{count}"))
     return handles
 
 

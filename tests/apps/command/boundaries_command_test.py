@@ -1,10 +1,12 @@
-"""swirl boundaries, from outside: boundaries_command_test.py SWIRL"""
+"""swirl boundaries, from outside: boundaries_command_test.py SWIRL [PLACES]"""
 
 import json
 import math
+import sys
 import unittest
 
 import h5py
+import numpy
 import xarray
 
 from driving import InFolder, Keeping, Refusing, run
@@ -19,6 +21,8 @@ def document(arguments, code=(0,)):
 
 HEXAGON = "--sides 6 --mu 0.5 --restitution 0.95"
 PLANE = f"{HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5"
+#: On each curve, compared with `continue` across it: a second argument, of the nightly test.
+PLACES = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 5
 #: A line each way: seconds.
 SMALL = f"{PLANE} --max-period 1 --lines 1"
 
@@ -59,21 +63,29 @@ class Boundaries(InFolder):
         for curve in self.answer["curves"]:
             if curve["kind"] not in ("fold", "flip", "neimark-sacker"):
                 continue
-            point = curve["points"][len(curve["points"]) // 2]
-            alpha, beta = place(point)
-            # From the cycle on the curve itself, which is singular there, a little off it in alpha.
-            branches = document(f"continue {HEXAGON} --alpha {alpha - 1e-4!r} --beta {beta!r} --switch 0 "
-                                f"--from={','.join(repr(x) for x in point['point'].values())} "
-                                f"--along alpha={alpha - 0.01!r}:{alpha + 0.01!r}")
-            found = [special["parameter"] for branch in branches["branches"] for special in branch["special"]
-                     if special["kind"] == curve["kind"]]
-            if not branches["branches"]:  # behind a fold there is no cycle
-                branches = document(f"continue {HEXAGON} --alpha {alpha + 1e-4!r} --beta {beta!r} --switch 0 "
-                                    f"--from={','.join(repr(x) for x in point['point'].values())} "
-                                    f"--along alpha={alpha - 0.01!r}:{alpha + 0.01!r}")
-                found = [special["parameter"] for branch in branches["branches"] for special in branch["special"]
-                         if special["kind"] == curve["kind"]]
-            self.assertLess(min(abs(value - alpha) for value in found), 1e-9, (curve["kind"], alpha, beta))
+            points = curve["points"]
+            for place_number in range(PLACES):  # spread evenly, without the ends
+                i = (place_number + 1) * len(points) // (PLACES + 1)
+                if 0 < i < len(points) - 1:
+                    self.check_across(curve["kind"], points[i - 1], points[i], points[i + 1])
+
+    def check_across(self, kind, before, point, after):
+        """Along the parameter that crosses the curve more steeply, from a little off it, where the cycle is not singular;
+        behind a fold there is none."""
+        along = [b - a for a, b in zip(place(before), place(after))]
+        axis = 0 if abs(along[0]) < abs(along[1]) else 1
+        name, value = ("alpha", "beta")[axis], place(point)[axis]
+        other, fixed = ("alpha", "beta")[1 - axis], place(point)[1 - axis]
+        start = ",".join(repr(x) for x in point["point"].values())
+        found = []
+        for aside in (-1e-4, 1e-4):
+            branches = document(f"continue {HEXAGON} --{name} {value + aside!r} --{other} {fixed!r} --switch 0 --from={start} "
+                                f"--along {name}={value - 0.01!r}:{value + 0.01!r}", code=(0, 3))["branches"]
+            found += [special["parameter"] for branch in branches for special in branch["special"]
+                      if special["kind"] == kind]
+            if found:
+                break
+        self.assertLess(min((abs(special - value) for special in found), default=1), 1e-9, (kind, place(point)))
 
     def test_no_curve_comes_twice(self):
         curves = self.answer["curves"]
@@ -101,6 +113,47 @@ class Boundaries(InFolder):
         for kind, end in ends:  # the map ends at u_n = 1e-6, a little before the border
             self.assertLess(min(math.dist(place(end), place(special)) for special in touching
                                 if special["kind"] == f"{kind}-grazing"), 1e-5)
+
+    def test_curves_are_born_where_a_grazing_cycle_has_a_multiplier_one(self):
+        """The fold curve of the cycle that misses and that of the one with the vanishing impact touch the grazing curve
+        quadratically, as the square root in the map's derivative makes it; flip curves meet it at an angle."""
+        plane = {"alpha": (0.35, 0.65), "beta": (0.06, 0.21)}
+        answer = document(f"boundaries {HEXAGON} --max-period 2 --lines 1 --longest-step 0.005 "
+                          + " ".join(f"--plane {name}={low}:{high}" for name, (low, high) in plane.items()))
+        width = numpy.array([high - low for low, high in plane.values()])
+        exponents = {}
+        for grazing in answer["curves"]:
+            if grazing["kind"] != "grazing":
+                continue
+            border = numpy.array([place(point) for point in grazing["points"]]) / width
+            for special in grazing["special"]:
+                kind = special["kind"].split("-")[0]
+                for curve in answer["curves"]:
+                    if curve["kind"] != kind:
+                        continue
+                    for way in (1, -1):
+                        points = numpy.array([place(point) for point in curve["points"][::way]]) / width
+                        if numpy.linalg.norm(points[0] - numpy.array(place(special)) / width) < 5e-4:
+                            exponents[special["kind"]] = self.tangency(border, numpy.array(place(special)) / width, points)
+        self.assertEqual(set(exponents), {"fold-grazing", "fold-vanishing-impact", "flip-grazing", "flip-vanishing-impact"})
+        for kind, exponent in exponents.items():  # fitted between 0.005 and 0.05 away, where higher powers have a share
+            self.assertLess(abs(exponent - (2 if kind.startswith("fold") else 1)), 0.06, (kind, exponent))
+
+    @staticmethod
+    def tangency(border, centre, points):
+        """The power of the distance from `centre` with which the distance of a curve from the border grows."""
+        nearest = numpy.argmin(numpy.linalg.norm(border - centre, axis=1))
+        around = border[max(0, nearest - 12):nearest + 13] - centre
+        tangent = (around[-1] - around[0]) / numpy.linalg.norm(around[-1] - around[0])
+        normal = numpy.array([-tangent[1], tangent[0]])
+        x = around @ tangent
+        line = numpy.polyfit(x[abs(x) < 0.06], (around @ normal)[abs(x) < 0.06], 6)
+        x, y = (points - centre) @ tangent, (points - centre) @ normal
+        first_far = numpy.argmax(abs(x) > 0.05) or len(x)
+        used = numpy.arange(len(x)) < first_far
+        used &= abs(x) > 5e-3
+        off = abs(y - numpy.polyval(line, x))[used]
+        return numpy.polyfit(numpy.log(abs(x[used])), numpy.log(off), 1)[0]
 
     def test_continue_up_to_a_border_curve_ends_on_it(self):
         answer = document(f"boundaries {HEXAGON} --plane alpha=0.5:0.7 --plane beta=0.1:0.3 --max-period 2 --lines 1")
@@ -143,10 +196,56 @@ class Boundaries(InFolder):
         scene = "--sides 6 --mu 0.5 --restitution 0.9 --plane alpha=0.3:0.5 --plane beta=0.4:0.6"
         first = document(f"boundaries {scene} --from {lines} -o {again}")["curves"]
         self.assertGreater(len(first), 0)
-        second = document(f"boundaries {scene} --from {again}")["curves"]
-        smooth = ("fold", "flip", "neimark-sacker")
-        self.assertEqual(sorted(c["kind"] for c in first if c["kind"] in smooth),
-                         sorted(c["kind"] for c in second if c["kind"] in smooth))
+        self.same_curves(first, document(f"boundaries {scene} --from {again}")["curves"])
+
+    def same_curves(self, first, second):
+        """The same kinds, periods and ends; the middle of each curve lies within a step of one of the others."""
+        def key(curve):
+            return curve["kind"], curve["period"], sorted(curve["ends"])
+        self.assertEqual(sorted(map(key, first)), sorted(map(key, second)))
+        for curve in first:
+            middle = place(curve["points"][len(curve["points"]) // 2])
+            self.assertLess(min(math.dist(middle, place(point)) for other in second if key(other) == key(curve)
+                                for point in other["points"]), 0.02 * 0.2)
+
+    def test_a_record_of_curves_leads_to_all_of_them_again(self):
+        path = self.folder / "c.h5"
+        kinds = set()
+        for longest, plane in ((2, "alpha=0.5:0.7 --plane beta=0.1:0.3"), (4, "alpha=0.7:0.9 --plane beta=0.4:0.8")):
+            scene = f"{HEXAGON} --plane {plane}"
+            first = document(f"boundaries {scene} --max-period {longest} --lines 1 --force -o {path}")["curves"]
+            kinds.update(curve["kind"] for curve in first)
+            self.same_curves(first, document(f"boundaries {scene} --from {path}")["curves"])
+        self.assertLessEqual({"fold", "grazing", "two-vertices", "stick-slip"}, kinds)
+
+    def test_a_record_that_does_not_say_what_touches_is_refused(self):
+        path = self.folder / "c.h5"
+        document(f"boundaries {SMALL} -o {path}")
+        with h5py.File(path, "r+") as record:
+            del record["curves/touch"]
+        content = path.read_bytes()
+        path.write_bytes(bytes(512) + content[512:])
+        result = run(f"boundaries {SMALL.split(' --max')[0]} --from {path}")
+        self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
+        self.assertIn("what touches", result.stderr)
+
+    def test_a_neimark_sacker_seed_without_an_angle_has_that_of_its_multipliers(self):
+        path = self.folder / "line.h5"
+        start = ",".join(repr(x) for x in next(c for c in self.answer["curves"] if c["kind"] == "neimark-sacker")
+                         ["points"][0]["point"].values())
+        alpha, beta = place(next(c for c in self.answer["curves"] if c["kind"] == "neimark-sacker")["points"][0])
+        run(f"continue {HEXAGON} --alpha {alpha!r} --beta {beta!r} --from={start} --along alpha=0.4:0.6 --quiet -o {path}")
+        plane = SMALL.split(" --max")[0]
+
+        def pairs():
+            return sum(curve["kind"] == "neimark-sacker" for curve in document(f"boundaries {plane} --quiet --from {path}")["curves"])
+        found = pairs()
+        self.assertGreater(found, 0)
+        with h5py.File(path, "r+") as record:
+            record["special/form_angle"][:] = math.nan
+        content = path.read_bytes()
+        path.write_bytes(bytes(512) + content[512:])  # without its checksum
+        self.assertEqual(pairs(), found)
 
     def test_equal_bytes_whatever_the_threads(self):
         answers = [run(f"boundaries {SMALL} --json --threads {threads}").stdout for threads in (1, 2)]
@@ -173,7 +272,7 @@ class Boundaries(InFolder):
                 record[column][0] = wrong
             content = path.read_bytes()
             path.write_bytes(bytes(512) + content[512:])  # without its checksum
-            result = run(f"boundaries {SMALL} --from {path}")
+            result = run(f"boundaries {SMALL.split(' --max')[0]} --from {path}")
             self.assertEqual((result.returncode, result.stdout), (2, ""), (column, wrong, result.stderr))
             self.assertIn("damaged", result.stderr)
             with h5py.File(path, "r+") as record:
@@ -185,6 +284,15 @@ class Boundaries(InFolder):
         run(f"sweep {scene} --grid alpha=0.5:0.6:2 --grid inertia-factor=0.3:0.5:2 --runs 1 --collisions 300 --quiet -o {path}")
         against = document(f"boundaries {scene} {plane} --max-period 1 --lines 1 --against {path}")["against"]
         self.assertEqual(against["cells"], 4)
+
+    def test_members_of_families_are_compared_with_nothing(self):
+        # A disk that loses nothing: every cycle is a member of a family, with a multiplier 1 but for rounding.
+        path, scene = self.folder / "map.h5", "--sides disk --mu 0.3 --restitution 1"
+        plane = "--plane alpha=0.3:0.5 --plane beta=0.3:0.5"
+        run(f"sweep {scene} --grid alpha=0.3:0.5:3 --grid beta=0.3:0.5:3 --runs 1 --quiet -o {path}")
+        against = document(f"boundaries {scene} {plane} --max-period 1 --lines 1 --against {path}")["against"]
+        self.assertEqual((against["with_cycle"], against["disagreements"]), (0, []))
+        self.assertEqual(against["family_cells"], 9)
 
     def test_against_a_map(self):
         path = self.folder / "map.h5"
@@ -209,6 +317,8 @@ class Wrong(Refusing):
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --longest-step 2", "longest-step"),
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --accuracy quad", "double"),
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --from none.h5", "none.h5"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --from none.h5 --max-period 2", "--max-period"),
+                               ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --from none.h5 --lines 2", "--lines"),
                                ("--plane alpha=0.4:0.6 --plane beta=0.1:0.2 --against none.h5", "none.h5")):
             self.refused(f"boundaries {HEXAGON} {extra}", mention)
 

@@ -9,6 +9,7 @@ import tempfile
 import time
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy
 
@@ -20,6 +21,7 @@ sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
 
 import figure_records
 from chosen import length_of
+from swirl_figures import boundaries
 from swirl_figures import KINDS, Look, RecordError, draw, kinds_of, open_record, save
 from swirl_figures.thinning import apart, thinned
 
@@ -74,6 +76,25 @@ class WithRecords(unittest.TestCase):
         figure_records.write_bifurcation(cls.records["diagram"])
         figure_records.write_orbits(cls.records["cycles"], 30, 100.0)
         figure_records.write_boundaries(cls.records["curves"])
+
+
+class Names(WithRecords):
+    def test_special_points_of_curves_are_named_where_names_do_not_lie_on_one_another(self):
+        """Each that is not named lies beside one that is, of a kind that comes before or the same."""
+        random = numpy.random.default_rng(1)
+        crowd = SimpleNamespace(special={"alpha": random.uniform(0.1, 0.9, 300), "beta": random.uniform(0, 2, 300)},
+                                special_kinds=list(random.choice(["flip-grazing", "cusp", "1:2"], 300)),
+                                limits={"alpha": (0.1, 0.9), "beta": (0, 2)})
+        points, named = boundaries._named(crowd, "alpha", "beta")
+        self.assertEqual(len(points), 300)
+        order = [["cusp", "1:2", "flip-grazing"].index(point[0]) for point in points]
+        self.assertEqual(order, sorted(order))
+        width, height = boundaries._NAME[0] * 0.8, boundaries._NAME[1] * 2
+        for i, (_, x, y) in enumerate(points):
+            near = [j for j in numpy.flatnonzero(named) if j < i and abs(points[j][1] - x) < width
+                    and abs(points[j][2] - y) < height]
+            self.assertEqual(bool(near), not named[i], points[i])
+        self.assertGreater(sum(named), 100)
 
 
 class EveryRecord(WithRecords):

@@ -1,0 +1,68 @@
+// A page of the manual, of what a command's flags and help say.
+#pragma once
+
+#include "apps/command_line/definitions.hpp"
+
+#include <string>
+#include <vector>
+
+namespace swirl::apps::manual {
+
+/// In what a page is written.
+enum class PageForm {
+    man,      ///< troff with the macros of man(7)
+    markdown  ///< as GitHub reads it
+};
+
+/// Begins each page: a file that has it may be replaced by a newer page. `mark_of(man)` is a comment of troff.
+std::string mark_of(PageForm form);
+
+/// "swirl.1" of the program (null), "swirl-classify.1", "swirl-classify.md".
+std::string file_name(const CommandDefinition* command, PageForm form);
+
+/// The page of a command, or of the program itself with a line for each command (null).
+std::string page_of(const ProgramDefinition& program, const CommandDefinition* command, PageForm form);
+
+/// The same in one form; page_of chooses.
+std::string man_page_of(const ProgramDefinition& program, const CommandDefinition* command);
+std::string markdown_page_of(const ProgramDefinition& program, const CommandDefinition* command);
+
+/// An exit code and what it says, for every command alike.
+struct ExitStatus {
+    const char* code;
+    const char* meaning;
+};
+const std::vector<ExitStatus>& exit_statuses();
+
+/// A name of the environment and what it is for.
+struct EnvironmentName {
+    const char* name;
+    const char* meaning;
+};
+const std::vector<EnvironmentName>& environment_names();
+
+/// The options of one heading.
+struct OptionGroup {
+    std::string heading;
+    std::vector<const OptionDefinition*> options;
+};
+
+/// In the order in which their first options come.
+std::vector<OptionGroup> groups_of(const std::vector<OptionDefinition>& options);
+
+/// "[RECORD]", "RECORD...": the arguments that are given by their place.
+std::vector<std::string> places_of(const std::vector<OptionDefinition>& options);
+
+/// "RECORD" of record.
+std::string place_shown(const OptionDefinition& option);
+
+/// What stands for the value: its name, its offered words if it has none, else VALUE.
+std::string value_shown(const OptionDefinition& option);
+
+/// "Name the mode of a scene." of "name the mode of a scene".
+std::string as_sentence(std::string text);
+
+/// Its help with what --help has around it: the range, whether it is wanted or may be repeated.
+std::string help_in_full(const OptionDefinition& option);
+
+}  // namespace swirl::apps::manual

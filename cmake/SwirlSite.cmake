@@ -1,0 +1,18 @@
+# The documents, the manual and the headers as a static site: `cmake --build build/release --target site`. Nothing else needs
+# what makes it (docs/site/packages.txt).
+set(SWIRL_PYTHON /usr/bin/python3 CACHE FILEPATH "The Python that the tests run")
+find_program(SWIRL_CMARK cmark-gfm)
+find_program(SWIRL_DOXYGEN doxygen)
+set(swirl_site ${PROJECT_BINARY_DIR}/site)
+if(SWIRL_CMARK AND SWIRL_DOXYGEN)
+  add_custom_target(site
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${PROJECT_BINARY_DIR}/site-pages
+    COMMAND swirl manual --format markdown -o ${PROJECT_BINARY_DIR}/site-pages
+    COMMAND ${SWIRL_PYTHON} -B ${PROJECT_SOURCE_DIR}/docs/site/build_site.py ${PROJECT_SOURCE_DIR}
+      ${PROJECT_BINARY_DIR}/site-pages ${swirl_site} --doxygen ${SWIRL_DOXYGEN}
+    DEPENDS swirl VERBATIM COMMENT "The site")
+else()
+  add_custom_target(site
+    COMMAND ${CMAKE_COMMAND} -E echo "The site needs cmark-gfm and doxygen: ./quickstart --packages docs/site/packages.txt, then configure again"
+    COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
+endif()

@@ -1,0 +1,75 @@
+#include "map/batch/orbit_batch.hpp"
+
+#include "map/sustained/chatter_completion.hpp"
+
+namespace swirl::detail {
+
+void fill_scene(const Body<double>& body, double mu, double restitution, double widest_sine, int lane,
+                LaneBlock& block) {
+    LaneScenes& s = block.scenes;
+    s.alpha.of[lane] = body.alpha;
+    s.beta.of[lane] = body.beta;
+    s.per_inertia.of[lane] = body.per_inertia;
+    s.per_alpha.of[lane] = body.per_alpha;
+    s.per_inner.of[lane] = body.per_inner;
+    s.disk_grip.of[lane] = body.disk_grip;
+    s.inner.of[lane] = body.inner;
+    s.outer.of[lane] = body.outer;
+    s.mu.of[lane] = mu;
+    s.restitution.of[lane] = restitution;
+    s.chatter.of[lane] = chatter_tolerance * (1 - restitution);
+    s.widest_sine.of[lane] = widest_sine;
+    s.sides.of[lane] = body.sides;
+    s.spacing.of[lane] = body.spacing;
+    s.per_spacing.of[lane] = body.per_spacing;
+    s.half_slope.of[lane] = body.half_slope;
+    s.side.of[lane] = body.side;
+    s.next_turn_x.of[lane] = body.next_turn.x;
+    s.next_turn_y.of[lane] = body.next_turn.y;
+}
+
+void fill_state(const PostImpactState<double>& state, int lane, LaneBlock& block) {
+    block.psi_x.of[lane] = state.psi.x;
+    block.psi_y.of[lane] = state.psi.y;
+    block.chi_x.of[lane] = state.chi.x;
+    block.chi_y.of[lane] = state.chi.y;
+    block.vn.of[lane] = state.vn;
+    block.vt.of[lane] = state.vt;
+    block.spin.of[lane] = state.spin;
+    block.guess.of[lane] = 0;
+    block.looks.of[lane] = 0;
+}
+
+PostImpactState<double> state_of(const LaneBlock& block, int lane) {
+    PostImpactState<double> state;
+    state.psi = {block.psi_x.of[lane], block.psi_y.of[lane]};
+    state.chi = {block.chi_x.of[lane], block.chi_y.of[lane]};
+    state.vn = block.vn.of[lane];
+    state.vt = block.vt.of[lane];
+    state.spin = block.spin.of[lane];
+    return state;
+}
+
+BatchedImpact impact_of(const LaneBlock& block, int lane) {
+    BatchedImpact impact;
+    impact.flight_time = block.flight_time.of[lane];
+    impact.vertex_step = static_cast<int>(block.vertex_step.of[lane]);
+    impact.steps = static_cast<int>(block.steps.of[lane]);
+    impact.impulse.normal = block.normal.of[lane];
+    impact.impulse.tangential = block.tangential.of[lane];
+    impact.impulse.mode = static_cast<ContactMode>(static_cast<int>(block.mode.of[lane]));
+    impact.by_lanes = true;
+    return impact;
+}
+
+std::int64_t VertexTables::add(const Body<double>& body) {
+    for (const auto& [sides, begin] : begins_)
+        if (sides == body.sides) return begin;
+    const auto begin = static_cast<std::int64_t>(numbers_.size() / 4);
+    begins_.emplace_back(body.sides, begin);
+    for (std::size_t k = 0; k < body.vertices.size(); ++k)
+        numbers_.insert(numbers_.end(), {body.vertices[k].x, body.vertices[k].y, body.rests[k].x, body.rests[k].y});
+    return begin;
+}
+
+}  // namespace swirl::detail

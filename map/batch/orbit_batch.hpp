@@ -1,0 +1,198 @@
+// Many orbits advance together, one in each lane of a vector, with the bits of the scalar map. map/batch/README.md.
+#pragma once
+
+#include "map/batch/lane_block.hpp"
+#include "map/orbit/return_map.hpp"
+#include "map/orbit/speed_limits.hpp"
+
+#include <bit>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace swirl {
+
+/// An orbit of a batch, and how far it is to go. The return map must outlive the batch.
+template <class Map>
+struct BatchedOrbit {
+    const ReturnMap<Map>* map = nullptr;
+    PostImpactState<double> state{};  ///< just after its last impact; it goes on from here
+    long long wanted = 0;             ///< impacts
+    long long done = 0;
+    Outcome outcome = Outcome::completed;  ///< else why there are fewer than `wanted`, as ReducedOrbit ends
+};
+
+/// An impact of one of them, as an observer sees it.
+struct BatchedImpact {
+    double flight_time = 0;
+    int vertex_step = 0;
+    int steps = 0;  ///< moments at which the flight was evaluated
+    Impulse<double> impulse;
+    bool by_lanes = false;  ///< false: the scalar code made it
+};
+
+/// How a batch went.
+struct BatchUse {
+    long long impacts = 0;
+    long long left = 0;    ///< steps that the lanes left to the scalar code
+    long long rounds = 0;  ///< looks at all lanes
+    long long filled = 0;  ///< lanes with an orbit, summed over the rounds
+
+    double share_left() const { return static_cast<double>(left) / static_cast<double>(impacts); }
+    double lanes_in_use() const {
+        return static_cast<double>(filled) / (static_cast<double>(rounds) * detail::block_lanes);
+    }
+};
+
+namespace detail {
+
+void fill_scene(const Body<double>& body, double mu, double restitution, double widest_sine, int lane,
+                LaneBlock& block);
+void fill_state(const PostImpactState<double>& state, int lane, LaneBlock& block);
+PostImpactState<double> state_of(const LaneBlock& block, int lane);
+BatchedImpact impact_of(const LaneBlock& block, int lane);
+
+/// The vertices of all polygons of a batch, one table for each number of sides.
+class VertexTables {
+public:
+    /// @return the row at which the body's vertices begin
+    std::int64_t add(const Body<double>& body);
+    const double* numbers() const { return numbers_.data(); }
+
+private:
+    std::vector<std::pair<int, std::int64_t>> begins_;
+    std::vector<double> numbers_;
+};
+
+/// What observes nothing.
+struct NoObserver {
+    static void observe() {}
+};
+
+template <class Map, class Observe>
+class BatchRun {
+public:
+    BatchRun(std::span<BatchedOrbit<Map>> orbits, Observe& observe) : orbits_(orbits), observe_(observe) {
+        kind_ = {Map::shape, Map::rule, false};
+        for (const auto& orbit : orbits_) kind_.sums_chatter |= orbit.map->map().scene().restitution < 1;
+        if constexpr (Map::shape == Shape::polygon)
+            for (const auto& orbit : orbits_) first_vertex_.push_back(tables_.add(orbit.map->map().body()));
+        block_.vertices = tables_.numbers();
+    }
+
+    BatchUse run() {
+        for (int lane = 0; lane < block_lanes; ++lane) refill(lane);
+        while (filled_ != 0) {
+            const RoundResult result = advance_lanes(kind_, block_);
+            ++use_.rounds;
+            use_.filled += std::popcount(filled_);
+            each(result.struck & filled_, [&](int lane) { strike(lane); });
+            each(result.left & filled_, [&](int lane) { leave(lane); });
+        }
+        return use_;
+    }
+
+private:
+    using Orbit = BatchedOrbit<Map>;
+
+    template <class Use>
+    static void each(std::uint32_t lanes, const Use& use) {
+        for (; lanes != 0; lanes &= lanes - 1) use(std::countr_zero(lanes));
+    }
+    Orbit& orbit_in(int lane) { return orbits_[place_[static_cast<std::size_t>(lane)]]; }
+
+    /// The next orbit for a lane, none if there is none left.
+    void refill(int lane) {
+        filled_ &= ~(1u << lane);
+        while (next_ < orbits_.size()) {
+            const std::size_t place = next_++;
+            Orbit& orbit = orbits_[place];
+            if (orbit.done >= orbit.wanted || orbit.outcome != Outcome::completed) continue;
+            const Map& map = orbit.map->map();
+            if (Map::shape == Shape::polygon && map.body().vertices.empty()) {  // too many for a table
+                while (step_alone(orbit, orbit.state) && orbit.done < orbit.wanted) {
+                }
+                continue;
+            }
+            const bool has_contact = map.scene().restitution < 1;
+            const double widest = has_contact ? orbit.map->contact().widest_sine : 0;
+            fill_scene(map.body(), map.scene().mu, map.scene().restitution, widest, lane, block_);
+            if constexpr (Map::shape == Shape::polygon) block_.scenes.first_vertex[lane] = first_vertex_[place];
+            fill_state(orbit.state, lane, block_);
+            place_[static_cast<std::size_t>(lane)] = place;
+            filled_ |= 1u << lane;
+            return;
+        }
+    }
+
+    void strike(int lane) {
+        Orbit& orbit = orbit_in(lane);
+        ++use_.impacts;
+        ++orbit.done;
+        if constexpr (!std::is_same_v<Observe, NoObserver>) {
+            orbit.state = state_of(block_, lane);
+            observe_(orbit, impact_of(block_, lane));
+        }
+        if (orbit.done < orbit.wanted) return;
+        orbit.state = state_of(block_, lane);
+        refill(lane);
+    }
+
+    /// A step that the lanes did not decide.
+    void leave(int lane) {
+        Orbit& orbit = orbit_in(lane);
+        if (!step_alone(orbit, state_of(block_, lane)) || orbit.done >= orbit.wanted) return refill(lane);
+        fill_state(orbit.state, lane, block_);
+    }
+
+    /// By the scalar code. @return the orbit goes on
+    bool step_alone(Orbit& orbit, const PostImpactState<double>& from) {
+        ++use_.left;
+        ReturnStep<double> step;
+        step.collision.after = from;
+        orbit.outcome = orbit.map->advance(step);
+        orbit.state = step.collision.after;
+        if (orbit.outcome != Outcome::completed) return false;
+        ++use_.impacts;
+        ++orbit.done;
+        if constexpr (!std::is_same_v<Observe, NoObserver>) {
+            const Collision<double>& c = step.collision;
+            observe_(orbit, BatchedImpact{c.flight_time, c.vertex_step, c.steps, c.impulse, false});
+        }
+        const Body<double>& body = orbit.map->map().body();
+        if (has_come_to_rest(body, orbit.state)) orbit.outcome = Outcome::resting;
+        if (has_diverged(body, orbit.state)) orbit.outcome = Outcome::diverged;
+        return orbit.outcome == Outcome::completed;
+    }
+
+    std::span<Orbit> orbits_;
+    Observe& observe_;
+    KernelKind kind_;
+    LaneBlock block_;
+    VertexTables tables_;
+    std::vector<std::int64_t> first_vertex_;
+    std::size_t place_[block_lanes] = {};
+    std::size_t next_ = 0;
+    std::uint32_t filled_ = 0;  ///< a bit for each lane with an orbit
+    BatchUse use_;
+};
+
+}  // namespace detail
+
+/// Follows orbits of one shape and impact rule, whatever else of their scenes differs, each by its `wanted` impacts or
+/// to its end. Bit for bit what `ReturnMap::advance` gives, step by step, whatever stands in the other lanes.
+///   observe  called as observe(orbit, impact) after every impact, the orbits' impacts in turn, orbit by orbit mixed
+/// Cost: see map/batch/README.md; of fewer orbits than lanes that of as many as lanes.
+template <class Map, class Observe>
+BatchUse follow_batch(std::span<BatchedOrbit<Map>> orbits, Observe&& observe) {
+    return detail::BatchRun<Map, std::remove_reference_t<Observe>>(orbits, observe).run();
+}
+
+template <class Map>
+BatchUse follow_batch(std::span<BatchedOrbit<Map>> orbits) {
+    detail::NoObserver nobody;
+    return detail::BatchRun<Map, detail::NoObserver>(orbits, nobody).run();
+}
+
+}  // namespace swirl

@@ -1,0 +1,140 @@
+// The flight of each lane's polygon from wall to wall: map/first_contact/direct_polygon.hpp with its first proof,
+// `clear_by_circumcircle`, and the impact.
+#if defined(SWIRL_MAP_BATCH_POLYGON_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SWIRL_MAP_BATCH_POLYGON_INL
+#undef SWIRL_MAP_BATCH_POLYGON_INL
+#else
+#define SWIRL_MAP_BATCH_POLYGON_INL
+#endif
+
+#include "map/batch/impact-inl.hpp"
+#include "map/batch/proofs-inl.hpp"
+#include "map/sustained/chatter_completion.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace swirl::detail::HWY_NAMESPACE {
+
+/// Polygons' `may_chatter`, negated.
+HWY_INLINE Mask leaves_the_wall(const LaneScenes& scenes, int i, const LaneBody& body, const LaneState& z) {
+    const LaneContact u = contact_kinematics(body.alpha, body.beta, z);
+    const Lane acceleration = body.beta + u.ut * u.ut;
+    const Lane from_edge = magnitude(magnitude(z.chi.y) - load(scenes.widest_sine, i));
+    return all(leaves_quickly(u.un, load(scenes.chatter, i) * acceleration, z, body.alpha, body.beta),
+               from_edge > Lane(2 * neighbour_tolerance));
+}
+
+HWY_INLINE LaneFlight flight_from(const LaneBody& body, const LaneState& z) {
+    LaneFlight flight;
+    flight.arm = body.alpha * z.chi;
+    flight.centre = {Lane(1) - flight.arm.x, -flight.arm.y};
+    flight.velocity = {z.vn, z.vt};
+    flight.phase = {z.psi.x, -z.psi.y};
+    flight.beta = body.beta;
+    flight.spin = z.spin;
+    flight.swirl = flight.beta * flight.phase;
+    return flight;
+}
+
+/// sampled_guess, in the lanes that want it; −1 if the gap stays negative.
+HWY_INLINE Lane sampled_guess(const LanePath& path, Mask wanted) {
+    Lane guess(-1), before(0);
+    std::size_t step = 2;
+    for (std::size_t k = step; k < sixty_fourths && any(wanted); k += step) {
+        const Lane time(static_cast<double>(k) / 64);
+        const TabledVector& turn = turns_of_sixty_fourths[k];
+        const Lane gap =
+            time * (path.slope + path.speed2 * time) - Lane(2) * ((path.a0 + path.a1 * time) * Lane(turn.value.x) +
+                                                                  (path.b0 + path.b1 * time) * Lane(turn.value.y));
+        const Mask crossed = hn::And(wanted, gap > Lane(0));
+        guess = choose(crossed, time - Lane(static_cast<double>(step) / 64) * gap / (gap - before), guess);
+        wanted = hn::AndNot(crossed, wanted);
+        before = gap;
+        if (step < 16) step = k;
+    }
+    return guess;
+}
+
+/// A moment near a guess, and the way from it to the place where the centre is back at its first distance.
+struct LaneReturn {
+    Moment near;
+    Lane closer;
+    Mask close;
+};
+
+HWY_INLINE LaneReturn return_near(const LanePath& path, Lane guess) {
+    LaneReturn back;
+    back.near = moment_near(guess);
+    back.closer = householder(series_along<5>(path, back.near));
+    back.close = all(is_tabled_moment(guess), magnitude(back.closer) <= Lane(longest_step),
+                     back.near.time + back.closer > Lane(0));
+    return back;
+}
+
+/// instant_of_return. @return the lanes in which it does; guesses between 7.99 and 16 leave
+HWY_INLINE Mask instant_of_return(const LaneFlight& flight, const LanePath& path, const LaneStart& start,
+                                  LaneInstant& at) {
+    const Lane guess = return_guess(start);
+    LaneReturn back = return_near(path, guess);
+    const Mask sampled =
+        hn::AndNot(either(back.close, all(guess >= Lane(7.99), guess <= Lane(longest_guess))), Lane(0) < Lane(1));
+    if (any(sampled)) {
+        const LaneReturn other = return_near(path, sampled_guess(path, sampled));
+        back.near = {choose(sampled, other.near.time, back.near.time), choose(sampled, other.near.turn, back.near.turn),
+                     choose(sampled, other.near.rest, back.near.rest)};
+        back.closer = choose(sampled, other.closer, back.closer);
+        back.close = either(back.close, hn::And(sampled, other.close));
+    }
+    const Lane spun = flight.spin * back.near.time;
+    at = instant_after(flight, back.near, turn_minus_one(spun), back.closer);
+    return all(back.close, magnitude(spun) < Lane(32), magnitude(flight.spin * back.closer) < Lane(32));
+}
+
+/// Lanes `i` … of a block, as many as a vector has.
+template <ImpactRule rule, bool sums_chatter>
+HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
+    const LaneScenes& scenes = block.scenes;
+    const LaneState z = load_state(block, i);
+    ProofTask task;
+    task.body = load_body(scenes, i);
+    task.flight = flight_from(task.body, z);
+    task.vertices = {block.vertices, hn::Load(Whole(), scenes.first_vertex + i), load(scenes.sides, i),
+                     load(scenes.per_spacing, i)};
+    task.speed = magnitude(z.vn) + magnitude(z.vt);
+    const LaneBody& body = task.body;
+    const LaneFlight& flight = task.flight;
+    LaneSearch& search = task.search;
+    const LanePath path = circle_path(flight);
+    task.start = gap_at_start(path);
+    task.struck = struck_gap_at_start(flight);
+    Mask usual = instant_of_return(flight, path, task.start, search.at);
+    usual = all(usual, task.struck.rate < -rate_rounding(task.speed, body.beta, z.spin, body.alpha));
+    if constexpr (sums_chatter) usual = all(usual, leaves_the_wall(scenes, i, body, z));
+    seek_vertex(task.vertices, flight, fourth_bound(body, flight, task.speed), usual, search);
+    usual = all(search.found, search.at.time + search.correction > Lane(0),
+                magnitude(flight.spin * search.correction) < Lane(32));
+    const LaneInstant at = advanced(flight, search.at, search.correction);
+    Mask clear = hn::And(usual, clear_by_circumcircle(task));
+    const Mask unproven = hn::AndNot(clear, usual);
+    if (any(unproven)) {
+        Mask by_others;
+        clear_by_derivatives(task, at, unproven, by_others);
+        clear = either(clear, by_others);
+    }
+
+    const Plane arm =
+        turned_to(at.arm, search.nearest.number, rows_of_vertex(task.vertices, search.nearest.number).value);
+    const Plane x = at.centre + arm;
+    LaneState after;
+    after.chi = renormalised(load(scenes.per_alpha, i) * seen_from(x, arm));
+    meet_the_wall(x, at.phase, flight, after);
+    const LaneImpact impact = impact_of_polygon<rule>(scenes, i, after);
+
+    const Mask done = all(clear, stays_in_range(after, body.beta, body.alpha));
+    keep_impact(done, after, at.time, search.looks, impact, search.nearest.number, block, i);
+    return {bits_of(done), bits_of(no(done))};
+}
+
+}  // namespace swirl::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,160 @@
+// The further proofs that nothing was passed, in lanes: `clear_by_derivatives` of map/first_contact/direct_polygon.hpp.
+// Taken where a lane's flight is not proven clear by the circumscribed circle; compiled once for all impact rules.
+#if defined(SWIRL_MAP_BATCH_PROOFS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SWIRL_MAP_BATCH_PROOFS_INL
+#undef SWIRL_MAP_BATCH_PROOFS_INL
+#else
+#define SWIRL_MAP_BATCH_PROOFS_INL
+#endif
+
+#include "map/batch/circle_proof-inl.hpp"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace swirl::detail::HWY_NAMESPACE {
+
+HWY_INLINE LaneInstant instant_at_start(const LaneFlight& flight) {
+    const Plane nothing{Lane(0), Lane(0)};
+    return {Lane(0), flight.phase,  flight.arm,   nothing,
+            nothing, flight.centre, flight.swirl, flight.velocity - quarter_turned(flight.swirl)};
+}
+
+/// instant_at<polygon>, where τ and |Sτ| < 32.
+HWY_INLINE LaneInstant instant_at(const LaneFlight& flight, Lane time) {
+    LaneInstant at;
+    const Plane turn = turn_minus_one(time);
+    at.time = time;
+    at.moved = time * flight.velocity - flight.beta * times(flight.phase, turn);
+    at.phase = turned(flight.phase, turn);
+    at.arm_moved = times(flight.arm, turn_minus_one(flight.spin * time));
+    at.arm = flight.arm + at.arm_moved;
+    complete(flight, at);
+    return at;
+}
+
+HWY_INLINE LaneGap gap_after(const LaneGap& gap, Lane d) {
+    const Lane bend = gap.bend + d * gap.jerk;
+    return {gap.value + d * (gap.rate + Lane(0.5) * d * (gap.bend + fraction(1, 3) * d * gap.jerk)),
+            gap.rate + Lane(0.5) * d * (gap.bend + bend), bend, gap.jerk};
+}
+
+HWY_INLINE Mask nonpositive_until(Lane value, Lane rate, Lane bend, Lane t, Lane third) {
+    const Lane b = larger(bend + fraction(1, 3) * third * t, Lane(0));
+    return all(value <= Lane(0), value + t * (rate + Lane(0.5) * b * t) <= Lane(0));
+}
+
+HWY_INLINE Mask touch_together(const LaneGap& first, const LaneGap& second, Lane time) {
+    const Lane apart = magnitude(first.value * second.rate - second.value * first.rate);
+    return all(first.rate > Lane(0), second.rate > Lane(0),
+               apart <= Lane(16 * unit_roundoff) * (larger(first.rate, second.rate) + first.rate * second.rate * time));
+}
+
+/// The gap of the vertex `number`, whichever that is.
+HWY_INLINE LaneGap gap_of_vertex(const VertexRows& vertices, const LaneFlight& flight, const LaneInstant& at,
+                                 Lane number) {
+    const Rows row = rows_of_vertex(vertices, number);
+    return gap_of(flight, at, turned_to(at.arm, number, row.value), times(at.arm, row.rest), equal(number, Lane(0)));
+}
+
+/// neighbour_of.
+HWY_INLINE LaneGap gap_of_neighbour(const VertexRows& vertices, const LaneFlight& flight, const LaneInstant& at,
+                                    Lane number, const Plane& arm) {
+    const Lane k = number + choose(cross(arm, at.centre) >= Lane(0), Lane(1), Lane(-1));
+    const Lane around = choose(k < Lane(0), k + vertices.sides, choose(equal(k, vertices.sides), Lane(0), k));
+    return gap_of_vertex(vertices, flight, at, around);
+}
+
+/// derivative_bounds<6, polygon>.vertex.
+HWY_INLINE Lane sixth_bound(const LaneBody& body, const LaneFlight& flight, Lane speed) {
+    const Lane place = body.outer + body.beta;
+    const Lane s = magnitude(flight.spin);
+    const Lane s2 = s * s;
+    const Lane relative = magnitude(flight.spin - Lane(1));
+    const Lane relative2 = relative * relative;
+    return centre_bound(6, body.beta, body.outer, speed) +
+           Lane(2) * body.alpha *
+               (s2 * s2 * s * (s * place + Lane(6) * speed) + body.beta * (relative2 * relative2 * relative2));
+}
+
+/// clear_by_pairs.
+HWY_INLINE Mask clear_by_pairs(const ProofTask& task, const LaneGap& arriving, const LaneGap& striking,
+                               const LaneGap& neighbour, Lane time) {
+    const LaneBody& body = task.body;
+    const LaneFlight& flight = task.flight;
+    const LaneBounds bounds = vertex_bounds(body, flight, task.speed);
+    const LaneRing ring = closed_between(leaving_gap(task), arriving, time, bounds.centre_sixth);
+    const Lane shift = magnitude(task.search.correction);
+    const LaneInstant start = instant_at_start(flight);
+    const LaneGap other = gap_of_neighbour(task.vertices, flight, start, Lane(0), flight.arm);
+    const LaneGap& struck = task.struck;
+    return all(
+        ring.proven,
+        two_suffice(body, flight, bounds.drift, larger(ring.out, ring.in + shift), body.inner - bounds.drift * shift),
+        nonpositive_until(struck.value, struck.rate, struck.bend, ring.out, bounds.third),
+        nonpositive_until(other.value, other.rate, other.bend, ring.out, bounds.third),
+        nonpositive_until(striking.value, -striking.rate, striking.bend, ring.in, bounds.third),
+        nonpositive_until(neighbour.value, -neighbour.rate, neighbour.bend, ring.in, bounds.third));
+}
+
+/// every_vertex_clear without halves; `striking` −1: none strikes at the end.
+HWY_INLINE Mask every_vertex_clear(const ProofTask& task, const LaneInstant& from, const LaneInstant& to, Lane striking,
+                                   Lane sixth, int most_sides) {
+    Mask clear = Lane(0) < Lane(1);
+    for (int k = 0; k < most_sides; ++k) {
+        const Lane number(k);
+        const Mask beyond = number >= task.vertices.sides;
+        const Lane vertex = choose(beyond, Lane(0), number);
+        const LaneGap first = gap_of_vertex(task.vertices, task.flight, from, vertex);
+        LaneGap last = gap_of_vertex(task.vertices, task.flight, to, vertex);
+        last.value = choose(equal(number, striking), smaller(last.value, Lane(0)), last.value);
+        clear = hn::And(clear, either(beyond, clear_between(first, last, to.time - from.time, sixth)));
+    }
+    return clear;
+}
+
+/// every_vertex_clear with one halving. Few vertices only.
+HWY_INLINE Mask clear_in_halves(const ProofTask& task, const LaneInstant& end, Mask asked) {
+    asked = hn::And(asked, task.vertices.sides <= Lane(few_sides));
+    if (!any(asked)) return asked;
+    const LaneInstant start = instant_at_start(task.flight);
+    const Lane striking = task.search.nearest.number;
+    const Lane sixth = sixth_bound(task.body, task.flight, task.speed);
+    const Lane sides = choose(asked, task.vertices.sides, Lane(0));
+    const int most = static_cast<int>(hn::GetLane(hn::MaxOfLanes(Tag(), sides.v)));
+    const Mask whole = every_vertex_clear(task, start, end, striking, sixth, most);
+    const Lane half_time = Lane(0.5) * (start.time + end.time);
+    const Mask known = all(half_time < Lane(32), magnitude(task.flight.spin * half_time) < Lane(32));
+    if (!any(hn::AndNot(whole, all(asked, known)))) return hn::And(asked, whole);
+    const LaneInstant half_way = instant_at(task.flight, half_time);
+    const Mask halves = all(known, every_vertex_clear(task, start, half_way, Lane(-1), sixth, most),
+                            every_vertex_clear(task, half_way, end, striking, sixth, most));
+    return hn::And(asked, either(whole, halves));
+}
+
+/// clear_by_derivatives for the lanes `asked` for; `end` is the contact.
+HWY_NOINLINE void clear_by_derivatives(const ProofTask& task, const LaneInstant& end, const Mask& asked, Mask& clear) {
+    const LaneSearch& search = task.search;
+    const LaneInstant& at = search.at;
+    const LaneGap& g = search.nearest.gap;
+    const Plane& arm = search.nearest.arm;
+    const Lane d = search.correction;
+    const Mask nearest = magnitude(cross(arm, at.centre)) <= task.body.half_slope * dot(arm, at.centre);
+    LaneGap circle = centre_gap(task.body, at);
+    circle.jerk = Lane(2) * (Lane(3) * dot(at.drift, at.swirl) - cross(at.centre, at.swirl));
+    LaneGap striking = gap_after(g, d);
+    striking.value = Lane(0);
+    const LaneGap neighbour =
+        gap_after(gap_of_neighbour(task.vertices, task.flight, at, search.nearest.number, arm), d);
+    const Lane time = at.time + d;
+    const Mask alone = all(asked, nearest, no(touch_together(striking, neighbour, time)));
+    const Mask by_pairs = hn::And(alone, clear_by_pairs(task, gap_after(circle, d), striking, neighbour, time));
+    const Mask left = hn::AndNot(by_pairs, alone);
+    clear = by_pairs;
+    if (any(left)) clear = either(clear, clear_in_halves(task, end, left));
+}
+
+}  // namespace swirl::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,139 @@
+// Rotations in lanes: map/numbers/turn.hpp and turn_table.hpp, with both sides of each branch where lanes part.
+#if defined(SWIRL_MAP_BATCH_TURNS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SWIRL_MAP_BATCH_TURNS_INL
+#undef SWIRL_MAP_BATCH_TURNS_INL
+#else
+#define SWIRL_MAP_BATCH_TURNS_INL
+#endif
+
+#include "map/batch/lanes-inl.hpp"
+#include "map/numbers/turn_table.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace swirl::detail::HWY_NAMESPACE {
+
+/// A row of four numbers from a table for each lane: value and rest of a tabled rotation.
+struct Rows {
+    Plane value, rest;
+};
+
+/// Whole rows are loaded and turned where that is quicker than gathering numbers (vectors of 2 and 4).
+HWY_INLINE Rows rows_of(const double* table, Wholes row) {
+    const Tag tag;
+    const Wholes at = hn::ShiftLeft<2>(row);
+    constexpr std::size_t lanes = hn::MaxLanes(Tag());
+    Rows rows;
+#if HWY_TARGET != HWY_SCALAR  // which has no vectors to turn
+    if constexpr (lanes == 4) {
+        alignas(32) std::int64_t from[4];
+        hn::Store(at, Whole(), from);
+        const auto a = hn::LoadU(tag, table + from[0]), b = hn::LoadU(tag, table + from[1]);
+        const auto c = hn::LoadU(tag, table + from[2]), d = hn::LoadU(tag, table + from[3]);
+        const auto even = hn::InterleaveLower(tag, a, b), odd = hn::InterleaveUpper(tag, a, b);
+        const auto more_even = hn::InterleaveLower(tag, c, d), more_odd = hn::InterleaveUpper(tag, c, d);
+        rows.value = {Lane(hn::ConcatLowerLower(tag, more_even, even)), Lane(hn::ConcatLowerLower(tag, more_odd, odd))};
+        rows.rest = {Lane(hn::ConcatUpperUpper(tag, more_even, even)), Lane(hn::ConcatUpperUpper(tag, more_odd, odd))};
+    } else if constexpr (lanes == 2) {
+        alignas(16) std::int64_t from[2];
+        hn::Store(at, Whole(), from);
+        const auto a = hn::LoadU(tag, table + from[0]), b = hn::LoadU(tag, table + from[1]);
+        const auto c = hn::LoadU(tag, table + from[0] + 2), d = hn::LoadU(tag, table + from[1] + 2);
+        rows.value = {Lane(hn::InterleaveLower(tag, a, b)), Lane(hn::InterleaveUpper(tag, a, b))};
+        rows.rest = {Lane(hn::InterleaveLower(tag, c, d)), Lane(hn::InterleaveUpper(tag, c, d))};
+    }
+#endif
+    if constexpr (lanes != 2 && lanes != 4) {
+        rows.value = {Lane(hn::GatherIndex(tag, table, at)), Lane(hn::GatherIndex(tag, table + 1, at))};
+        rows.rest = {Lane(hn::GatherIndex(tag, table + 2, at)), Lane(hn::GatherIndex(tag, table + 3, at))};
+    }
+    return rows;
+}
+
+/// The bits of a double as a whole number.
+HWY_INLINE Wholes bits_in(Lane a) {
+    return hn::BitCast(Whole(), a.v);
+}
+
+HWY_INLINE Plane small_turn(Lane d) {
+    const Lane s = d * d;
+    const Lane s2 = s * s;
+    const Lane sine = (Lane(-1.0 / 6) + s * Lane(1.0 / 120)) +
+                      s2 * ((Lane(-1.0 / 5040) + s * Lane(1.0 / 362880)) + s2 * Lane(-1.0 / 39916800));
+    const Lane cosine =
+        (Lane(-0.5) + s * Lane(1.0 / 24)) +
+        s2 * ((Lane(-1.0 / 720) + s * Lane(1.0 / 40320)) + s2 * (Lane(-1.0 / 3628800) + s * Lane(1.0 / 479001600)));
+    return {s * cosine, d + d * (s * sine)};
+}
+
+HWY_INLINE Plane tiny_turn(Lane d) {
+    const Lane s = d * d;
+    return {s * (Lane(-0.5) + s * Lane(1.0 / 24)), d + d * (s * Lane(-1.0 / 6))};
+}
+
+HWY_INLINE Mask is_tiny(Lane angle) {
+    return magnitude(angle) <= Lane(0x1p-13);
+}
+HWY_INLINE Mask is_small(Lane angle) {
+    return magnitude(angle) <= Lane(0.25);
+}
+
+/// turn_minus_one for |δ| ≤ ¼.
+HWY_INLINE Plane turn_within_quarter(Lane angle) {
+    return choose(is_tiny(angle), tiny_turn(angle), small_turn(angle));
+}
+
+/// turn_minus_one for |δ| < 32, which is the caller's to see to.
+HWY_INLINE Plane turn_minus_one(Lane angle) {
+    const Lane doubled = angle + angle;
+    const Lane shifted = doubled + Lane(0x1.8p52);
+    const Lane nearest = shifted - Lane(0x1.8p52);
+    const Mask beyond = magnitude(angle) < Lane(32);  // where not, or NaN, the row is one that exists
+    const Lane k = choose(beyond, magnitude(nearest), Lane(0));
+    const Wholes row = hn::And(bits_in(k + Lane(0x1.8p52)), hn::Set(Whole(), 127));
+    static_assert(sizeof(TabledVector) == 4 * sizeof(double));
+    const Rows entry = rows_of(&half_radians[0].value.x, row);
+    const Mask backwards = nearest < Lane(0);
+    const Lane side = choose(backwards, Lane(-1), Lane(1));
+    const Plane coarse{entry.value.x, side * entry.value.y};
+    const Plane rest{entry.rest.x, side * entry.rest.y};
+    const Mask in_table = no(is_small(angle));
+    // One polynomial for both: of the angle itself, or of what the table leaves.
+    const Plane fine = small_turn(choose(in_table, angle - Lane(0.5) * nearest, angle));
+    const Plane far = coarse + (fine + (rest + times(coarse, fine)));
+    return choose(is_tiny(angle), tiny_turn(angle), choose(in_table, far, fine));
+}
+
+/// TurnedMoment, at moments between 0 and 7.99 (`is_tabled_moment`).
+struct Moment {
+    Lane time;
+    Plane turn, rest;
+};
+
+HWY_INLINE Mask is_tabled_moment(Lane time) {
+    return all(time > Lane(0), time < Lane(7.99));
+}
+
+HWY_INLINE Moment moment_near(Lane time) {
+    const Lane shifted = time + Lane(0x1.8p46);
+    const Wholes row = hn::And(bits_in(shifted), hn::Set(Whole(), static_cast<std::int64_t>(sixty_fourths) - 1));
+    const Rows entry = rows_of(&turns_of_sixty_fourths[0].value.x, row);
+    Moment moment{shifted - Lane(0x1.8p46), entry.value, entry.rest};
+    const Mask tabled = time >= Lane(1.0 / 32);
+    if (any(no(tabled))) {
+        moment.time = choose(tabled, moment.time, time);
+        moment.turn = choose(tabled, moment.turn, turn_within_quarter(time));
+        moment.rest = choose(tabled, moment.rest, Plane{Lane(0), Lane(0)});
+    }
+    return moment;
+}
+
+/// E(τ + d) for |d| ≤ ¼.
+HWY_INLINE Plane turn_after(const Moment& moment, Lane d) {
+    const Plane fine = turn_within_quarter(d);
+    return moment.turn + (fine + (moment.rest + times(moment.turn, fine)));
+}
+
+}  // namespace swirl::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,189 @@
+// A moment of a polygon's flight and the vertex nearest to the wall then, in lanes: map/model/flight.hpp,
+// map/first_contact/vertices.hpp, and the search of direct_polygon.hpp.
+#if defined(SWIRL_MAP_BATCH_VERTICES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SWIRL_MAP_BATCH_VERTICES_INL
+#undef SWIRL_MAP_BATCH_VERTICES_INL
+#else
+#define SWIRL_MAP_BATCH_VERTICES_INL
+#endif
+
+#include "map/batch/path-inl.hpp"
+#include "map/first_contact/direct_polygon.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace swirl::detail::HWY_NAMESPACE {
+
+/// Instant; `moved` and `arm_moved` from the start.
+struct LaneInstant {
+    Lane time;
+    Plane phase, arm, moved, arm_moved;
+    Plane centre, swirl, drift;  ///< follow from the others
+};
+
+HWY_INLINE void complete(const LaneFlight& flight, LaneInstant& at) {
+    at.centre = flight.centre + at.moved;
+    at.swirl = flight.beta * at.phase;
+    at.drift = flight.velocity - quarter_turned(at.swirl);
+}
+
+/// turn_minus_one for |δ| < 32; nearly always all lanes are within ¼.
+HWY_INLINE Plane turn_of(Lane angle) {
+    if (any(no(is_small(angle)))) return turn_minus_one(angle);
+    return turn_within_quarter(angle);
+}
+
+HWY_INLINE LaneInstant instant_after(const LaneFlight& flight, const Moment& near, Plane spun, Lane later) {
+    LaneInstant at;
+    const Plane turn = turn_after(near, later);
+    at.time = near.time + later;
+    at.moved = (near.time * flight.velocity + later * flight.velocity) - flight.beta * times(flight.phase, turn);
+    at.phase = turned(flight.phase, turn);
+    at.arm_moved = times(flight.arm, compose(spun, turn_of(flight.spin * later)));
+    at.arm = flight.arm + at.arm_moved;
+    complete(flight, at);
+    return at;
+}
+
+/// advance<polygon>, where |step| and |S step| < 32.
+HWY_INLINE LaneInstant advanced(const LaneFlight& flight, const LaneInstant& from, Lane step) {
+    LaneInstant at;
+    const Plane turn = turn_of(step);
+    at.time = from.time + step;
+    at.moved = from.moved + (step * flight.velocity - times(from.swirl, turn));
+    at.phase = turned(from.phase, turn);
+    const Plane arm_step = times(from.arm, turn_of(flight.spin * step));
+    at.arm = from.arm + arm_step;
+    at.arm_moved = from.arm_moved + arm_step;
+    complete(flight, at);
+    return at;
+}
+
+HWY_INLINE LaneInstant choose(Mask condition, const LaneInstant& yes, const LaneInstant& otherwise) {
+    return {choose(condition, yes.time, otherwise.time),
+            choose(condition, yes.phase, otherwise.phase),
+            choose(condition, yes.arm, otherwise.arm),
+            choose(condition, yes.moved, otherwise.moved),
+            choose(condition, yes.arm_moved, otherwise.arm_moved),
+            choose(condition, yes.centre, otherwise.centre),
+            choose(condition, yes.swirl, otherwise.swirl),
+            choose(condition, yes.drift, otherwise.drift)};
+}
+
+HWY_INLINE Lane rough_angle(Lane y, Lane x) {
+    const Lane a = magnitude(x), b = magnitude(y);
+    const Lane t = smaller(a, b) / larger(a, b);
+    const Lane s = t * t, s2 = s * s;
+    Lane angle =
+        t * ((Lane(0.99997726) - Lane(0.33262347) * s) +
+             s2 * ((Lane(0.19354346) - Lane(0.11643287) * s) + s2 * (Lane(0.05265332) - Lane(0.01172120) * s)));
+    angle = choose(b > a, Lane(M_PI / 2) - angle, angle);
+    angle = choose(x < Lane(0), Lane(M_PI) - angle, angle);
+    return choose(y < Lane(0), -angle, angle);
+}
+
+/// The tabled rotations of a polygon's vertices, for its lanes.
+struct VertexRows {
+    const double* numbers;
+    Wholes first;
+    Lane sides, per_spacing;
+};
+
+struct LaneVertex {
+    Lane number;  ///< 0 … N − 1
+    Plane arm, rest;
+    LaneGap gap;
+    Mask known;  ///< there is a direction to it
+};
+
+HWY_INLINE Plane turned_to(const Plane& v, Lane number, const Plane& rotation) {
+    return choose(equal(number, Lane(0)), v, times(v, rotation));
+}
+
+HWY_INLINE Rows rows_of_vertex(const VertexRows& vertices, Lane number) {
+    const Wholes k = hn::And(bits_in(number + Lane(0x1.8p52)), hn::Set(Whole(), 2047));
+    return rows_of(vertices.numbers, hn::Add(vertices.first, k));
+}
+
+/// vertex_gap, of the struck vertex (number 0) with `struck_gap`'s value.
+HWY_INLINE LaneGap gap_of(const LaneFlight& flight, const LaneInstant& at, const Plane& arm, const Plane& rest,
+                          Mask is_struck) {
+    const Lane spin2 = flight.spin * flight.spin;
+    const Plane x = at.centre + arm;
+    const Plane rate = at.drift + flight.spin * quarter_turned(arm);
+    const Plane bend = at.swirl - spin2 * arm;
+    const Plane jerk = quarter_turned(at.swirl - (spin2 * flight.spin) * arm);
+    const Plane moved = at.moved + at.arm_moved;
+    const Lane value = (dot(x, x) - Lane(1)) + Lane(2) * dot(x, rest);
+    return {choose(is_struck, Lane(2) * moved.x + dot(moved, moved), value), Lane(2) * dot(x, rate),
+            Lane(2) * (dot(rate, rate) + dot(x, bend)), Lane(2) * (Lane(3) * dot(rate, bend) + dot(x, jerk))};
+}
+
+HWY_INLINE LaneVertex nearest_vertex(const VertexRows& vertices, const LaneFlight& flight, const LaneInstant& at) {
+    LaneVertex nearest;
+    const Plane between = seen_from(at.arm, at.centre);
+    const Lane number = rough_angle(between.y, between.x) * vertices.per_spacing;
+    nearest.known = magnitude(number) < vertices.sides;
+    const Lane k = (choose(nearest.known, number, Lane(0)) + Lane(0x1.8p52)) - Lane(0x1.8p52);
+    nearest.number = choose(k < Lane(0), k + vertices.sides, k);
+    const Rows row = rows_of_vertex(vertices, nearest.number);
+    nearest.arm = turned_to(at.arm, nearest.number, row.value);
+    nearest.gap = gap_of(flight, at, nearest.arm, times(at.arm, row.rest), equal(nearest.number, Lane(0)));
+    return nearest;
+}
+
+HWY_INLINE Lane correction_of(const LaneGap& g) {
+    const Lane half_bend = Lane(0.5) * g.bend;
+    const Lane sixth_jerk = fraction(1, 6) * g.jerk;
+    const Lane square = g.rate * g.rate;
+    const Lane bend = half_bend + half_bend;
+    return -(g.value * (square - g.value * half_bend)) /
+           (g.rate * (square - g.value * bend) + g.value * (g.value * sixth_jerk));
+}
+
+HWY_INLINE Mask is_converged(const LaneGap& gap, Lane correction, Lane time, Lane fourth) {
+    const Lane small(0x1p-13 / 4);
+    const Lane size = magnitude(correction);
+    const Lane square = size * size;
+    return all(size <= small, size * magnitude(gap.bend) <= small * gap.rate,
+               square * magnitude(gap.jerk) <= small * small * gap.rate,
+               fourth * (square * square) <= Lane(unit_roundoff) * gap.rate * time,
+               magnitude(gap.value) <= Lane(2) * gap.rate * size);
+}
+
+/// Where a search has come to.
+struct LaneSearch {
+    LaneInstant at;
+    LaneVertex nearest;
+    Lane correction, looks;
+    Mask found;
+};
+
+/// Lanes that need more looks than this leave: they are few, and all the others wait for them.
+inline constexpr int most_looks = 4;
+
+/// seek_vertex from `search.at`, in the lanes that are `open`.
+HWY_INLINE void seek_vertex(const VertexRows& vertices, const LaneFlight& flight, Lane fourth, Mask open,
+                            LaneSearch& search) {
+    search.found = Lane(1) < Lane(0);
+    search.looks = Lane(0);
+    for (int look = 1;; ++look) {
+        // Lanes that have found theirs see the same once more.
+        search.nearest = nearest_vertex(vertices, flight, search.at);
+        const LaneGap& g = search.nearest.gap;
+        search.correction = correction_of(g);
+        open =
+            all(open, search.nearest.known, g.rate > Lane(0), magnitude(search.correction) <= Lane(longest_correction));
+        const Mask now = all(open, is_converged(g, search.correction, search.at.time, fourth));
+        search.looks = choose(now, Lane(look), search.looks);
+        search.found = either(search.found, now);
+        open = hn::AndNot(now, open);
+        if (look == most_looks || !any(open)) return;
+        open = all(open, magnitude(flight.spin * search.correction) < Lane(32));
+        search.at = choose(open, advanced(flight, search.at, search.correction), search.at);
+    }
+}
+
+}  // namespace swirl::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,120 @@
+"""The Debian packages of a build: packages_test.py CPACK BUILD VERSION
+
+They are made anew, looked at, unpacked into an empty root, and installed into and removed from another. As root; lintian is
+run where it is installed."""
+
+import gzip
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+CPACK, BUILD, VERSION = sys.argv.pop(1), Path(sys.argv.pop(1)).resolve(), sys.argv.pop(1)
+NAMES = {"swirl", "swirl-figures", "libswirl-dev"}
+
+
+def told(*command, **options):
+    result = subprocess.run(command, capture_output=True, text=True, timeout=600, **options)
+    assert result.returncode == 0, (command, result.stdout, result.stderr)
+    return result.stdout
+
+
+def field(package, name):
+    return told("dpkg-deb", "-f", package, name).strip()
+
+
+def files_below(root):
+    return {str(path.relative_to(root)) for path in root.rglob("*") if not path.is_dir()}
+
+
+class Packages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        told(CPACK, "--config", BUILD / "CPackConfig.cmake", "-B", cls.folder / "made", cwd=BUILD)
+        cls.packages = {field(path, "Package"): path for path in (cls.folder / "made").glob("*.deb")}
+
+    def unpacked(self, name):
+        root = self.folder / f"root-{name}"
+        if not root.exists():
+            told("dpkg-deb", "-x", self.packages[name], root)
+        return root
+
+    def test_what_they_are(self):
+        self.assertEqual(set(self.packages), NAMES)
+        for name, path in self.packages.items():
+            self.assertEqual(field(path, "Version"), f"{VERSION}-1")
+            self.assertEqual(field(path, "Architecture"), "all" if name == "swirl-figures" else
+                             told("dpkg", "--print-architecture").strip())
+        needed = field(self.packages["swirl"], "Depends")
+        for library in ("libc6", "libhdf5", "libfftw3", "libgsl", "libtbb", "libfmt"):
+            self.assertRegex(needed, rf"(^|, ){library}", needed)
+        self.assertNotIn("-dev", needed)
+        self.assertIn("python3-matplotlib", field(self.packages["swirl-figures"], "Depends"))
+        self.assertIn("libeigen3-dev", field(self.packages["libswirl-dev"], "Depends"))
+
+    def test_what_is_in_them(self):
+        program, figures, library = (files_below(self.unpacked(name)) for name in ("swirl", "swirl-figures", "libswirl-dev"))
+        commands = re.findall(r"^  ([a-z]+) ", told(self.unpacked("swirl") / "usr/bin/swirl", "--help").split("Subcommands:")[1],
+                              re.M)
+        pages = {f"usr/share/man/man1/swirl-{command}.1.gz" for command in commands} | {"usr/share/man/man1/swirl.1.gz"}
+        self.assertLessEqual(pages | {"usr/bin/swirl", "usr/share/bash-completion/completions/swirl",
+                                      "usr/share/zsh/vendor-completions/_swirl", "usr/share/doc/swirl/docs/tutorial.md"}, program)
+        self.assertIn("usr/share/swirl/notebooks-export/plot_record.py", figures)
+        self.assertFalse([name for name in program | figures | library if "__pycache__" in name])
+        self.assertLessEqual({"usr/lib/libswirl_map.a", "usr/lib/cmake/Swirl/SwirlConfig.cmake",
+                              "usr/include/swirl/analysis/section_map.hpp"}, library)
+        for name in NAMES:
+            documents = self.unpacked(name) / "usr/share/doc" / name
+            self.assertIn("Permission is hereby granted", (documents / "copyright").read_text())
+            changes = gzip.decompress((documents / "changelog.Debian.gz").read_bytes()).decode()
+            self.assertTrue(changes.startswith(f"{name} ({VERSION}-1) "))
+        self.assertFalse(program & figures | program & library | figures & library)
+
+    def test_the_command_runs_from_an_empty_root(self):
+        root = self.folder / "empty"
+        for name in ("swirl", "swirl-figures"):
+            told("dpkg-deb", "-x", self.packages[name], root)
+        swirl = root / "usr/bin/swirl"
+        work = self.folder / "work"
+        work.mkdir()
+        self.assertIn("chaotic", told(swirl, "tour", "-o", "tour.h5", cwd=work))
+        echo = {**os.environ, "SWIRL_PYTHON": "/bin/echo"}
+        script = swirl.parents[1] / "share/swirl/notebooks-export/plot_record.py"
+        self.assertIn(str(script), told(swirl, "plot", "tour.h5", "-o", "tour.png", cwd=work, env=echo))
+        told(swirl, "plot", "tour.h5", "-o", "tour.png", cwd=work)
+        self.assertTrue((work / "tour.png").read_bytes().startswith(b"\x89PNG"))
+
+    @unittest.skipIf(os.geteuid() != 0, "dpkg installs as root only: installing and removing are not tested")
+    def test_they_are_installed_and_removed_without_a_trace(self):
+        root = self.folder / "system"
+        for folder in ("var/lib/dpkg/info", "var/lib/dpkg/updates", "var/lib/dpkg/triggers", "var/log"):
+            (root / folder).mkdir(parents=True)
+        (root / "var/lib/dpkg/status").touch()
+        before = files_below(root)
+        # A root with nothing in it: what they depend on is not there either.
+        dpkg = ("dpkg", f"--root={root}", "--force-depends", "--force-script-chrootless")
+        told(*dpkg, "-i", *self.packages.values())
+        self.assertIn("chaotic", told(root / "usr/bin/swirl", "tour"))
+        self.assertEqual(told(*dpkg, "--verify"), "")
+        told(*dpkg, "-r", *NAMES)
+        left = {name for name in files_below(root) - before if not name.startswith("var/")}
+        self.assertEqual(left, set())
+        self.assertFalse((root / "usr/share/swirl").exists())
+
+    @unittest.skipUnless(shutil.which("lintian"), "lintian is not installed: what it says is not tested")
+    def test_lintian_finds_no_error(self):
+        result = subprocess.run(["lintian", "--allow-root", "--fail-on", "error", *self.packages.values()],
+                                capture_output=True, text=True, timeout=600)
+        print(result.stdout, end="", file=sys.stderr)
+        self.assertEqual(result.returncode, 0, result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

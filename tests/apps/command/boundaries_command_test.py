@@ -294,6 +294,15 @@ class Boundaries(InFolder):
         self.assertEqual((against["with_cycle"], against["disagreements"]), (0, []))
         self.assertEqual(against["family_cells"], 9)
 
+    def test_curves_that_lie_between_lines_are_sought_from_the_maps_own_runs(self):
+        # A band of cycles of period 2, 0.008 wide in alpha, that one of two starts comes to.
+        path, scene = self.folder / "map.h5", HEXAGON
+        run(f"sweep {scene} --grid alpha=0.47966101694915253:0.4932:2 --grid beta=0.6940677966101695:0.7110169491525423:2 "
+            f"--runs 2 --quiet -o {path}")
+        against = document(f"boundaries {scene} --plane alpha=0.4:0.6 --plane beta=0.6:0.8 --max-period 2 --lines 1 "
+                           f"--against {path}")["against"]
+        self.assertEqual((against["missing_cells"], against["led_by_runs"]), (0, 2))
+
     def test_against_a_map(self):
         path = self.folder / "map.h5"
         run(f"sweep {HEXAGON} --grid alpha=0.5:0.59:6 --grid beta=0.26:0.35:6 --runs 1 --quiet -o {path}")

@@ -1,0 +1,148 @@
+"""Swirl beside other solvers on one scene, in one run: compare.py PEERS [--flights N] [--rounds N] [--seed N]
+
+PEERS is the program built with -DSWIRL_PEERS=ON. Prints for a disk with friction and a hexagon without what each misses,
+then what an impact costs, in turns, as ratios to Swirl's double and to `brent`. README.md says how it is measured.
+"""
+
+import argparse
+import statistics
+import sys
+import time
+from dataclasses import dataclass
+
+from compiled_peers import CompiledPeers
+from container_frame import SCENES, follow
+from judgement import clopper_pearson, judge, quantile
+from scipy_peer import ScipyPeer
+
+try:
+    from siconos_peer import SiconosPeer
+except ImportError:
+    SiconosPeer = None
+
+# How far from the true time a contact may be found and still be that contact: wide, in the peers' favour.
+SLACK_OF_STEPS = 0.02  # two of the longest steps; Box2D's slop costs it some 0.005, too
+SLACK_OF_TOLERANCE = 1000  # tolerances, and 1e-6 at least: near grazing an error of the gap makes its root's larger
+
+
+@dataclass(frozen=True)
+class Contestant:
+    name: str       # as it is printed
+    peer: str       # the compiled peer, or scipy, siconos
+    tolerance: float = 0.0
+    step: float = 0.0
+    share: float = 1.0  # of the flights
+    steps: bool = False
+    batch: int = 1000   # impacts in a row in a round
+
+    @property
+    def slack(self):
+        return SLACK_OF_STEPS if self.steps else max(1e-6, SLACK_OF_TOLERANCE * self.tolerance)
+
+
+def contestants():
+    yield Contestant("swirl double", "double")
+    yield Contestant("brent", "brent")
+    yield Contestant("paper", "paper")
+    yield Contestant("fixed-step 0.01", "fixed-step", step=0.01, steps=True)
+    for tolerance in (1e-6, 1e-9, 1e-12):
+        yield Contestant(f"SUNDIALS {tolerance:.0e}", "sundials", tolerance, share=0.1, batch=200)
+    yield Contestant("SUNDIALS 1e-12 h<0.05", "sundials", 1e-12, 0.05, share=0.1, batch=100)
+    for tolerance in (1e-6, 1e-9, 1e-12):
+        yield Contestant(f"SciPy {tolerance:.0e}", "scipy", tolerance, share=0.01, batch=8)
+    yield Contestant("SciPy 1e-12 h<0.05", "scipy", 1e-12, 0.05, share=0.005, batch=4)
+    yield Contestant("Box2D 0.01", "box2d", step=0.01, share=0.05, steps=True, batch=10)
+    yield Contestant("Box2D 0.001", "box2d", step=0.001, share=0.005, steps=True, batch=4)
+    if SiconosPeer is not None:
+        yield Contestant("Siconos 0.01", "siconos", step=0.01, share=0.01, steps=True, batch=4)
+        yield Contestant("Siconos 0.001", "siconos", step=0.001, share=0.001, steps=True, batch=1)
+
+
+def python_peer(one, scene):
+    if one.peer == "scipy":
+        return ScipyPeer(scene, one.tolerance, one.step if one.step > 0 else float("inf"))
+    return SiconosPeer(scene, one.step) if one.peer == "siconos" else None
+
+
+def impacts_of(one, scene, compiled, starts):
+    peer = python_peer(one, scene)
+    if peer is None:
+        return compiled.next(one.peer, one.tolerance, one.step, len(starts))
+    return [peer.next(start) for start in starts]
+
+
+def seconds_of(one, scene, compiled, starts, first):
+    """Of the processor, per impact, over a batch in a row from start `first`; those in Python go on from the next where one is lost."""
+    peer = python_peer(one, scene)
+    if peer is None:
+        return compiled.seconds_per_impact(one.peer, one.tolerance, one.step, first, one.batch, 0.01)
+    begin, found = time.process_time(), 0
+    while found < one.batch:
+        found += len(follow(peer, starts[first], one.batch - found))
+        first += 1
+    return (time.process_time() - begin) / found
+
+
+def rate(hits, count):
+    low, high = clopper_pearson(hits, count)
+    return f"{hits:5d} [{low:.1e}, {high:.1e}]"
+
+
+def print_misses(scene, compiled, starts, truths):
+    judged = {}
+    print(f"{'':22} {'flights':>7}  {'missed [95 %]':26} {'misordered [95 %]':26} {'late':>9} {'error':>8} {'its 95 %':>8}")
+    for one in contestants():
+        count = max(20, int(one.share * len(starts)))
+        seen = judge(impacts_of(one, scene, compiled, starts[:count]), truths[:count], one.slack)
+        judged[one.name] = seen
+        print(f"{one.name:22} {seen.count:7}  {rate(seen.missed, count):26} {rate(seen.misordered, count):26} "
+              f"{seen.late:9.1e} {seen.error:8.1e} {seen.worst:8.1e}", flush=True)
+    return judged
+
+
+def print_times(scene, compiled, starts, judged, rounds):
+    seconds = {one.name: [] for one in contestants()}
+    for turn in range(rounds):
+        for one in contestants():
+            seconds[one.name].append(seconds_of(one, scene, compiled, starts, 16 * turn))
+    print(f"{'':22} {'us/impact':>10}  {'x swirl double [quartiles]':30} {'x brent':>10}  {'error':>8}")
+    ratios = {}
+    for name, own in seconds.items():
+        to = {base: [a / b for a, b in zip(own, seconds[base])] for base in ("swirl double", "brent")}
+        ratios[name] = statistics.median(to["swirl double"])
+        spread = f"{quantile(to['swirl double'], 0.25):.3g} … {quantile(to['swirl double'], 0.75):.3g}"
+        print(f"{name:22} {1e6 * statistics.median(own):10.3g}  {ratios[name]:10.3g} [{spread:17}] "
+              f"{statistics.median(to['brent']):10.3g}  {judged[name].error:8.1e}")
+    return ratios
+
+
+def print_goals(ratios):
+    for name, goal in (("SUNDIALS 1e-12", 50), ("SciPy 1e-12", 1000), ("brent", 10), ("paper", 10)):
+        print(f"{name}: {ratios[name]:.3g} x swirl double, goal {goal}: {'reached' if ratios[name] >= goal else 'not reached'}")
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("peers", help="the program built with -DSWIRL_PEERS=ON")
+    parser.add_argument("--flights", type=int, default=20000)
+    parser.add_argument("--rounds", type=int, default=9)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args(arguments)
+    if options.flights < 1000 or not 1 <= options.rounds <= 50:
+        parser.error("--flights must be at least 1000, --rounds 1 to 50")
+    if SiconosPeer is None:
+        print("Siconos is left out: no python3-siconos")
+    with CompiledPeers(options.peers) as compiled:
+        for name, scene in SCENES.items():
+            print(f"\n{name}: alpha {scene.alpha}, beta {scene.beta}, mu {scene.mu}, e {scene.restitution}; "
+                  f"{options.flights} flights, seed {options.seed}, against quad")
+            starts, truths = compiled.draw(name, options.seed, options.flights)
+            print("Box2D:", compiled.numbers())
+            judged = print_misses(scene, compiled, starts, truths)
+            print(f"processor time of an impact, {options.rounds} rounds in turns")
+            print_goals(print_times(scene, compiled, starts, judged, options.rounds))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

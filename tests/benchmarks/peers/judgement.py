@@ -1,0 +1,52 @@
+"""What a peer's impacts are worth against quad's."""
+
+import math
+import statistics
+from dataclasses import dataclass
+
+from scipy.stats import beta
+
+
+def clopper_pearson(hits, count, level=0.95):
+    """The exact two-sided interval of a rate of which `hits` of `count` were seen."""
+    tail = (1 - level) / 2
+    low = 0.0 if hits == 0 else beta.ppf(tail, hits, count - hits + 1)
+    high = 1.0 if hits == count else beta.ppf(1 - tail, hits + 1, count - hits)
+    return low, high
+
+
+def quantile(values, share):
+    ordered = sorted(values)
+    return ordered[min(len(ordered) - 1, int(share * len(ordered)))] if ordered else math.nan
+
+
+def state_error(impact, truth):
+    """The largest difference of cis psi, cis chi, v_n, v_t and S."""
+    return max(abs(a - b) for a, b in zip(impact.after, truth.after))
+
+
+@dataclass(frozen=True)
+class Judgement:
+    count: int
+    missed: int       # none found, or a later one in its place
+    misordered: int   # another vertex at that time, or a contact before the first
+    late: float       # median of found - true time, of the others
+    error: float      # median of the state's error, of the others
+    worst: float      # its 95 % quantile
+
+
+def judge(impacts, truths, slack):
+    """`slack`: how late or early a contact may be and still be that contact."""
+    missed = misordered = 0
+    delays, errors = [], []
+    for impact, truth in zip(impacts, truths):
+        delay = impact.time - truth.time
+        if not impact.found or delay > slack:
+            missed += 1
+        elif delay < -slack or impact.vertex != truth.vertex:
+            misordered += 1
+        else:
+            delays.append(delay)
+            errors.append(state_error(impact, truth))
+    late = statistics.median(delays) if delays else math.nan
+    return Judgement(len(impacts), missed, misordered, late, quantile(errors, 0.5), quantile(errors, 0.95))

@@ -1,0 +1,123 @@
+"""The peers solve the same equations as Swirl: same_physics_test.py [PEERS | --without-peers] [--write]
+
+The first five impacts of an orbit, each from where the exact map has put the body (the hexagon's chaos enlarges an error
+up to fortyfold at each), against the map in quad: first_impacts.json holds both. SciPy alone by default; with the program PEERS that map itself, SUNDIALS, Box2D and Siconos, too. --write makes the file anew. Exit code 77: a
+package is missing, and the test skipped.
+"""
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+try:
+    from scipy_peer import ScipyPeer
+except ImportError:
+    print("skipped: python3-scipy is not installed (packages.txt)")
+    sys.exit(77)
+try:
+    from siconos_peer import SiconosPeer
+except ImportError:
+    SiconosPeer = None
+
+from compiled_peers import CompiledPeers
+from container_frame import SCENES, Impact
+from judgement import state_error
+
+FILE = Path(__file__).with_name("first_impacts.json")
+SEED = 1
+IMPACTS = 5
+TOLERANCE = 3e-14
+SAME = 1e-10  # what the tolerance, some steps and one impact's factor of up to 100 leave
+STEP = 1e-3
+OF_A_STEP = 100 * STEP  # first order, times that factor; Box2D's slop is half a step
+SHORT = 0.05  # the integrators' longest step; what they miss with longer ones compare.py counts
+
+
+def difference(impacts, truths):
+    """The largest of times and states; infinite if a vertex differs or an impact is missing."""
+    if not all(impact.found for impact in impacts) or [impact.vertex for impact in impacts] != [truth.vertex for truth in truths]:
+        return float("inf")
+    return max(max(abs(a.time - b.time), state_error(a, b)) for a, b in zip(impacts, truths))
+
+
+def read_file():
+    entries = json.loads(FILE.read_text(encoding="utf-8"))
+    return {name: ([tuple(one["start"]) for one in flights],
+                   [Impact(True, one["time"], one["vertex"], tuple(one["after"])) for one in flights])
+            for name, flights in entries.items()}
+
+
+def write_file(program):
+    entries = {}
+    with CompiledPeers(program) as compiled:
+        for name in SCENES:
+            entries[name] = [{"start": start, "time": impact.time, "vertex": impact.vertex, "after": impact.after}
+                             for start, impact in zip(*compiled.draw(name, SEED, IMPACTS))]
+    FILE.write_text(json.dumps(entries, indent=1) + "\n", encoding="utf-8")
+
+
+class Checks:
+    def __init__(self):
+        self.failed = 0
+
+    def below(self, what, value, limit):
+        self._say(what, value, value <= limit, f"at most {limit:.1e}")
+
+    def above(self, what, value, limit):
+        self._say(what, value, value >= limit, f"at least {limit:.1e}")
+
+    def _say(self, what, value, good, wanted):
+        self.failed += not good
+        print(f"{'ok  ' if good else 'FAIL'} {what}: {value:.2e}, {wanted}")
+
+
+def check_scipy(checks, name, starts, truths):
+    def largest(scene):
+        peer = ScipyPeer(scene, TOLERANCE, SHORT)
+        return difference([peer.next(start) for start in starts], truths)
+
+    scene = SCENES[name]
+    checks.below(f"{name}, SciPy", largest(scene), SAME)
+    wider = replace(scene, beta=scene.beta * (1 + 1e-6))
+    checks.above(f"{name}, SciPy with a swirl wider by 1e-6 (so that this test can fail)", largest(wider), 100 * SAME)
+
+
+def check_compiled(checks, name, starts, truths, compiled):
+    drawn, exact = compiled.draw(name, SEED, IMPACTS)
+    checks.below(f"{name}, first_impacts.json against the map in quad", difference(exact, truths) + (drawn != starts), 1e-12)
+    for peer in ("double", "brent", "sundials"):
+        checks.below(f"{name}, {peer}", difference(compiled.next(peer, TOLERANCE, SHORT, IMPACTS), truths), SAME)
+    checks.below(f"{name}, Box2D, first impact", difference(compiled.next("box2d", 0, STEP, 1), truths[:1]), OF_A_STEP)
+
+
+def check_siconos(checks, name, starts, truths):
+    errors = [difference([SiconosPeer(SCENES[name], h).next(starts[0])], truths[:1]) for h in (10 * STEP, STEP)]
+    checks.below(f"{name}, Siconos, first impact", errors[1], OF_A_STEP)
+    checks.below(f"{name}, Siconos, its error over that with ten times the step", errors[1] / errors[0], 0.5)
+
+
+def main(arguments):
+    if "--without-peers" in arguments:
+        print("skipped: SUNDIALS, Box2D and Siconos need -DSWIRL_PEERS=ON and packages.txt")
+        return 77
+    program = next((argument for argument in arguments if argument != "--write"), None)
+    if "--write" in arguments:
+        write_file(program)
+    checks = Checks()
+    for name, (starts, truths) in read_file().items():
+        check_scipy(checks, name, starts, truths)
+        if program is None:
+            continue
+        with CompiledPeers(program) as compiled:
+            check_compiled(checks, name, starts, truths, compiled)
+        if SiconosPeer is not None:
+            check_siconos(checks, name, starts, truths)
+    if program is not None and SiconosPeer is None:
+        print("skipped: Siconos, python3-siconos is not installed (packages.txt)")
+        return checks.failed or 77
+    return 1 if checks.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -72,6 +72,13 @@ def after_impact(scene, state):
     return psi_x, psi_y, chi_x, chi_y, vn - p, vt + q, spin + (rn * q + rt * p) / scene.inertia
 
 
+def jacobi(scene, state):
+    """J of map/README.md, "Energy in the swirling frame": kept by flights, and by impacts without friction at e = 1."""
+    psi_x, psi_y, chi_x, chi_y, vn, vt, spin = state
+    x, y = 1 - scene.alpha * chi_x + scene.beta * psi_x, -scene.alpha * chi_y - scene.beta * psi_y
+    return 0.5 * (vn * vn + vt * vt) - (x * vt - y * vn) + scene.inertia * spin * (0.5 * spin - 1)
+
+
 def follow(peer, start, count):
     """`count` impacts in a row, or fewer where none is found."""
     impacts = []

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from scipy.stats import beta
 
+from container_frame import jacobi
+
 
 def clopper_pearson(hits, count, level=0.95):
     """The exact two-sided interval of a rate of which `hits` of `count` were seen."""
@@ -33,12 +35,13 @@ class Judgement:
     late: float       # median of found - true time, of the others
     error: float      # median of the state's error, of the others
     worst: float      # its 95 % quantile
+    drift: float      # mean of what an impact adds to J beyond the true change, of the others
 
 
-def judge(impacts, truths, slack):
+def judge(scene, impacts, truths, slack):
     """`slack`: how late or early a contact may be and still be that contact."""
     missed = misordered = 0
-    delays, errors = [], []
+    delays, errors, gains = [], [], []
     for impact, truth in zip(impacts, truths):
         delay = impact.time - truth.time
         if not impact.found or delay > slack:
@@ -48,5 +51,7 @@ def judge(impacts, truths, slack):
         else:
             delays.append(delay)
             errors.append(state_error(impact, truth))
+            gains.append(jacobi(scene, impact.after) - jacobi(scene, truth.after))
     late = statistics.median(delays) if delays else math.nan
-    return Judgement(len(impacts), missed, misordered, late, quantile(errors, 0.5), quantile(errors, 0.95))
+    return Judgement(len(impacts), missed, misordered, late, quantile(errors, 0.5), quantile(errors, 0.95),
+                     statistics.mean(gains) if gains else math.nan)

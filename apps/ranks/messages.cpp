@@ -6,9 +6,17 @@ namespace swirl::apps {
 
 namespace {
 
-void append(std::vector<std::byte>& message, const void* bytes, std::size_t size) {
-    const auto* first = static_cast<const std::byte*>(bytes);
-    message.insert(message.end(), first, first + size);
+/// A kind, and room for so many bytes.
+std::vector<std::byte> begin(MessageKind kind, std::size_t size) {
+    std::vector<std::byte> message(1 + size);
+    message.front() = static_cast<std::byte>(kind);
+    return message;
+}
+
+/// Puts bytes at `place`, and gives the place after them.
+std::size_t put(std::vector<std::byte>& message, std::size_t place, const void* bytes, std::size_t size) {
+    if (size > 0) std::memcpy(message.data() + place, bytes, size);
+    return place + size;
 }
 
 std::size_t take_number(std::span<const std::byte>& rest) {
@@ -21,22 +29,25 @@ std::size_t take_number(std::span<const std::byte>& rest) {
 }  // namespace
 
 std::vector<std::byte> message_of(MessageKind kind, std::string_view words) {
-    std::vector<std::byte> message{static_cast<std::byte>(kind)};
-    append(message, words.data(), words.size());
+    auto message = begin(kind, words.size());
+    put(message, 1, words.data(), words.size());
     return message;
 }
 
 std::vector<std::byte> message_of(std::span<const std::size_t> pieces) {
-    auto message = message_of(MessageKind::work);
-    append(message, pieces.data(), pieces.size_bytes());
+    auto message = begin(MessageKind::work, pieces.size_bytes());
+    put(message, 1, pieces.data(), pieces.size_bytes());
     return message;
 }
 
 std::vector<std::byte> message_of(const std::vector<PieceResult>& results) {
-    auto message = message_of(MessageKind::results);
+    std::size_t size = 0;
+    for (const auto& result : results) size += 2 * sizeof(std::size_t) + result.bytes.size();
+    auto message = begin(MessageKind::results, size);
+    std::size_t place = 1;
     for (const auto& [piece, bytes] : results) {
-        for (const std::size_t number : {piece, bytes.size()}) append(message, &number, sizeof number);
-        append(message, bytes.data(), bytes.size());
+        for (const std::size_t number : {piece, bytes.size()}) place = put(message, place, &number, sizeof number);
+        place = put(message, place, bytes.data(), bytes.size());
     }
     return message;
 }
@@ -51,7 +62,7 @@ std::string words_in(std::span<const std::byte> message) {
 
 std::vector<std::size_t> pieces_in(std::span<const std::byte> message) {
     std::vector<std::size_t> pieces((message.size() - 1) / sizeof(std::size_t));
-    std::memcpy(pieces.data(), message.data() + 1, pieces.size() * sizeof(std::size_t));
+    if (!pieces.empty()) std::memcpy(pieces.data(), message.data() + 1, pieces.size() * sizeof(std::size_t));
     return pieces;
 }
 

@@ -100,7 +100,9 @@ HWY_INLINE Plane turned_to(const Plane& v, Lane number, const Plane& rotation) {
 }
 
 HWY_INLINE Rows rows_of_vertex(const VertexRows& vertices, Lane number) {
-    const Wholes k = hn::And(bits_in(number + Lane(0x1.8p52)), hn::Set(Whole(), 2047));
+    const Mask exists = all(number >= Lane(0), number < vertices.sides);  // not in a lane without an orbit
+    const Lane whole = choose(exists, number, Lane(0)) + Lane(0x1.8p52);
+    const Wholes k = hn::And(bits_in(whole), hn::Set(Whole(), 2047));
     return rows_of(vertices.numbers, hn::Add(vertices.first, k));
 }
 

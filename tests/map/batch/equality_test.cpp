@@ -3,6 +3,8 @@
 #include "tests/sample_count.hpp"
 
 #include <iostream>
+#include <set>
+#include <string>
 
 namespace {
 
@@ -47,8 +49,10 @@ TYPED_TEST(BatchEquality, HasTheBitsOfTheScalarMap) {
 }
 
 TYPED_TEST(BatchEquality, WithEveryInstructionSet) {
+    std::set<std::string> names;  // what is not compiled for a set runs as the simplest one
     for (std::int64_t sets = hwy::SupportedTargets(); sets != 0; sets &= sets - 1) {
         const OnlySet only(sets & -sets);
+        if (!names.insert(detail::name_of_instruction_set()).second) continue;
         expect_equal<TypeParam>(2, static_cast<int>(sample_count(100)), 200);
     }
 }

@@ -1,6 +1,9 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/ranks/ranks.hpp"
 
+// Not the C++ bindings of MPI 2, which need another library.
+#define OMPI_SKIP_MPICXX
+#define MPICH_SKIP_MPICXX
 #include <mpi.h>
 
 #include <list>

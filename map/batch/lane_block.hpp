@@ -5,9 +5,12 @@
 #include "map/model/impact.hpp"
 #include "map/model/section.hpp"
 
+#include <cfloat>
 #include <cstdint>
 
 namespace swirl::detail {
+
+static_assert(FLT_EVAL_METHOD == 0, "lanes have the bits of the scalar map where that rounds every result to double");
 
 /// Lanes of one block: a whole number of vectors of every instruction set (AVX-512: 8 doubles).
 inline constexpr int block_lanes = 8;
@@ -54,6 +57,13 @@ struct KernelKind {
 
 /// One look at every lane's flight. Compiled for each instruction set; the processor's best is chosen at run time.
 RoundResult advance_lanes(const KernelKind& kind, LaneBlock& block);
+
+// Its parts, each compiled by itself. (A disk's laws with friction coincide.)
+RoundResult advance_disks(const KernelKind& kind, LaneBlock& block);
+RoundResult advance_frictionless_polygons(const KernelKind& kind, LaneBlock& block);
+RoundResult advance_poisson_polygons(const KernelKind& kind, LaneBlock& block);
+RoundResult advance_newton_polygons(const KernelKind& kind, LaneBlock& block);
+RoundResult advance_stronge_polygons(const KernelKind& kind, LaneBlock& block);
 
 /// The lanes of one vector of the instruction set that is used.
 int lanes_of_vector();

@@ -1,8 +1,8 @@
 // Numbers, one in each lane of a vector, with the operations of double: each is rounded as IEEE says, so that a formula
 // written with them has in each lane the bits of the same formula in double. No fused product and sum is here.
 //
-// Included by kernels.cpp alone, once for each instruction set. Functions of map/ that are templates on the number
-// can't be used: they are compiled without the set's instructions.
+// Included by the files of kernels alone, once for each instruction set. Functions of map/ that are templates on the
+// number can't be used: they are compiled without the set's instructions.
 #if defined(SWIRL_MAP_BATCH_LANES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SWIRL_MAP_BATCH_LANES_INL
 #undef SWIRL_MAP_BATCH_LANES_INL

@@ -62,6 +62,21 @@ BatchedImpact impact_of(const LaneBlock& block, int lane) {
     return impact;
 }
 
+RoundResult advance_lanes(const KernelKind& kind, LaneBlock& block) {
+    if (kind.shape == Shape::disk) return advance_disks(kind, block);
+    switch (kind.rule) {
+        case ImpactRule::frictionless:
+            return advance_frictionless_polygons(kind, block);
+        case ImpactRule::newton:
+            return advance_newton_polygons(kind, block);
+        case ImpactRule::stronge:
+            return advance_stronge_polygons(kind, block);
+        case ImpactRule::poisson:
+            break;
+    }
+    return advance_poisson_polygons(kind, block);
+}
+
 std::int64_t VertexTables::add(const Body<double>& body) {
     for (const auto& [sides, begin] : begins_)
         if (sides == body.sides) return begin;

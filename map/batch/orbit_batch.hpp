@@ -39,9 +39,11 @@ struct BatchUse {
     long long rounds = 0;  ///< looks at all lanes
     long long filled = 0;  ///< lanes with an orbit, summed over the rounds
 
-    double share_left() const { return static_cast<double>(left) / static_cast<double>(impacts); }
+    /// Of the impacts; 0 where there was none.
+    double share_left() const { return impacts == 0 ? 0 : static_cast<double>(left) / static_cast<double>(impacts); }
+    /// 0 where no round was made.
     double lanes_in_use() const {
-        return static_cast<double>(filled) / (static_cast<double>(rounds) * detail::block_lanes);
+        return rounds == 0 ? 0 : static_cast<double>(filled) / (static_cast<double>(rounds) * detail::block_lanes);
     }
 };
 
@@ -89,6 +91,7 @@ public:
             use_.filled += std::popcount(filled_);
             each(result.struck & filled_, [&](int lane) { strike(lane); });
             each(result.left & filled_, [&](int lane) { leave(lane); });
+            each(result.left & ~filled_ & ((1u << block_lanes) - 1), [&](int lane) { idle(lane); });
         }
         return use_;
     }
@@ -115,15 +118,29 @@ private:
                 }
                 continue;
             }
-            const bool has_contact = map.scene().restitution < 1;
-            const double widest = has_contact ? orbit.map->contact().widest_sine : 0;
-            fill_scene(map.body(), map.scene().mu, map.scene().restitution, widest, lane, block_);
-            if constexpr (Map::shape == Shape::polygon) block_.scenes.first_vertex[lane] = first_vertex_[place];
-            fill_state(orbit.state, lane, block_);
+            fill(lane, place, orbit.state);
             place_[static_cast<std::size_t>(lane)] = place;
             filled_ |= 1u << lane;
             return;
         }
+        idle(lane);
+    }
+
+    void fill(int lane, std::size_t place, const PostImpactState<double>& state) {
+        const auto& step = *orbits_[place].map;
+        const Map& map = step.map();
+        const double widest = map.scene().restitution < 1 ? step.contact().widest_sine : 0;
+        fill_scene(map.body(), map.scene().mu, map.scene().restitution, widest, lane, block_);
+        if constexpr (Map::shape == Shape::polygon) block_.scenes.first_vertex[lane] = first_vertex_[place];
+        fill_state(state, lane, block_);
+    }
+
+    /// A lane without an orbit repeats another's, so that its numbers are those of a flight and its vector does not
+    /// wait for it; nobody looks at what it does.
+    void idle(int lane) {
+        if (filled_ == 0) return;
+        const int other = std::countr_zero(filled_);
+        fill(lane, place_[static_cast<std::size_t>(other)], state_of(block_, other));
     }
 
     void strike(int lane) {

@@ -81,9 +81,14 @@ TEST(BatchTest, OrbitsEndAsTheyEndAlone) {
     EXPECT_EQ(compare(resting.orbits).different, 0);
     // A container at rest: decays to speeds that the lanes leave to the scalar code.
     EXPECT_EQ(compare(orbits_of<Hexagon>(scene_of(6, 0.4, 0, 0.5, 0.5), 10, 5000).orbits).different, 0);
-    // Newton's law can create energy.
-    EXPECT_EQ(
-        compare(orbits_of<NewtonPolygon>(scene_of(3, 0.5, 0.2, 1.5, 0.9, Law::newton), 10, 5000).orbits).different, 0);
+    // Newton's law creates energy here, without end.
+    const auto growing = orbits_of<NewtonPolygon>(scene_of(3, 0.6, 0, 1, 1, Law::newton), 10, 5000);
+    const Compared grown = compare(growing.orbits);
+    EXPECT_EQ(grown.different, 0);
+    EXPECT_GT(grown.by_lanes, 0);
+    auto diverging = growing.orbits;
+    follow_batch(std::span(diverging));
+    for (const auto& orbit : diverging) EXPECT_EQ(orbit.outcome, Outcome::diverged);
 }
 
 TEST(BatchTest, VerticesBeyondTheTablesAreFollowedAlone) {

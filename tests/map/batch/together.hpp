@@ -59,6 +59,8 @@ struct Compared {
 template <class Map>
 Compared compare(std::vector<BatchedOrbit<Map>> orbits) {
     Compared result;
+    std::vector<BatchedOrbit<Map>> unobserved = orbits;  // whose states are written at their ends alone
+    follow_batch(std::span(unobserved));
     std::vector<ReturnStep<double>> scalar(orbits.size());
     std::vector<Outcome> outcomes(orbits.size(), Outcome::completed);
     for (std::size_t i = 0; i < orbits.size(); ++i) scalar[i].collision.after = orbits[i].state;
@@ -81,6 +83,8 @@ Compared compare(std::vector<BatchedOrbit<Map>> orbits) {
             result.different += scalar_step(*orbits[i].map, scalar[i], outcomes[i]);
         result.different += orbits[i].outcome != outcomes[i];
         result.different += !same_bits(orbits[i].state, scalar[i].collision.after);
+        result.different += !same_bits(unobserved[i].state, orbits[i].state) || unobserved[i].done != orbits[i].done ||
+                            unobserved[i].outcome != orbits[i].outcome;
     }
     return result;
 }

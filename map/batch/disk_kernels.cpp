@@ -1,0 +1,33 @@
+#include "map/batch/lane_block.hpp"
+#include "map/batch/targets.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "map/batch/disk_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "map/batch/round-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace swirl::detail::HWY_NAMESPACE {
+
+RoundResult advance_disks_here(const KernelKind& kind, LaneBlock& block) {
+    if (kind.rule == ImpactRule::frictionless)
+        return look_by<Shape::disk, ImpactRule::frictionless>(kind.sums_chatter, block);
+    return look_by<Shape::disk, ImpactRule::poisson>(kind.sums_chatter, block);
+}
+
+}  // namespace swirl::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace swirl::detail {
+
+HWY_EXPORT(advance_disks_here);
+
+RoundResult advance_disks(const KernelKind& kind, LaneBlock& block) {
+    return HWY_DYNAMIC_DISPATCH(advance_disks_here)(kind, block);
+}
+
+}  // namespace swirl::detail
+#endif

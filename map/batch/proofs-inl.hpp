@@ -133,7 +133,8 @@ HWY_INLINE Mask clear_in_halves(const ProofTask& task, const LaneInstant& end, M
 }
 
 /// clear_by_derivatives for the lanes `asked` for; `end` is the contact.
-HWY_NOINLINE void clear_by_derivatives(const ProofTask& task, const LaneInstant& end, const Mask& asked, Mask& clear) {
+inline HWY_NOINLINE void clear_by_derivatives(const ProofTask& task, const LaneInstant& end, const Mask& asked,
+                                              Mask& clear) {
     const LaneSearch& search = task.search;
     const LaneInstant& at = search.at;
     const LaneGap& g = search.nearest.gap;

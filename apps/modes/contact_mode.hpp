@@ -21,8 +21,8 @@ public:
 
     /// Fills mode, kind, mean S and evidence. At rest in the co-rotating frame, or S constant: rolling, steady;
     /// swinging or turning on with a period, or settling on one: quasi-steady; slipping, unless that dies out: sliding;
-    /// on an edge: two-vertex (both steady if S is constant); else undecided. A rolling disk whose slip dies out is named by the
-    /// pendulum that it settles on (settled_pendulum), and its mean S is that pendulum's.
+    /// on an edge: two-vertex (both steady if S is constant); else undecided. A rolling disk whose slip dies out is
+    /// named by the pendulum that it settles on (settled_pendulum), and its mean S is that pendulum's.
     /// @return true if nothing changes any more: a longer look would show the same
     bool judge(analysis::Classification& verdict) const;
     double followed() const { return followed_; }

@@ -17,7 +17,6 @@
 #include "apps/notebook/notebook_command.hpp"
 #include "apps/orbits/orbits_command.hpp"
 #include "apps/plot/plot_command.hpp"
-#include "apps/ranks/ranks.hpp"
 #include "apps/record/record_error.hpp"
 #include "apps/recurrence/recurrence_command.hpp"
 #include "apps/simulate/simulate.hpp"
@@ -103,9 +102,7 @@ void add_commands(Program& program) {
 }
 
 int run_command(Program& program, int argc, char** argv) {
-    const Program::Call call = program.called(argc, argv);
-    if (!call.command.empty() && call.command != "sweep") require_alone(call.command);
-    const int code = call.run();
+    const int code = program.called(argc, argv)();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
         return fail(exit_io_failed, "cannot write to standard output");
     return code;

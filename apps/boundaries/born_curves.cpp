@@ -91,9 +91,9 @@ std::optional<Seed> seed_of(const BornSystem& system, const analysis::PlaneMap& 
 
 }  // namespace
 
-std::vector<Seed> seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
-                                const BorderCurve& curve) {
-    std::vector<Seed> seeds;
+BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
+                        const BorderCurve& curve) {
+    BornSeeds born;
     for (const auto& special : curve.arc.special) {
         const bool folds = special.kind.rfind("fold", 0) == 0;
         if (!folds && special.kind.rfind("flip", 0) != 0) continue;
@@ -101,15 +101,16 @@ std::vector<Seed> seeds_born_on(const WordMap& words, const analysis::PlaneMap& 
         BorderCycle cycle = border_cycle_at(words, curve.like, special.at.y);
         if (strikes) cycle = with_impact(words, cycle, 0);
         for (const double sign : signs_of(cycle.touch, strikes)) {
-            for (const double off : {1e-3, 1e-4, 1e-5}) {
-                const auto seed = seed_of({words, plane, cycle, strikes, folds ? 1.0 : -1.0, sign * off}, map);
-                if (!seed) continue;
-                seeds.push_back(*seed);
-                break;
-            }
+            std::optional<Seed> seed;
+            for (const double off : {1e-3, 1e-4, 1e-5})
+                if (!seed) seed = seed_of({words, plane, cycle, strikes, folds ? 1.0 : -1.0, sign * off}, map);
+            if (seed)
+                born.seeds.push_back(std::move(*seed));
+            else
+                ++born.not_found;
         }
     }
-    return seeds;
+    return born;
 }
 
 }  // namespace swirl::apps::boundaries

@@ -12,7 +12,11 @@ inline constexpr const char *fold_of_impact = "fold-vanishing-impact", *flip_of_
 /// Newton's method on the equations of the word with det = 0 (critical_word.hpp), where what touches is 10⁻³ (if that
 /// fails, down to 10⁻⁵) inside, or the impact that vanished has such a rate. Those that the map itself closes to 10⁻⁷.
 /// Cost: some 10 k(D + 1) steps of the map for each.
-std::vector<Seed> seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
-                                const BorderCurve& curve);
+struct BornSeeds {
+    std::vector<Seed> seeds;
+    std::size_t not_found = 0;  ///< special points, or sides of them, of which Newton's method found none
+};
+BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
+                        const BorderCurve& curve);
 
 }  // namespace swirl::apps::boundaries

@@ -146,7 +146,7 @@ private:
     std::size_t longest_ = 0;
 };
 
-/// Of `boundaries`: a cycle in the middle of each curve.
+/// Of `boundaries`: of each curve a cycle in the middle of each stretch of it that lies in the plane.
 std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string& file, const Scene<double>& scene,
                                   const Plane& plane) {
     for (const auto& [name, axis] : {std::pair("first", 0), std::pair("second", 1)})
@@ -163,16 +163,25 @@ std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string&
     if (curve.size() != all.size() || first.size() != all.size() || second.size() != all.size() ||
         angles.size() != all.size() || !std::all_of(curve.begin(), curve.end(), is_one))
         refuse_damaged(file, "/curves");
-    const BorderRows borders(record, file, scene, all.size());
+    const auto lies_in = [&](std::size_t row) {
+        return plane.axes[0].low <= first[row] && first[row] <= plane.axes[0].high &&
+               plane.axes[1].low <= second[row] && second[row] <= plane.axes[1].high;
+    };
+    std::optional<BorderRows> borders;
     std::vector<Seed> seeds;
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
-        while (end < all.size() && curve[end] == curve[begin]) ++end;
+        end = begin + 1;
+        if (!lies_in(begin)) continue;
+        while (end < all.size() && curve[end] == curve[begin] && lies_in(end)) ++end;
         const std::size_t middle = begin + (end - begin) / 2;
         Seed seed = all[middle];
         seed.kind = kinds[static_cast<std::size_t>(curve[begin])];
         seed.p = {first[middle], second[middle]};
         seed.multiplier = critical_multiplier(seed.kind, angles[middle]);
-        if (is_on_border(seed.kind)) seed.border = borders.at(middle, seed);
+        if (is_on_border(seed.kind)) {
+            if (!borders) borders.emplace(record, file, scene, all.size());
+            seed.border = borders->at(middle, seed);
+        }
         seeds.push_back(std::move(seed));
     }
     return seeds;

@@ -27,21 +27,21 @@ Flags Program::new_command(const std::string& name, const std::string& does, con
     return Flags(*command);
 }
 
-Program::Call Program::called(int argc, char** argv) {
+Program::Action Program::called(int argc, char** argv) {
     check_words(*app_, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
     try {
         app_->parse(argc, argv);
     } catch (const CLI::Success& success) {  // --help or --version; app_->exit(…) prints it
-        return {"", [this, success] {
-                    app_->exit(success);
-                    std::cout.flush();
-                    return static_cast<int>(exit_done);
-                }};
+        return [this, success] {
+            app_->exit(success);
+            std::cout.flush();
+            return static_cast<int>(exit_done);
+        };
     } catch (const CLI::ParseError& error) {
         throw BadInput(error.what());
     }
     for (const auto& [command, action] : commands_)
-        if (command->parsed()) return {command->get_name(), action};
+        if (command->parsed()) return action;
     throw BadInput("no command given; swirl --help lists them");
 }
 

@@ -31,13 +31,9 @@ public:
         options->add_to(flags);
     }
 
-    /// What a command line asks for.
-    struct Call {
-        std::string command;  ///< empty: to print --help or --version
-        Action run;
-    };
-    /// Its flags are read. @throws BadInput for words that are no command line of this program, naming the word
-    Call called(int argc, char** argv);
+    /// What the command line asks for, its flags read: a command, or to print --help or --version.
+    /// @throws BadInput for words that are no command line of this program, with one line that names the word
+    Action called(int argc, char** argv);
 
 private:
     Flags new_command(const std::string& name, const std::string& does, const std::string& details, Action action);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <thread>
-#include <unordered_set>
 #include <utility>
 
 namespace swirl::apps {
@@ -20,12 +19,25 @@ using namespace std::chrono_literals;
 constexpr auto glance = 200us;  // between two looks for messages and results
 constexpr auto patience = 30s;  // a rank says once a second that it is there
 constexpr auto heartbeat = 1s;
+constexpr auto farewell = 10s;
 constexpr std::size_t most_at_once = 256;
 
 }  // namespace
 
 HandOut::~HandOut() {
     for (int to = 1; to < ranks_.count(); ++to) ranks_.send(to, message_of(MessageKind::end));
+    const auto limit = Clock::now() + farewell;
+    const auto stays = [](const Other& other) { return !other.lost && !other.has_gone; };
+    while (std::any_of(others_.begin() + 1, others_.end(), stays) && Clock::now() < limit && !is_interrupted()) {
+        while (const auto message = ranks_.receive()) {
+            Other& other = others_[static_cast<std::size_t>(message->from)];
+            other.lost = false;
+            if (kind_of(message->bytes) == MessageKind::gone) other.has_gone = true;
+        }
+        std::this_thread::sleep_for(glance);
+    }
+    const auto went = [](const Other& other) { return other.has_gone; };
+    if (!std::all_of(others_.begin() + 1, others_.end(), went)) ranks_.lose();
 }
 
 /// The next pieces: few when few are left, so that all ranks end together.
@@ -50,12 +62,15 @@ void HandOut::hand_to_those_who_want(Workers& own) {
     }
 }
 
-void HandOut::read(const Message& message) {
+void HandOut::read(const Message& message, std::string_view name) {
     Other& other = others_[static_cast<std::size_t>(message.from)];
     other.heard = Clock::now();
     other.lost = false;
     switch (kind_of(message.bytes)) {
         case MessageKind::wants_work:
+            if (words_in(message.bytes) != name)
+                return leave_out(message.from,
+                                 "it would do other work: other options or files there, or another swirl");
             other.wants_work = true;
             break;
         case MessageKind::results:
@@ -65,58 +80,63 @@ void HandOut::read(const Message& message) {
             }
             break;
         case MessageKind::refused:
-            tell(fmt::format("swirl: rank {} takes no part: {}", message.from, words_in(message.bytes)));
-            give_to_others(other);
+            leave_out(message.from, words_in(message.bytes));
             break;
         case MessageKind::alive:
         case MessageKind::work:
         case MessageKind::end:
+        case MessageKind::gone:
             break;
     }
 }
 
-void HandOut::give_to_others(Other& other) {
+/// What it has not done is done by others.
+void HandOut::leave_out(int rank, std::string_view why) {
+    Other& other = others_[static_cast<std::size_t>(rank)];
+    if (!quiet_ && !other.told_of)
+        tell(fmt::format("swirl: rank {} takes no part, and its {} unfinished runs are done by others: {}", rank,
+                         other.has.size(), why));
+    other.told_of = true;
     left_.insert(left_.end(), other.has.begin(), other.has.end());
     other.has.clear();
-    other.wants_work = false;
 }
 
 void HandOut::look_for_lost_ranks() {
     for (int from = 1; from < ranks_.count(); ++from) {
         Other& other = others_[static_cast<std::size_t>(from)];
         if (other.lost || other.has.empty() || Clock::now() - other.heard < patience) continue;
-        tell(fmt::format("swirl: nothing was heard of rank {} for {} s: its {} unfinished runs are done by others",
-                         from, std::chrono::seconds(patience).count(), other.has.size()));
-        give_to_others(other);
+        leave_out(from, fmt::format("nothing was heard of it for {} s", std::chrono::seconds(patience).count()));
         other.lost = true;
-        ranks_.lose();
     }
 }
 
-bool HandOut::run(std::span<const std::size_t> pieces, int threads, const PieceWork& work, Progress& progress,
+bool HandOut::run(std::span<const std::size_t> pieces, int threads, const NamedWork& work, Progress& progress,
                   const std::function<void(const PieceResult&)>& keep) {
-    Workers own(threads, work);
+    Workers own(threads, work.work);
     left_.assign(pieces.begin(), pieces.end());
     for (Other& other : others_) other.heard = Clock::now();
-    std::unordered_set<std::size_t> unfinished(pieces.begin(), pieces.end());
-    while (!unfinished.empty()) {
+    std::vector<char> unfinished(pieces.empty() ? 0 : *std::max_element(pieces.begin(), pieces.end()) + 1, 0);
+    for (const std::size_t piece : pieces) unfinished[piece] = 1;
+    std::size_t finished = 0;
+    while (finished < pieces.size()) {
         if (is_interrupted()) return false;
-        while (const auto message = ranks_.receive()) read(*message);
+        while (const auto message = ranks_.receive()) read(*message, work.name);
+        look_for_lost_ranks();
         for (PieceResult& result : own.results()) results_.push_back(std::move(result));
         for (const PieceResult& result : std::exchange(results_, {})) {
-            if (unfinished.erase(result.piece) == 0) continue;  // of a rank that was believed lost
+            if (result.piece >= unfinished.size() || !unfinished[result.piece]) continue;  // of one believed lost
+            unfinished[result.piece] = 0;
             keep(result);
-            progress.at(static_cast<double>(pieces.size() - unfinished.size()));
+            progress.at(static_cast<double>(++finished));
         }
-        look_for_lost_ranks();
         hand_to_those_who_want(own);
         std::this_thread::sleep_for(glance);
     }
     return true;
 }
 
-void serve(Ranks& ranks, int threads, PieceWork work) {
-    Workers workers(threads, std::move(work));
+void serve(Ranks& ranks, int threads, const NamedWork& work) {
+    Workers workers(threads, work.work);
     bool asked = false;
     auto told = std::chrono::steady_clock::now() - heartbeat;
     const auto say = [&](const std::vector<std::byte>& message) {
@@ -126,12 +146,12 @@ void serve(Ranks& ranks, int threads, PieceWork work) {
     while (!is_interrupted()) {
         if (const auto results = workers.results(); !results.empty()) say(message_of(results));
         while (const auto message = ranks.receive()) {
-            if (kind_of(message->bytes) == MessageKind::end) return;
+            if (kind_of(message->bytes) == MessageKind::end) return ranks.send(0, message_of(MessageKind::gone));
             workers.add(pieces_in(message->bytes));
             asked = false;
         }
         if (!asked && workers.waiting() < static_cast<std::size_t>(workers.threads())) {
-            say(message_of(MessageKind::wants_work));
+            say(message_of(MessageKind::wants_work, work.name));
             asked = true;
         }
         if (std::chrono::steady_clock::now() - told >= heartbeat) say(message_of(MessageKind::alive));
@@ -140,9 +160,11 @@ void serve(Ranks& ranks, int threads, PieceWork work) {
 }
 
 void refuse_to_serve(Ranks& ranks, const std::string& why) {
-    ranks.send(0, message_of(MessageKind::refused, why));
+    constexpr std::size_t longest = 1000;
+    ranks.send(0, message_of(MessageKind::refused, why.substr(0, longest)));
     while (!is_interrupted()) {
-        if (const auto message = ranks.receive(); message && kind_of(message->bytes) == MessageKind::end) return;
+        if (const auto message = ranks.receive(); message && kind_of(message->bytes) == MessageKind::end)
+            return ranks.send(0, message_of(MessageKind::gone));
         std::this_thread::sleep_for(glance);
     }
 }

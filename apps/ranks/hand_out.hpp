@@ -12,14 +12,23 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace swirl::apps {
 
+/// What is done with a piece, and a name for it that ranks have in common which do the same.
+struct NamedWork {
+    std::string name;
+    PieceWork work;
+};
+
 /// Rank 0's part, from its beginning to its end, when the other ranks end, too.
 class HandOut {
 public:
-    explicit HandOut(Ranks& ranks) : ranks_(ranks), others_(static_cast<std::size_t>(ranks.count())) {}
+    HandOut(Ranks& ranks, bool quiet)
+        : ranks_(ranks), quiet_(quiet), others_(static_cast<std::size_t>(ranks.count())) {}
+    /// Tells the others that this is the end, and waits for their answer: seconds at most.
     ~HandOut();
     HandOut(const HandOut&) = delete;
     HandOut& operator=(const HandOut&) = delete;
@@ -28,34 +37,39 @@ public:
 
     /// Has these pieces done, by the other ranks, which serve() with the same `work`, and on so many threads of this
     /// one (0: all); keeps each result once, in the order in which they come. A rank of which nothing is heard for half
-    /// a minute is told of, and its pieces are done by others. May be called again.
+    /// a minute is told of, and its pieces are done by others; so is one whose work has another name. May be called
+    /// again.
     /// @return false if it was interrupted. Exceptions of a piece on this rank are passed on.
-    bool run(std::span<const std::size_t> pieces, int threads, const PieceWork& work, Progress& progress,
+    bool run(std::span<const std::size_t> pieces, int threads, const NamedWork& work, Progress& progress,
              const std::function<void(const PieceResult&)>& keep);
 
 private:
     using Clock = std::chrono::steady_clock;
     struct Other {
         bool wants_work = false;
-        bool lost = false;
+        bool lost = false;  ///< and not heard of since
+        bool told_of = false;
+        bool has_gone = false;
         std::set<std::size_t> has;  ///< pieces that it was given and has not done
         Clock::time_point heard = Clock::now();
     };
 
     std::vector<std::size_t> take();
     void hand_to_those_who_want(Workers& own);
-    void read(const Message& message);
-    void give_to_others(Other& other);
+    void read(const Message& message, std::string_view name);
+    void leave_out(int rank, std::string_view why);
     void look_for_lost_ranks();
 
     Ranks& ranks_;
+    bool quiet_;
     std::vector<Other> others_;  ///< by rank; that of rank 0 is not used
     std::deque<std::size_t> left_;
     std::vector<PieceResult> results_;
 };
 
-/// The part of every other rank: works until rank 0 ends, or is gone.
-void serve(Ranks& ranks, int threads, PieceWork work);
+/// The part of every other rank: works until rank 0 says that it is the end. (Where rank 0 dies, its launcher ends
+/// all.)
+void serve(Ranks& ranks, int threads, const NamedWork& work);
 
 /// Tells rank 0 why this rank can't work, and waits for its end.
 void refuse_to_serve(Ranks& ranks, const std::string& why);

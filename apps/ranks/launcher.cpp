@@ -1,7 +1,4 @@
-#include "apps/command_line/errors.hpp"
 #include "apps/ranks/ranks.hpp"
-
-#include <fmt/format.h>
 
 #include <cstdlib>
 
@@ -22,13 +19,6 @@ int processes_started_together() {
     // Slurm sets its count in a batch script, too, where one process stands alone.
     if (std::getenv("PMIX_RANK") != nullptr && number_in("SLURM_NTASKS") > 0) return number_in("SLURM_NTASKS");
     return 1;
-}
-
-void require_alone(const std::string& command) {
-    const int count = processes_started_together();
-    if (count > 1)
-        throw BadInput(fmt::format("{} is one process, and {} were started together: only sweep spreads over ranks",
-                                   command, count));
 }
 
 }  // namespace swirl::apps

@@ -13,12 +13,13 @@
 namespace swirl::apps {
 
 enum class MessageKind : unsigned char {
-    wants_work,  ///< to rank 0: pieces are running out
+    wants_work,  ///< to rank 0: pieces are running out; with the name of what is done with them
     results,     ///< to rank 0
     alive,       ///< to rank 0, when there is nothing else to tell
     refused,     ///< to rank 0: why that rank can't work
     work,        ///< from rank 0: numbers of pieces
-    end          ///< from rank 0
+    end,         ///< from rank 0
+    gone         ///< to rank 0, the last: its answer to the end
 };
 
 std::vector<std::byte> message_of(MessageKind kind, std::string_view words = {});

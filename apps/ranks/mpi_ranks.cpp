@@ -1,3 +1,4 @@
+#include "apps/command_line/errors.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/ranks/ranks.hpp"
 
@@ -5,6 +6,8 @@
 #define OMPI_SKIP_MPICXX
 #define MPICH_SKIP_MPICXX
 #include <mpi.h>
+
+#include <fmt/format.h>
 
 #include <list>
 
@@ -42,6 +45,12 @@ Ranks::Ranks() {
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);         // a rank that is gone is no end of the others
     MPI_Comm_rank(MPI_COMM_WORLD, &number_);
     MPI_Comm_size(MPI_COMM_WORLD, &count_);
+    const int started = processes_started_together();
+    if (count_ != started)
+        throw BadInput(
+            fmt::format("{} processes were started together, of which the MPI of this build of swirl sees {}: start "
+                        "them by its own launcher, or give each a --shard of its own",
+                        started, count_));
 }
 
 Ranks::~Ranks() {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace swirl::apps {
@@ -22,7 +21,7 @@ struct Message {
 class Ranks {
 public:
     /// Joins the others: rank 0 of 1 if the process stands alone.
-    /// @throws BadInput where several were started and this build has no MPI
+    /// @throws BadInput where several were started and this build has no MPI, or one that does not know the launcher
     Ranks();
     /// Waits for the others to come to their end, unless some of them was lost or the process is interrupted.
     ~Ranks();
@@ -44,8 +43,5 @@ private:
     int count_ = 1;
     bool lost_ = false;
 };
-
-/// For commands that do not spread over ranks. @throws BadInput where several processes were started together
-void require_alone(const std::string& command);
 
 }  // namespace swirl::apps

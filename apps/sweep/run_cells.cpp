@@ -1,11 +1,14 @@
 #include "apps/sweep/run_cells.hpp"
 
+#include "apps/command_line/documents.hpp"
 #include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/sweep/refine.hpp"
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
+#include <stdexcept>
 #include <type_traits>
 
 namespace swirl::apps::sweep {
@@ -36,21 +39,33 @@ std::string header_of(const Settings& settings) {
 }
 
 /// Run `index` of the sweep; nothing if it was interrupted.
-std::optional<RunResult> run_of(const SweepOptions& options, const Sweep& sweep, std::size_t index) {
-    const auto runs = static_cast<std::size_t>(sweep.runs);
-    const Scene<double> scene = cell_scene(options.scene, sweep.grid, index / runs);
-    const double speed = cell_speed(options.start.speed(), sweep.grid, index / runs);
+std::optional<RunResult> run_of(const SweepOptions& options, const std::vector<GridAxis>& grid, std::size_t runs,
+                                std::size_t index) {
+    const Scene<double> scene = cell_scene(options.scene, grid, index / runs);
+    const double speed = cell_speed(options.start.speed(), grid, index / runs);
     return sweep_run(scene, speed, options.start.seed(), index % runs, options.settings, options.output.accuracy());
 }
 
-/// The same as bytes, for other ranks.
-PieceWork work_of(const SweepOptions& options, const Sweep& sweep) {
-    return [&options, &sweep](std::size_t index) -> std::optional<std::vector<std::byte>> {
-        const auto result = run_of(options, sweep, index);
+/// The same as bytes, for other ranks. It holds what it uses: after an interruption it may outlive the sweep.
+NamedWork work_of(const SweepOptions& options, const Sweep& sweep) {
+    const auto work = [&options, grid = sweep.grid, runs = static_cast<std::size_t>(sweep.runs)](
+                          std::size_t index) -> std::optional<std::vector<std::byte>> {
+        const auto result = run_of(options, grid, runs, index);
         if (!result) return {};
         const auto bytes = std::as_bytes(std::span(&*result, 1));
         return std::vector<std::byte>(bytes.begin(), bytes.end());
     };
+    const std::string all = fmt::format("{} ({})\n{}", version(), instruction_set(), header_of(sweep.settings));
+    return {fmt::format("{:016x}", std::hash<std::string>()(all)), work};
+}
+
+RunResult result_in(const PieceResult& piece) {
+    RunResult result;
+    if (piece.bytes.size() != sizeof result)
+        throw std::runtime_error(
+            fmt::format("a run of another rank has {} bytes in place of {}", piece.bytes.size(), sizeof result));
+    std::memcpy(&result, piece.bytes.data(), sizeof result);
+    return result;
 }
 
 /// Runs what is not done of these cells. Results go to their own places, whatever thread or rank makes them.
@@ -70,16 +85,13 @@ bool run_cells(const SweepOptions& options, const std::vector<std::size_t>& cell
     bool all = false;
     if (hand_out.is_alone()) {
         all = run_pieces(left.size(), options.output.threads, progress, [&](std::size_t i) -> KeepResult {
-            const auto result = run_of(options, sweep, left[i]);
+            const auto result = run_of(options, sweep.grid, runs, left[i]);
             if (!result) return {};
             return [keep, index = left[i], result] { keep(index, *result); };
         });
     } else {
-        all = hand_out.run(left, options.output.threads, work_of(options, sweep), progress, [&](const auto& piece) {
-            RunResult result;
-            std::memcpy(&result, piece.bytes.data(), sizeof result);
-            keep(piece.piece, result);
-        });
+        all = hand_out.run(left, options.output.threads, work_of(options, sweep), progress,
+                           [&](const auto& piece) { keep(piece.piece, result_in(piece)); });
     }
     if (journal != nullptr) journal->flush();
     return all;

@@ -122,7 +122,6 @@ Sweep planned(const SweepOptions& options) {
     sweep.units = options.scene.units();
     check_all(options, sweep.grid);
     sweep.settings = settings_of(options, sweep.grid);
-    sweep.results.resize(cell_count(sweep.grid) * static_cast<std::size_t>(sweep.runs));
     if (!options.shard.empty()) take_shard(shard_from(options.shard), sweep);
     if (!options.shard.empty() && options.output.record.empty())
         throw BadInput(fmt::format("shard = {}: a shard is written for swirl join: -o is missing", options.shard));
@@ -148,10 +147,11 @@ int take_part(SweepOptions& options, Ranks& ranks) {
 int sweep(SweepOptions& options) {
     Ranks ranks;
     if (ranks.number() > 0) return take_part(options, ranks);
-    HandOut hand_out(ranks);
+    HandOut hand_out(ranks, options.output.quiet);
     options.scene.read_file();
     options.start.take_units(options.scene);
     Sweep sweep = planned(options);
+    sweep.results.resize(cell_count(sweep.grid) * static_cast<std::size_t>(sweep.runs));
     const std::string& path = options.output.record;
     check_output(options);
     note_interruptions();

@@ -4,22 +4,29 @@ Open MPI's launcher; other launchers start ranks with other flags.
 """
 
 import os
+import resource
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
 from driving import SWIRL, InFolder, run
 
 MPIEXEC = sys.argv.pop(1)
+SHORT = "--transient 300 --collisions 300 --threads 1"
 GRID = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:5 --grid beta=0.1:0.9:4 --runs 3 --transient 500 "
         "--collisions 500 --threads 1")
 TREE = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4 --refine 1 --transient 500 "
         "--collisions 500 --threads 1")
-#: Minutes of one core, to be killed.
-LONG = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:9 --runs 4 --threads 1 "
+#: Seconds of one core, of some hundred runs, to be killed.
+LONG = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:9 --runs 8 --threads 1 "
         "--exhaustive --transient 2000 --collisions 2000 --quiet")
+#: Many quick runs, whose results come many at a time.
+QUICK = ("sweep --sides disk --mu 0 --restitution 0.5 --grid alpha=0.2:0.3:40 --grid beta=0:0.1:40 --runs 40 --transient 0 "
+         "--collisions 64 --threads 2 --speed 0 --quiet")
 
 
 def launched(ranks, arguments, *flags):
@@ -64,20 +71,48 @@ class Ranks(InFolder):
         self.assertEqual(together.stdout, alone.stdout)
         self.assertEqual(len(together.stderr.splitlines()), 1)  # the seconds that it took
 
+    def grown(self, path, launcher):
+        """Waits until runs are kept beside the record, and gives the ranks' processes."""
+        journal, begin = lambda: sum(p.stat().st_size for p in self.folder.glob(f"*{path.name}*")), time.monotonic()
+        first = 0
+        while time.monotonic() - begin < 60 and launcher.poll() is None:
+            first = first or journal()
+            if first and journal() > first:
+                return ranks_of(launcher.pid)
+            time.sleep(0.02)
+        self.fail("no run was kept within a minute, or all of them at once")
+
     def test_killed_it_goes_on_with_other_ranks(self):
         path, whole = self.folder / "killed.h5", self.folder / "whole.h5"
         self.assertEqual(run(f"{LONG} -o {whole}").returncode, 0)
         for ranks, victim, sent in ((2, 1, signal.SIGKILL), (3, 0, signal.SIGKILL), (2, 0, signal.SIGINT)):
             launcher = subprocess.Popen(launched(ranks, f"{LONG} -o {path}"), stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL)
-            time.sleep(2.5)
-            started = ranks_of(launcher.pid)
-            if launcher.poll() is None and len(started) == ranks:
-                os.kill(started[victim], sent)
-            launcher.wait(60)
+            started = self.grown(path, launcher)
+            self.assertEqual(len(started), ranks)
+            os.kill(started[victim], sent)
+            self.assertNotEqual(launcher.wait(60), 0)
+            self.assertFalse(path.exists())
         self.assertEqual(run(f"{LONG} -o {path}").returncode, 0)
         self.assertEqual(path.read_bytes(), whole.read_bytes())
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["killed.h5", "whole.h5"])
+
+    def test_where_the_launcher_lets_the_others_live_they_go_on(self):
+        path, whole = self.folder / "lost.h5", self.folder / "whole.h5"
+        self.assertEqual(run(f"{LONG} -o {whole}").returncode, 0)
+        launcher = subprocess.Popen(launched(3, f"{LONG} -o {path}", "--enable-recovery"), stdout=subprocess.DEVNULL,
+                                    stderr=subprocess.DEVNULL)
+        os.kill(self.grown(path, launcher)[2], signal.SIGKILL)
+        launcher.wait(120)  # half a minute of it until the rank is taken for lost
+        self.assertEqual(path.read_bytes(), whole.read_bytes())
+
+    def test_an_error_of_rank_0_ends_all(self):
+        launcher = subprocess.Popen(launched(3, f"{QUICK} -o {self.folder / 'full.h5'}"), stdout=subprocess.PIPE,
+                                    stderr=subprocess.PIPE, text=True)
+        resource.prlimit(self.grown(self.folder / "full.h5", launcher)[0], resource.RLIMIT_FSIZE, (1000, 1000))
+        output, errors = launcher.communicate(timeout=60)
+        self.assertEqual((launcher.returncode, output), (4, ""), errors)
+        self.assertEqual(len([line for line in errors.splitlines() if line.startswith("swirl: ")]), 1, errors)
 
 
 class Wrong(InFolder):
@@ -88,10 +123,37 @@ class Wrong(InFolder):
         self.assertEqual(len(said), 1, result.stderr)
         self.assertIn("alpha", said[0])
 
-    def test_other_commands_are_refused(self):
-        result = over(2, "classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9")
+    def ranks_with(self, scenes):
+        """Rank 0 and two more with scene files of their own: (MPMD, as mpirun calls it.)"""
+        words = launched(1, "")[:-3]
+        for number, scene in enumerate(scenes):
+            folder = self.folder / str(number)
+            folder.mkdir()
+            if scene is not None:
+                (folder / "scene.toml").write_text(scene)
+            words += [*([":"] if number else []), "-wdir", str(folder), "-n", "1", SWIRL,
+                      *f"sweep --scene scene.toml --grid beta=0.1:0.9:5 --runs 2 {SHORT} --json".split()]
+        return subprocess.run(words, capture_output=True, text=True, timeout=300)
+
+    def test_a_rank_with_other_files_takes_no_part_and_is_told_of(self):
+        scene = "[scene]\nsides = 6\nalpha = 0.4\nmu = 0.5\nrestitution = 0.9\n"
+        alone = self.ranks_with([scene])
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        with tempfile.TemporaryDirectory() as folder:
+            self.folder = Path(folder)
+            found = self.ranks_with([scene, scene.replace("mu = 0.5", "mu = 0.1"), None])
+        self.assertEqual((found.returncode, found.stdout), (0, alone.stdout), found.stderr)
+        said = sorted(line for line in found.stderr.splitlines() if line.startswith("swirl: rank"))
+        self.assertEqual(len(said), 2, found.stderr)
+        self.assertIn("rank 1 takes no part", said[0])
+        self.assertIn("other work", said[0])
+        self.assertIn("rank 2 takes no part", said[1])
+        self.assertIn("scene.toml", said[1])
+
+    def test_a_launcher_of_another_mpi_is_named(self):
+        result = run(GRID, env={**os.environ, "PMI_SIZE": "2", "PMI_RANK": "0"})
         self.assertEqual((result.returncode, result.stdout), (2, ""))
-        self.assertIn("swirl: classify is one process, and 2 were started together", result.stderr)
+        self.assertIn("2 processes were started together", result.stderr)
 
     def test_help_is_no_matter_of_ranks(self):
         self.assertIn("--grid", over(1, "sweep --help").stdout)

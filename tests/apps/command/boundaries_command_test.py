@@ -218,16 +218,34 @@ class Boundaries(InFolder):
             self.same_curves(first, document(f"boundaries {scene} --from {path}")["curves"])
         self.assertLessEqual({"fold", "grazing", "two-vertices", "stick-slip"}, kinds)
 
-    def test_a_record_that_does_not_say_what_touches_is_refused(self):
+    def test_a_record_that_does_not_say_what_touches_on_its_border_curves_is_refused(self):
         path = self.folder / "c.h5"
-        document(f"boundaries {SMALL} -o {path}")
-        with h5py.File(path, "r+") as record:
-            del record["curves/touch"]
-        content = path.read_bytes()
-        path.write_bytes(bytes(512) + content[512:])
-        result = run(f"boundaries {SMALL.split(' --max')[0]} --from {path}")
-        self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
-        self.assertIn("what touches", result.stderr)
+        grazes = f"{HEXAGON} --plane alpha=0.5:0.6 --plane beta=0.1:0.2"
+        for scene, longest, code in ((PLANE, 1, 0), (grazes, 2, 2)):  # of the first the curves are smooth
+            kinds = {c["kind"] for c in document(f"boundaries {scene} --max-period {longest} --lines 1 --force -o {path}")["curves"]}
+            self.assertEqual("grazing" in kinds, code == 2)
+            with h5py.File(path, "r+") as record:
+                del record["curves/touch"]
+            content = path.read_bytes()
+            path.write_bytes(bytes(512) + content[512:])
+            result = run(f"boundaries {scene} --from {path} --quiet --json")
+            self.assertEqual(result.returncode, code, result.stderr)
+            if code == 2:
+                self.assertEqual((result.stdout, len(result.stderr.splitlines())), ("", 1), result.stderr)
+                self.assertIn("what touches", result.stderr)
+            else:
+                self.assertTrue(json.loads(result.stdout)["curves"])
+
+    def test_a_record_leads_to_its_curves_in_a_smaller_plane(self):
+        path = self.folder / "c.h5"
+        whole, part = "alpha=0.5:0.7 --plane beta=0.1:0.3", "alpha=0.5:0.55 --plane beta=0.1:0.3"
+        kept = document(f"boundaries {HEXAGON} --plane {whole} --max-period 2 --lines 1 -o {path}")["curves"]
+        inside = [c for c in kept if any(p["parameters"]["alpha"] <= 0.55 for p in c["points"])]
+        again = document(f"boundaries {HEXAGON} --plane {part} --from {path}")["curves"]
+        kind = lambda c: (c["kind"], c["period"])
+        self.assertGreaterEqual(len(inside), 3)
+        for curve in inside:
+            self.assertIn(kind(curve), list(map(kind, again)))
 
     def test_a_neimark_sacker_seed_without_an_angle_has_that_of_its_multipliers(self):
         path = self.folder / "line.h5"

@@ -121,7 +121,7 @@ class Bifurcate(Refusing):
 
     def test_wrong_input(self):
         for extra, mention in [("--along alpha=0.3:0.4", "COUNT"), ("--along alpha=0.3:0.4:1", "COUNT"),
-                               ("--along alpha=0.3:1.4:5", "1.39"), ("--along S=0:1:5", "NAME"), ("", "along"),
+                               ("--along alpha=0.3:1.4:5", "alpha = 1.4 is outside"), ("--along S=0:1:5", "NAME"), ("", "along"),
                                ("--along alpha=0.3:0.4:5 --observable x", "observable"),
                                ("--along alpha=0.3:0.4:5 --x 0.1", "random"), ("--along alpha=0.3:0.4:5 --starts 0", "follow")]:
             self.refused(f"bifurcate {WINDOW} {extra}", mention)

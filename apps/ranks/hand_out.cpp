@@ -51,10 +51,10 @@ std::vector<std::size_t> HandOut::take() {
 }
 
 void HandOut::hand_to_those_who_want(Workers& own) {
-    if (own.waiting() < static_cast<std::size_t>(own.threads())) own.add(take());
+    if (!left_.empty() && own.waiting() < static_cast<std::size_t>(own.threads())) own.add(take());
     for (int to = 1; to < ranks_.count(); ++to) {
         Other& other = others_[static_cast<std::size_t>(to)];
-        if (!other.wants_work || left_.empty()) continue;
+        if (!other.wants_work || other.lost || left_.empty()) continue;
         const auto pieces = take();
         other.wants_work = false;
         other.has.insert(pieces.begin(), pieces.end());
@@ -80,6 +80,7 @@ void HandOut::read(const Message& message, std::string_view name) {
             }
             break;
         case MessageKind::refused:
+            other.wants_work = false;
             leave_out(message.from, words_in(message.bytes));
             break;
         case MessageKind::alive:

@@ -8,14 +8,15 @@ namespace swirl::apps::boundaries {
 /// Special points of grazing curves of their own: a multiplier of the cycle with the impact that vanishes there.
 inline constexpr const char *fold_of_impact = "fold-vanishing-impact", *flip_of_impact = "flip-vanishing-impact";
 
-/// Cycles of the fold and flip curves that end at the special points of a curve on a border, a little off it: by
-/// Newton's method on the equations of the word with det = 0 (critical_word.hpp), where what touches is 10⁻³ (if that
-/// fails, down to 10⁻⁵) inside, or the impact that vanished has such a rate. Those that the map itself closes to 10⁻⁷.
-/// Cost: some 10 k(D + 1) steps of the map for each.
 struct BornSeeds {
     std::vector<Seed> seeds;
     std::size_t not_found = 0;  ///< special points, or sides of them, of which Newton's method found none
 };
+
+/// Cycles of the fold and flip curves that end at the special points of a curve on a border, a little off it: by
+/// Newton's method on the equations of the word with det = 0 (critical_word.hpp), where what touches is 10⁻³ (if that
+/// fails, down to 10⁻⁵) inside, or the impact that vanished has such a rate. Those that the map itself closes to 10⁻⁷.
+/// Cost: some 10 k(D + 1) steps of the map for each.
 BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
                         const BorderCurve& curve);
 

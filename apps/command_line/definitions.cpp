@@ -91,10 +91,10 @@ ProgramDefinition definition_of(CLI::App& program) {
     return definition;
 }
 
-std::string suffix_of(const OptionDefinition& option, bool& is_file) {
+std::optional<std::string> suffix_of(const OptionDefinition& option) {
     const auto dot = option.value.find('.');
-    is_file = option.value == "FILE" || dot != std::string::npos;
-    return dot == std::string::npos ? "" : option.value.substr(dot);
+    if (dot == std::string::npos && option.value != "FILE") return std::nullopt;
+    return option.value.substr(std::min(dot, option.value.size()));
 }
 
 }  // namespace swirl::apps

@@ -3,6 +3,7 @@
 
 #include "apps/command_line/flags.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,7 @@ struct ProgramDefinition {
 
 ProgramDefinition definition_of(CLI::App& program);
 
-/// The suffix of a file that a value names, ".h5" of FILE.h5, "" of FILE, which may have any.
-///   is_file  false if the value names no file
-std::string suffix_of(const OptionDefinition& option, bool& is_file);
+/// The suffix of a file that a value names, ".h5" of FILE.h5, "" of FILE, which may have any; nothing if it names none.
+std::optional<std::string> suffix_of(const OptionDefinition& option);
 
 }  // namespace swirl::apps

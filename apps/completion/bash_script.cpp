@@ -56,10 +56,8 @@ complete -F _swirl swirl
 
 /// What completes a value, as a line of the script.
 std::string action(const ProgramDefinition& program, const OptionDefinition& option) {
+    if (const auto suffix = suffix_of(option)) return fmt::format("_swirl_files {}", in_quotes(*suffix));
     const auto words = words_of(program, option);
-    bool is_file = false;
-    const std::string suffix = suffix_of(option, is_file);
-    if (is_file) return fmt::format("_swirl_files {}", in_quotes(suffix));
     if (words.empty()) return ":";
     std::string line = "_swirl_words";
     for (const std::string& word : words) line += fmt::format(" {}", in_quotes(word));

@@ -21,11 +21,9 @@ std::string escaped(const std::string& text, const std::string& signs) {
 /// ":MESSAGE:ACTION" of a value.
 std::string message_and_action(const ProgramDefinition& program, const OptionDefinition& option) {
     const auto words = words_of(program, option);
-    bool is_file = false;
-    const std::string suffix = suffix_of(option, is_file);
-    std::string action;
-    if (is_file) {
-        action = suffix.empty() ? "_files" : fmt::format("_files -g \"*{}\"", suffix);
+    std::string action = " ";
+    if (const auto suffix = suffix_of(option)) {
+        action = fmt::format("_files{}", suffix->empty() ? std::string() : fmt::format(" -g \"*{}\"", *suffix));
     } else if (!words.empty()) {
         std::vector<std::string> candidates;
         bool begins = false;
@@ -35,8 +33,6 @@ std::string message_and_action(const ProgramDefinition& program, const OptionDef
         }
         action = begins ? fmt::format("{{compadd -S \"\" -- {}}}", fmt::join(candidates, " "))
                         : fmt::format("({})", fmt::join(candidates, " "));
-    } else {
-        action = " ";
     }
     const std::string message = option.value.empty() ? std::string("value") : option.value;
     return fmt::format(":{}:{}", escaped(message, ":\\"), action);

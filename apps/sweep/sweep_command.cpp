@@ -109,7 +109,9 @@ void keep_sweep(const SweepOptions& options, const Sweep& sweep) {
 }
 
 /// What is to be done; nothing is yet. @throws BadInput
-Sweep planned(const SweepOptions& options) {
+Sweep planned(SweepOptions& options) {
+    options.scene.read_file();
+    options.start.take_units(options.scene);
     if (options.refine > 0 && !options.sample.empty())
         throw BadInput("refine and sample are both given: a sample has no neighbours");
     if (options.refine > 0 && !options.shard.empty())
@@ -132,10 +134,7 @@ Sweep planned(const SweepOptions& options) {
 int take_part(SweepOptions& options, Ranks& ranks) {
     note_interruptions();
     try {
-        options.scene.read_file();
-        options.start.take_units(options.scene);
-        const Sweep sweep = planned(options);
-        serve_sweep(options, sweep, ranks);
+        serve_sweep(options, planned(options), ranks);
     } catch (const std::exception& error) {
         refuse_to_serve(ranks, error.what());
     }
@@ -148,8 +147,6 @@ int sweep(SweepOptions& options) {
     Ranks ranks;
     if (ranks.number() > 0) return take_part(options, ranks);
     HandOut hand_out(ranks, options.output.quiet);
-    options.scene.read_file();
-    options.start.take_units(options.scene);
     Sweep sweep = planned(options);
     sweep.results.resize(cell_count(sweep.grid) * static_cast<std::size_t>(sweep.runs));
     const std::string& path = options.output.record;

@@ -58,12 +58,13 @@ struct KernelKind {
 /// One look at every lane's flight. Compiled for each instruction set; the processor's best is chosen at run time.
 RoundResult advance_lanes(const KernelKind& kind, LaneBlock& block);
 
-// Its parts, each compiled by itself. (A disk's laws with friction coincide.)
-RoundResult advance_disks(const KernelKind& kind, LaneBlock& block);
-RoundResult advance_frictionless_polygons(const KernelKind& kind, LaneBlock& block);
-RoundResult advance_poisson_polygons(const KernelKind& kind, LaneBlock& block);
-RoundResult advance_newton_polygons(const KernelKind& kind, LaneBlock& block);
-RoundResult advance_stronge_polygons(const KernelKind& kind, LaneBlock& block);
+// Its parts, each compiled by itself (kernels.inc). A disk's laws with friction coincide.
+RoundResult advance_frictionless_disks(bool sums_chatter, LaneBlock& block);
+RoundResult advance_disks(bool sums_chatter, LaneBlock& block);
+RoundResult advance_frictionless_polygons(bool sums_chatter, LaneBlock& block);
+RoundResult advance_poisson_polygons(bool sums_chatter, LaneBlock& block);
+RoundResult advance_newton_polygons(bool sums_chatter, LaneBlock& block);
+RoundResult advance_stronge_polygons(bool sums_chatter, LaneBlock& block);
 
 /// The lanes of one vector of the instruction set that is used.
 int lanes_of_vector();

@@ -63,18 +63,21 @@ BatchedImpact impact_of(const LaneBlock& block, int lane) {
 }
 
 RoundResult advance_lanes(const KernelKind& kind, LaneBlock& block) {
-    if (kind.shape == Shape::disk) return advance_disks(kind, block);
+    const bool chatter = kind.sums_chatter;
+    if (kind.shape == Shape::disk)
+        return kind.rule == ImpactRule::frictionless ? advance_frictionless_disks(chatter, block)
+                                                     : advance_disks(chatter, block);
     switch (kind.rule) {
         case ImpactRule::frictionless:
-            return advance_frictionless_polygons(kind, block);
+            return advance_frictionless_polygons(chatter, block);
         case ImpactRule::newton:
-            return advance_newton_polygons(kind, block);
+            return advance_newton_polygons(chatter, block);
         case ImpactRule::stronge:
-            return advance_stronge_polygons(kind, block);
+            return advance_stronge_polygons(chatter, block);
         case ImpactRule::poisson:
             break;
     }
-    return advance_poisson_polygons(kind, block);
+    return advance_poisson_polygons(chatter, block);
 }
 
 std::int64_t VertexTables::add(const Body<double>& body) {

@@ -78,10 +78,10 @@ def _with_special(record, branch, name):
     of = record.column("branches", "branch") == branch
     parameter = record.column("branches", "parameter")[of]
     values, stable = _column(record, "branches", name, of), record.column("branches", "stable")[of] != 0
-    if "special" not in record or "after" not in record["special"].variables:
+    if not record.has("special", "after"):
         return parameter, values, stable
     on_it = record.column("special", "branch") == branch
-    if "located" in record["special"].variables:
+    if record.has("special", "located"):
         on_it &= record.column("special", "located") != 0
     after = record.column("special", "after")[on_it].astype(int)
     kinds, places = record.names("special", "kind")[on_it], record.column("special", "parameter")[on_it]
@@ -143,7 +143,7 @@ def _size_of_a_marker(axes, points):
 def _draw_special(axes, record):
     parameter, spin = record.column("special", "parameter"), record.column("special", _observable(record)[0])
     kinds = record.names("special", "kind")
-    if "located" in record["special"].variables:
+    if record.has("special", "located"):
         located = record.column("special", "located") != 0
         kinds = numpy.where(located, kinds, [f"{kind}, not located" for kind in kinds])
     handles = []
@@ -209,8 +209,7 @@ def _draw_multiplier(axes, record, colours):
 
 
 def is_diagram(record):
-    return any(name in record and "parameter" in record[name].variables
-               for name in ("samples", "branches", "special", "attractors"))
+    return any(record.has(name, "parameter") for name in ("samples", "branches", "special", "attractors"))
 
 
 def _has_branches(record):

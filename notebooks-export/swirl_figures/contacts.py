@@ -22,7 +22,7 @@ def has_contacts(record):
 
 
 def _has_forces(record):
-    return "samples" in record and "normal_force" in record["samples"].variables
+    return record.has("samples", "normal_force")
 
 
 def size(record, width):

@@ -57,7 +57,7 @@ def _flights_of(record):
         raise RecordError(f"record '{record.path}' lists no impacts: there is nothing to draw")
     scene = record.scene()
     p, q, normal = column("impulse_normal"), column("impulse_tangential"), column("psi") + t
-    chi = column("chi") if "chi" in record["collisions"] else numpy.zeros_like(t)
+    chi = column("chi") if record.has("collisions", "chi") else numpy.zeros_like(t)
     arm, inertia = scene["alpha"], scene["inertia_factor"] * scene["alpha"] ** 2
     contact_ends = record.column("contacts", "t_end") if "contacts" in record else numpy.array([])
     return Flights(

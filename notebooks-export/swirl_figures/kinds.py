@@ -24,7 +24,7 @@ class Kind:
 
 def _with(group, column=None):
     """Has the group, and in it the column: a result of nothing has its group alone."""
-    return lambda record: group in record and (column is None or column in record[group].variables)
+    return lambda record: group in record and (column is None or record.has(group, column))
 
 
 _simulate = _with("collisions")

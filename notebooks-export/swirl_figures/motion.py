@@ -78,7 +78,7 @@ def _with_samples(record, pieces):
 
 
 def _motion_of_cycle(record, orbit):
-    count = record["orbits"].sizes.get("orbit", 0)
+    count = record.size("orbits", "period")
     if not 0 <= orbit < count:
         raise RecordError(f"orbit = {orbit}: record '{record.path}' holds {count}, from 0")
     scene, names = record.scene(), [str(name) for name in record.names("orbits", "coordinate")]

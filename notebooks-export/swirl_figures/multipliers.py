@@ -90,7 +90,7 @@ def size(record, width):
 
 
 def draw_into(figure, record, look):
-    if record["orbits"].sizes.get("orbit", 0) == 0:
+    if record.size("orbits", "period") == 0:
         raise RecordError(f"record '{record.path}' holds no orbits: there is nothing to draw")
     period, mean_spin = record.column("orbits", "period"), record.column("orbits", "mean_S")
     multiplier = record.column("orbits", "multiplier_re") + 1j * record.column("orbits", "multiplier_im")

@@ -23,7 +23,7 @@ _DARKEST = 0.99
 
 
 def _has_image(record):
-    return "image" in record["recurrence"].variables
+    return record.has("recurrence", "image")
 
 
 def _several(record):
@@ -64,7 +64,7 @@ def _write_measures(axes, record):
     axes.axis("off")
     threshold = float(record.column("recurrence", "threshold")[0])
     rows = [("δ", "threshold", number(threshold))]
-    rows += [(name, _NAMES[name], _value(record, name)) for name in _MEASURES if name in record["recurrence"].variables]
+    rows += [(name, _NAMES[name], _value(record, name)) for name in _MEASURES if record.has("recurrence", name)]
     for index, (name, meaning, value) in enumerate(rows):
         height = 1 - (index + 0.5) / len(rows)
         axes.text(0, height, name, va="center", fontsize="small", weight="bold", transform=axes.transAxes)
@@ -76,11 +76,12 @@ def _draw_lengths(axes, record):
     """How many lines of each length there are: straight on these axes where they are those of chance."""
     for name, dimension, colour, label in (("diagonal_lines", "diagonal_length", BLUE, "diagonal"),
                                            ("vertical_lines", "vertical_length", VERMILION, "vertical")):
-        if name not in record["recurrence"].variables:
+        if not record.has("recurrence", name):
             continue
-        data = record["recurrence"]
-        count = data[name].values[0]
-        length = data[dimension].values if dimension in data.coords else 1 + numpy.arange(len(count))
+        count = record.column("recurrence", name)[0]
+        length = 1 + numpy.arange(len(count))
+        if record.has("recurrence", dimension):
+            length = record.column("recurrence", dimension)
         shown = count > 0
         axes.loglog(length[shown], count[shown], "o-", ms=2.5, lw=0.8, color=colour, label=f"{label} lines")
     axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))

@@ -17,7 +17,7 @@ _COLUMNS = {"psi": "psi", "chi": "chi", "vn": "vn", "vt": "vt", "S": "spin"}
 def _coordinate(record, name):
     if name not in _COLUMNS:
         raise RecordError(f"coordinate = {name}: the section's are {', '.join(_COLUMNS)}")
-    if _COLUMNS[name] not in record["collisions"].variables:
+    if not record.has("collisions", _COLUMNS[name]):
         raise RecordError(f"coordinate = {name}: the section of record '{record.path}' has none, its body is a disk")
     return record.column("collisions", _COLUMNS[name])
 

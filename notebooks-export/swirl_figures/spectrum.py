@@ -23,7 +23,7 @@ def size(record, width):
 
 
 def _frequency_label(record):
-    if record["spectrum"]["frequency"].attrs.get("units") == "omega_s":
+    if record.column_attributes("spectrum", "frequency").get("units") == "omega_s":
         return r"frequency $f/f_s$, $f_s = \omega_s/2\pi$"
     return "frequency, in cycles per unit of time"
 

@@ -19,7 +19,7 @@ def size(record, width):
 
 def _draw_modes(axes, record):
     """Branch and stability of what was drawn."""
-    if "tau" not in record["steady_modes"].variables:
+    if not record.has("steady_modes", "tau"):
         return set(), set()
     tau, spin = record.column("steady_modes", "tau"), record.column("steady_modes", "S")
     branch, stability = record.names("steady_modes", "branch"), record.names("steady_modes", "stability")

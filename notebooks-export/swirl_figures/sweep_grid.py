@@ -16,20 +16,20 @@ def cell_edges(points):
 class SweepGrid:
     def __init__(self, record):
         record = open_record(record)
-        data = record["sweep"]
-        varied = [name for name in data["mean_S"].dims if data.sizes[name] > 1] or [data["mean_S"].dims[0]]
-        fixed = {name: 0 for name in data["mean_S"].dims if name not in varied}
-        data = data.sortby(varied)
+        axes = record.dimensions("sweep", "mean_S")
+        points = {name: record.column("sweep", name) for name in axes}
+        self.axes = [name for name in axes if len(points[name]) > 1] or [axes[0]]
         self.scene = record.scene()
-        self.scene.update({name: float(data[name][0]) for name in fixed})
-        data = data.isel(fixed)
-        self.points = {name: data[name].values for name in varied}
-        self.axes = list(varied)
-        self.modes = [str(mode) for mode in data["mode"].values]
-        self.runs = data.sizes["run"]
-        self.share = data["share"].transpose(*varied, "mode").values
-        self.mean_spin = data["mean_S"].transpose(*varied).values
-        self.mean_spin_error = data["mean_S_error"].transpose(*varied).values
+        self.scene.update({name: float(points[name][0]) for name in axes if name not in self.axes})
+        self.points = {name: numpy.sort(points[name]) for name in self.axes}
+        self.modes = list(record.names("sweep", "mode"))
+        self.runs = record.size("sweep", "run")
+        # Along rising parameters; of a parameter that is the scene's, its one value.
+        place = numpy.ix_(*(numpy.argsort(points[name]) for name in axes))
+        rest = tuple(i for i, name in enumerate(axes) if name not in self.axes)
+        self.share, self.mean_spin, self.mean_spin_error = (
+            record.column("sweep", name, [*axes, *more])[place].squeeze(axis=rest)
+            for name, more in (("share", ["mode"]), ("mean_S", []), ("mean_S_error", [])))
 
     @property
     def largest_mode(self):

@@ -16,12 +16,12 @@ _LEAST_PANEL = 3.0
 
 def is_sampled(record):
     """Its cells are points, not a grid."""
-    return "sweep" in record and record["sweep"]["mean_S"].dims == ("cell",)
+    return record.has("sweep", "mean_S") and record.dimensions("sweep", "mean_S") == ("cell",)
 
 
 def _parameters(record):
-    data = record["sweep"]
-    return [str(name) for name in data.variables if data[name].dims == ("cell",) and is_parameter(str(name))]
+    return [name for name in record.columns("sweep")
+            if is_parameter(name) and record.dimensions("sweep", name) == ("cell",)]
 
 
 def _panels(record):
@@ -58,10 +58,10 @@ def _draw_panel(axes, record, panel, modes, place):
 
 
 def draw_into(figure, record, look):
-    share = record["sweep"]["share"].transpose("cell", "mode").values
-    modes = [str(mode) for mode in record["sweep"]["mode"].values]
+    share = record.column("sweep", "share", ["cell", "mode"])
+    modes = list(record.names("sweep", "mode"))
     place = share.argmax(axis=1)
-    runs, names = record["sweep"].sizes["run"], _parameters(record)
+    runs, names = record.size("sweep", "run"), _parameters(record)
     look.title(figure, f"{scene_title(record.scene(), leave_out=names)}\n{len(place):,} points, {runs:,} random "
                        f"start{'s' * (runs > 1)} at each")
     parts = LegendBelow(figure)

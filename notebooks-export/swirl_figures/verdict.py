@@ -27,8 +27,7 @@ def _has_orbit(record):
 
 
 def _evidence(record):
-    group = record["mode"]
-    if "evidence" not in group.variables:
+    if not record.has("mode", "evidence"):
         return []
     return list(zip(record.names("mode", "evidence"), record.column("mode", "value"), record.column("mode", "threshold"),
                     record.names("mode", "says")))

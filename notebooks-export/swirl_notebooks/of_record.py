@@ -43,7 +43,7 @@ def template_of(record):
     file = Path(__file__).parent / "records" / f"{kinds[0].replace('-', '_')}.py" if kinds else None
     if file is None or not file.is_file():
         raise RecordError(f"record '{record.path}' holds nothing that there is a notebook of")
-    if kinds[0] == "multipliers" and record["orbits"].sizes.get("orbit", 0) == 0:
+    if kinds[0] == "multipliers" and record.size("orbits", "period") == 0:
         raise RecordError(f"record '{record.path}' holds no orbits: there is nothing that a notebook could show")
     return file.read_text(encoding="utf-8")
 

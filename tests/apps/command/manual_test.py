@@ -1,5 +1,6 @@
 """The manual and the completion of shells hold all that --help does: manual_test.py SWIRL"""
 
+import functools
 import os
 import re
 import shutil
@@ -13,9 +14,14 @@ from driving import SWIRL, InFolder, run
 COMMANDS = re.findall(r"^  ([a-z]+) ", run("--help").stdout.split("Subcommands:")[1], re.M)
 
 
+@functools.cache
+def help_of(command):
+    return run(f"{command} --help").stdout
+
+
 def flags_of(command):
     """All that --help of a command lists; of no command the program's own."""
-    text = run(f"{command} --help").stdout
+    text = help_of(command)
     return sorted({flag for line in re.findall(r"^  (-\S+)", text, re.M) for flag in line.split(",")})
 
 
@@ -53,12 +59,12 @@ class Manual(InFolder):
                 self.assertIn("--help", flags)
                 for flag in flags:
                     self.assertRegex(plain(page), rf"(?<![\w-]){flag}(?![\w-])", (command, form))
-                for example in re.findall(r"^\s*(swirl .*)$", run(f"{command} --help").stdout.split("Example")[-1], re.M):
+                for example in re.findall(r"^\s*(swirl .*)$", help_of(command).split("Example")[-1], re.M):
                     self.assertIn(example, plain(page), command)
 
     def test_every_word_of_help_is_in_the_page(self):
         for command in COMMANDS:
-            text = run(f"{command} --help").stdout.split("Usage:")[1]
+            text = help_of(command).split("Usage:")[1]
             details = text[text.index("\n\n"):]
             page = plain(run(f"manual {command}").stdout).replace("\\e", "\\")
             page = page.replace("\\(ga", "`").replace("\\(ha", "^").replace("\\(ti", "~").replace("\\&", "")
@@ -136,7 +142,7 @@ class Bash(InFolder):
         flags = re.findall(r"^ +'(\w+) (--[\w-]+)'[^)]*\) _swirl_words (.*) ;;$", script, re.M)
         self.assertGreater(len(flags), 60)
         for command, flag, words in flags:
-            text = run(f"{command} --help").stdout
+            text = help_of(command)
             for word in re.findall(r"'([^']*)'", words):
                 self.assertIn(word.rstrip("=:"), text, (command, flag))
 

@@ -111,7 +111,7 @@ class Orbits(Refusing):
         records = []
         for threads in (1, 2):
             path = self.folder / f"{threads}.h5"
-            flags = f"--max-period 2 --threads {threads} {SEARCH}"
+            flags = f"--max-period 2 --threads {threads} --starts 100 --trajectories 2 --collisions 200"
             self.assertEqual(run(f"orbits {HEXAGON} {flags} -o {path} --quiet").returncode, 0)
             records.append(path.read_bytes())
         self.assertEqual(*records)

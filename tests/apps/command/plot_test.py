@@ -79,15 +79,14 @@ class Figures(WithRecords):
 
     def test_every_record_is_drawn(self):
         from matplotlib.image import imread
-        for name in self.records:
+        for name in set(self.records) - {"steps", "single", "continue"}:  # which "chaotic" and "both" are more of
             pixels = (imread(self.draw(name, "png"))[..., :3] * 255).astype(int)
             colours = numpy.unique(pixels @ [1 << 16, 1 << 8, 1])  # as one number: rows take seconds to sort
             self.assertGreater(len(colours), 20, name)
 
     def test_every_format_is_written(self):
-        for name in ("chaotic", "sweep2", "both", "orbits"):
-            for suffix in ("svg", "pdf"):
-                self.draw(name, suffix)
+        for name, suffix in (("chaotic", "pdf"), ("sweep2", "svg"), ("both", "svg"), ("orbits", "pdf")):
+            self.draw(name, suffix)
 
     def test_every_kind_of_a_record_is_drawn(self):
         for name, kinds in (("chaotic", ["orbit", "spin", "path", "section", "balance"]), ("sweep2", ["modes"]), ("both", ["bifurcation"]),
@@ -98,8 +97,8 @@ class Figures(WithRecords):
 
     def test_equal_records_give_equal_figures(self):
         for suffix in HEADS:  # from two processes: the command and this one
-            here, there = self.draw("steps", suffix), self.folder / f"command.{suffix}"
-            run(f"plot {self.records['steps']} -o {there} --quiet")
+            here, there = self.draw("sweep1", suffix), self.folder / f"command.{suffix}"
+            run(f"plot {self.records['sweep1']} -o {there} --quiet")
             self.assertEqual(here.read_bytes(), there.read_bytes(), suffix)
 
     def test_titles_and_axes_have_symbols(self):

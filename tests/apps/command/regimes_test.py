@@ -155,7 +155,7 @@ class InContact(unittest.TestCase):
     def test_what_contact_annihilates_has_no_exponent(self):
         found = document(f"lyapunov {self.LANDING} --transient 200 --collisions 400")
         self.assertEqual(found["exponents"][2:], [None, None, None])
-        orbit, = (o for o in document(f"orbits {self.LANDING} --period 1")["orbits"]
+        orbit, = (o for o in document(f"orbits {self.LANDING} --period 1 --starts 60 --trajectories 4 --collisions 300")["orbits"]
                   if o["word"][0].get("through_contact"))
         self.assertEqual([m for m in orbit["multipliers"][2:]], [[0, 0]] * 3)
 

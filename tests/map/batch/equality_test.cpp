@@ -46,7 +46,7 @@ TYPED_TEST_SUITE(BatchEquality, Families);
 TYPED_TEST_SUITE(BatchEqualityNightly, Families);
 
 TYPED_TEST(BatchEquality, HasTheBitsOfTheScalarMap) {
-    expect_equal<TypeParam>(1, static_cast<int>(sample_count(800)), 500);
+    expect_equal<TypeParam>(1, static_cast<int>(sample_count(300)), 500);
 }
 
 TYPED_TEST(BatchEquality, WithEveryInstructionSet) {

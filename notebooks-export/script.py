@@ -8,7 +8,7 @@ import os
 import signal
 import sys
 
-PACKAGES = "python3-numpy python3-h5py python3-h5netcdf python3-xarray python3-matplotlib"
+PACKAGES = "python3-numpy python3-h5py python3-matplotlib"
 
 
 def fail(code, message):
@@ -33,7 +33,6 @@ class Parser(argparse.ArgumentParser):
 def load_figures():
     try:
         import swirl_figures
-        import h5netcdf  # the engine with which xarray opens a record
     except ImportError as error:
         fail(2, f"{error.name} cannot be loaded by {sys.executable}: figures need the Debian packages {PACKAGES}")
     return swirl_figures

@@ -25,7 +25,8 @@ const char* const plot_details =
                       that lie within a marker of one another the first is drawn, and their number told
   boundaries          boundaries: curves in two parameters and their special points; over the mode map of a sweep that is
                       given first
-  sweep, join         modes: bands, a map or panels, by the number of parameters; of --sample its points
+  sweep, join         modes: bands, a map or panels, by the number of parameters; of --sample its points; over two
+                      numbers of the start basins: the attractor that each start came to
   tradeoff            tradeoff: work against precision, how the verdict settles, what pieces of the model add
   describe, tour      steady-modes; tour
 Several records: below one another, (a), (b), ...; section portraits in the same axes. Widths of columns by name: aps,
@@ -43,7 +44,7 @@ void PlotOptions::add_to(Flags& command) {
     command.add_option("--kind", kind, "which figure, where there are several")
         ->type_name("NAME")
         ->offer({"orbit", "spin", "path", "section", "balance", "contacts", "verdict", "shares", "recurrence",
-                 "spectrum", "lyapunov", "multipliers", "bifurcation", "boundaries", "modes", "tradeoff",
+                 "spectrum", "lyapunov", "multipliers", "bifurcation", "boundaries", "basins", "modes", "tradeoff",
                  "steady-modes", "tour"});
     command.add_option("--width", width, "of the figure: millimetres, 3.4in, or a journal's column by name")
         ->type_name("WIDTH")

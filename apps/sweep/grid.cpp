@@ -9,11 +9,15 @@ namespace swirl::apps::sweep {
 
 namespace {
 
-constexpr std::array<const char*, 7> axis_names = {"alpha",          "beta",  "mu",   "restitution",
-                                                   "inertia-factor", "sides", "speed"};
-constexpr const char* start_speed = "speed";  // of the random starts; the other axes are the scene's
+constexpr std::array<const char*, 6> scene_axes = {"alpha", "beta", "mu", "restitution", "inertia-factor", "sides"};
+constexpr const char* start_speed = "speed";  // of random starts
 constexpr std::size_t most_axes = 3;
 constexpr long most_points = 1'000'000;
+
+template <std::size_t n>
+bool is_among(const std::array<const char*, n>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why) {
     throw BadInput(fmt::format("grid {}: {}", text, why));
@@ -62,8 +66,10 @@ std::vector<double> sampled_points(const std::string& name, double a, double b, 
 GridAxis axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
     const std::vector<std::string> parts = parts_of(text, units != nullptr);
     GridAxis axis{parts[0], text, {}, units != nullptr};
-    if (std::find(axis_names.begin(), axis_names.end(), axis.name) == axis_names.end())
-        refuse(text, "NAME is none of: alpha, beta, mu, restitution, inertia-factor, sides, speed");
+    if (!is_among(scene_axes, axis.name) && !is_among(start_numbers, axis.name) && axis.name != start_speed)
+        refuse(
+            text,
+            "NAME is none of: alpha, beta, mu, restitution, inertia-factor, sides, speed, x, y, vx, vy, angle, spin");
     const double a = number_from<double>("A", parts[1]), b = number_from<double>("B", parts[2]);
     if (units != nullptr) {
         if (!std::isfinite(a) || !std::isfinite(b) || a == b) refuse(text, "A and B must be finite and differ");
@@ -102,7 +108,9 @@ std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const Gri
 
 std::vector<std::string> axes_to_offer() {
     std::vector<std::string> words;
-    for (const char* name : axis_names) words.push_back(std::string(name) + "=");
+    for (const char* name : scene_axes) words.push_back(std::string(name) + "=");
+    words.push_back(std::string(start_speed) + "=");
+    for (const char* name : start_numbers) words.push_back(std::string(name) + "=");
     return words;
 }
 
@@ -133,17 +141,10 @@ bool has_axis(const std::vector<GridAxis>& grid, const std::string& name) {
 Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, std::size_t cell) {
     const auto point = cell_point(grid, cell);
     for (std::size_t k = 0; k < grid.size(); ++k)
-        if (grid[k].name != start_speed)
+        if (is_among(scene_axes, grid[k].name))
             scene.set(grid[k].name,
                       grid[k].name == "sides" ? fmt::format("{:.0f}", point[k]) : fmt::format("{:.17g}", point[k]));
     return scene.scene<double>();
-}
-
-double cell_speed(double otherwise, const std::vector<GridAxis>& grid, std::size_t cell) {
-    const auto point = cell_point(grid, cell);
-    for (std::size_t k = 0; k < grid.size(); ++k)
-        if (grid[k].name == start_speed) return point[k];
-    return otherwise;
 }
 
 }  // namespace swirl::apps::sweep

@@ -1,10 +1,11 @@
-// The cells of a sweep: one to three parameters of the scene or the speed of its starts, each from A to B in COUNT
-// steps, or points that fill that box.
+// The cells of a sweep: one to three parameters of the scene or numbers of its starts, each from A to B in COUNT steps,
+// or points that fill that box.
 #pragma once
 
 #include "apps/command_line/scene_options.hpp"
 #include "apps/sweep/sample.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,6 +29,9 @@ struct GridForm {
     int levels = 0;
 };
 
+/// Of a start in the laboratory, in R_c, R_c ω_s, radians and ω_s.
+inline constexpr std::array<const char*, 6> start_numbers = {"x", "y", "vx", "vy", "angle", "spin"};
+
 /// The levels of --refine go so far.
 inline constexpr int most_levels = 10;
 
@@ -48,8 +52,5 @@ std::vector<double> cell_point(const std::vector<GridAxis>& grid, std::size_t ce
 
 /// The scene of a cell. @throws BadInput, std::invalid_argument if the scene is not complete or out of range
 Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, std::size_t cell);
-
-/// The speed of a cell's starts: the grid's, or `otherwise`.
-double cell_speed(double otherwise, const std::vector<GridAxis>& grid, std::size_t cell);
 
 }  // namespace swirl::apps::sweep

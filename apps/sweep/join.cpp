@@ -24,9 +24,10 @@ void JoinOptions::add_to(Flags& command) {
 namespace {
 
 /// In the order of settings_of.
-constexpr std::array<const char*, 18> in_order = {
-    "swirl_version",  "grid", "sample", "sides", "alpha",     "beta",       "mu",         "restitution", "law",
-    "inertia_factor", "runs", "speed",  "seed",  "transient", "collisions", "exhaustive", "threshold",   "accuracy"};
+constexpr std::array<const char*, 24> in_order = {
+    "swirl_version", "grid",           "sample", "sides",     "alpha",      "beta",       "mu",        "restitution",
+    "law",           "inertia_factor", "runs",   "speed",     "x",          "y",          "vx",        "vy",
+    "angle",         "spin",           "seed",   "transient", "collisions", "exhaustive", "threshold", "accuracy"};
 
 /// The settings in the order of settings_of. @throws BadInput for one that is not known
 Settings ordered(const std::string& path, const Settings& settings) {
@@ -110,6 +111,7 @@ int join(JoinOptions& options) {
     const bool all = find_steady_modes(of_sweep, sweep);
     finish_up();
     if (!all) return exit_interrupted;
+    find_basins(sweep);
     write_sweep(of_sweep, sweep);
     if (options.output.json)
         write_sweep_document(sweep);

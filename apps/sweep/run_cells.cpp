@@ -4,6 +4,7 @@
 #include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/sweep/refine.hpp"
+#include "apps/sweep/starts.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -42,8 +43,8 @@ std::string header_of(const Settings& settings) {
 std::optional<RunResult> run_of(const SweepOptions& options, const std::vector<GridAxis>& grid, std::size_t runs,
                                 std::size_t index) {
     const Scene<double> scene = cell_scene(options.scene, grid, index / runs);
-    const double speed = cell_speed(options.start.speed(), grid, index / runs);
-    return sweep_run(scene, speed, options.start.seed(), index % runs, options.settings, options.output.accuracy());
+    const LabStart<double> start = cell_start(options.start, scene, grid, index / runs, index % runs);
+    return sweep_run(scene, start, options.settings, options.output.accuracy());
 }
 
 /// The same as bytes, for other ranks. It holds what it uses: after an interruption it may outlive the sweep.
@@ -119,7 +120,17 @@ bool run_tree(const SweepOptions& options, Sweep& sweep, std::vector<char>& done
     Lattice lattice{{}, options.refine};
     for (const auto& axis : sweep.grid) lattice.points.push_back(axis.points.size());
     sweep.visited.assign(lattice.size(), 0);
-    const auto verdict = [&](std::size_t cell) { return verdict_of(sweep.cell(cell)); };
+    std::vector<RunResult> attractors;  // of one scene: told apart by their mean S, too
+    const bool basins = are_all_of_the_start(sweep.grid);
+    const auto verdict = [&](std::size_t cell) -> std::int64_t {
+        if (!basins) return verdict_of(sweep.cell(cell));
+        const RunResult& run = sweep.results[cell];
+        const auto known = std::find_if(attractors.begin(), attractors.end(),
+                                        [&](const RunResult& other) { return is_same_attractor(other, run); });
+        const std::int64_t place = known - attractors.begin();
+        if (known == attractors.end()) attractors.push_back(run);
+        return place;
+    };
     int wave = 0;
     for (auto cells = coarse_points(lattice); !cells.empty(); cells = next_points(lattice, sweep.visited, verdict)) {
         const std::string task = wave == 0 ? "sweep" : fmt::format("sweep, refined {}", wave);

@@ -1,5 +1,6 @@
 #include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/progress.hpp"
+#include "apps/sweep/starts.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
 #include <memory>
@@ -19,6 +20,10 @@ bool find_steady_modes(const SweepOptions& options, Sweep& sweep) {
             std::make_shared<std::vector<SteadyShare>>(steady_shares(cell_scene(options.scene, sweep.grid, c), runs));
         return [&sweep, c, modes] { sweep.steady[c] = std::move(*modes); };
     });
+}
+
+void find_basins(Sweep& sweep) {
+    if (!sweep.shard && are_all_of_the_start(sweep.grid)) sweep.basins = basins_of(sweep.results);
 }
 
 }  // namespace swirl::apps::sweep

@@ -7,6 +7,7 @@
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/record/posix_file.hpp"
 #include "apps/sweep/run_cells.hpp"
+#include "apps/sweep/starts.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -17,7 +18,8 @@ namespace swirl::apps::sweep {
 
 const char* const sweep_details =
     R"(Names the mode of R random starts in every cell of a grid over one to three of alpha, beta, mu, restitution,
-inertia-factor, sides and the starts' speed. Run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's
+inertia-factor, sides and the starts' speed, or of one start for each cell of a grid over numbers of the start (x, y,
+vx, vy, angle, spin; in R_c, R_c omega_s, radians, omega_s): a map of basins of attraction. Run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's
 scene: an orbit is followed until its verdict is settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
 mean_S_error the standard error over them. Each cell also lists the attracting steady modes that follow from the scene's
 equations, with their shares of the runs: 0 of one that no start came to. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
@@ -30,6 +32,7 @@ results. --sample takes points that fill the box in place of a grid: Sobol's seq
 Examples:
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:5 --collisions 500
   swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.1:1:4 --runs 2 -o sweep.h5
+  swirl sweep --sides 6 --alpha 0.5 --beta 0.5 --mu 0.5 --restitution 0.95 --grid vx=-1:1:9 --grid vy=-1:1:9 -o basins.h5
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4 --refine 2 --collisions 500)";
 
 void SweepOptions::add_to(Flags& command) {
@@ -68,11 +71,7 @@ namespace {
 constexpr std::size_t most_results = 100'000'000;
 
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
-    if (!options.start.is_random())
-        throw BadInput("a sweep's starts are random: give --speed and --seed, not --x … or --point");
-    if (options.start.speed_given() && has_axis(grid, "speed"))
-        throw BadInput("--speed and --grid speed=… are two speeds of the same starts: give one of them");
-    options.start.require_one_way();
+    require_starts(options.start, grid, options.runs);
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
     options.output.accuracy();  // a wrong name is told before any work
     const double results = static_cast<double>(cell_count(grid)) * static_cast<double>(options.runs);
@@ -80,8 +79,7 @@ void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
         throw BadInput(fmt::format("cells x runs = {:.0f} is outside its range: 1 to {}", results, most_results));
     for (std::size_t c = 0; c < cell_count(grid); ++c) {
         const Scene<double> scene = cell_scene(options.scene, grid, c);
-        const double speed = cell_speed(options.start.speed(), grid, c);
-        flight_from(make_body(scene), random_start(scene.beta, speed, options.start.seed(), 0));
+        flight_from(make_body(scene), cell_start(options.start, scene, grid, c, 0));
     }
 }
 
@@ -176,11 +174,13 @@ int sweep(SweepOptions& options) {
                                  std::count(done.begin(), done.end(), 1), done.size()));
             return exit_interrupted;
         }
+        find_basins(sweep);
         if (!path.empty()) {
             keep_sweep(options, sweep);
             journal->remove();
         }
     }
+    if (!sweep.basins) find_basins(sweep);
     if (options.output.json)
         write_sweep_document(sweep);
     else if (!options.output.quiet)

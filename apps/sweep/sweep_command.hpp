@@ -4,6 +4,7 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/modes/steady_shares.hpp"
+#include "apps/sweep/basins.hpp"
 #include "apps/sweep/grid.hpp"
 #include "apps/sweep/sweep_results.hpp"
 
@@ -46,6 +47,7 @@ struct Sweep {
     std::vector<RunResult> results;
     std::vector<std::vector<SteadyShare>> steady;  ///< of each cell
     std::vector<char> visited = {};                ///< 1 of the cells that were looked at; empty: all
+    std::optional<Basins> basins = {};             ///< of a grid over numbers of the start
     std::optional<Shard> shard = {};               ///< whose cells they are
     std::optional<Units> units = {};
 
@@ -67,6 +69,9 @@ void read_shard(const std::string& path, Sweep& sweep);
 
 /// The attracting steady modes of every cell, with their shares of the runs. False if interrupted.
 bool find_steady_modes(const SweepOptions& options, Sweep& sweep);
+
+/// Of a grid over numbers of the start alone, which start came to what; else nothing.
+void find_basins(Sweep& sweep);
 
 /// A record of a finished sweep. @throws RecordError
 void write_sweep(const SweepOptions& options, const Sweep& sweep);

@@ -3,6 +3,7 @@
 #include "apps/output/write_table.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/sweep/run_columns.hpp"
+#include "apps/sweep/starts.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
 #include <algorithm>
@@ -170,6 +171,9 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
             std::find_if(table.fields.begin(), table.fields.end(), [&](const F& f) { return f.name == name; });
         table.fields.insert(at + 1, fields.begin(), fields.end());
     };
+    if (sweep.basins)
+        insert_after("modes", {F{"basin", [&sweep](const Cell& cell) { return sweep.basins->of_cell[cell.index]; }, "1",
+                                 "place in the group basins"}});
     insert_after("modes", share_fields(sweep));
     insert_after("steady_modes", steady_fields(sweep));
     return table;
@@ -206,11 +210,13 @@ void print_sweep(const Sweep& sweep) {
     fmt::print("{} cells x {} runs: {}\n", cells.size(), sweep.runs, shares);
     if (cells.size() < cell_count(sweep.grid) && !sweep.shard)
         fmt::print("of a grid of {}; the others have the verdict of their neighbours\n", cell_count(sweep.grid));
+    if (sweep.basins) print_table(in_units(basin_table(), sweep.units), sweep.basins->basins);
 }
 
 void write_sweep_document(const Sweep& sweep) {
     print_document([&](JsonWriter& json) {
         if (sweep.units) write_json(json, "units", unit_settings(*sweep.units));
+        if (sweep.basins) write_json(json, "basins", basin_table(), sweep.basins->basins);
         write_json(json, "cells", cell_table(sweep), visited_cells(sweep));
         write_json(json, "settings", sweep.settings);
     });
@@ -235,7 +241,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
             group.dimension(axes.back(), axis.points.size());
         }
         group.write<double>(dimension_of(axis), {axis.sampled ? "cell" : dimension_of(axis)}, axis.points,
-                            {axis.name == "speed" ? "R_c omega_s" : "1", "parameter " + axis.name, {}});
+                            {units_of_axis(axis.name), "parameter " + axis.name, {}});
     }
     group.dimension("run", static_cast<std::uint64_t>(sweep.runs));
     group.dimension("mode", mode_count);
@@ -254,6 +260,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     auto by_run = axes;
     by_run.push_back("run");
     write_run_columns(group, by_run, sweep.results);
+    if (sweep.basins) write_record(root.group("basins"), basin_table(), sweep.basins->basins);
     record.finish();
 }
 

@@ -28,10 +28,9 @@ double mean_of(const std::vector<double>& values) {
 
 }  // namespace
 
-std::optional<RunResult> sweep_run(const Scene<double>& scene, double speed, std::uint64_t seed, std::uint64_t run,
+std::optional<RunResult> sweep_run(const Scene<double>& scene, const LabStart<double>& start,
                                    const analysis::ClassifyOptions& settings, Accuracy accuracy) {
-    const NamedMode named =
-        name_mode(scene, random_start(scene.beta, speed, seed + run, 0), settings, accuracy, is_interrupted);
+    const NamedMode named = name_mode(scene, start, settings, accuracy, is_interrupted);
     if (!named.finished) return std::nullopt;
     const auto& v = named.verdict;
     return RunResult{static_cast<double>(v.mode),

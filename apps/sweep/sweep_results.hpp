@@ -18,9 +18,8 @@ struct RunResult {
     double impacts = 0;
 };
 
-/// Run `run` of a scene: a pure function of its arguments. Its start is that of `swirl classify --seed (seed + run)`.
-/// Nothing if it is interrupted.
-std::optional<RunResult> sweep_run(const Scene<double>& scene, double speed, std::uint64_t seed, std::uint64_t run,
+/// What an orbit from `start` comes to: a pure function of its arguments. Nothing if it is interrupted.
+std::optional<RunResult> sweep_run(const Scene<double>& scene, const LabStart<double>& start,
                                    const analysis::ClassifyOptions& settings, Accuracy accuracy);
 
 inline constexpr int mode_count = 4;

@@ -1,3 +1,4 @@
+#include "apps/sweep/starts.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
             settings.push_back(parameter);
     }
     settings.emplace_back("runs", options.runs);
-    if (!gridded("speed")) settings.emplace_back("speed", options.start.speed());
+    for (const auto& [name, value] : start_settings(options.start, first, grid)) settings.emplace_back(name, value);
     settings.emplace_back("seed", options.start.seed());
     settings.emplace_back("transient", options.settings.transient);
     settings.emplace_back("collisions", options.settings.collisions);

@@ -4,7 +4,7 @@ import dataclasses
 from dataclasses import dataclass
 from typing import Callable
 
-from . import (balance, bifurcation, boundaries, contacts, lyapunov, multipliers, orbit, path, recurrence, section, shares, spectrum,
+from . import (balance, basins, bifurcation, boundaries, contacts, lyapunov, multipliers, orbit, path, recurrence, section, shares, spectrum,
                spin, steady_modes, sweep, tour, tradeoff, verdict)
 from .look import Look, blank_figure, limit_abscissa
 from .record import RecordError, open_record
@@ -43,6 +43,7 @@ KINDS = {
     "section": Kind(_simulate, section.draw_into, section.size, section.draw_together),
     "balance": Kind(_simulate, balance.draw_into, balance.size),
     "contacts": Kind(contacts.has_contacts, contacts.draw_into, contacts.size),
+    "basins": Kind(basins.has_basins, basins.draw_into, basins.size),
     "modes": Kind(_with("sweep"), sweep.draw_into, sweep.size),
     "boundaries": Kind(boundaries.is_of_curves, boundaries.draw_into, boundaries.size),
     "bifurcation": Kind(bifurcation.is_diagram, bifurcation.draw_into, bifurcation.size),

@@ -15,6 +15,12 @@ _PARAMETERS = {
     "inertia_factor": ("κ", r"$\kappa = I/(m R_p^2)$  (inertia)"),
     "sides": ("N", r"$N$  (number of sides)"),
     "speed": ("V", r"$V$  (speed of the starts, in $R_c\omega_s$)"),
+    "x": ("x", r"$x/R_c$  (centre at the start)"),
+    "y": ("y", r"$y/R_c$  (centre at the start)"),
+    "vx": ("v_x", r"$v_x/(R_c\omega_s)$  (velocity at the start)"),
+    "vy": ("v_y", r"$v_y/(R_c\omega_s)$  (velocity at the start)"),
+    "angle": ("angle", "angle at the start, in radians"),
+    "spin": ("S", r"$S$ at the start, in $\omega_s$"),
 }
 
 _OBSERVABLES = {"psi": r"$\psi$, in radians", "chi": r"$\chi$, in radians", "vn": r"$v_n/(R_c\omega_s)$",

@@ -1,0 +1,94 @@
+"""swirl sweep over numbers of the start: basins of attraction. basins_test.py SWIRL"""
+
+import unittest
+
+import h5py
+import numpy
+
+from driving import Refusing, document, run
+
+#: A fixed point and a 4-cycle, both stable: the first takes a start in a hundred.
+TWO = "--sides 6 --alpha 0.5 --beta 0.5 --mu 0.5 --restitution 0.95 --transient 2000 --collisions 500"
+#: A fixed point that nearly every start comes to.
+ONE = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --transient 2000 --collisions 500"
+PLANE = "--grid vx=-0.4:0.4:5 --grid spin=-1:1:3"
+
+
+class Basins(Refusing):
+    def test_each_cell_is_what_classify_says_of_its_start(self):
+        found = document(f"sweep {TWO} {PLANE} --vy 0.1 --angle 0.2")
+        self.assertEqual(len(found["cells"]), 15)
+        self.assertEqual({name: found["settings"][name] for name in ("x", "y", "vy", "angle")},
+                         {"x": 0.5, "y": 0, "vy": 0.1, "angle": 0.2})
+        self.assertNotIn("speed", found["settings"])
+        for cell in found["cells"][::3]:
+            start = " ".join(f"--{name}={value!r}" for name, value in cell["parameters"].items())
+            alone = document(f"classify {TWO} {start} --vy 0.1 --angle 0.2")
+            run_, = cell["runs"]
+            for key in ("mode", "kind", "period", "mean_S"):
+                self.assertEqual(run_[key], alone[key], (start, key))
+            basin = found["basins"][cell["basin"]]
+            self.assertEqual([basin[key] for key in ("mode", "kind", "period")],
+                             [alone[key] for key in ("mode", "kind", "period")])
+
+    def test_a_start_on_each_of_two_cycles_is_in_the_basin_of_its_own(self):
+        """The steady mode's own state and the state of a run that is at the other, a little aside: two basins."""
+        steady, = (m for m in document(f"describe {TWO.split(' --transient')[0]}")["steady_modes"] if m["stability"] == "stable")
+        found = document(f"sweep {TWO} --grid vx=-0.6:0.6:13 --grid vy=-0.6:0.6:13")
+        spins = [basin["mean_S"] for basin in found["basins"] if basin["kind"] == "fixed-point"]
+        for spin in spins:
+            self.assertAlmostEqual(spin, steady["S"], delta=1e-9)
+        self.assertGreaterEqual(len(found["basins"]), 2)
+        counts = numpy.bincount([cell["basin"] for cell in found["cells"]])
+        self.assertEqual([basin["starts"] for basin in found["basins"]], list(counts))
+        self.assertEqual(list(counts), sorted(counts, reverse=True))
+        for basin in found["basins"]:
+            self.assertAlmostEqual(basin["share"], basin["starts"] / 169, delta=1e-15)
+            self.assertTrue(basin["share_low"] <= basin["share"] <= basin["share_high"], basin)
+
+    def test_the_record_opens_and_is_drawn(self):
+        path = self.folder / "b.h5"
+        found = document(f"sweep {TWO} {PLANE} -o {path}")
+        with h5py.File(path) as record:
+            self.assertEqual([cell["basin"] for cell in found["cells"]], list(record["sweep/basin"][:].ravel()))
+            self.assertEqual([record[f"sweep/{name}"].attrs["units"] for name in ("vx", "spin")], ["R_c omega_s", "omega_s"])
+            self.assertEqual([basin["starts"] for basin in found["basins"]], list(record["basins/starts"][:]))
+        again = run(f"sweep {TWO} {PLANE} -o {path}")  # it holds this sweep
+        self.assertEqual((again.returncode, again.stderr.count("holds this sweep already")), (0, 1), again.stderr)
+        drawn = run(f"plot {path} -o {self.folder}/b.svg --json")
+        self.assertIn('"kind": "basins"', drawn.stdout.replace('":"', '": "'), drawn.stderr)
+
+    def test_a_tree_finds_what_the_full_grid_has_where_it_looked(self):
+        tree = document(f"sweep {TWO} --grid vx=-0.6:0.6:4 --grid vy=-0.6:0.6:4 --refine 2")
+        full = document(f"sweep {TWO} --grid vx=-0.6:0.6:13 --grid vy=-0.6:0.6:13")
+        of = {tuple(cell["parameters"].values()): cell["runs"] for cell in full["cells"]}
+        for cell in tree["cells"]:
+            self.assertEqual(cell["runs"], of[tuple(cell["parameters"].values())])
+        self.assertGreater(len(tree["cells"]), 16)
+
+    def test_shards_are_the_same_bytes(self):
+        paths = [self.folder / f"{name}.h5" for name in ("one", "two", "joined", "whole")]
+        for number in (1, 2):
+            self.assertEqual(run(f"sweep {ONE} {PLANE} --shard {number}/2 --quiet -o {paths[number - 1]}").returncode, 0)
+        self.assertEqual(run(f"join {paths[0]} {paths[1]} --quiet -o {paths[2]}").returncode, 0)
+        self.assertEqual(run(f"sweep {ONE} {PLANE} --quiet -o {paths[3]}").returncode, 0)
+        self.assertEqual(paths[2].read_bytes(), paths[3].read_bytes())
+
+    def test_a_parameter_beside_a_number_of_the_start(self):
+        found = document(f"sweep {ONE.replace('--beta 0.5', '')} --grid beta=0.3:0.5:2 --grid vx=0.1:0.2:2")
+        self.assertNotIn("basins", found)  # two scenes
+        self.assertNotIn("x", found["settings"])  # the container's centre, which is beta
+        alone = document(f"classify {ONE.replace('0.5 --mu', '0.3 --mu')} --vx 0.2")
+        self.assertEqual(found["cells"][1]["runs"][0]["mean_S"], alone["mean_S"])
+
+    def test_wrong_input(self):
+        for flags, mention in ((f"{PLANE} --runs 2", "runs = 2"), (f"{PLANE} --speed 0.1", "--speed"),
+                               (f"{PLANE} --vx 0.1", "--vx"),
+                               (f"{PLANE} --point 1,0,-1,0,0", "--point"), ("--grid vx=0:1:2 --grid speed=0:1:2", "speed"),
+                               ("--grid x=0.5:1.5:3", "container's centre"), ("--grid vx=0:1e400:2", "1e400")):
+            with self.subTest(flags):
+                self.refused(f"sweep {ONE} {flags}", mention)
+
+
+if __name__ == "__main__":
+    unittest.main()

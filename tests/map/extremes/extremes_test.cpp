@@ -128,18 +128,20 @@ Family with_speed(const char* name, double speed, double spin, double beta) {
 TEST(Extremes, OrdinaryScenesForComparison) {
     check({"ordinary"}, 300);
 }
-TEST(Extremes, BodiesThatAreAllButPoints) {
+TEST(Extremes, BodiesThatFillTheContainerAndPoints) {
+    check(with_alpha("alpha 0.999999", 0.999999));
     check(with_alpha("alpha 1e-9", 1e-9));
 }
 TEST(Extremes, TrianglesAndAMillionSides) {
     check(with_sides("N 3", 3));
     check(with_sides("N 1000000", 1'000'000));
 }
-TEST(Extremes, SwirlsFromNoneToFiftyRadii) {
+TEST(Extremes, SwirlsFromNoneToAThousandRadii) {
     check(with_beta("beta 0", 0));
     check(with_beta("beta 1e-70", 1e-70));
     check(with_beta("beta 1e-12", 1e-12));
     check(with_beta("beta 50", 50));
+    check(with_beta("beta 1000", 1000));
 }
 TEST(Extremes, FrictionFromNoneToAMillion) {
     check(with_mu("mu 0", 0));

@@ -39,7 +39,7 @@ HWY_INLINE LanePath circle_path(const LaneFlight& flight) {
             dot(flight.velocity, flight.velocity),
             dot(place, flight.swirl),
             dot(flight.velocity, flight.swirl),
-            dot(place, side),
+            dot(flight.centre, side),
             dot(flight.velocity, side)};
 }
 

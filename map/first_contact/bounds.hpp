@@ -132,7 +132,13 @@ inline constexpr double step_at_wall = 0.5;
 template <class T>
 inline T overshoot(const Gap<T>& gap, const T& time) {
     if (!(gap.value > 0 && gap.rate > 0)) return T(0);
-    const T back = std::min(T(gap.value / gap.rate), time);
+    using std::sqrt;
+    T back = gap.value / gap.rate;
+    // Just before the top of a double root g′ is rounding, too, and the tangent would lead back too far: the parabola.
+    const T curved = T(-2) * gap.bend * gap.value;
+    if (curved > T(0x1p-10) * (gap.rate * gap.rate))
+        back = T(2) * gap.value / (gap.rate + sqrt(gap.rate * gap.rate + curved));
+    back = std::min(back, time);
     return back * gap.bend < gap.rate ? back : T(0);
 }
 

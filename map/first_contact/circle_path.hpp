@@ -2,8 +2,9 @@
 //
 // In the laboratory the centre is at P(τ) = P₀ + Vτ from the swirl's centre, and X = P − w. So
 //     |X|² − |X₀|² = 2τ V·X₀ + τ²|V|² − 2 (A c + B s),   E(τ) = (c, s),
-// with A = P·w₀ and B = P·(i w₀) linear in τ: six numbers per flight, and every derivative from the same products. For
-// the disk this is the gap, for a polygon the centre's distance against that at the start.
+// with A = P·w₀ and B = P·(i w₀) linear in τ: six numbers per flight, and every derivative from the same products. B
+// begins as X₀·(i w₀), since w₀·(i w₀) = 0: formed from P₀ = X₀ + w₀ it would lose X₀ where that is small against β.
+// For the disk this is the gap, for a polygon the centre's distance against that at the start.
 #pragma once
 
 #include "map/first_contact/gap_series.hpp"
@@ -32,7 +33,7 @@ template <class T>
             dot(flight.velocity, flight.velocity),
             dot(place, swirl),
             dot(flight.velocity, swirl),
-            dot(place, side),
+            dot(flight.centre, side),
             dot(flight.velocity, side)};
 }
 

@@ -92,9 +92,9 @@ auto SceneMap<D>::linearise(const State& z) const -> analysis::Linearised<D, Sta
     const ReturnStep<double> known = return_step(z);
     analysis::Linearised<D, State> step;
     step.alive = goes_on(known);
+    step.effort = 2 * effort_of(known);  // of a last contact too: 10⁵ series, where it is cut
     if (!step.alive) return step;
     fill(step, known);
-    step.effort = 2 * effort_of(known);
     if (known.contacts.empty()) {
         step.derivative = through_flight(z, known);
         return step;

@@ -17,7 +17,8 @@ namespace swirl::detail {
 /// A vertex that is on the wall at the start and does not approach it.
 template <class T>
 struct Departure {
-    bool leaves = false;
+    bool leaves = false;   ///< without normal velocity
+    bool recedes = false;  ///< with one, and not the vertex that struck: its g is rounding, of either sign
     int vertex = 0;
     Vec2<T> place;  ///< x₀, where |x₀| = 1
     Vec2<T> arm;    ///< a₀
@@ -71,6 +72,7 @@ inline Departure<T> departure_of(const Body<T>& body, const Flight<T>& flight, c
         departure.leaves = rests;
     else
         departure.leaves = fabs(gap.value) <= T(16) * epsilon<T>() && (released || (rests && gap.bend < T(0)));
+    departure.recedes = vertex.vertex != 0 && !rests && fabs(gap.value) <= T(16) * epsilon<T>();
     departure.vertex = vertex.vertex;
     departure.place = vertex.vertex == 0 ? Vec2<T>{T(1), T(0)} : start.centre + vertex.arm;
     departure.arm = vertex.arm;
@@ -113,14 +115,17 @@ T gap_of_departure(const Flight<T>& flight, const Departure<T>& from, const Inst
 
 /// The gap of a vertex as it is best known: replaced, if it has left the wall, its g is rounding, and the terms without
 /// those of first order are far smaller. Returns the rounding of g in units of ε.
+///   receding  also of one that has left at a normal velocity: for long steps, which need g < 0 (ordinary ones off the
+///             wall read only g′ and g″)
 template <class T>
 inline T leave_without_rounding(const Body<T>& body, const Flight<T>& flight, const Departures<T>& departures,
-                                const Instant<T>& at, Candidate<T>& vertex) {
+                                const Instant<T>& at, Candidate<T>& vertex, bool receding = false) {
     using std::fabs;
     const T size = rounded_size(body, flight, at.time, vertex.vertex);
     if (!(fabs(vertex.gap.value) <= T(16) * epsilon<T>() * size)) return size;
     for (const auto* departure : {&departures.first, &departures.second}) {
-        if (!departure->leaves || departure->vertex != vertex.vertex) continue;
+        const bool applies = departure->leaves || (receding && departure->recedes);
+        if (!applies || departure->vertex != vertex.vertex) continue;
         Candidate<T> better = vertex;
         const T terms = gap_of_departure(flight, *departure, at, better);
         if (!(T(64) * terms < size)) return size;

@@ -49,8 +49,8 @@ T sheltered_time_of_vertices(const Body<T>& body, const Flight<T>& flight, const
     if (!(distance > T(0) && body.beta < T(1))) return T(0);
     NearestTwo<T> pair;
     look_around(body, flight, at, place, pair);
-    leave_without_rounding(body, flight, departures, at, pair.first);
-    leave_without_rounding(body, flight, departures, at, pair.second);
+    leave_without_rounding(body, flight, departures, at, pair.first, true);
+    leave_without_rounding(body, flight, departures, at, pair.second, true);
     // As `two_are_enough`, about the swirl's centre.
     const T turning = T(0.5) * body.spacing / (fabs(flight.spin) + T(2) * speed / distance);
     const T enough = std::min(turning, T(distance / (T(2) * speed)));
@@ -58,15 +58,48 @@ T sheltered_time_of_vertices(const Body<T>& body, const Flight<T>& flight, const
         {enough, sheltered_time_of(body, flight, at, pair.first), sheltered_time_of(body, flight, at, pair.second)});
 }
 
-/// The longest of the safe steps beside the ordinary one: the circumscribed circle's wherever it is inside, and the one
-/// from the swirl's centre.
+/// The largest h with h (b + a h) ≤ c, for a, b, c ≥ 0.
+template <class T>
+inline T largest_with(const T& a, const T& b, const T& c) {
+    using std::sqrt;
+    return T(2) * c / (b + sqrt(b * b + T(4) * a * c));
+}
+
+/// A safe step by the velocity in the container that the body has now, |W(h)| ≤ |W| + βh, instead of |V| + β: a body
+/// with little room moves along with the container, and its |W| is smaller by many orders of magnitude. Of the
+/// direction of X, which turns by less than 2|W|/|X| while |X| at most halves, and of |g‴|.
+template <class T>
+T step_by_velocity_now(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
+                       const Departures<T>& departures, const Instant<T>& at) {
+    using std::fabs;
+    const T distance = magnitude(at.centre);
+    if (!(distance > T(0))) return T(0);
+    NearestTwo<T> pair;
+    look_around(body, flight, at, pair);
+    leave_without_rounding(body, flight, departures, at, pair.first, true);
+    leave_without_rounding(body, flight, departures, at, pair.second, true);
+    if (touches(pair.first.gap) || touches(pair.second.gap)) return T(0);
+    const T drift = magnitude(at.drift) + T(8) * epsilon<T>() * bounds.drift;
+    const T per_distance = T(2) / distance;
+    const T turns = largest_with(T(per_distance * body.beta), T(fabs(flight.spin) + per_distance * drift),
+                                 T(T(0.5) * body.spacing));
+    const T limit = std::min(turns, largest_with(body.beta, drift, T(T(0.5) * distance)));
+    const T third = vertex_third(body, flight, T(drift + body.beta * limit));
+    const auto step_of = [&](const Gap<T>& gap) {
+        return gap.value < 0 ? safe_step(gap, third) : safe_step_off_the_wall(gap, third);
+    };
+    return std::min({limit, step_of(pair.first.gap), step_of(pair.second.gap)});
+}
+
+/// The longest of the safe steps beside the ordinary one: the circumscribed circle's wherever it is inside, the one by
+/// the velocity now, and the one from the swirl's centre.
 template <class T>
 [[gnu::noinline]] T longer_step(const Body<T>& body, const Flight<T>& flight, const FlightBounds<T>& bounds,
                                 const Departures<T>& departures, const Instant<T>& at, const Gap<T>& circle) {
     const bool inside = circle.value < T(-16) * epsilon<T>() * body.inner;  // beyond the rounding of |X|
     const T round = inside ? safe_step(circle, bounds.centre_third) : T(0);
-    return std::max(
-        {round, sheltered_time(body, flight, at), sheltered_time_of_vertices(body, flight, departures, at)});
+    return std::max({round, step_by_velocity_now(body, flight, bounds, departures, at),
+                     sheltered_time(body, flight, at), sheltered_time_of_vertices(body, flight, departures, at)});
 }
 
 }  // namespace swirl::detail

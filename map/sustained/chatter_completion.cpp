@@ -71,6 +71,46 @@ ContactState landed(const ContactScene& scene, const PostImpactState<double>& po
     return state;
 }
 
+/// |c′|/c: how fast the impulse that removes v changes with χ; c = B₂ − sμB₃ while the vertex slides, B₂ − B₃²/B₁ while
+/// it sticks. Here and below with the magnitudes of all terms, since a sum may be small by chance.
+double impulse_change(const ContactScene& scene, const Slip& slip, double chi) {
+    const double kappa = scene.inertia_factor(), c = std::cos(chi), s = std::sin(chi);
+    if (scene.mu > 0 && !slip.slides) return std::abs(2 * s * c) / (kappa + c * c);
+    return (std::abs(2 * s * c) + scene.mu * std::abs(c * c - s * s)) /
+           std::abs(kappa + s * (s - scene.mu * slip.sign * c));
+}
+
+/// (r(r + |a′|/a) + r′)(1 + |c′|/c) of chatter_completion.hpp, each with the magnitudes of its terms, since a sum may
+/// be small by chance.
+///   before, contact  velocities just after the impact, and with u_n removed
+double second_order(const ContactScene& scene, const Slip& slip, const ContactState& before,
+                    const ContactState& contact) {
+    const Body<double>& body = scene.body;
+    const ContactMotion motion = scene.mu > 0 && !slip.slides    ? ContactMotion::sticking
+                                 : scene.mu > 0 && slip.sign < 0 ? ContactMotion::sliding_backward
+                                                                 : ContactMotion::sliding_forward;
+    const Support support = scene.is_disk() ? Support::rim : Support::vertex;
+    const Reaction change = reaction_of(scene, support, motion, contact);
+    const double wn = body.beta * std::cos(contact.psi), wt = body.beta * std::abs(std::sin(contact.psi));
+    if (scene.is_disk()) {
+        const double rate = 1 + std::abs(normal_rate(scene, support, before));
+        const double turning = normal_rate(scene, support, contact);
+        const double faster = std::abs(change.ut_rate - body.alpha * change.spin_rate) * body.per_inner;
+        const double a = wn + body.inner * turning * turning;
+        const double a_rate = wt * std::abs(turning - 1) + 2 * body.inner * std::abs(turning) * faster;
+        return rate * (rate + a_rate / std::abs(a)) + faster;
+    }
+    const double rate = 1 + std::abs(before.ut) + std::abs(before.spin);
+    const double faster = std::abs(change.ut_rate) + std::abs(change.spin_rate);
+    const double rn = body.alpha * std::abs(std::cos(contact.chi)), rt = body.alpha * std::abs(std::sin(contact.chi));
+    const double spin2 = contact.spin * contact.spin;
+    const double a = wn + contact.ut * contact.ut - spin2 * body.alpha * std::cos(contact.chi);
+    const double a_rate = wt * std::abs(contact.ut - 1) + 2 * std::abs(contact.ut * change.ut_rate) +
+                          2 * std::abs(contact.spin * change.spin_rate) * rn +
+                          spin2 * std::abs(contact.spin - contact.ut) * rt;
+    return (rate * (rate + a_rate / std::abs(a)) + faster) * (1 + impulse_change(scene, slip, contact.chi));
+}
+
 /// The rate at which an edge turns about the container's centre once its rocking has ended: the angular momentum about
 /// that centre is conserved, since normal impulses point at it.
 double edge_rate(const ContactScene& scene, const PostImpactState<double>& post_impact) {
@@ -113,13 +153,13 @@ ChatterError chatter_error(const ContactScene& scene, const PostImpactState<doub
     const double v = std::abs(u.un);
     if (!(acceleration > 0)) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     const double lasts = 2 * v / (acceleration * (1 - scene.restitution));
-    const double turning = scene.is_disk() ? std::abs(u.ut - scene.body.alpha * post_impact.spin) * scene.body.per_inner
-                                           : std::abs(u.ut) + std::abs(post_impact.spin);
-    const double passes = lasts * (1 + turning);
+    const Slip slip = slip_of(scene, post_impact);
     double unused;
-    const ContactState taken = without_normal_velocity(scene, post_impact, slip_of(scene, post_impact), unused);
+    const ContactState taken = without_normal_velocity(scene, post_impact, slip, unused);
     const double removed = v + std::abs(taken.ut - u.ut) + scene.body.alpha * std::abs(taken.spin - post_impact.spin);
-    return {v * lasts, 4 * removed * std::min(1.0, passes * passes)};
+    const double order = second_order(scene, slip, contact_state(scene, post_impact), taken);
+    const double estimate = 0.5 * removed * lasts * lasts * order;
+    return {v * lasts, std::isnan(estimate) ? std::numeric_limits<double>::infinity() : estimate};  // a or c is 0
 }
 
 bool rests_still(const ContactScene& scene, const ChatterCompletion& completion) {

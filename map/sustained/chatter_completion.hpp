@@ -5,10 +5,15 @@
 // add up to those of contact over the same time, less v: the rest of the sequence equals the removal of v, with
 // friction, at its beginning, followed by contact (complete chattering: Nordmark & Piiroinen, Nonlinear Dyn. 58 (2009)
 // 85). Meanwhile the two motions differ by at most vT in place: contact begins once that is below 16 ε of R_c. There is
-// no speed threshold. At the end of chattering they differ by O(Δu (rT)²) in place and velocities, Δu the velocities
-// removed and r = 1 + the rates of turning: the first order cancels, since the tangential displacement is proportional
-// to the normal one, which is zero at the end. `ChatterError::estimate` is 4 Δu (rT)²; the largest error measured in
-// the tests is 0.8 of it.
+// no speed threshold. At the end of chattering they differ in place and velocities by the second order in T, which
+// `ChatterError::estimate` estimates (the first order cancels: the tangential displacement is proportional to the
+// normal one, which is zero at the end):
+//
+//     ½ Δu T² (r(r + |a′|/a) + r′)(1 + |c′|/c)
+//
+// Δu the velocities removed, r = 1 + the rates at which n and r turn, r′ the rates at which contact changes these (S′ ≈
+// λ/αI), a′/a the change of the flights' lengths, and c′/c, c = B₂ − sμB₃ by χ, that of the impulse v/c which removes
+// v. (Close to Painlevé's border, c = 0, both r′ and c′/c are large.) README.md, "Chattering", has what was measured.
 #pragma once
 
 #include "map/sustained/contact_state.hpp"
@@ -62,7 +67,7 @@ ChatterCompletion chatter_completion(const ContactScene& scene, const PostImpact
 /// The errors of replacing chatter after an impact by contact.
 struct ChatterError {
     double moved;     ///< vT: bounds the displacement between the two motions during chatter, in R_c
-    double estimate;  ///< 4 Δu min(1, (rT)²): estimates the error of place (R_c) and velocities (R_c ω_s) at its end
+    double estimate;  ///< of the error of place (R_c) and velocities (R_c ω_s) at its end
 };
 
 /// Infinite if the vertex (rim) does not come back to the wall.

@@ -65,29 +65,81 @@ double difference_from(const ContactScene& scene, const PostImpactState<double>&
     return std::max(velocity, detail::magnitude(n - exact - scene.body.alpha * arm));
 }
 
-std::vector<double> shares_of_estimate(int sides, Law law, double v) {
-    tests::Random random(17 + sides + 100 * static_cast<int>(law));
+/// A draw of scenes and impacts that begin chattering.
+struct Draw {
+    int sides;
+    Law law;
+    double leaving;  ///< v
+    double least_mu, most_mu, most_restitution;
+    double least_median;  ///< of the error's share of its estimate, where the error is not rounding
+};
+
+/// The error's share of its estimate in `count` drawn sequences, less those left out; ascending.
+std::vector<double> shares_of_estimate(const Draw& draw, std::uint64_t seed, int count) {
+    tests::Random random(seed);
     std::vector<double> shares;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < count; ++i) {
         // Named, as the order in which a call's arguments are drawn is the compiler's.
-        const double restitution = random.between(0, 0.9);
-        const double mu = random.chance(0.3) ? 0 : random.between(0, 1);
-        const Scene<double> s = tests::random_scene(random, sides, mu, restitution, law);
-        SectionPoint<double> z = tests::random_point(random, s, v);
+        const double restitution = random.between(0, draw.most_restitution);
+        const bool frictionless = draw.least_mu == 0 && random.chance(0.3);
+        const double mu = frictionless ? 0 : random.between(draw.least_mu, draw.most_mu);
+        const Scene<double> s = tests::random_scene(random, draw.sides, mu, restitution, draw.law);
+        const SectionPoint<double> z = tests::random_point(random, s, draw.leaving);
         const ContactScene scene = tests::contact_of(s);
-        if (std::abs(z.chi) > 0.9 * scene.widest_chi && sides != disk_sides) continue;
+        if (std::abs(z.chi) > 0.9 * scene.widest_chi && draw.sides != disk_sides) continue;
         const PostImpactState<double> post_impact = post_impact_state(z);
         const ChatterError error = chatter_error(scene, post_impact);
+        const double ut = contact_kinematics(scene.body, post_impact).ut;
         // Left out: chatter that is not short against the swirl, and slips that stop during it (not smooth).
-        if (!(error.moved <= 0.01 * v) || std::abs(contact_kinematics(scene.body, post_impact).ut) < 0.05) continue;
+        if (!(error.moved <= 0.01 * draw.leaving) || std::abs(ut) < 0.05) continue;
         const Accumulation end = impact_by_impact(s, z);
         if (!end.found) continue;
-        constexpr double rounding = 1e-15;
+        // Contact is followed in double: its velocities are known to some ε of themselves.
+        const double rounding = 4e-15 * (1 + std::abs(ut) + s.alpha * std::abs(z.spin));
         const double distance = difference_from(scene, post_impact, end);
         if (distance >= 0) shares.push_back(std::max(distance - rounding, 0.0) / error.estimate);
     }
     std::sort(shares.begin(), shares.end());
     return shares;
+}
+
+/// Expects of every draw that no error exceeds its estimate; returns the largest share.
+double largest_share(const std::vector<Draw>& draws, std::uint64_t seed, int count) {
+    double largest = 0;
+    for (const Draw& draw : draws) {
+        const auto shares = shares_of_estimate(draw, ++seed, count);
+        EXPECT_GE(shares.size(), static_cast<std::size_t>(count / 10));
+        if (shares.empty()) continue;
+        const double median = shares[shares.size() / 2];
+        std::printf("%2d sides, %s, v = %g, mu %g to %g: %zu sequences, error by estimate: median %.2g, largest %.2g\n",
+                    draw.sides, std::string(name_of(draw.law)).c_str(), draw.leaving, draw.least_mu, draw.most_mu,
+                    shares.size(), median, shares.back());
+        EXPECT_LE(shares.back(), 1);
+        EXPECT_GE(median, draw.least_median);  // not absurdly larger
+        largest = std::max(largest, shares.back());
+    }
+    return largest;
+}
+
+std::vector<Draw> ordinary_draws() {
+    std::vector<Draw> draws;
+    for (const int sides : {disk_sides, 3, 4, 6, 12})
+        for (const Law law : {Law::poisson, Law::newton, Law::stronge}) {
+            if (sides == disk_sides && law != Law::poisson) continue;  // the disk's laws coincide
+            for (const double v : {1e-3, 1e-4, 1e-5, 1e-6})
+                draws.push_back({sides, law, v, 0, 1, 0.9, v >= 1e-4 ? 1e-3 : 0});
+        }
+    return draws;
+}
+
+/// Large friction, down to Painlevé's border: c = B₂ − sμB₃ is below 0.15 in 1 of 30.
+std::vector<Draw> draws_with_large_friction() {
+    std::vector<Draw> draws;
+    for (const int sides : {3, 4, 5})
+        for (const Law law : {Law::poisson, Law::newton, Law::stronge})
+            for (const double v : {1e-3, 1e-4, 1e-5})
+                draws.push_back({sides, law, v, 0.7, 2, 0.6, v >= 1e-4 ? 3e-4 : 0});
+    return draws;
 }
 
 TEST(ChatterEnd, IsReportedWithTheLanding) {
@@ -105,17 +157,20 @@ TEST(ChatterEnd, IsReportedWithTheLanding) {
 }
 
 TEST(ChatterEnd, IsMisplacedByNoMoreThanItsEstimate) {
-    for (const int sides : {disk_sides, 3, 6})
-        for (const Law law : {Law::poisson, Law::newton, Law::stronge})
-            for (const double v : {1e-3, 1e-4}) {
-                const auto shares = shares_of_estimate(sides, law, v);
-                ASSERT_GE(shares.size(), 50u);
-                std::printf("%2d sides, %s, v = %g: %zu sequences, error by estimate: median %.2g, largest %.2g\n",
-                            sides, std::string(name_of(law)).c_str(), v, shares.size(), shares[shares.size() / 2],
-                            shares.back());
-                EXPECT_LE(shares.back(), 1);
-                EXPECT_GE(shares[shares.size() / 2], 1e-3);  // not absurdly larger
-            }
+    EXPECT_GE(largest_share(ordinary_draws(), 0, 120), 0.1);
+}
+
+TEST(ChatterEnd, IsMisplacedByNoMoreThanItsEstimateUnderLargeFriction) {
+    EXPECT_GE(largest_share(draws_with_large_friction(), 1000, 120), 0.1);
+}
+
+TEST(ChatterEndNightly, IsMisplacedByNoMoreThanItsEstimateInAHundredThousandSequences) {
+    double ordinary = 0, large = 0;
+    for (std::uint64_t part = 1; part <= 20; ++part) {
+        ordinary = std::max(ordinary, largest_share(ordinary_draws(), 10'000 * part, 300));
+        large = std::max(large, largest_share(draws_with_large_friction(), 10'000 * part + 1000, 300));
+    }
+    std::printf("largest error by estimate: %.3g, with large friction %.3g\n", ordinary, large);
 }
 
 }  // namespace

@@ -142,6 +142,51 @@ TEST(SearchAtExtremes, FastSpinAfterALongFlightPutsTheVertexOnTheWall) {
         }
 }
 
+/// The farthest that any vertex is outside at `samples` moments before a contact, from the definition of the gap.
+template <class T>
+double farthest_before(const Body<T>& body, const Flight<T>& flight, const T& contact, int samples) {
+    T farthest(-1);
+    for (int i = 1; i < samples; ++i) {
+        const auto at = instant_at<Shape::polygon>(flight, T(contact * T(i) / T(samples)));
+        for (int k = 0; k < body.sides; ++k) {
+            const Vec2<T> x = at.centre + body.turned_to_vertex(at.arm, k);
+            farthest = std::max(farthest, T(dot(x, x) - T(1)));
+        }
+    }
+    return static_cast<double>(farthest);
+}
+
+// α = 1 − 10⁻⁹ … 1 − 10⁻⁴: the body goes along with the container at a speed far below the swirl's, and steps bounded
+// by |V| + β were up to 10⁶ a flight. None may be so long that a contact is passed.
+TEST(SearchAtExtremes, ABodyWithLittleRoomFindsTheFirstContactInFewSteps) {
+    using T = Quad;  // so that the gap of a sample is not rounding
+    Random random(97);
+    int most = 0;
+    long searched = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double room = random.log_between(1e-9, 1e-4);
+        const int sides = random.one_of({3, 5, 8, 12, 40});
+        const double beta = random.log_between(1e-3, 3), spin = random.sign() * random.log_between(1e-3, 1e4);
+        const double speed = room * random.log_between(1e-2, 1e2), direction = random.angle(), angle = random.angle();
+        const Scene<T> scene{sides, T(1 - room), T(beta), T(0), T(1), Law::poisson, uniform_inertia_factor<T>(sides)};
+        const LabStart<T> start{T(beta),  T(0),   T(speed * std::cos(direction)), T(beta + speed * std::sin(direction)),
+                                T(angle), T(spin)};
+        with_collision_map(scene, [&](const auto& map) {
+            if constexpr (std::decay_t<decltype(map)>::shape == Shape::polygon) {
+                const Flight<T> flight = flight_from(map.body(), start);
+                const auto contact = detail::certain_contact<Shape::polygon>(map.body(), flight);
+                ASSERT_EQ(contact.outcome, FirstContactOutcome::contact) << sides << " sides, room " << room;
+                most = std::max(most, contact.steps);
+                ++searched;
+                const double outside = farthest_before(map.body(), flight, contact.at.time, 400);
+                EXPECT_LE(outside, 1e-30) << sides << " sides, room " << room << ", spin " << spin;
+            }
+        });
+    }
+    std::printf("%ld flights with little room: at most %d steps\n", searched, most);
+    EXPECT_LT(most, 400);  // 200 ordinary ones, then the longer
+}
+
 template <class T>
 T worst_gap(int sides) {
     using std::fabs;

@@ -163,8 +163,11 @@ class KnownEndings(unittest.TestCase):
     # Of the draw: vertices that leave with u_n = 0 in a weak swirl (16, 494, 537, 657, 723, 728), bodies that reach the
     # wall within rounding for longer than the swirl turns (96, 712, 868), an edge's two vertices striking in turn with
     # ever less (774), fast spin after a long flight (174, 593), a vertex that turns away just before the wall (587),
-    # more turns of the swirl than a double can count (215, 425).
-    DRAWN = (16, 96, 174, 215, 425, 494, 537, 587, 593, 657, 712, 723, 728, 774, 868)
+    # more turns of the swirl than a double can count (215, 425), bodies with so little room that they go along with the
+    # container (5029, 7134, 8538), a neighbour that leaves the wall from within rounding outside it (5231, 6187, 8438,
+    # 9499).
+    DRAWN = (16, 96, 174, 215, 425, 494, 537, 587, 593, 657, 712, 723, 728, 774, 868, 5029, 5231, 6187, 7134,
+             8438, 8538, 9499)
 
     def test_drawn_scenes_stay_inside_and_have_a_name(self):
         for number in self.DRAWN:
@@ -174,8 +177,9 @@ class KnownEndings(unittest.TestCase):
             self.assertNotEqual(found["outcome"], "unresolved", number)
             self.assertLess(seconds, MOST_SECONDS, number)
 
-    # Of the draw: long swings on the wall in a weak swirl, a landing at each impact.
-    DEAR = (88, 186, 749)
+    # Of the draw: long swings on the wall in a weak swirl, a landing at each impact (88, 186, 749), a body with little
+    # room that spins fast (5667), contact of 10⁵ series after which there is no impact (8197).
+    DEAR = (88, 186, 749, 5667, 8197)
 
     def test_verdicts_on_impacts_that_cost_much_come_within_seconds(self):
         for number in self.DEAR:

@@ -38,7 +38,9 @@ Table<Basin> basin_table() {
         return static_cast<analysis::Mode>(static_cast<int>(basin.attractor.mode));
     };
     const auto spin = [](const Basin& basin) { return basin.attractor.mean_spin; };
-    const auto in_percent = [](const Value& value) { return fmt::format("{:.2f} %", 100 * std::get<double>(value)); };
+    const auto in_percent = [](const Value& value) {
+        return fmt::format("  {:>8.2f} %", 100 * std::get<double>(value));
+    };
     return {
         {"basin"},
         {F{"mode", mode}.shown("mode", "  {:<12}"),

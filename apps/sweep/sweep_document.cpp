@@ -171,9 +171,10 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
             std::find_if(table.fields.begin(), table.fields.end(), [&](const F& f) { return f.name == name; });
         table.fields.insert(at + 1, fields.begin(), fields.end());
     };
-    if (sweep.basins)
-        insert_after("modes", {F{"basin", [&sweep](const Cell& cell) { return sweep.basins->of_cell[cell.index]; }, "1",
-                                 "place in the group basins"}});
+    if (sweep.basins) {
+        const auto basin = [&sweep](const Cell& cell) { return sweep.basins->of_cell[cell.index]; };
+        insert_after("modes", {F{"basin", basin}.json_only()});
+    }
     insert_after("modes", share_fields(sweep));
     insert_after("steady_modes", steady_fields(sweep));
     return table;
@@ -260,7 +261,10 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     auto by_run = axes;
     by_run.push_back("run");
     write_run_columns(group, by_run, sweep.results);
-    if (sweep.basins) write_record(root.group("basins"), basin_table(), sweep.basins->basins);
+    if (sweep.basins) {
+        group.write<std::int64_t>("basin", axes, sweep.basins->of_cell, {"1", "place in the group basins", {}});
+        write_record(root.group("basins"), basin_table(), sweep.basins->basins);
+    }
     record.finish();
 }
 

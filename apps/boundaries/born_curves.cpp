@@ -42,7 +42,10 @@ struct BornSystem {
             Eigen::VectorXd above = y, below = y;
             above[i] += h;
             below[i] -= h;
-            at.jacobian(last, i) = (determinant(above) - determinant(below)) / (2 * h);
+            // At the end of a parameter's range (μ = 0) from one side.
+            if (!is_in_range(plane, above.segment<2>(layout.parameters()))) above = y;
+            if (!is_in_range(plane, below.segment<2>(layout.parameters()))) below = y;
+            at.jacobian(last, i) = (determinant(above) - determinant(below)) / (above[i] - below[i]);
         }
         const double size = at.jacobian.row(last).norm();
         at.residual[last] /= size;

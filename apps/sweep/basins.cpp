@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace swirl::apps::sweep {
@@ -18,8 +19,6 @@ bool has_exact_spin(const RunResult& run) {
         case analysis::Kind::fixed_point:
         case analysis::Kind::cycle:
         case analysis::Kind::landing:
-        case analysis::Kind::sliding:
-        case analysis::Kind::two_vertex:
             return std::isfinite(run.mean_spin);
         default:
             return false;
@@ -46,12 +45,16 @@ Table<Basin> basin_table() {
         {F{"mode", mode}.shown("mode", "  {:<12}"),
          kind_field<Basin>(kind).shown("kind", " {:<19}"),
          period_field<Basin>(period).shown("period", dash_for_zero(" {:>6}")),
-         F{"mean_S", spin, "omega_s", "time mean of S, of the first start that came to it"}.shown("mean S",
-                                                                                                  " {:>14.8g}"),
-         F{"starts", &Basin::starts, "1", "starts that came to it"}.shown("starts", "  {:>8}"),
-         F{"share", &Basin::share, "1", "share of all starts"}.shown("share", {"  {:>10}", in_percent}),
+         F{"mean_S", spin, "omega_s", "time mean of S of a polished cycle"}.shown("mean S", " {:>14.8g}"),
+         F{"starts", &Basin::starts, "1", "starts that were run and came to it"}.shown("starts", "  {:>8}"),
+         F{"share", &Basin::share, "1", "share of all cells"}.shown("share", {"  {:>10}", in_percent}),
          {"share_low", [](const Basin& b) { return b.interval.low; }, "1", "from this share on, by Wilson's interval"},
          {"share_high", [](const Basin& b) { return b.interval.high; }, "1", "up to this share"}}};
+}
+
+bool has_attractor(const RunResult& run) {
+    const auto kind = static_cast<analysis::Kind>(static_cast<int>(run.kind));
+    return kind != analysis::Kind::none && kind != analysis::Kind::transient;
 }
 
 bool is_same_attractor(const RunResult& a, const RunResult& b) {
@@ -60,32 +63,41 @@ bool is_same_attractor(const RunResult& a, const RunResult& b) {
     return std::abs(a.mean_spin - b.mean_spin) <= same_spin * (1 + std::abs(a.mean_spin));
 }
 
-Basins basins_of(std::span<const RunResult> results) {
-    Basins found;
-    for (const RunResult& run : results) {
-        const auto known = std::find_if(found.basins.begin(), found.basins.end(),
-                                        [&](const Basin& basin) { return is_same_attractor(basin.attractor, run); });
-        found.of_cell.push_back(known - found.basins.begin());
-        if (known == found.basins.end())
-            found.basins.push_back({run, 1});
-        else
-            ++known->starts;
+Basins basins_of(std::span<const RunResult> results, std::span<const char> visited) {
+    struct Found {
+        RunResult attractor;
+        std::int64_t starts = 0, cells = 0;
+    };
+    std::vector<Found> found;
+    Basins all;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        all.of_cell.push_back(no_basin);
+        if (!has_attractor(results[i])) continue;
+        auto known = std::find_if(found.begin(), found.end(),
+                                  [&](const Found& f) { return is_same_attractor(f.attractor, results[i]); });
+        if (known == found.end()) known = found.insert(found.end(), {results[i]});
+        all.of_cell.back() = known - found.begin();
+        known->starts += visited.empty() || visited[i] != 0;
+        ++known->cells;
     }
-    std::vector<std::size_t> order(found.basins.size());
+    std::vector<std::size_t> order(found.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return found.basins[a].starts > found.basins[b].starts; });
+                     [&](std::size_t a, std::size_t b) { return found[a].cells > found[b].cells; });
     std::vector<std::int64_t> place(order.size());
-    std::vector<Basin> sorted;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const std::size_t from : order) {
-        place[from] = static_cast<std::int64_t>(sorted.size());
-        sorted.push_back(found.basins[from]);
-        sorted.back().share = static_cast<double>(sorted.back().starts) / static_cast<double>(results.size());
-        sorted.back().interval = wilson_interval(sorted.back().share, static_cast<double>(results.size()));
+        place[from] = static_cast<std::int64_t>(all.basins.size());
+        Basin basin{found[from].attractor, found[from].starts};
+        if (!has_exact_spin(basin.attractor)) basin.attractor.mean_spin = unknown;
+        const auto cells = static_cast<double>(results.size());
+        basin.share = static_cast<double>(found[from].cells) / cells;
+        basin.interval = visited.empty() ? wilson_interval(basin.share, cells) : Interval{unknown, unknown};
+        all.basins.push_back(basin);
     }
-    found.basins = std::move(sorted);
-    for (auto& basin : found.of_cell) basin = place[static_cast<std::size_t>(basin)];
-    return found;
+    for (auto& basin : all.of_cell)
+        if (basin != no_basin) basin = place[static_cast<std::size_t>(basin)];
+    return all;
 }
 
 }  // namespace swirl::apps::sweep

@@ -10,30 +10,35 @@
 
 namespace swirl::apps::sweep {
 
-/// Two runs of one scene came to the same attractor: equal mode, kind and period, and, where the verdict has polished a
-/// cycle (fixed-point, cycle, landing) or a motion on the wall that attracts (sliding, two-vertex), equal mean S to
-/// within `same_spin` (1 + |S|). All chaotic runs are one attractor, and all tori: their means have errors of their
-/// own. So are the members of a family, and two cycles of equal period and mean S.
+/// Whether a verdict names what the orbit came to: not one without a kind, nor a transient.
+bool has_attractor(const RunResult& run);
+
+/// Two runs of one scene came to the same attractor: equal mode, kind and period, and of a polished cycle (fixed-point,
+/// cycle, landing) equal mean S to within `same_spin` (1 + |S|). All chaotic runs are one, and all tori: their means
+/// have errors of their own; so are all members of a family and all motions on the wall of one kind, whose S may be the
+/// start's; and two cycles of equal period and mean S.
 bool is_same_attractor(const RunResult& a, const RunResult& b);
 
-/// Polished cycles have their mean S to some 10⁻¹²; motions on the wall, whose mean is measured, to some 10⁻⁸.
+/// Polished cycles have their mean S to some 10⁻¹².
 inline constexpr double same_spin = 1e-6;
 
 struct Basin {
-    RunResult attractor;      ///< of the first start that came to it
-    std::int64_t starts = 0;  ///< that came to it
-    double share = 0;
-    Interval interval = {};  ///< Wilson's, as of independent starts
+    RunResult attractor;      ///< mean_spin NaN where that is no number of the attractor's alone
+    std::int64_t starts = 0;  ///< that were run and came to it
+    double share = 0;         ///< of all cells, also those that --refine gave their neighbour's result
+    Interval interval = {};   ///< Wilson's, as of independent starts; NaN where not all cells were run
 };
 
 struct Basins {
-    std::vector<Basin> basins;          ///< the largest first; of equal ones that of the earlier start
-    std::vector<std::int64_t> of_cell;  ///< which of them a cell's start is in
+    std::vector<Basin> basins;          ///< the largest share first; of equal ones that of the earlier start
+    std::vector<std::int64_t> of_cell;  ///< which of them a cell's start is in; no_basin: its verdict names none
 };
+inline constexpr std::int64_t no_basin = -1;
 
 Table<Basin> basin_table();
 
-/// Of results with one run a cell. Cost: cells × attractors.
-Basins basins_of(std::span<const RunResult> results);
+/// Of results with one run a cell, of which those with `visited` 0 are copies (empty: none is). Cost: cells ×
+/// attractors.
+Basins basins_of(std::span<const RunResult> results, std::span<const char> visited);
 
 }  // namespace swirl::apps::sweep

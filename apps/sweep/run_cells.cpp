@@ -125,6 +125,7 @@ bool run_tree(const SweepOptions& options, Sweep& sweep, std::vector<char>& done
     const auto verdict = [&](std::size_t cell) -> std::int64_t {
         if (!basins) return verdict_of(sweep.cell(cell));
         const RunResult& run = sweep.results[cell];
+        if (!has_attractor(run)) return no_basin;
         const auto known = std::find_if(attractors.begin(), attractors.end(),
                                         [&](const RunResult& other) { return is_same_attractor(other, run); });
         const std::int64_t place = known - attractors.begin();

@@ -79,6 +79,8 @@ void require_starts(const StartOptions& options, const std::vector<GridAxis>& gr
         throw BadInput(
             "a grid over numbers of the start places every start: --speed, --point and --grid speed=… do not "
             "go with it, --x … do");
+    if (options.given() && options.is_random() && !grid.front().sampled)
+        throw BadInput("a grid over numbers of the start places every start: --seed does not go with it");
     if (runs != 1)
         throw BadInput(fmt::format("runs = {}: a grid over numbers of the start has one start in each cell", runs));
     for (const char* name : start_numbers)

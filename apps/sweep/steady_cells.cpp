@@ -23,7 +23,7 @@ bool find_steady_modes(const SweepOptions& options, Sweep& sweep) {
 }
 
 void find_basins(Sweep& sweep) {
-    if (!sweep.shard && are_all_of_the_start(sweep.grid)) sweep.basins = basins_of(sweep.results);
+    if (!sweep.shard && are_all_of_the_start(sweep.grid)) sweep.basins = basins_of(sweep.results, sweep.visited);
 }
 
 }  // namespace swirl::apps::sweep

@@ -19,7 +19,7 @@ namespace swirl::apps::sweep {
 const char* const sweep_details =
     R"(Names the mode of R random starts in every cell of a grid over one to three of alpha, beta, mu, restitution,
 inertia-factor, sides and the starts' speed, or of one start for each cell of a grid over numbers of the start (x, y,
-vx, vy, angle, spin; in R_c, R_c omega_s, radians, omega_s): a map of basins of attraction. Run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's
+vx, vy, angle, spin; in R_c, R_c omega_s, radians, omega_s): a map of basins of attraction. Of random starts run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's
 scene: an orbit is followed until its verdict is settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
 mean_S_error the standard error over them. Each cell also lists the attracting steady modes that follow from the scene's
 equations, with their shares of the runs: 0 of one that no start came to. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.

@@ -12,32 +12,6 @@ namespace swirl::apps::sweep {
 
 namespace {
 
-/// The mode that most runs of a cell have; a capital letter if all have it.
-char letter_of(const CellSummary& cell) {
-    constexpr std::string_view all = "SQC?", some = "sqc-";
-    std::size_t most = 0;
-    for (std::size_t m = 1; m < mode_count; ++m)
-        if (cell.shares[m] > cell.shares[most]) most = m;
-    return cell.shares[most] == 1 ? all[most] : some[most];
-}
-
-void print_map(const Sweep& sweep) {
-    const auto& last = sweep.grid.back();
-    const std::size_t columns = last.points.size(), rows = cell_count(sweep.grid) / columns;
-    fmt::print("{} from {:g} to {:g} across; S steady, Q quasi-steady, C chaotic, ? undecided; small: not every run\n",
-               last.name, last.points.front(), last.points.back());
-    for (std::size_t row = rows; row-- > 0;) {
-        std::string line;
-        for (std::size_t column = 0; column < columns; ++column)
-            line += letter_of(summary_of(sweep.cell(row * columns + column)));
-        std::string label;
-        const auto point = cell_point(sweep.grid, row * columns);
-        for (std::size_t k = 0; k + 1 < sweep.grid.size(); ++k)
-            label += fmt::format("{} {:<10.6g} ", sweep.grid[k].name, point[k]);
-        fmt::print("{}{}\n", label, line);
-    }
-}
-
 std::string dimension_of(const GridAxis& axis) {
     std::string name = axis.name;
     std::replace(name.begin(), name.end(), '-', '_');
@@ -172,8 +146,11 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
         table.fields.insert(at + 1, fields.begin(), fields.end());
     };
     if (sweep.basins) {
-        const auto basin = [&sweep](const Cell& cell) { return sweep.basins->of_cell[cell.index]; };
-        insert_after("modes", {F{"basin", basin}.json_only()});
+        const auto basin = [&sweep](const Cell& cell) {
+            const std::int64_t place = sweep.basins->of_cell[cell.index];
+            return place == no_basin ? std::nullopt : std::optional(place);
+        };
+        insert_after("modes", {F{"basin", [](const Cell&) { return std::int64_t{0}; }}.json_as(basin).json_only()});
     }
     insert_after("modes", share_fields(sweep));
     insert_after("steady_modes", steady_fields(sweep));
@@ -197,22 +174,6 @@ std::vector<Cell> visited_cells(const Sweep& sweep) {
 }
 
 }  // namespace
-
-void print_sweep(const Sweep& sweep) {
-    const std::vector<Cell> cells = visited_cells(sweep);
-    if (!sweep.grid.front().sampled && (sweep.visited.empty() || !sweep.shard)) print_map(sweep);
-    std::vector<RunResult> results;
-    for (const Cell& cell : cells)
-        for (const RunResult& run : sweep.cell(cell.index)) results.push_back(run);
-    std::string shares;
-    const CellSummary whole = summary_of(results);
-    for (std::size_t m = 0; m < mode_count; ++m)
-        shares += fmt::format("{}{} {:.2f} %", m ? ", " : "", name_of(all_modes[m]), 100 * whole.shares[m]);
-    fmt::print("{} cells x {} runs: {}\n", cells.size(), sweep.runs, shares);
-    if (cells.size() < cell_count(sweep.grid) && !sweep.shard)
-        fmt::print("of a grid of {}; the others have the verdict of their neighbours\n", cell_count(sweep.grid));
-    if (sweep.basins) print_table(in_units(basin_table(), sweep.units), sweep.basins->basins);
-}
 
 void write_sweep_document(const Sweep& sweep) {
     print_document([&](JsonWriter& json) {
@@ -252,7 +213,11 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     group.write_strings("mode", {"mode"}, modes);
     std::vector<std::int64_t> runs;
     for (std::int64_t r = 0; r < sweep.runs; ++r) runs.push_back(r);
-    group.write<std::int64_t>("run", {"run"}, runs, {"1", "start number: swirl classify --seed (seed + run)", {}});
+    group.write<std::int64_t>("run", {"run"}, runs,
+                              {"1",
+                               starts_are_placed(sweep.grid) ? "the start that the cell and the settings say"
+                                                             : "start number: swirl classify --seed (seed + run)",
+                               {}});
     write_columns(group, cell_table(sweep, axes), cells_of(sweep));
     if (!sweep.visited.empty())
         group.write<std::uint8_t>("visited", axes,
@@ -262,7 +227,8 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     by_run.push_back("run");
     write_run_columns(group, by_run, sweep.results);
     if (sweep.basins) {
-        group.write<std::int64_t>("basin", axes, sweep.basins->of_cell, {"1", "place in the group basins", {}});
+        group.write<std::int64_t>("basin", axes, sweep.basins->of_cell,
+                                  {"1", "place in the group basins; -1: none", {}});
         write_record(root.group("basins"), basin_table(), sweep.basins->basins);
     }
     record.finish();

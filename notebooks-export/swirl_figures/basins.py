@@ -5,21 +5,23 @@ from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.patches import Patch
 
 from .look import LegendBelow
-from .mode_map import draw_cells
+from .mode_map import NO_VALUE, draw_cells
+from .record import RecordError
 from .style import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, YELLOW
-from .symbols import MEAN_SPIN, number, scene_title
 from .sweep_grid import SweepGrid
+from .sweep_points import is_sampled
+from .symbols import MEAN_SPIN, number, scene_title
 
 #: By kind where all of a kind are one; the others in the order of their share.
-_OF_A_KIND = {"chaotic": VERMILION, "quasi-periodic": YELLOW, "none": "#6B6B6B", "transient": "#4A4A4A"}
+_OF_A_KIND = {"chaotic": VERMILION, "quasi-periodic": YELLOW}
 _OTHERS = (BLUE, GREEN, SKY, PURPLE, ORANGE, "#332288", "#44AA99", "#882255")
 _NOT_NAMED = "#C8C8C8"
 
 
 def has_basins(record):
     """On a grid over two numbers of the start."""
-    return "basins" in record and len(record.dimensions("sweep", "basin")) == 2 and all(
-        record.size("sweep", name) > 1 for name in record.dimensions("sweep", "basin"))
+    return "basins" in record and record.has("sweep", "basin") and not is_sampled(record) and len(
+        record.derived(SweepGrid).axes) == 2
 
 
 def size(record, width):
@@ -27,8 +29,8 @@ def size(record, width):
     return width, 0.95 * width
 
 
-def _words(mode, kind, period, spin, share):
-    name = {"none": mode}.get(kind, f"{period}-cycle" if kind == "cycle" else kind)
+def _words(kind, period, spin, share):
+    name = f"{period}-cycle" if kind == "cycle" else kind
     mean = f", {MEAN_SPIN} = {number(spin)}" if numpy.isfinite(spin) else ""
     return f"{name}{mean} ({100 * share:.3g} %)"
 
@@ -36,13 +38,12 @@ def _words(mode, kind, period, spin, share):
 def _legend(record):
     """(colour of each basin, handles of the legend)"""
     others, colours, handles, not_named = iter(_OTHERS), [], [], 0.0
-    columns = zip(record.names("basins", "mode"), record.names("basins", "kind"), record.column("basins", "period"),
-                  record.column("basins", "mean_S"), record.column("basins", "share"))
-    for mode, kind, period, spin, share in columns:
+    for kind, period, spin, share in zip(record.names("basins", "kind"), *(
+            record.column("basins", name) for name in ("period", "mean_S", "share"))):
         colour = _OF_A_KIND.get(kind) or next(others, None)
         colours.append(colour or _NOT_NAMED)
         if colour:
-            handles.append(Patch(fc=colour, ec="0.3", lw=0.5, label=_words(mode, kind, period, spin, share)))
+            handles.append(Patch(fc=colour, ec="0.3", lw=0.5, label=_words(kind, period, spin, share)))
         else:
             not_named += share
     if not_named:
@@ -53,17 +54,16 @@ def _legend(record):
 
 def draw_into(figure, record, look):
     grid = record.derived(SweepGrid)
-    x, y = grid.axes
-    values = record.column("sweep", "basin", grid.axes).astype(float)
-    order = [numpy.argsort(record.column("sweep", name)) for name in grid.axes]
-    settings = record.attributes("settings")
-    start = ", ".join(f"{name} = {number(settings[name])}" for name in ("x", "y", "vx", "vy", "angle", "spin")
-                      if name in settings)
-    look.title(figure, f"{scene_title(grid.scene)}\nbasins of attraction" + (f"; starts with {start}" if start else ""))
     colours, handles = _legend(record)
+    basins = grid.sorted(record, "basin").astype(float)
+    if not (numpy.isin(basins, numpy.arange(-1, len(colours)))).all():
+        raise RecordError(f"record '{record.path}': sweep/basin is no place in its {len(colours)} basins")
+    if (basins < 0).any():
+        handles.append(Patch(fc=NO_VALUE, ec="0.3", lw=0.5, label=f"no verdict ({100 * (basins < 0).mean():.3g} %)"))
+    look.title(figure, f"{scene_title(grid.scene)}\nbasins of attraction, {grid.starts} in each cell")
     parts = LegendBelow(figure)
     parts.fill(handles, look)
     axes = parts.above.subplots()
-    draw_cells(axes, grid, values[numpy.ix_(*order)], cmap=ListedColormap(colours),
-               norm=BoundaryNorm(numpy.arange(len(colours) + 1) - 0.5, len(colours)))
+    draw_cells(axes, grid, numpy.where(basins < 0, numpy.nan, basins), cmap=ListedColormap(colours or [NO_VALUE]),
+               norm=BoundaryNorm(numpy.arange(max(len(colours), 1) + 1) - 0.5, max(len(colours), 1)))
     return [axes]

@@ -56,7 +56,7 @@ def mode_frame(figure, grid, look, remark=""):
 
 def sweep_title(grid):
     title = scene_title(grid.scene, leave_out=grid.points)
-    return f"{title}\n{grid.runs:,} random start{'s' * (grid.runs > 1)} in each cell"
+    return f"{title}\n{grid.starts} in each cell"
 
 
 #: Inches that a map with its colour bar needs.

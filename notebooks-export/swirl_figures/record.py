@@ -43,7 +43,7 @@ class Record:
             raise RecordError(f"'{self.path}' is not a record of swirl")
         self.command, self.title = (str(_plain(self._file.attrs.get(name, ""))) for name in ("command", "title"))
         self.groups = {name for name, item in self._file.items() if isinstance(item, h5py.Group)}
-        self._derived = {}
+        self._datasets, self._derived = {}, {}
 
     def __contains__(self, group):
         return group in self.groups
@@ -57,7 +57,9 @@ class Record:
         """The group as an xarray.Dataset."""
         import xarray  # takes longer to load than most figures to draw, and few need it
         self._group(group)
-        return xarray.open_dataset(self.path, group=group, engine="h5netcdf")
+        if group not in self._datasets:
+            self._datasets[group] = xarray.open_dataset(self.path, group=group, engine="h5netcdf")
+        return self._datasets[group]
 
     def attributes(self, group):
         """A group's attributes; of a group that is not there, none."""
@@ -94,7 +96,10 @@ class Record:
         variable = self._variable(group, name)
         if _plain(variable.attrs.get("CLASS")) == "DIMENSION_SCALE":
             return (name,)
-        return tuple(scales[0].name.rsplit("/", 1)[1] for scales in (list(axis.values()) for axis in variable.dims))
+        try:
+            return tuple(axis.values()[0].name.rsplit("/", 1)[1] for axis in variable.dims)
+        except (RuntimeError, IndexError) as error:
+            raise RecordError(f"record '{self.path}' does not say the dimensions of {group}/{name}") from error
 
     def size(self, group, name):
         """How many values a coordinate, or a variable along one dimension, has; 0 if it is not there."""

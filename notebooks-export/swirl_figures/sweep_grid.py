@@ -3,6 +3,19 @@
 import numpy
 
 from .record import open_record
+from .symbols import number
+
+#: Of a start in the laboratory; a sweep over one of them places every start.
+START_NUMBERS = ("x", "y", "vx", "vy", "angle", "spin")
+
+
+def starts_in_words(record):
+    """Of each cell: "2 random starts", or "one start, with x = 0.5 …" as the settings say of what is not swept."""
+    runs, settings = record.size("sweep", "run"), record.attributes("settings")
+    if not any(record.has("sweep", name) for name in START_NUMBERS):
+        return f"{runs:,} random start{'s' * (runs > 1)}"
+    fixed = ", ".join(f"{name} = {number(settings[name])}" for name in START_NUMBERS if name in settings)
+    return "one start" + (f", with {fixed}," if fixed else "")
 
 
 def cell_edges(points):
@@ -23,13 +36,17 @@ class SweepGrid:
         self.scene.update({name: float(points[name][0]) for name in axes if name not in self.axes})
         self.points = {name: numpy.sort(points[name]) for name in self.axes}
         self.modes = list(record.names("sweep", "mode"))
-        self.runs = record.size("sweep", "run")
+        self.runs, self.starts = record.size("sweep", "run"), starts_in_words(record)
         # Along rising parameters; of a parameter that is the scene's, its one value.
-        place = numpy.ix_(*(numpy.argsort(points[name]) for name in axes))
-        rest = tuple(i for i, name in enumerate(axes) if name not in self.axes)
-        self.share, self.mean_spin, self.mean_spin_error = (
-            record.column("sweep", name, [*axes, *more])[place].squeeze(axis=rest)
-            for name, more in (("share", ["mode"]), ("mean_S", []), ("mean_S_error", [])))
+        self._names = axes
+        self._place = numpy.ix_(*(numpy.argsort(points[name]) for name in axes))
+        self._rest = tuple(i for i, name in enumerate(axes) if name not in self.axes)
+        self.share = self.sorted(record, "share", "mode")
+        self.mean_spin, self.mean_spin_error = self.sorted(record, "mean_S"), self.sorted(record, "mean_S_error")
+
+    def sorted(self, record, name, *more):
+        """A column along the axes, and then along further dimensions."""
+        return record.column("sweep", name, [*self._names, *more])[self._place].squeeze(axis=self._rest)
 
     @property
     def largest_mode(self):
@@ -46,7 +63,8 @@ class SweepGrid:
         at = self.axes.index(axis)
         part.axes = [name for name in self.axes if name != axis]
         part.points = {name: self.points[name] for name in part.axes}
-        part.scene, part.modes, part.runs = self.scene, self.modes, self.runs
+        part.scene, part.modes = self.scene, self.modes
+        part.runs, part.starts = self.runs, self.starts
         part.share = self.share.take(index, axis=at)
         part.mean_spin = self.mean_spin.take(index, axis=at)
         part.mean_spin_error = self.mean_spin_error.take(index, axis=at)

@@ -9,6 +9,7 @@ from matplotlib.lines import Line2D
 from .look import LegendBelow, side_by_side, width_of
 from .mode_map import mode_style, spin_style
 from .style import MODE_COLOURS
+from .sweep_grid import starts_in_words
 from .symbols import MEAN_SPIN, axis_label, is_parameter, scene_title
 
 _LEAST_PANEL = 3.0
@@ -61,9 +62,9 @@ def draw_into(figure, record, look):
     share = record.column("sweep", "share", ["cell", "mode"])
     modes = list(record.names("sweep", "mode"))
     place = share.argmax(axis=1)
-    runs, names = record.size("sweep", "run"), _parameters(record)
-    look.title(figure, f"{scene_title(record.scene(), leave_out=names)}\n{len(place):,} points, {runs:,} random "
-                       f"start{'s' * (runs > 1)} at each")
+    names = _parameters(record)
+    look.title(figure, f"{scene_title(record.scene(), leave_out=names)}\n{len(place):,} points, "
+                       f"{starts_in_words(record)} at each")
     parts = LegendBelow(figure)
     panels = _panels(record)
     least = max(_LEAST_PANEL, 0.4 * width_of(figure))  # a pair of parameters in a row

@@ -17,8 +17,8 @@ _PARAMETERS = {
     "speed": ("V", r"$V$  (speed of the starts, in $R_c\omega_s$)"),
     "x": ("x", r"$x/R_c$  (centre at the start)"),
     "y": ("y", r"$y/R_c$  (centre at the start)"),
-    "vx": ("v_x", r"$v_x/(R_c\omega_s)$  (velocity at the start)"),
-    "vy": ("v_y", r"$v_y/(R_c\omega_s)$  (velocity at the start)"),
+    "vx": (r"$v_x$", r"$v_x/(R_c\omega_s)$  (velocity at the start)"),
+    "vy": (r"$v_y$", r"$v_y/(R_c\omega_s)$  (velocity at the start)"),
     "angle": ("angle", "angle at the start, in radians"),
     "spin": ("S", r"$S$ at the start, in $\omega_s$"),
 }

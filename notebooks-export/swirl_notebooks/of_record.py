@@ -40,10 +40,11 @@ with h5py.File(path) as file:
 def template_of(record):
     """The text of the cells for this kind of record."""
     kinds = kinds_of(record)
-    file = Path(__file__).parent / "records" / f"{kinds[0].replace('-', '_')}.py" if kinds else None
-    if file is None or not file.is_file():
+    files = [Path(__file__).parent / "records" / f"{kind.replace('-', '_')}.py" for kind in kinds]
+    file = next((file for file in files if file.is_file()), None)  # of basins that of the modes
+    if file is None:
         raise RecordError(f"record '{record.path}' holds nothing that there is a notebook of")
-    if kinds[0] == "multipliers" and record.size("orbits", "period") == 0:
+    if file.stem == "multipliers" and record.size("orbits", "period") == 0:
         raise RecordError(f"record '{record.path}' holds no orbits: there is nothing that a notebook could show")
     return file.read_text(encoding="utf-8")
 

@@ -1,9 +1,9 @@
 """swirl sweep over numbers of the start: basins of attraction. basins_test.py SWIRL"""
 
+import json
 import unittest
 
 import h5py
-import numpy
 
 from driving import Refusing, document, run
 
@@ -31,20 +31,33 @@ class Basins(Refusing):
             self.assertEqual([basin[key] for key in ("mode", "kind", "period")],
                              [alone[key] for key in ("mode", "kind", "period")])
 
-    def test_a_start_on_each_of_two_cycles_is_in_the_basin_of_its_own(self):
-        """The steady mode's own state and the state of a run that is at the other, a little aside: two basins."""
+    def test_coexisting_attractors_are_told_apart_and_counted(self):
+        """A 4-cycle, chaos, and the steady mode that takes a start in a hundred."""
         steady, = (m for m in document(f"describe {TWO.split(' --transient')[0]}")["steady_modes"] if m["stability"] == "stable")
-        found = document(f"sweep {TWO} --grid vx=-0.6:0.6:13 --grid vy=-0.6:0.6:13")
-        spins = [basin["mean_S"] for basin in found["basins"] if basin["kind"] == "fixed-point"]
-        for spin in spins:
-            self.assertAlmostEqual(spin, steady["S"], delta=1e-9)
-        self.assertGreaterEqual(len(found["basins"]), 2)
-        counts = numpy.bincount([cell["basin"] for cell in found["cells"]])
-        self.assertEqual([basin["starts"] for basin in found["basins"]], list(counts))
-        self.assertEqual(list(counts), sorted(counts, reverse=True))
+        found = document(f"sweep {TWO} --grid vx=-0.6:0.6:25 --grid vy=-0.6:0.6:25")
+        kinds = [basin["kind"] for basin in found["basins"]]
+        self.assertEqual(set(kinds) - {"chaotic"}, {"cycle", "fixed-point"})
+        self.assertEqual(len(kinds), len(set(kinds)))
+        spins = {basin["kind"]: basin["mean_S"] for basin in found["basins"]}
+        self.assertAlmostEqual(spins["fixed-point"], steady["S"], delta=1e-9)
+        self.assertIsNone(spins.get("chaotic"))
+        of_cell = [cell["basin"] for cell in found["cells"]]
+        counts = [of_cell.count(place) for place in range(len(kinds))]
+        self.assertEqual([basin["starts"] for basin in found["basins"]], counts)
+        self.assertEqual(counts, sorted(counts, reverse=True))
+        for cell in found["cells"]:
+            run_, = cell["runs"]
+            self.assertEqual(cell["basin"] is None, run_["kind"] in (None, "transient"))
         for basin in found["basins"]:
-            self.assertAlmostEqual(basin["share"], basin["starts"] / 169, delta=1e-15)
-            self.assertTrue(basin["share_low"] <= basin["share"] <= basin["share_high"], basin)
+            self.assertAlmostEqual(basin["share"], basin["starts"] / 625, delta=1e-15)
+            self.assertTrue(basin["share_low"] < basin["share"] < basin["share_high"], basin)
+
+    def test_what_keeps_the_spin_of_its_start_is_one(self):
+        """Without friction a disk slides on with the spin it has: not one attractor for each spin."""
+        found = document("sweep --sides disk --alpha .3 --beta .2 --mu 0 --restitution .5 --grid vx=.05:.4:3 --grid spin=-1:1:4")
+        sliding, = (basin for basin in found["basins"] if basin["kind"] == "sliding")
+        self.assertIsNone(sliding["mean_S"])
+        self.assertGreaterEqual(sliding["starts"], 4)  # of at least two spins
 
     def test_the_record_opens_and_is_drawn(self):
         path = self.folder / "b.h5"
@@ -56,7 +69,14 @@ class Basins(Refusing):
         again = run(f"sweep {TWO} {PLANE} -o {path}")  # it holds this sweep
         self.assertEqual((again.returncode, again.stderr.count("holds this sweep already")), (0, 1), again.stderr)
         drawn = run(f"plot {path} -o {self.folder}/b.svg --json")
-        self.assertIn('"kind": "basins"', drawn.stdout.replace('":"', '": "'), drawn.stderr)
+        self.assertEqual(json.loads(drawn.stdout)["kind"], "basins", drawn.stderr)
+        with h5py.File(path, "r+") as record:
+            record["sweep/basin"][0, 0] = 7
+        content = path.read_bytes()
+        path.write_bytes(bytes(512) + content[512:])  # without its checksum
+        wrong = run(f"plot {path} -o {self.folder}/c.svg")
+        self.assertEqual((wrong.returncode, wrong.stdout), (2, ""))
+        self.assertIn("is no place in its", wrong.stderr)
 
     def test_a_tree_finds_what_the_full_grid_has_where_it_looked(self):
         tree = document(f"sweep {TWO} --grid vx=-0.6:0.6:4 --grid vy=-0.6:0.6:4 --refine 2")
@@ -64,7 +84,9 @@ class Basins(Refusing):
         of = {tuple(cell["parameters"].values()): cell["runs"] for cell in full["cells"]}
         for cell in tree["cells"]:
             self.assertEqual(cell["runs"], of[tuple(cell["parameters"].values())])
-        self.assertGreater(len(tree["cells"]), 16)
+        self.assertTrue(16 < len(tree["cells"]) < 169)
+        self.assertEqual(sum(basin["starts"] for basin in tree["basins"]), sum(c["basin"] is not None for c in tree["cells"]))
+        self.assertIsNone(tree["basins"][0]["share_low"])
 
     def test_shards_are_the_same_bytes(self):
         paths = [self.folder / f"{name}.h5" for name in ("one", "two", "joined", "whole")]
@@ -83,7 +105,7 @@ class Basins(Refusing):
 
     def test_wrong_input(self):
         for flags, mention in ((f"{PLANE} --runs 2", "runs = 2"), (f"{PLANE} --speed 0.1", "--speed"),
-                               (f"{PLANE} --vx 0.1", "--vx"),
+                               (f"{PLANE} --vx 0.1", "--vx"), (f"{PLANE} --seed 3", "--seed"),
                                (f"{PLANE} --point 1,0,-1,0,0", "--point"), ("--grid vx=0:1:2 --grid speed=0:1:2", "speed"),
                                ("--grid x=0.5:1.5:3", "container's centre"), ("--grid vx=0:1e400:2", "1e400")):
             with self.subTest(flags):

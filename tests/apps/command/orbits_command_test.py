@@ -164,7 +164,7 @@ class Orbits(Refusing):
 
 class KeptCycles(Keeping):
     def test_cycles_that_were_found_are_kept(self):
-        answer = self.interrupt(f"orbits {HEXAGON} --period 1 --starts 40000 --trajectories 1 --threads 1", 3)
+        answer = self.interrupt(f"orbits {HEXAGON} --period 1 --starts 40000 --trajectories 1 --threads 1", 8)
         self.assertEqual(answer["outcome"], "interrupted")
         self.assertGreater(len(answer["orbits"]), 0)
         self.assertLess(answer["candidates"], 40000)

@@ -106,6 +106,7 @@ void check_flights(std::uint64_t seed, long count) {
     EXPECT_EQ(count_of(tally, Seen::refuted), 0);
     EXPECT_EQ(count_of(tally, Seen::undecided), 0);
     EXPECT_EQ(tally.swapped_unflagged, 0);
+    EXPECT_GT(tally.claimed, 0.99 * static_cast<double>(count)) << "too much is left unresolved";
 }
 
 TEST(Certainty, WhatDoubleProvesIsProvenInBallsOnAThousandFlights) {

@@ -1,0 +1,65 @@
+// A sweep for people: a map in characters and the shares.
+#include "apps/output/write_table.hpp"
+#include "apps/sweep/sweep_command.hpp"
+
+#include <algorithm>
+
+namespace swirl::apps::sweep {
+
+namespace {
+
+/// The mode that most runs of a cell have; a capital letter if all have it.
+char letter_of(const CellSummary& cell) {
+    constexpr std::string_view all = "SQC?", some = "sqc-";
+    std::size_t most = 0;
+    for (std::size_t m = 1; m < mode_count; ++m)
+        if (cell.shares[m] > cell.shares[most]) most = m;
+    return cell.shares[most] == 1 ? all[most] : some[most];
+}
+
+void print_map(const Sweep& sweep) {
+    const auto& last = sweep.grid.back();
+    const std::size_t columns = last.points.size(), rows = cell_count(sweep.grid) / columns;
+    fmt::print("{} from {:g} to {:g} across; S steady, Q quasi-steady, C chaotic, ? undecided; small: not every run\n",
+               last.name, last.points.front(), last.points.back());
+    for (std::size_t row = rows; row-- > 0;) {
+        std::string line;
+        for (std::size_t column = 0; column < columns; ++column)
+            line += letter_of(summary_of(sweep.cell(row * columns + column)));
+        std::string label;
+        const auto point = cell_point(sweep.grid, row * columns);
+        for (std::size_t k = 0; k + 1 < sweep.grid.size(); ++k)
+            label += fmt::format("{} {:<10.6g} ", sweep.grid[k].name, point[k]);
+        fmt::print("{}{}\n", label, line);
+    }
+}
+
+void print_basins(const Sweep& sweep) {
+    print_table(in_units(basin_table(), sweep.units), sweep.basins->basins);
+    const auto none = std::count(sweep.basins->of_cell.begin(), sweep.basins->of_cell.end(), no_basin);
+    if (none > 0)
+        fmt::print("  of {} of {} cells the verdict names no attractor\n", none, sweep.basins->of_cell.size());
+}
+
+}  // namespace
+
+void print_sweep(const Sweep& sweep) {
+    if (!sweep.grid.front().sampled && (sweep.visited.empty() || !sweep.shard)) print_map(sweep);
+    std::vector<RunResult> results;
+    std::size_t cells = 0;
+    for (std::size_t c = 0; c < cell_count(sweep.grid); ++c) {
+        if (!sweep.is_visited(c)) continue;
+        ++cells;
+        for (const RunResult& run : sweep.cell(c)) results.push_back(run);
+    }
+    std::string shares;
+    const CellSummary whole = summary_of(results);
+    for (std::size_t m = 0; m < mode_count; ++m)
+        shares += fmt::format("{}{} {:.2f} %", m ? ", " : "", name_of(all_modes[m]), 100 * whole.shares[m]);
+    fmt::print("{} cells x {} runs: {}\n", cells, sweep.runs, shares);
+    if (cells < cell_count(sweep.grid) && !sweep.shard)
+        fmt::print("of a grid of {}; the others have the verdict of their neighbours\n", cell_count(sweep.grid));
+    if (sweep.basins) print_basins(sweep);
+}
+
+}  // namespace swirl::apps::sweep

@@ -14,7 +14,8 @@ def starts_in_words(record):
     runs, settings = record.size("sweep", "run"), record.attributes("settings")
     if not any(record.has("sweep", name) for name in START_NUMBERS):
         return f"{runs:,} random start{'s' * (runs > 1)}"
-    fixed = ", ".join(f"{name} = {number(settings[name])}" for name in START_NUMBERS if name in settings)
+    # With spaces at which no line is broken.
+    fixed = ", ".join(f"{name}\u00a0=\u00a0{number(settings[name])}" for name in START_NUMBERS if name in settings)
     return "one start" + (f", with {fixed}," if fixed else "")
 
 

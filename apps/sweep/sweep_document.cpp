@@ -209,6 +209,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     group.dimension("mode", mode_count);
     group.dimension("steady_mode", most_steady_modes(sweep));
     std::vector<std::string> modes;
+    modes.reserve(mode_count);
     for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
     group.write_strings("mode", {"mode"}, modes);
     std::vector<std::int64_t> runs;

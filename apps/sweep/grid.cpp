@@ -57,6 +57,7 @@ long refined(const std::string& text, long count, int levels) {
 /// A + (B − A)u; of whole numbers each of A … B with an equal share.
 std::vector<double> sampled_points(const std::string& name, double a, double b, const std::vector<double>& units) {
     std::vector<double> points;
+    points.reserve(units.size());
     const double low = std::min(a, b), high = std::max(a, b);
     for (const double u : units)
         points.push_back(name == "sides" ? std::min(high, low + std::floor(u * (high - low + 1))) : a + (b - a) * u);
@@ -108,6 +109,7 @@ std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const Gri
 
 std::vector<std::string> axes_to_offer() {
     std::vector<std::string> words;
+    words.reserve(scene_axes.size() + 1 + start_numbers.size());
     for (const char* name : scene_axes) words.push_back(std::string(name) + "=");
     words.push_back(std::string(start_speed) + "=");
     for (const char* name : start_numbers) words.push_back(std::string(name) + "=");

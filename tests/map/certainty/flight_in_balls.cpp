@@ -10,7 +10,6 @@ using intervals::between;
 using intervals::is_negative;
 using intervals::middle;
 using intervals::square;
-using intervals::upper;
 
 Ball2 operator+(const Ball2& a, const Ball2& b) {
     return {a.x + b.x, a.y + b.y};

@@ -14,8 +14,7 @@ namespace swirl::apps::sweep {
 namespace {
 
 bool has_exact_spin(const RunResult& run) {
-    const auto kind = static_cast<analysis::Kind>(static_cast<int>(run.kind));
-    switch (kind) {
+    switch (kind_of(run)) {
         case analysis::Kind::fixed_point:
         case analysis::Kind::cycle:
         case analysis::Kind::landing:
@@ -29,13 +28,9 @@ bool has_exact_spin(const RunResult& run) {
 
 Table<Basin> basin_table() {
     using F = Field<Basin>;
-    const auto kind = [](const Basin& basin) {
-        return static_cast<analysis::Kind>(static_cast<int>(basin.attractor.kind));
-    };
+    const auto kind = [](const Basin& basin) { return kind_of(basin.attractor); };
     const auto period = [](const Basin& basin) { return static_cast<std::int64_t>(basin.attractor.period); };
-    const auto mode = [](const Basin& basin) {
-        return static_cast<analysis::Mode>(static_cast<int>(basin.attractor.mode));
-    };
+    const auto mode = [](const Basin& basin) { return mode_of(basin.attractor); };
     const auto spin = [](const Basin& basin) { return basin.attractor.mean_spin; };
     const auto in_percent = [](const Value& value) {
         return fmt::format("  {:>8.2f} %", 100 * std::get<double>(value));
@@ -53,8 +48,7 @@ Table<Basin> basin_table() {
 }
 
 bool has_attractor(const RunResult& run) {
-    const auto kind = static_cast<analysis::Kind>(static_cast<int>(run.kind));
-    return kind != analysis::Kind::none && kind != analysis::Kind::transient;
+    return kind_of(run) != analysis::Kind::none && kind_of(run) != analysis::Kind::transient;
 }
 
 bool is_same_attractor(const RunResult& a, const RunResult& b) {

@@ -14,8 +14,7 @@ bool find_steady_modes(const SweepOptions& options, Sweep& sweep) {
     return run_pieces(sweep.steady.size(), options.output.threads, progress, [&](std::size_t c) -> KeepResult {
         if (!sweep.is_visited(c)) return [] {};
         std::vector<SettledRun> runs;
-        for (const RunResult& run : sweep.cell(c))
-            runs.push_back({static_cast<analysis::Kind>(static_cast<int>(run.kind)), run.mean_spin});
+        for (const RunResult& run : sweep.cell(c)) runs.push_back({kind_of(run), run.mean_spin});
         auto modes =
             std::make_shared<std::vector<SteadyShare>>(steady_shares(cell_scene(options.scene, sweep.grid, c), runs));
         return [&sweep, c, modes] { sweep.steady[c] = std::move(*modes); };

@@ -160,6 +160,7 @@ int sweep(SweepOptions& options) {
         }
         if (!options.output.quiet) tell(fmt::format("swirl: '{}' holds this sweep already", path));
         if (!find_steady_modes(options, sweep)) return exit_interrupted;
+        find_basins(sweep);
     } else {
         std::vector<char> done(sweep.results.size(), 0);
         std::optional<SweepJournal> journal;
@@ -180,7 +181,6 @@ int sweep(SweepOptions& options) {
             journal->remove();
         }
     }
-    if (!sweep.basins) find_basins(sweep);
     if (options.output.json)
         write_sweep_document(sweep);
     else if (!options.output.quiet)

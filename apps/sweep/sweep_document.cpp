@@ -25,11 +25,10 @@ struct Cell {
 
 /// The runs of a cell, as JSON has them.
 Table<RunResult> run_table() {
-    const auto kind = [](const RunResult& run) { return static_cast<analysis::Kind>(static_cast<int>(run.kind)); };
     const auto period = [](const RunResult& run) { return static_cast<std::int64_t>(run.period); };
     return {{"run"},
-            {{"mode", [](const RunResult& run) { return static_cast<analysis::Mode>(static_cast<int>(run.mode)); }},
-             kind_field<RunResult>(kind),
+            {{"mode", mode_of},
+             kind_field<RunResult>(kind_of),
              {"outcome", [](const RunResult& run) { return static_cast<Outcome>(static_cast<int>(run.outcome)); }},
              period_field<RunResult>(period),
              {"mean_S", &RunResult::mean_spin},

@@ -18,6 +18,13 @@ struct RunResult {
     double impacts = 0;
 };
 
+inline analysis::Mode mode_of(const RunResult& run) {
+    return static_cast<analysis::Mode>(static_cast<int>(run.mode));
+}
+inline analysis::Kind kind_of(const RunResult& run) {
+    return static_cast<analysis::Kind>(static_cast<int>(run.kind));
+}
+
 /// What an orbit from `start` comes to: a pure function of its arguments. Nothing if it is interrupted.
 std::optional<RunResult> sweep_run(const Scene<double>& scene, const LabStart<double>& start,
                                    const analysis::ClassifyOptions& settings, Accuracy accuracy);

@@ -1,5 +1,6 @@
 #include "map/proof/clear_flight.hpp"
 
+#include "map/intervals/ball_vec.hpp"
 #include "map/proof/words.hpp"
 
 #include <cmath>
@@ -9,6 +10,7 @@ namespace swirl::proof {
 
 namespace {
 
+using intervals::BallVec;
 using intervals::between;
 using intervals::exact_middle;
 using intervals::is_negative;
@@ -16,32 +18,6 @@ using intervals::is_positive;
 using intervals::lower;
 using intervals::square;
 using intervals::upper;
-
-struct BallVec {
-    Ball x, y;
-};
-BallVec operator+(const BallVec& a, const BallVec& b) {
-    return {a.x + b.x, a.y + b.y};
-}
-BallVec operator-(const BallVec& a, const BallVec& b) {
-    return {a.x - b.x, a.y - b.y};
-}
-BallVec operator*(const Ball& s, const BallVec& a) {
-    return {s * a.x, s * a.y};
-}
-BallVec turned(const BallVec& a) {
-    return {-a.y, a.x};
-}
-Ball dot(const BallVec& a, const BallVec& b) {
-    return a.x * b.x + a.y * b.y;
-}
-Ball squared(const BallVec& a) {
-    return square(a.x) + square(a.y);
-}
-BallVec cis(const Ball& angle) {
-    const auto at = sine_cosine(angle);
-    return {at.cosine, at.sine};
-}
 
 /// A flight in the axes of the impact that began it.
 struct BallFlight {

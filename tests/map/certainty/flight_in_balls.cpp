@@ -11,32 +11,10 @@ using intervals::is_negative;
 using intervals::middle;
 using intervals::square;
 
-Ball2 operator+(const Ball2& a, const Ball2& b) {
-    return {a.x + b.x, a.y + b.y};
-}
-Ball2 operator-(const Ball2& a, const Ball2& b) {
-    return {a.x - b.x, a.y - b.y};
-}
-Ball2 operator*(const Ball& s, const Ball2& a) {
-    return {s * a.x, s * a.y};
-}
-Ball2 times(const Ball2& a, const Ball2& b) {
+BallVec times(const BallVec& a, const BallVec& b) {
     return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
-Ball2 quarter_turned(const Ball2& a) {
-    return {-a.y, a.x};
-}
-Ball dot(const Ball2& a, const Ball2& b) {
-    return a.x * b.x + a.y * b.y;
-}
-Ball squared(const Ball2& a) {
-    return square(a.x) + square(a.y);
-}
-Ball2 cis(const Ball& angle) {
-    const auto at = sine_cosine(angle);
-    return {at.cosine, at.sine};
-}
-Ball2 exactly(const Vec2<double>& v) {
+BallVec exactly(const Vec2<double>& v) {
     return {Ball(v.x), Ball(v.y)};
 }
 
@@ -66,7 +44,7 @@ FlightInBalls::FlightInBalls(const Scene<double>& scene, const Flight<double>& f
     arms_[0] = exactly(flight.arm);
 }
 
-const Ball2& FlightInBalls::arm_of(int k) const {
+const BallVec& FlightInBalls::arm_of(int k) const {
     const auto known = arms_.find(k);
     if (known != arms_.end()) return known->second;
     const Ball angle = Ball(2 * k) * intervals::pi_ball() / Ball(sides_);
@@ -74,11 +52,11 @@ const Ball2& FlightInBalls::arm_of(int k) const {
 }
 
 FlightInBalls::Moment FlightInBalls::at(const Ball& time) const {
-    const Ball2 turn = cis(time);
+    const BallVec turn = cis(time);
     Moment moment;
     moment.swirl = times(swirl_, turn);
     moment.moved = time * velocity_ - (moment.swirl - swirl_);
-    moment.drift = velocity_ - quarter_turned(moment.swirl);
+    moment.drift = velocity_ - turned(moment.swirl);
     if (sides_ != disk_sides) moment.spun = cis(spin_ * time);
     return moment;
 }
@@ -90,20 +68,20 @@ FlightInBalls::Moment FlightInBalls::over(double from, double to, double middle_
     return moment;
 }
 
-Ball2 FlightInBalls::place(const Moment& moment, int k) const {
+BallVec FlightInBalls::place(const Moment& moment, int k) const {
     if (sides_ == disk_sides) return centre_ + moment.moved;
-    const Ball2 arm = times(arm_of(k), moment.spun);
-    if (struck_ && k == 0) return Ball2{Ball(1), Ball(0)} + (moment.moved + (arm - arm_of(0)));
+    const BallVec arm = times(arm_of(k), moment.spun);
+    if (struck_ && k == 0) return BallVec{Ball(1), Ball(0)} + (moment.moved + (arm - arm_of(0)));
     return (centre_ + moment.moved) + arm;
 }
 
 FlightInBalls::Gap FlightInBalls::gap(const Moment& moment, int k) const {
-    const Ball2 x = place(moment, k);
-    Ball2 rate = moment.drift, bend = moment.swirl;
+    const BallVec x = place(moment, k);
+    BallVec rate = moment.drift, bend = moment.swirl;
     if (sides_ != disk_sides) {
-        const Ball2 turning = spin_ * quarter_turned(times(arm_of(k), moment.spun));
+        const BallVec turning = spin_ * turned(times(arm_of(k), moment.spun));
         rate = rate + turning;
-        bend = bend + spin_ * quarter_turned(turning);
+        bend = bend + spin_ * turned(turning);
     }
     return {squared(x) - square(reach_), Ball(2) * dot(x, rate), Ball(2) * (squared(rate) + dot(x, bend))};
 }
@@ -124,7 +102,7 @@ std::optional<std::vector<int>> FlightInBalls::perhaps_at_wall(double middle_tim
     if (sides_ == disk_sides) return std::vector<int>{0};
     // (1 − vh)² ≤ |X|² + α² + 2α|X| cos φ, φ the vertex's direction from X's. Doubles, with 10⁻⁹ to spare.
     constexpr double spare = 1e-9;
-    const Ball2 centre = centre_ + at_middle.moved;
+    const BallVec centre = centre_ + at_middle.moved;
     const double x = middle(centre.x), y = middle(centre.y), distance = std::hypot(x, y);
     const double needed = std::max(0.0, 1 - fastest_ * half);
     const double cosine =

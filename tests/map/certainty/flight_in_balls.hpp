@@ -5,7 +5,7 @@
 // just struck is at (1, 0) + (what it has moved), the others at X + a_k; all those numbers are the flight's doubles.
 #pragma once
 
-#include "map/intervals/ball.hpp"
+#include "map/intervals/ball_vec.hpp"
 #include "map/model/flight.hpp"
 
 #include <map>
@@ -15,10 +15,7 @@
 namespace swirl::tests {
 
 using intervals::Ball;
-
-struct Ball2 {
-    Ball x, y;
-};
+using intervals::BallVec;
 
 class FlightInBalls {
 public:
@@ -29,17 +26,17 @@ public:
 
     /// The flight at a moment, or over a piece of time.
     struct Moment {
-        Ball2 moved;  ///< X − X₀
-        Ball2 swirl;  ///< w = X″
-        Ball2 drift;  ///< X′
-        Ball2 spun;   ///< cis St
+        BallVec moved;  ///< X − X₀
+        BallVec swirl;  ///< w = X″
+        BallVec drift;  ///< X′
+        BallVec spun;   ///< cis St
     };
     Moment at(const Ball& time) const;
     /// Over [from, to], by the mean value theorem from what is known at `middle` there.
     Moment over(double from, double to, double middle, const Moment& at_middle) const;
 
     /// Where vertex k (the disk's centre) is.
-    Ball2 place(const Moment& moment, int k) const;
+    BallVec place(const Moment& moment, int k) const;
 
     /// g of vertex k (of the disk) with g′ and g″.
     struct Gap {
@@ -59,14 +56,14 @@ public:
     double way(double time) const { return fastest_ * time; }
 
 private:
-    const Ball2& arm_of(int k) const;
+    const BallVec& arm_of(int k) const;
 
     int sides_;
     bool struck_;
     double alpha_, spin_double_, fastest_ = 0, centre_fastest_ = 0, arm_angle_ = 0;
     Ball spin_, reach_;  ///< the distance at which it touches: 1, or the disk's 1 − α
-    Ball2 centre_, velocity_, swirl_;
-    mutable std::map<int, Ball2> arms_;  ///< a_k at the start
+    BallVec centre_, velocity_, swirl_;
+    mutable std::map<int, BallVec> arms_;  ///< a_k at the start
 };
 
 }  // namespace swirl::tests

@@ -157,11 +157,11 @@ TEST(ChatterEnd, IsReportedWithTheLanding) {
 }
 
 TEST(ChatterEnd, IsMisplacedByNoMoreThanItsEstimate) {
-    EXPECT_GE(largest_share(ordinary_draws(), 0, 120), 0.1);
+    EXPECT_GE(largest_share(ordinary_draws(), 0, 40), 0.1);
 }
 
 TEST(ChatterEnd, IsMisplacedByNoMoreThanItsEstimateUnderLargeFriction) {
-    EXPECT_GE(largest_share(draws_with_large_friction(), 1000, 120), 0.1);
+    EXPECT_GE(largest_share(draws_with_large_friction(), 1000, 60), 0.1);
 }
 
 TEST(ChatterEndNightly, IsMisplacedByNoMoreThanItsEstimateInAHundredThousandSequences) {

@@ -141,7 +141,7 @@ TEST(Outcome, TwoVerticesHeadOnAreFlaggedSimultaneous) {
 TEST(Outcome, VerySlowBodiesComeToAnEnd) {
     int most = 0;
     for (const int sides : {disk_sides, 3, 6, 1000})
-        for (const double beta : {0.0, 0.1, 0.3, 0.6, 1.0, 5.0})
+        for (const double beta : {0.0, 0.1, 0.6, 5.0})
             for (const double speed : {1e-3, 1e-6, 1e-9, 1e-12})
                 for (const double spin : {0.0, 1.0, 0.37}) {
                     const auto collision =

@@ -199,7 +199,7 @@ class Interrupted(WithRecords):
             before = sorted(self.folder.rglob("*"))
             process = start(f"animate {self.records['orbit']} -o {self.folder / f'cut.{suffix}'} --duration 300 --fps 30",
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            time.sleep(3)
+            time.sleep(1.5)
             process.send_signal(signal.SIGINT)
             output, errors = process.communicate(timeout=60)
             self.assertEqual((process.returncode, output, errors), (130, "", ""), suffix)

@@ -129,7 +129,7 @@ class Bifurcate(Refusing):
 
 class KeptColumns(Keeping):
     def test_a_diagram_keeps_the_orbits_that_are_done(self):
-        answer = self.interrupt(f"bifurcate {WINDOW} --along alpha=0.1:0.9:2000 --starts 20 --threads 1", 1.5)
+        answer = self.interrupt(f"bifurcate {WINDOW} --along alpha=0.1:0.9:2000 --starts 20 --threads 1", 1)
         self.assertEqual(answer["outcome"], "interrupted")
         self.assertGreater(len(answer["columns"]), 0)
         self.assertLess(len(answer["columns"]), 2000)
@@ -143,11 +143,11 @@ class KeptColumns(Keeping):
         for extra in ("--starts 1 --transient 1000000000", "--starts 1 --transient 100 --collisions 1000000000",
                       "--starts 0 --follow --transient 1000000000"):
             with self.subTest(extra):
-                answer = self.interrupt(f"bifurcate {WINDOW} --along alpha=0.3:0.34:3 {extra} --threads 1", 1)
+                answer = self.interrupt(f"bifurcate {WINDOW} --along alpha=0.3:0.34:3 {extra} --threads 1", 0.5)
                 self.assertEqual(answer["columns"], [])
 
     def test_followed_columns_are_kept(self):
-        answer = self.interrupt(f"bifurcate {WINDOW} --along alpha=0.1:0.9:5000 --starts 0 --follow --threads 1", 1.5)
+        answer = self.interrupt(f"bifurcate {WINDOW} --along alpha=0.1:0.9:5000 --starts 0 --follow --threads 1", 1)
         self.assertGreater(len(answer["columns"]), 0)
 
 

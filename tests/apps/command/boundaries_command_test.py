@@ -2,8 +2,11 @@
 
 import json
 import math
+import shutil
 import sys
+import tempfile
 import unittest
+from pathlib import Path
 
 import h5py
 import numpy
@@ -25,6 +28,8 @@ PLANE = f"{HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5"
 PLACES = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 5
 #: A line each way: seconds.
 SMALL = f"{PLANE} --max-period 1 --lines 1"
+#: With grazing, two-vertices and stick-slip curves.
+BORDERS = f"{HEXAGON} --plane alpha=0.5:0.7 --plane beta=0.1:0.3"
 
 
 def place(point):
@@ -32,9 +37,18 @@ def place(point):
 
 
 class Boundaries(InFolder):
+    """Two planes are searched once; a test that changes a record takes a copy."""
+
     @classmethod
     def setUpClass(cls):
-        cls.answer = document(f"boundaries {SMALL}")
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.record, cls.borders_record = Path(folder.name) / "small.h5", Path(folder.name) / "borders.h5"
+        cls.answer = document(f"boundaries {SMALL} -o {cls.record}")
+        cls.borders = document(f"boundaries {BORDERS} --max-period 2 --lines 1 -o {cls.borders_record}")
+
+    def copied(self, record):
+        return Path(shutil.copy(record, self.folder / "c.h5"))
 
     def test_curves_carry_the_multiplier_that_they_are_of(self):
         answer = self.answer
@@ -156,10 +170,9 @@ class Boundaries(InFolder):
         return numpy.polyfit(numpy.log(abs(x[used])), numpy.log(off), 1)[0]
 
     def test_continue_up_to_a_border_curve_ends_on_it(self):
-        answer = document(f"boundaries {HEXAGON} --plane alpha=0.5:0.7 --plane beta=0.1:0.3 --max-period 2 --lines 1")
-        kinds = {curve["kind"] for curve in answer["curves"]}
+        kinds = {curve["kind"] for curve in self.borders["curves"]}
         self.assertIn("grazing", kinds)
-        for curve in answer["curves"]:
+        for curve in self.borders["curves"]:
             if curve["kind"] not in ("grazing", "stick-slip"):
                 continue
             point = curve["points"][len(curve["points"]) // 2]
@@ -178,8 +191,7 @@ class Boundaries(InFolder):
             self.assertLess(min(abs(value - alpha) for value in found), 1e-9, (curve["kind"], alpha, beta))
 
     def test_the_record_holds_what_the_document_says(self):
-        path = self.folder / "c.h5"
-        answer = document(f"boundaries {SMALL} -o {path}")
+        path, answer = self.record, self.answer
         curves = xarray.open_dataset(path, group="curves", engine="h5netcdf")
         self.assertEqual(list(curves["first"].values), [place(p)[0] for c in answer["curves"] for p in c["points"]])
         self.assertEqual(list(curves["second"].values), [place(p)[1] for c in answer["curves"] for p in c["points"]])
@@ -209,21 +221,17 @@ class Boundaries(InFolder):
                                 for point in other["points"]), 0.02 * 0.2)
 
     def test_a_record_of_curves_leads_to_all_of_them_again(self):
-        path = self.folder / "c.h5"
+        path, other = self.folder / "c.h5", f"{HEXAGON} --plane alpha=0.7:0.9 --plane beta=0.4:0.8"
+        curves = document(f"boundaries {other} --max-period 4 --lines 1 -o {path}")["curves"]
         kinds = set()
-        for longest, plane in ((2, "alpha=0.5:0.7 --plane beta=0.1:0.3"), (4, "alpha=0.7:0.9 --plane beta=0.4:0.8")):
-            scene = f"{HEXAGON} --plane {plane}"
-            first = document(f"boundaries {scene} --max-period {longest} --lines 1 --force -o {path}")["curves"]
+        for scene, first, record in ((BORDERS, self.borders["curves"], self.borders_record), (other, curves, path)):
             kinds.update(curve["kind"] for curve in first)
-            self.same_curves(first, document(f"boundaries {scene} --from {path}")["curves"])
+            self.same_curves(first, document(f"boundaries {scene} --from {record}")["curves"])
         self.assertLessEqual({"fold", "grazing", "two-vertices", "stick-slip"}, kinds)
 
     def test_a_record_that_does_not_say_what_touches_on_its_border_curves_is_refused(self):
-        path = self.folder / "c.h5"
-        grazes = f"{HEXAGON} --plane alpha=0.5:0.6 --plane beta=0.1:0.2"
-        for scene, longest, code in ((PLANE, 1, 0), (grazes, 2, 2)):  # of the first the curves are smooth
-            kinds = {c["kind"] for c in document(f"boundaries {scene} --max-period {longest} --lines 1 --force -o {path}")["curves"]}
-            self.assertEqual("grazing" in kinds, code == 2)
+        for scene, known, code in ((PLANE, self.record, 0), (BORDERS, self.borders_record, 2)):  # of the first the curves are smooth
+            path = self.copied(known)
             with h5py.File(path, "r+") as record:
                 del record["curves/touch"]
             content = path.read_bytes()
@@ -237,11 +245,9 @@ class Boundaries(InFolder):
                 self.assertTrue(json.loads(result.stdout)["curves"])
 
     def test_a_record_leads_to_its_curves_in_a_smaller_plane(self):
-        path = self.folder / "c.h5"
-        whole, part = "alpha=0.5:0.7 --plane beta=0.1:0.3", "alpha=0.5:0.55 --plane beta=0.1:0.3"
-        kept = document(f"boundaries {HEXAGON} --plane {whole} --max-period 2 --lines 1 -o {path}")["curves"]
-        inside = [c for c in kept if any(p["parameters"]["alpha"] <= 0.55 for p in c["points"])]
-        again = document(f"boundaries {HEXAGON} --plane {part} --from {path}")["curves"]
+        part = BORDERS.replace("alpha=0.5:0.7", "alpha=0.5:0.55")
+        inside = [c for c in self.borders["curves"] if any(p["parameters"]["alpha"] <= 0.55 for p in c["points"])]
+        again = document(f"boundaries {part} --from {self.borders_record}")["curves"]
         kind = lambda c: (c["kind"], c["period"])
         self.assertGreaterEqual(len(inside), 3)
         for curve in inside:
@@ -282,8 +288,7 @@ class Boundaries(InFolder):
         self.assertEqual(answer["outcome"], "completed")
 
     def test_columns_that_do_not_fit_are_refused(self):
-        path = self.folder / "c.h5"
-        document(f"boundaries {SMALL} -o {path}")
+        path = self.copied(self.record)
         for column, wrong in (("curves/period", 0), ("curves/period", -1), ("curves/period", 1000),
                               ("curves/curve", -3), ("curves/curve", 77)):
             with h5py.File(path, "r+") as record:

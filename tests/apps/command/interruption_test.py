@@ -1,5 +1,5 @@
 """SIGINT, SIGTERM, SIGHUP: every command ends with 130 within half a second, leaves no stray file and keeps what is
-finished. interruption_test.py SWIRL"""
+finished. interruption_test.py SWIRL [InHalfASecond | Kept]"""
 
 import json
 import re
@@ -38,7 +38,7 @@ COMMANDS = [
 ]
 
 
-class Interruption(InFolder):
+class Ending(InFolder):
     def end(self, command, after, number=signal.SIGINT):
         """Exit code, seconds from the signal to the end, output and errors."""
         process = start(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder)
@@ -60,6 +60,10 @@ class Interruption(InFolder):
 
     def names(self):
         return sorted(path.name for path in self.folder.iterdir())
+
+
+class InHalfASecond(Ending):
+    """With nothing else on the machine."""
 
     def test_every_command_ends_within_half_a_second_and_leaves_no_stray_file(self):
         for command in COMMANDS:
@@ -85,6 +89,8 @@ class Interruption(InFolder):
                 self.assertEqual((code, self.names()), (130, []), (command, number))
                 self.assertLess(seconds, 0.5)
 
+
+class Kept(Ending):
     def test_nohup_is_heeded(self):
         process = subprocess.Popen(["nohup", SWIRL, *f"simulate {CHAOS} --collisions 400000 --quiet -o a.h5".split()],
                                    cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -93,10 +99,9 @@ class Interruption(InFolder):
         self.assertEqual((process.wait(60), self.names()), (0, ["a.h5"]))
 
     def kept(self, command):
-        """The record that is there when the command was interrupted after two seconds."""
-        code, seconds, _ = self.end(f"{command} --quiet -o a.h5", 2)
+        """The record that is there when the command was interrupted after a second."""
+        code, _, _ = self.end(f"{command} --quiet -o a.h5", 1)
         self.assertEqual(code, 130)
-        self.assertLess(seconds, 0.5)
         file = h5py.File(self.folder / "a.h5")
         self.addCleanup(file.close)
         return file
@@ -109,7 +114,7 @@ class Interruption(InFolder):
     def test_the_finished_runs_of_several_are_in_the_document_too(self):
         process = subprocess.Popen([SWIRL, *f"classify {HEXAGON} --transient 1000 --collisions 1000 --runs 100000 "
                                     "--json --quiet".split()], stdout=subprocess.PIPE, text=True)
-        time.sleep(2)
+        time.sleep(1)
         process.send_signal(signal.SIGINT)
         found = json.loads(process.communicate(timeout=60)[0])
         self.assertEqual((process.returncode, found["outcome"]), (130, "interrupted"))
@@ -124,9 +129,8 @@ class Interruption(InFolder):
             "--mu 0.5 ", "")
         kept = []
         for _ in range(2):
-            code, seconds, errors = self.end(command, 1.5)
+            code, _, errors = self.end(command, 1)
             self.assertEqual((code, self.names()), (130, [".a.h5.journal"]), errors)
-            self.assertLess(seconds, 0.5)
             kept.append(int(re.search(r"(\d+) of 2000 runs are kept", errors)[1]))
         self.assertGreater(kept[0], 0)
         self.assertGreater(kept[1], kept[0])

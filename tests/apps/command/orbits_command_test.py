@@ -164,7 +164,10 @@ class Orbits(Refusing):
 
 class KeptCycles(Keeping):
     def test_cycles_that_were_found_are_kept(self):
-        answer = self.interrupt(f"orbits {HEXAGON} --period 1 --starts 40000 --trajectories 1 --threads 1", 8)
+        for seconds in (2, 20):  # on a loaded machine none is found so soon
+            answer = self.interrupt(f"orbits {HEXAGON} --period 1 --starts 40000 --trajectories 1 --threads 1", seconds)
+            if answer["orbits"]:
+                break
         self.assertEqual(answer["outcome"], "interrupted")
         self.assertGreater(len(answer["orbits"]), 0)
         self.assertLess(answer["candidates"], 40000)

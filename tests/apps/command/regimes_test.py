@@ -134,7 +134,7 @@ class InContact(unittest.TestCase):
 
     def test_mean_S_is_that_of_the_angle(self):
         for scene in (self.LANDING, *self.OTHERS):
-            found = document(f"classify {scene}")
+            found = document(f"classify {scene} --transient 3000 --collisions 2000")
             self.assertEqual((found["mode"], found["kind"]), ("quasi-steady", "landing"), scene)
             rows = impacts(scene, found["period"] * 10 + 1, 4000)
             mean = (rows[-1]["angle"] - rows[0]["angle"]) / (rows[-1]["t"] - rows[0]["t"])

@@ -390,7 +390,7 @@ class Input(InFolder):
     def test_an_interrupted_orbit_leaves_nothing_half_done(self):
         for command in ("recurrence", "spectrum"):
             arguments = f"{command} {CHAOTIC} --collisions 100000000 --quiet -o {self.folder}/long.h5"
-            self.assertEqual(interrupted(arguments, 1), 130)
+            self.assertEqual(interrupted(arguments, 0.5), 130)
             self.assertEqual(list(self.folder.iterdir()), [])
 
 

@@ -11,7 +11,7 @@ from driving import InFolder, document, run, sized, start
 
 BASE = "--sides 6 --mu 0.5 --restitution 0.95 --transient 300 --collisions 300"
 GRID = f"{BASE} --grid alpha=0.2:0.7:6 --grid beta=0.1:0.9:5 --runs 2"
-COLUMNS = sized(13, 3)
+COLUMNS = sized(9, 3)
 LONG = f"{BASE} --grid alpha=0.2:0.7:{COLUMNS} --grid beta=0.1:0.9:25 --runs 4"
 
 
@@ -256,7 +256,7 @@ class Sweeps(InFolder):
         longer = LONG.replace("--collisions 300", "--collisions 20000")
         for flags, said in ((f"-o {self.folder}/a.h5", kept), (f"-o {self.folder}/b.h5 --quiet", "^$"), ("", "^$")):
             process = start(f"sweep {longer} {flags}", stderr=subprocess.PIPE, text=True)
-            time.sleep(2)
+            time.sleep(0.7)
             process.send_signal(signal.SIGINT)
             message = process.communicate(timeout=60)[1]
             self.assertEqual(process.returncode, 130)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<const char*, 6> scene_axes = {"alpha", "beta", "mu", "restitution", "inertia-factor", "sides"};
 constexpr const char* start_speed = "speed";  // of random starts
-constexpr std::size_t most_axes = 3;
+constexpr std::size_t most_axes = 5;
 constexpr long most_points = 1'000'000;
 
 template <std::size_t n>
@@ -64,13 +64,34 @@ std::vector<double> sampled_points(const std::string& name, double a, double b, 
     return points;
 }
 
+/// law=NAME,NAME…: each of them; of a sample each with an equal share.
+GridAxis law_axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
+    if (form.levels > 0) refuse(text, "--refine halves steps, and there is nothing between two laws");
+    std::vector<double> laws;
+    for (std::size_t begin = text.find('=') + 1; begin <= text.size();) {
+        const auto end = std::min(text.find(',', begin), text.size());
+        const auto law = static_cast<double>(law_from(text.substr(begin, end - begin)));
+        if (std::find(laws.begin(), laws.end(), law) != laws.end())
+            refuse(text, fmt::format("{} is given twice", text.substr(begin, end - begin)));
+        laws.push_back(law);
+        begin = end + 1;
+    }
+    if (units == nullptr) return {"law", text, laws, false};
+    std::vector<double> points;
+    points.reserve(units->size());
+    const auto count = static_cast<double>(laws.size());
+    for (const double u : *units) points.push_back(laws[static_cast<std::size_t>(std::min(count - 1, u * count))]);
+    return {"law", text, points, true};
+}
+
 GridAxis axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
+    if (text.starts_with("law=")) return law_axis_from(text, form, units);
     const std::vector<std::string> parts = parts_of(text, units != nullptr);
     GridAxis axis{parts[0], text, {}, units != nullptr};
     if (!is_among(scene_axes, axis.name) && !is_among(start_numbers, axis.name) && axis.name != start_speed)
-        refuse(
-            text,
-            "NAME is none of: alpha, beta, mu, restitution, inertia-factor, sides, speed, x, y, vx, vy, angle, spin");
+        refuse(text,
+               "NAME is none of: alpha, beta, mu, restitution, inertia-factor, sides, law, speed, x, y, vx, vy, angle, "
+               "spin");
     const double a = number_from<double>("A", parts[1]), b = number_from<double>("B", parts[2]);
     if (units != nullptr) {
         if (!std::isfinite(a) || !std::isfinite(b) || a == b) refuse(text, "A and B must be finite and differ");
@@ -92,8 +113,12 @@ GridAxis axis_from(const std::string& text, const GridForm& form, const std::vec
 
 }  // namespace
 
+std::string GridAxis::word_at(double point) const {
+    return has_words() ? std::string(name_of(static_cast<Law>(static_cast<int>(point)))) : fmt::format("{}", point);
+}
+
 std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const GridForm& form) {
-    if (texts.empty()) throw BadInput("--grid is missing: NAME=A:B:COUNT, once to three times");
+    if (texts.empty()) throw BadInput("--grid is missing: NAME=A:B:COUNT, once to five times");
     if (texts.size() > most_axes)
         throw BadInput(fmt::format("{} grids are given: 1 to {} are allowed", texts.size(), most_axes));
     std::vector<GridAxis> grid;
@@ -109,8 +134,9 @@ std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const Gri
 
 std::vector<std::string> axes_to_offer() {
     std::vector<std::string> words;
-    words.reserve(scene_axes.size() + 1 + start_numbers.size());
+    words.reserve(scene_axes.size() + 2 + start_numbers.size());
     for (const char* name : scene_axes) words.push_back(std::string(name) + "=");
+    words.emplace_back("law=");
     words.push_back(std::string(start_speed) + "=");
     for (const char* name : start_numbers) words.push_back(std::string(name) + "=");
     return words;
@@ -143,9 +169,9 @@ bool has_axis(const std::vector<GridAxis>& grid, const std::string& name) {
 Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, std::size_t cell) {
     const auto point = cell_point(grid, cell);
     for (std::size_t k = 0; k < grid.size(); ++k)
-        if (is_among(scene_axes, grid[k].name))
+        if (is_among(scene_axes, grid[k].name) || grid[k].has_words())
             scene.set(grid[k].name,
-                      grid[k].name == "sides" ? fmt::format("{:.0f}", point[k]) : fmt::format("{:.17g}", point[k]));
+                      grid[k].name == "sides" ? fmt::format("{:.0f}", point[k]) : grid[k].word_at(point[k]));
     return scene.scene<double>();
 }
 

@@ -1,5 +1,5 @@
-// The cells of a sweep: one to three parameters of the scene or numbers of its starts, each from A to B in COUNT steps,
-// or points that fill that box.
+// The cells of a sweep: one to five parameters of the scene or numbers of its starts, each from A to B in COUNT steps,
+// or points that fill that box; the impact law among them, as a list.
 #pragma once
 
 #include "apps/command_line/scene_options.hpp"
@@ -14,12 +14,16 @@
 namespace swirl::apps::sweep {
 
 /// NAME=A:B:COUNT. Point i is A + (B − A) i/(COUNT − 1), the double nearest to it (points_between). Of a sample
-/// NAME=A:B, and point i is cell i's.
+/// NAME=A:B, and point i is cell i's. law=NAME,NAME…: its points are the numbers of the laws.
 struct GridAxis {
     std::string name;  ///< as the flag
     std::string text;  ///< as it was given
     std::vector<double> points;
     bool sampled = false;
+
+    bool has_words() const { return name == "law"; }
+    /// A point as people and flags say it: the law's name, or the shortest number that reads back to the same double.
+    std::string word_at(double point) const;
 };
 
 /// How the cells lie: on the grid; on one that has 2^levels steps for each; or as a sample.
@@ -35,8 +39,9 @@ inline constexpr std::array<const char*, 6> start_numbers = {"x", "y", "vx", "vy
 /// The levels of --refine go so far.
 inline constexpr int most_levels = 10;
 
-/// @throws BadInput naming the axis, its value and what is allowed: an unknown or repeated name, more than three axes,
-/// COUNT < 1, COUNT = 1 with A ≠ B, numbers that are not finite, sides that are not whole, COUNT of a sample
+/// @throws BadInput naming the axis, its value and what is allowed: an unknown or repeated name, more than five axes,
+/// COUNT < 1, COUNT = 1 with A ≠ B, numbers that are not finite, sides that are not whole, COUNT of a sample, a law
+/// that is none or is given twice, a law to be refined
 std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const GridForm& form = {});
 
 /// True if the parameter is one of the grid's axes.

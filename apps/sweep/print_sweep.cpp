@@ -17,11 +17,17 @@ char letter_of(const CellSummary& cell) {
     return cell.shares[most] == 1 ? all[most] : some[most];
 }
 
+std::string shown(const GridAxis& axis, double point) {
+    return axis.has_words() ? axis.word_at(point) : fmt::format("{:.6g}", point);
+}
+
 void print_map(const Sweep& sweep) {
     const auto& last = sweep.grid.back();
     const std::size_t columns = last.points.size(), rows = cell_count(sweep.grid) / columns;
-    fmt::print("{} from {:g} to {:g} across; S steady, Q quasi-steady, C chaotic, ? undecided; small: not every run\n",
-               last.name, last.points.front(), last.points.back());
+    fmt::print("{} across; S steady, Q quasi-steady, C chaotic, ? undecided; small: not every run\n",
+               last.has_words()
+                   ? last.text
+                   : fmt::format("{} from {:g} to {:g}", last.name, last.points.front(), last.points.back()));
     for (std::size_t row = rows; row-- > 0;) {
         std::string line;
         for (std::size_t column = 0; column < columns; ++column)
@@ -29,7 +35,7 @@ void print_map(const Sweep& sweep) {
         std::string label;
         const auto point = cell_point(sweep.grid, row * columns);
         for (std::size_t k = 0; k + 1 < sweep.grid.size(); ++k)
-            label += fmt::format("{} {:<10.6g} ", sweep.grid[k].name, point[k]);
+            label += fmt::format("{} {:<10} ", sweep.grid[k].name, shown(sweep.grid[k], point[k]));
         fmt::print("{}{}\n", label, line);
     }
 }

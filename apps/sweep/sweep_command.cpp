@@ -17,8 +17,8 @@
 namespace swirl::apps::sweep {
 
 const char* const sweep_details =
-    R"(Names the mode of R random starts in every cell of a grid over one to three of alpha, beta, mu, restitution,
-inertia-factor, sides and the starts' speed, or of one start for each cell of a grid over numbers of the start (x, y,
+    R"(Names the mode of R random starts in every cell of a grid over one to five of alpha, beta, mu, restitution,
+inertia-factor, sides, law (a list) and the starts' speed, or of one start for each cell of a grid over numbers of the start (x, y,
 vx, vy, angle, spin; in R_c, R_c omega_s, radians, omega_s): a map of basins of attraction. Of random starts run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's
 scene: an orbit is followed until its verdict is settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
 mean_S_error the standard error over them. Each cell also lists the attracting steady modes that follow from the scene's
@@ -33,13 +33,14 @@ Examples:
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:5 --collisions 500
   swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.1:1:4 --runs 2 -o sweep.h5
   swirl sweep --sides 6 --alpha 0.5 --beta 0.5 --mu 0.5 --restitution 0.95 --grid vx=-1:1:9 --grid vy=-1:1:9 -o basins.h5
+  swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --grid law=poisson,newton,stronge --grid mu=0.1:1:4 --grid restitution=0.5:1:5
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4 --refine 2 --collisions 500)";
 
 void SweepOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
-    command.add_option("--grid", grid, "NAME=A:B:COUNT, once to three times; with --sample NAME=A:B")
+    command.add_option("--grid", grid, "NAME=A:B:COUNT, once to five times; with --sample NAME=A:B; law=NAME,NAME,...")
         ->type_name("")
         ->offer(axes_to_offer())
         ->allow_extra_args(false);

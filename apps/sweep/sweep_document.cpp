@@ -2,6 +2,7 @@
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/record/record_reader.hpp"
+#include "apps/sweep/cell_attractors.hpp"
 #include "apps/sweep/run_columns.hpp"
 #include "apps/sweep/starts.hpp"
 #include "apps/sweep/sweep_command.hpp"
@@ -40,7 +41,11 @@ Table<RunResult> run_table() {
 void write_parameters(JsonWriter& json, const Sweep& sweep, const Cell& cell) {
     const auto point = cell_point(sweep.grid, cell.index);
     json.begin_object();
-    for (std::size_t k = 0; k < point.size(); ++k) json.member(sweep.grid[k].name, point[k]);
+    for (std::size_t k = 0; k < point.size(); ++k)
+        if (const GridAxis& axis = sweep.grid[k]; axis.has_words())
+            json.member(axis.name, axis.word_at(point[k]));
+        else
+            json.member(axis.name, point[k]);
     json.end_object();
 }
 
@@ -122,6 +127,9 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
     const auto steady = [&sweep, table = steady_share_table()](JsonWriter& json, const Cell& cell) {
         write_rows(json, table, sweep.steady_of(cell.index), JsonLayout::line);
     };
+    const auto attractors = [&sweep, table = cell_attractor_table()](JsonWriter& json, const Cell& cell) {
+        write_rows(json, table, cell_attractors(sweep.cell(cell.index)), JsonLayout::line);
+    };
     const auto runs = [&sweep, table = run_table()](JsonWriter& json, const Cell& cell) {
         write_rows(json, table, sweep.cell(cell.index), JsonLayout::line);
     };
@@ -138,6 +146,7 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
          F{"impacts_spent", of(&CellSummary::impacts_spent), "1", "impacts that were followed, by all runs"}.json_as(
              impacts_spent),
          {"steady_modes", steady},
+         {"attractors", attractors},
          {"runs", runs}}};
     const auto insert_after = [&](const std::string& name, const std::vector<F>& fields) {
         const auto at =
@@ -172,6 +181,20 @@ std::vector<Cell> visited_cells(const Sweep& sweep) {
     return cells;
 }
 
+/// The axis' points, as its coordinate or along the cells of a sample.
+void write_axis(const RecordGroup& group, const GridAxis& axis) {
+    const std::vector<std::string> along = {axis.sampled ? "cell" : dimension_of(axis)};
+    if (!axis.has_words()) {
+        group.write<double>(dimension_of(axis), along, axis.points,
+                            {units_of_axis(axis.name), "parameter " + axis.name, {}});
+        return;
+    }
+    std::vector<std::string> words;
+    words.reserve(axis.points.size());
+    for (const double point : axis.points) words.push_back(axis.word_at(point));
+    group.write_strings(dimension_of(axis), along, words);
+}
+
 }  // namespace
 
 void write_sweep_document(const Sweep& sweep) {
@@ -201,8 +224,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
             axes.push_back(dimension_of(axis));
             group.dimension(axes.back(), axis.points.size());
         }
-        group.write<double>(dimension_of(axis), {axis.sampled ? "cell" : dimension_of(axis)}, axis.points,
-                            {units_of_axis(axis.name), "parameter " + axis.name, {}});
+        write_axis(group, axis);
     }
     group.dimension("run", static_cast<std::uint64_t>(sweep.runs));
     group.dimension("mode", mode_count);

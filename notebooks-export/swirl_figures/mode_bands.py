@@ -39,6 +39,7 @@ def draw_mode_bands(figure, grid, look):
     _draw_shares(above, grid, cell_edges(points))
     _draw_spin(below, grid, points)
     below.set_xlabel(axis_label(name))
+    grid.name_ticks(below)
     if name == "sides":
         below.xaxis.set_major_locator(MaxNLocator(integer=True))
     return [above]

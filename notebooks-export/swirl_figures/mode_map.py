@@ -18,6 +18,7 @@ def draw_cells(axes, grid, values, **style):
     mesh = axes.pcolormesh(cell_edges(grid.points[x]), cell_edges(grid.points[y]),
                            numpy.ma.masked_invalid(values).T, rasterized=values.size > 5_000, **style)
     axes.set(xlabel=axis_label(x), ylabel=axis_label(y), facecolor=NO_VALUE)
+    grid.name_ticks(axes)
     for spine in axes.spines.values():
         spine.set_visible(True)
     return mesh
@@ -56,7 +57,7 @@ def mode_frame(figure, grid, look, remark=""):
 
 def sweep_title(grid):
     title = scene_title(grid.scene, leave_out=grid.points)
-    return f"{title}\n{grid.starts} in each cell"
+    return f"{title}\n{grid.starts} in each cell{grid.remarks}"
 
 
 #: Inches that a map with its colour bar needs.

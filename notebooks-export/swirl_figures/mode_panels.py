@@ -4,15 +4,16 @@ import numpy
 
 from .look import NARROW, is_narrow
 from .mode_map import draw_cells, mode_frame, mode_style, spin_style
-from .symbols import MEAN_SPIN, number, symbol
+from .symbols import MEAN_SPIN, symbol
 
 #: More panels than these are too small to read: so many values are shown, evenly chosen.
 MOST_PANELS = 6
 
 
 def _chosen(grid):
-    """(the parameter with the fewest values, which goes from panel to panel; the places of the values that are drawn)"""
-    across = min(grid.axes, key=lambda name: len(grid.points[name]))
+    """(the parameter that goes from panel to panel, the law or that with the fewest values; the places of the values that
+    are drawn)"""
+    across = min(grid.axes, key=lambda name: (name not in grid.words, len(grid.points[name])))
     count = len(grid.points[across])
     return across, numpy.unique(numpy.linspace(0, count - 1, min(count, MOST_PANELS)).round().astype(int))
 
@@ -39,7 +40,7 @@ def draw_mode_panels(figure, grid, look):
         part = grid.slice(across, index)
         draw_cells(first, part, part.largest_mode, **mode_style(grid.modes))
         mesh = draw_cells(second, part, part.mean_spin, **colours)
-        first.set_title(f"{symbol(across)} = {number(values[index])}")
+        first.set_title(grid.text(across, index))
     for axes in panels[:, 1:].ravel():
         axes.set_ylabel("")
     for axes in panels[:-1].ravel():

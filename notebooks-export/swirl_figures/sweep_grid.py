@@ -2,8 +2,8 @@
 
 import numpy
 
-from .record import open_record
-from .symbols import number
+from .record import Scene, open_record
+from .symbols import number, symbol
 
 #: Of a start in the laboratory; a sweep over one of them places every start.
 START_NUMBERS = ("x", "y", "vx", "vy", "angle", "spin")
@@ -32,9 +32,12 @@ class SweepGrid:
         record = open_record(record)
         axes = record.dimensions("sweep", "mean_S")
         points = {name: record.column("sweep", name) for name in axes}
+        self.words = {name: [str(word) for word in values] for name, values in points.items() if values.dtype.kind in "OSU"}
+        points.update({name: numpy.arange(float(len(words))) for name, words in self.words.items()})
         self.axes = [name for name in axes if len(points[name]) > 1] or [axes[0]]
         self.scene = record.scene()
-        self.scene.update({name: float(points[name][0]) for name in axes if name not in self.axes})
+        self.scene.update({name: self._scenes_value(name, points[name][0]) for name in axes if name not in self.axes})
+        self.remarks = ""
         self.points = {name: numpy.sort(points[name]) for name in self.axes}
         self.modes = list(record.names("sweep", "mode"))
         self.runs, self.starts = record.size("sweep", "run"), starts_in_words(record)
@@ -58,13 +61,37 @@ class SweepGrid:
     def largest_share(self):
         return self.share.max(axis=-1)
 
+    def _scenes_value(self, name, point):
+        return self.words[name][int(point)] if name in self.words else float(point)
+
+    def text(self, axis, index):
+        """A value of an axis for a title."""
+        if axis in self.words:
+            return f"{self.words[axis][index].capitalize()}'s law"
+        return f"{symbol(axis)} = {number(self.points[axis][index])}"
+
+    def name_ticks(self, axes):
+        """Words in place of numbers along both axes of a map of this grid, or along the abscissa."""
+        for name, along in zip(self.axes, (axes.xaxis, axes.yaxis)):
+            if name in self.words:
+                along.set_ticks(range(len(self.words[name])), self.words[name])
+
+    def at_middle(self, axis):
+        """The grid at the middle value of one axis, which its title names."""
+        points = self.points[axis]
+        part = self.slice(axis, len(points) // 2)
+        part.scene = Scene(self.scene)
+        part.scene[axis] = self._scenes_value(axis, points[len(points) // 2])
+        part.remarks = f"{self.remarks}; {self.text(axis, len(points) // 2)} is one of {len(points)} values"
+        return part
+
     def slice(self, axis, index):
         """The grid at one value of one axis."""
         part = object.__new__(SweepGrid)
         at = self.axes.index(axis)
         part.axes = [name for name in self.axes if name != axis]
         part.points = {name: self.points[name] for name in part.axes}
-        part.scene, part.modes = self.scene, self.modes
+        part.scene, part.modes, part.words, part.remarks = self.scene, self.modes, self.words, self.remarks
         part.runs, part.starts = self.runs, self.starts
         part.share = self.share.take(index, axis=at)
         part.mean_spin = self.mean_spin.take(index, axis=at)

@@ -14,6 +14,7 @@ _PARAMETERS = {
     "restitution": ("e", r"$e$  (restitution)"),
     "inertia_factor": ("κ", r"$\kappa = I/(m R_p^2)$  (inertia)"),
     "sides": ("N", r"$N$  (number of sides)"),
+    "law": ("law", "impact law"),
     "speed": ("V", r"$V$  (speed of the starts, in $R_c\omega_s$)"),
     "x": ("x", r"$x/R_c$  (centre at the start)"),
     "y": ("y", r"$y/R_c$  (centre at the start)"),
@@ -71,7 +72,7 @@ def scene_title(scene, leave_out=()):
     for name in ("alpha", "beta", "mu", "restitution"):
         if name in scene and name not in left_out:
             parts.append(f"{symbol(name)} = {number(scene[name])}")
-    if "law" in scene:
+    if "law" in scene and "law" not in left_out:
         parts.append(f"{str(scene['law']).capitalize()}'s law")
     inertia = scene.get("inertia_factor", "uniform")  # of a sweep over N it is that word, or was given
     if not isinstance(inertia, str) and "inertia_factor" not in left_out:

@@ -1,6 +1,7 @@
 """swirl sweep, from outside: sweep_command_test.py SWIRL"""
 
 import signal
+import statistics
 import subprocess
 import time
 import unittest
@@ -22,7 +23,9 @@ class BadGrids(InFolder):
                               ("alpha=0.2:nan:3", "finite"), ("alpha=0.2:1.6:3", "1.6"), ("sides=3:6:3", "whole"),
                               ("alpha=0.2", "NAME=A:B:COUNT"), ("alpha=0.2:x:3", "x"), ("alpha=0.3:0.3:2", "COUNT = 1"),
                               ("alpha=0.2:0.6:3 --grid alpha=0.1:0.2:2", "twice"),
-                              ("alpha=0.2:0.6:3 --grid mu=0:1:2 --grid restitution=0:1:2 --grid beta=0:1:2", "3"),
+                              ("alpha=0.2:0.6:3 --grid mu=0:1:2 --grid restitution=0:1:2 --grid beta=0:1:2 --grid sides=3:4:2 --grid speed=0:1:2", "5"),
+                              ("law=euler", "poisson, newton, stronge"), ("law=poisson,", "law = "), ("law=newton,newton", "twice"),
+                              ("law=newton,poisson --grid alpha=0.2:0.4:3 --refine 1", "between two laws"),
                               ("alpha=0.2:0.6:3 --x 0.3", "random"), ("alpha=0.2:0.6:3 --runs 0", "runs")]:
             result = run(f"sweep {rest} --grid {grid} -o {self.folder}/a.h5")
             self.assertEqual((result.returncode, result.stdout), (2, ""), grid)
@@ -117,6 +120,67 @@ class Refined(InFolder):
             self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), flags + result.stderr)
             self.assertIn(mention, result.stderr)
             self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class Axes(InFolder):
+    SHORT = "--transient 300 --collisions 300"
+
+    def test_a_law_is_an_axis_by_its_name(self):
+        scene, file = "--sides 6 --alpha 0.45 --beta 0.5 --mu 0.5", self.folder / "a.h5"
+        cells = document(f"sweep {scene} {self.SHORT} --grid law=stronge,newton --grid restitution=0.8:0.9:2 --runs 2 -o {file}")["cells"]
+        self.assertEqual([cell["parameters"] for cell in cells],
+                         [{"law": law, "restitution": e} for law in ("stronge", "newton") for e in (0.8, 0.9)])
+        for cell in cells:
+            law, e = cell["parameters"].values()
+            for seed, run_ in enumerate(cell["runs"], 1):
+                alone = document(f"classify {scene} {self.SHORT} --law {law} --restitution {e} --seed {seed}")
+                for key in ("mode", "kind", "mean_S", "impacts"):
+                    self.assertEqual(run_[key], alone[key], (law, e, seed, key))
+        self.assertNotEqual(cells[0]["runs"][0]["mean_S"], cells[2]["runs"][0]["mean_S"])  # laws differ
+        with xarray.open_dataset(file, group="sweep", engine="h5netcdf") as record:
+            self.assertEqual(list(record["law"].values), ["stronge", "newton"])
+            self.assertEqual(float(record["run_mean_S"].sel(law="newton", restitution=0.9, run=1)), cells[3]["runs"][1]["mean_S"])
+        figure = run(f"plot {file} -o {self.folder}/a.png --json")
+        self.assertEqual((figure.returncode, figure.stderr), (0, ""))
+
+    def test_five_parameters_at_once(self):
+        file, again = self.folder / "a.h5", self.folder / "b.h5"
+        sweep = (f"sweep {self.SHORT} --grid sides=3:6:2 --grid alpha=0.3:0.6:3 --grid beta=0.3:0.5:2 --grid mu=0.1:0.5:2 "
+                 "--grid restitution=0.8:0.9:2")
+        cells = document(f"{sweep} -o {file}")["cells"]
+        self.assertEqual(len(cells), 48)
+        self.assertEqual(cells[-1]["parameters"], {"sides": 6, "alpha": 0.6, "beta": 0.5, "mu": 0.5, "restitution": 0.9})
+        self.assertEqual(run(f"{sweep} --threads 1 --quiet -o {again}").returncode, 0)
+        self.assertEqual(file.read_bytes(), again.read_bytes())
+        figure = run(f"plot {file} -o {self.folder}/a.png --json")  # three of them; the others stand at a value
+        self.assertEqual((figure.returncode, figure.stderr), (0, ""))
+
+    def test_a_sample_draws_laws_in_equal_shares(self):
+        cells = document(f"sweep --sides 6 --beta 0.5 --mu 0.5 --restitution 0.9 {self.SHORT} --grid law=poisson,newton,stronge "
+                         "--grid alpha=0.3:0.6 --sample latin:12")["cells"]
+        laws = [cell["parameters"]["law"] for cell in cells]
+        self.assertEqual({law: laws.count(law) for law in laws}, {"poisson": 4, "newton": 4, "stronge": 4})
+
+
+class CellAttractors(unittest.TestCase):
+    def test_an_error_is_of_the_runs_of_one_attractor(self):
+        # Chaos that some starts have left and some have not, and what they came to.
+        cell, = document("sweep --sides 6 --mu 0.3 --restitution 0.9 --transient 2000 --collisions 1000 --grid alpha=0.398:0.398:1 "
+                         "--grid beta=0.893:0.893:1 --runs 16")["cells"]
+        found, runs = cell["attractors"], cell["runs"]
+        self.assertGreater(len(found), 1)
+        self.assertAlmostEqual(sum(one["share"] for one in found), 1, delta=1e-12)
+        self.assertEqual([one["share"] for one in found], sorted((one["share"] for one in found), reverse=True))
+        for one in found:
+            mine = [r["mean_S"] for r in runs if (r["mode"], r["kind"], r["period"]) == (one["mode"], one["kind"], one["period"])
+                    and (one["kind"] not in ("fixed-point", "cycle") or abs(r["mean_S"] - one["mean_S"]) < 1e-6)]
+            self.assertEqual(len(mine), round(16 * one["share"]))
+            self.assertAlmostEqual(one["mean_S"], statistics.fmean(mine), delta=1e-12)
+            if len(mine) > 1:
+                self.assertAlmostEqual(one["mean_S_error"], statistics.stdev(mine) / len(mine) ** 0.5, delta=1e-12)
+            else:
+                self.assertIsNone(one["mean_S_error"])
+            self.assertTrue(one["share_low"] < one["share"] <= one["share_high"])
 
 
 class Samples(InFolder):

@@ -39,16 +39,16 @@ std::int64_t nearly_shaken(const Map& map, const analysis::Tail<Map>& tail) {
     return period_of(map, other, near_closure);
 }
 
-/// ln of the separation's growth over one impact, and the neighbour drawn back to `apart`.
-template <class Map, class Point>
-double part(const Map& map, Point& orbit, Point& neighbour, int direction) {
+/// ln of the separation's growth over one impact, and the neighbour drawn back to `apart`. The orbit goes on from its
+/// state, so that it stays the one that is judged: from its coordinates it would part from it within chaos.
+template <class Map, class State, class Point>
+double part(const Map& map, State& orbit, Point& neighbour, int direction) {
     constexpr double rounding = 1e-15;
-    const auto next = map.advance(map.state_at(orbit));
     const auto other = map.advance(map.state_at(neighbour));
-    orbit = map.coordinates(next.state);
-    const Point gap = other.alive ? analysis::difference(map, map.coordinates(other.state), orbit) : Point::Zero();
+    orbit = map.advance(orbit).state;
+    neighbour = map.coordinates(orbit);
+    const Point gap = other.alive ? analysis::difference(map, map.coordinates(other.state), neighbour) : Point::Zero();
     const double size = gap.norm();
-    neighbour = orbit;
     if (size > rounding)
         neighbour += gap * (apart / size);
     else
@@ -56,9 +56,10 @@ double part(const Map& map, Point& orbit, Point& neighbour, int direction) {
     return other.alive ? std::log(std::max(size, rounding) / apart) : 0;
 }
 
-template <class Map, class Point>
-void find_exponent(const Map& map, const Point& start, std::int64_t steps, Truth& truth) {
-    Point orbit = start, neighbour = start;
+template <class Map, class State>
+void find_exponent(const Map& map, const State& start, std::int64_t steps, Truth& truth) {
+    State orbit = start;
+    auto neighbour = map.coordinates(start);
     neighbour[0] += apart;
     std::array<double, blocks> sums{};
     const std::int64_t length = steps / blocks;
@@ -89,7 +90,7 @@ Truth truth_of(const Scene<double>& scene, const Start<double>& start, const Tru
                 truth.mode = truth.period == 1 ? analysis::Mode::steady : analysis::Mode::quasi_steady;
             return truth;
         }
-        find_exponent(map, tail.points.front(), options.tail, truth);
+        find_exponent(map, tail.first, options.tail, truth);
         if (truth.exponent > std::max(5 * truth.exponent_error, 20 / static_cast<double>(options.tail))) {
             truth.mode = analysis::Mode::chaotic;
         } else {

@@ -140,7 +140,8 @@ void change_item(Item& item, Bytes& bytes) {
         case 2: {
             const std::size_t size = std::max<std::size_t>(1, std::min<std::size_t>(1000, elements_of(item.shape)));
             item.numbers.resize(size);
-            item.numbers[bytes.take<std::uint8_t>() % size] = changed_number(bytes);
+            const double number = changed_number(bytes);
+            item.numbers[bytes.take<std::uint8_t>() % size] = number;
             return;
         }
         case 3:

@@ -24,6 +24,24 @@ target_compile_options(swirl_warnings INTERFACE -Wall -Wextra -Wshadow -Wconvers
   # GCC 12 warns of std::string + in its own library (its bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<BOOL:${SWIRL_WARNINGS_AS_ERRORS}>:-Werror>)
 
+if(SWIRL_FUZZ OR SWIRL_COVERAGE)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "SWIRL_FUZZ and SWIRL_COVERAGE want clang; CMAKE_CXX_COMPILER is ${CMAKE_CXX_COMPILER}")
+  endif()
+  # clang links GCC's libquadmath but does not see its header.
+  execute_process(COMMAND gcc -print-file-name=include OUTPUT_VARIABLE gcc_headers OUTPUT_STRIP_TRAILING_WHITESPACE
+    COMMAND_ERROR_IS_FATAL ANY)
+  string(APPEND CMAKE_CXX_FLAGS " -idirafter ${gcc_headers}")
+endif()
+if(SWIRL_FUZZ)
+  # The libraries tell libFuzzer which of their branches an input takes; the fuzzers alone link it.
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+if(SWIRL_COVERAGE)
+  add_compile_options(-fprofile-instr-generate -fcoverage-mapping)
+  add_link_options(-fprofile-instr-generate)
+endif()
+
 if(SWIRL_SANITIZE)
   # -O1 comes after the build type's own flags and so decides; the standard library checks its preconditions too.
   add_compile_options(-fsanitize=${SWIRL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -O1 -g1)

@@ -6,6 +6,7 @@
 #include "apps/system/shooting_map.hpp"
 #include "map/derivative/parameter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -18,7 +19,7 @@ Scene<double> scene_of(const RecordReader& record) {
     const auto sides = record.attribute("/scene", "sides");
     scene.sides = std::holds_alternative<std::string>(sides)
                       ? sides_from(std::get<std::string>(sides))
-                      : static_cast<int>(record.attribute<std::int64_t>("/scene", "sides"));
+                      : sides_from(fmt::format("{}", record.attribute<std::int64_t>("/scene", "sides")));
     scene.alpha = record.attribute<double>("/scene", "alpha");
     scene.beta = record.attribute<double>("/scene", "beta");
     scene.mu = record.attribute<double>("/scene", "mu");
@@ -92,11 +93,18 @@ RecordCycles cycles_in(const RecordReader& record, const std::string& file) {
         if (parameter) values = record.read<double>("/branches/parameter");
         if (!parameter) result.along.clear();
     }
+    const std::size_t dimension = result.scene.is_disk() ? disk_dimension : polygon_dimension;
+    const auto fits = [&](std::int64_t period) {
+        return period >= 1 && static_cast<std::uint64_t>(period) <= shape[1];
+    };
+    if (shape.size() != 3 || shape[0] != periods.size() || shape[2] != dimension ||
+        (parameter && values.size() != periods.size()) || !std::all_of(periods.begin(), periods.end(), fits))
+        throw BadInput(fmt::format("record '{}' is damaged: columns of {} do not fit each other", file, group));
     for (std::size_t row = 0; row < periods.size(); ++row) {
         Scene<double> scene = result.scene;
         if (parameter) scene = with_parameter(scene, *parameter, values[row]);
         const auto period = static_cast<std::size_t>(periods[row]);
-        result.places.push_back({scene, points_at(points, row, shape.at(1), shape.at(2), period)});
+        result.places.push_back({scene, points_at(points, row, shape[1], shape[2], period)});
     }
     return result;
 }

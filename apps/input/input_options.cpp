@@ -134,6 +134,9 @@ MeasuredSeries read_series_record(const std::string& file) {
         if (series.times.size() != series.values.size())
             throw BadInput(
                 fmt::format("record '{}' has {} times of {} values", file, series.times.size(), series.values.size()));
+        const auto falls = [](double a, double b) { return !(a <= b); };  // a time that is missing does, too
+        if (std::adjacent_find(series.times.begin(), series.times.end(), falls) != series.times.end())
+            throw BadInput(fmt::format("record '{}': the times of its series do not rise", file));
         series.rows = series.times.size();
         if (record.has_attribute("/series", "rows"))
             series.rows = static_cast<std::size_t>(record.attribute<std::int64_t>("/series", "rows"));

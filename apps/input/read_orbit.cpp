@@ -9,6 +9,8 @@ namespace swirl::apps {
 
 namespace {
 
+constexpr std::int64_t most_skipped = 1'000'000'000'000;  // simulate's
+
 Settings attributes_of(const RecordReader& record, const std::string& group) {
     Settings settings;
     if (!record.contains(group)) return settings;
@@ -39,6 +41,21 @@ Settings in_order(const Settings& settings, const std::vector<std::string>& orde
     return sorted;
 }
 
+/// How many impacts a record leaves out. @throws BadInput if it says what simulate --skip can't
+std::int64_t skipped_impacts(const RecordReader& record, const std::string& file) {
+    const auto skip = setting<std::int64_t>(attributes_of(record, "/settings"), "skip", 0);
+    if (skip < 0 || skip > most_skipped)
+        throw BadInput(fmt::format("record '{}': skip = {} is outside its range: 0 to {}", file, skip, most_skipped));
+    return skip;
+}
+
+/// @throws BadInput unless the dataset has one axis
+std::int64_t rows_of(const RecordReader& record, const std::string& file, const std::string& path) {
+    const auto shape = record.info(path).shape;
+    if (shape.size() != 1) throw BadInput(fmt::format("record '{}': {} is not a column", file, path));
+    return static_cast<std::int64_t>(shape[0]);
+}
+
 OrbitColumns columns_of(const RecordReader& record, const std::string& file, const ImpactRange& range,
                         const std::vector<std::string>& names) {
     if (!record.contains("/collisions") || record.datasets("/collisions").empty())
@@ -56,9 +73,8 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
     columns.outcome = setting<std::string>(result, "outcome", "completed");
     columns.impacts = setting<std::int64_t>(result, "impacts", 0);
     columns.accuracy = setting<std::string>(attributes_of(record, "/settings"), "accuracy", "double");
-    columns.range.transient = setting<std::int64_t>(attributes_of(record, "/settings"), "skip", 0) + range.transient;
-    if (record.contains("/contacts/t_start"))
-        columns.contacts_listed = static_cast<std::int64_t>(record.info("/contacts/t_start").shape.at(0));
+    columns.range.transient = skipped_impacts(record, file) + range.transient;
+    if (record.contains("/contacts/t_start")) columns.contacts_listed = rows_of(record, file, "/contacts/t_start");
     require_observables(names, columns.disk);
     columns.names = names;
     for (const auto& name : names) {
@@ -66,7 +82,7 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
         if (!record.contains(path))
             throw BadInput(fmt::format("record '{}' holds no {}; its columns are: {}", file, name,
                                        fmt::join(record.datasets("/collisions"), ", ")));
-        const auto rows = static_cast<std::int64_t>(record.info(path).shape.at(0));
+        const std::int64_t rows = rows_of(record, file, path);
         const std::int64_t left = rows - range.transient;
         if (left < 1 || range.collisions > left)
             throw BadInput(fmt::format("record '{}' has {} impacts; --transient {} and --collisions {} need {}", file,

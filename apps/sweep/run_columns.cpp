@@ -65,8 +65,12 @@ std::vector<RunResult> read_run_columns(const RecordReader& record, const std::s
         in_type_of(column, [&]<class T>() {
             const auto values = record.read<T>(group + "/" + column.name);
             if (results.empty()) results.resize(values.size());
-            for (std::size_t i = 0; i < std::min(values.size(), results.size()); ++i)
-                results[i].*column.member = static_cast<double>(values[i]);
+            const auto named = [&](T value) {
+                return column.meanings.empty() || static_cast<std::size_t>(value) < column.meanings.size();
+            };
+            if (values.size() != results.size() || !std::all_of(values.begin(), values.end(), named))
+                throw BadInput(fmt::format("a record's {}/{} does not fit its runs", group, column.name));
+            for (std::size_t i = 0; i < values.size(); ++i) results[i].*column.member = static_cast<double>(values[i]);
         });
     return results;
 }

@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::int64_t most_shards = 1'000'000;
 
+bool is_one(const Shard& shard) {
+    return 1 <= shard.number && shard.number <= shard.of && shard.of <= most_shards;
+}
+
 std::vector<std::int64_t> cells_of(const Sweep& sweep) {
     std::vector<std::int64_t> cells;
     for (std::size_t c = 0; c < cell_count(sweep.grid); ++c)
@@ -30,7 +34,7 @@ Shard shard_from(const std::string& text) {
     Shard shard;
     const bool whole =
         slash != std::string::npos && number(0, slash, shard.number) && number(slash + 1, text.size(), shard.of);
-    if (!whole || shard.number < 1 || shard.number > shard.of || shard.of > most_shards)
+    if (!whole || !is_one(shard))
         throw BadInput(fmt::format("shard = {} is outside its range: i/n with 1 <= i <= n <= {}", text, most_shards));
     return shard;
 }
@@ -69,6 +73,9 @@ ReadShard read_shard_file(const std::string& path) {
     ReadShard read;
     read.shard.number = record.attribute<std::int64_t>("/shard", "number");
     read.shard.of = record.attribute<std::int64_t>("/shard", "of");
+    if (!is_one(read.shard))
+        throw BadInput(fmt::format("record '{}' says that it is shard {}/{}, which is none", path, read.shard.number,
+                                   read.shard.of));
     for (const auto& name : record.attributes("/settings"))
         read.settings.emplace_back(name, record.attribute("/settings", name));
     if (record.contains("/units"))

@@ -281,6 +281,8 @@ void read_sweep(const std::string& path, Sweep& sweep) {
     if (!record.contains("/sweep/visited")) return;
     for (const std::uint8_t seen : record.read<std::uint8_t>("/sweep/visited"))
         sweep.visited.push_back(static_cast<char>(seen));
+    if (sweep.visited.size() != cell_count(sweep.grid))
+        throw BadInput(fmt::format("record '{}' is damaged: it does not say of each cell whether it was run", path));
 }
 
 }  // namespace swirl::apps::sweep

@@ -4,6 +4,7 @@
 #include "map/sustained/rim_pendulum.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace swirl {
 
@@ -21,6 +22,11 @@ double longest_step(const ContactScene& scene, Support support, const ContactSta
 /// Bound of the last terms of a step; the truncation error is smaller by a factor (step)/(distance to the nearest
 /// singularity).
 constexpr double local_error = 1e-16;
+
+/// False where the motion is so fast that the series has left the numbers.
+bool is_finite(const State& y) {
+    return std::all_of(y.value.begin(), y.value.end(), [](double value) { return std::isfinite(value); });
+}
 
 /// Shows a step to a sink, in parts short enough to interpolate between.
 void show(const Problem& problem, const Step& step, double time, double h, const ContactSink& sink) {
@@ -72,12 +78,14 @@ ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion
         end.sums = {t, at.value[4], at.value[5]};
         return end;
     };
-    // Ends at: an event, the duration, or the step limit.
+    // Ends at: an event, the duration, the step limit, or a motion too fast for numbers, which is cut short as well.
     while (time < duration && end.steps < most_steps) {
         ++end.steps;
         const Step step(problem, y);
         const double h =
             std::min({step_of(step.series(), local_error), longest_step(scene, support, y.contact()), duration - time});
+        const State next = step.at(h);
+        if (!is_finite(next)) break;
         const Failure failure = first_failure(problem, step, h);
         if (failure.found) {
             const Condition condition = conditions_of(problem, y)[failure.which];
@@ -86,7 +94,7 @@ ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion
             return finish(condition.event, failure.time > 0 ? step.at(failure.time) : y, time + failure.time);
         }
         if (sink) show(problem, step, time, h, sink);
-        y = step.at(h);
+        y = next;
         time = duration - time <= h ? duration : time + h;
     }
     return finish(ContactEvent::horizon, y, time);

@@ -59,7 +59,7 @@ def circle_in(graph, rooms):
 def missing_in_picture(graph, picture):
     """The folders that a picture of the architecture should name and does not; a command's own folder is one of many."""
     shared = {room for room in graph if any(room in graph[other] for other in graph
-                                            if other.startswith("apps/") and other != "apps/main")}
+                                            if other.startswith("apps/") and other != "apps/commands")}
     wanted = [room for room in graph if (room.startswith("apps/") and room in shared) or not room.startswith("apps/")]
     return [room for room in sorted(wanted) if room.count("/") and (room.split("/")[-1] + "/") not in picture]
 

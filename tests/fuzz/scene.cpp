@@ -1,0 +1,164 @@
+// A scene and a start, any numbers. They are refused, or the orbit from there has finite states, impulses that do not
+// pull, times that do not fall and vertices inside, ends with a name, and costs no more than its steps may.
+#include "apps/command_line/start_options.hpp"
+#include "apps/system/effort.hpp"
+#include "apps/system/scene_orbit.hpp"
+#include "map/first_contact/bounds.hpp"
+#include "tests/fuzz/bytes.hpp"
+#include "tests/fuzz/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace swirl::apps {
+namespace {
+
+using tests::fuzz::Bytes, tests::fuzz::require;
+
+/// A flight whose speed is less than this of the swirl's is left out: the search takes its G′, a difference of numbers
+/// of the swirl's size (map/first_contact/slow_bodies.hpp), for more than its rounding.
+constexpr double least_speed = 1e-8;
+
+constexpr int most_impacts = 60;
+/// Of contact without an impact, a twentieth of the program's own: most of the time would go into motions that last.
+constexpr double horizon = contact_horizon / 20;
+/// In ordinary impacts: an orbit is left after so much. One step may cost more, see require_bounded.
+constexpr double most_effort = 2'000;
+
+/// κ: a body's is at most 1, and how it comes near to 0 is in B₂ − B₃²/B₁ of an impact, which rounding spoils as ε/κ.
+/// Beyond these bounds a scene is refused or computed, but nothing is promised of its impulses.
+constexpr double least_inertia = 1e-6, most_inertia = 1e6;
+
+Scene<double> scene_from(Bytes& bytes) {
+    Scene<double> scene;
+    switch (bytes.below(4)) {
+        case 0:
+            scene.sides = 3 + bytes.below(10);
+            break;
+        case 1:
+            scene.sides = disk_sides;
+            break;
+        case 2:
+            scene.sides = 3 + static_cast<int>(bytes.take<std::uint32_t>() % max_sides);
+            break;
+        default:
+            scene.sides = bytes.take<std::int32_t>();
+    }
+    scene.law = static_cast<Law>(bytes.below(3));
+    const bool uniform = bytes.below(4) != 0;
+    scene.alpha = bytes.number();
+    scene.beta = bytes.number();
+    scene.mu = bytes.number();
+    scene.restitution = bytes.number();
+    const double factor = std::clamp(std::abs(bytes.number()), least_inertia, most_inertia);
+    scene.inertia_factor = uniform ? uniform_inertia_factor<double>(scene.sides) : factor;
+    return scene;
+}
+
+/// In the laboratory, from the container's centre or anywhere; on the section, leaving the wall or any point.
+Start<double> start_from(Bytes& bytes, const Scene<double>& scene) {
+    const int kind = bytes.below(4);
+    double z[6];
+    for (double& number : z) number = bytes.number();
+    if (kind == 0) return LabStart<double>{scene.beta, 0, z[2], z[3], z[4], z[5]};
+    if (kind == 1) return LabStart<double>{z[0], z[1], z[2], z[3], z[4], z[5]};
+    if (kind == 3) return SectionPoint<double>{z[0], scene.is_disk() ? 0 : z[1], z[2], z[3], z[4]};
+    const double room = pi<double>() / scene.sides - std::asin(scene.alpha * std::sin(pi<double>() / scene.sides));
+    const double chi = scene.is_disk() ? 0 : room * z[1];
+    const double at_rest = scene.alpha * z[4] * std::sin(chi) + scene.beta * std::sin(z[0]);
+    return SectionPoint<double>{z[0], chi, at_rest - std::abs(z[2]), z[3], z[4]};
+}
+
+void require_finite(std::initializer_list<double> numbers, const char* promise) {
+    for (const double number : numbers) {
+        if (!std::isfinite(number)) std::fprintf(stderr, "not finite: %g\n", number);
+        require(std::isfinite(number), promise);
+    }
+}
+
+/// The vertex that struck and its neighbours, or the disk, are inside to rounding.
+void require_inside(const Scene<double>& scene, const SceneOrbit<double>& orbit) {
+    const LabState<double> lab = orbit.lab();
+    const double x = lab.x - scene.beta * std::cos(lab.time.phase), y = lab.y - scene.beta * std::sin(lab.time.phase);
+    double reach = std::hypot(x, y) + scene.alpha;
+    if (!scene.is_disk()) {
+        reach = 0;
+        for (const int beside : {-1, 0, 1}) {
+            const double direction =
+                lab.direction.phase + 2 * pi<double>() / scene.sides * (orbit.frame().vertex + beside);
+            reach = std::max(reach,
+                             std::hypot(x + scene.alpha * std::cos(direction), y + scene.alpha * std::sin(direction)));
+        }
+    }
+    require(reach <= 1 + 1e-12 + 16 * 0x1p-52 * (1 + scene.beta), "all vertices are inside");
+}
+
+void require_contacts(const std::vector<ContactSegment>& contacts) {
+    for (const ContactSegment& contact : contacts) {
+        require_finite({contact.start, contact.end, contact.turned, contact.work}, "contact is finite");
+        require(contact.start <= contact.end, "contact does not end before it begins");
+    }
+}
+
+void require_impact(const Scene<double>& scene, const SceneOrbit<double>& orbit, double time) {
+    const Collision<double>& c = orbit.collision();
+    require(c.impulse.normal >= 0, "no impulse pulls");
+    require(c.flight_time >= 0, "no flight is shorter than nothing");
+    require_finite({c.impulse.normal, c.impulse.tangential, c.flight_time}, "an impact is finite");
+    const PostImpactState<double>& z = c.after;
+    require_finite({z.psi.x, z.psi.y, z.chi.x, z.chi.y, z.vn, z.vt, z.spin}, "a state is finite");
+    const LabState<double> lab = orbit.lab();
+    require_finite({lab.t, lab.x, lab.y, lab.vx, lab.vy, lab.angle}, "a place is finite");
+    require(lab.t >= time, "time does not fall");
+    require_inside(scene, orbit);
+}
+
+/// The search for a contact has its limit, twice after a release; so has contact.
+void require_bounded(const ReturnStep<double>& step) {
+    require(step.collision.steps <= 2 * detail::step_limit, "a search ends");
+    require(contact_steps(step) <= most_contact_steps + 1, "contact ends");
+}
+
+bool is_too_slow(const Scene<double>& scene, double vx, double vy, double spin) {
+    return std::abs(vx) + std::abs(vy) + scene.alpha * std::abs(spin) < least_speed * scene.beta;
+}
+
+bool is_too_slow(const Scene<double>& scene, const Start<double>& start) {
+    if (const auto* lab = std::get_if<LabStart<double>>(&start)) return is_too_slow(scene, lab->vx, lab->vy, lab->spin);
+    const auto& z = std::get<SectionPoint<double>>(start);
+    return is_too_slow(scene, z.vn, z.vt, z.spin);
+}
+
+void follow(const Scene<double>& scene, SceneOrbit<double>& orbit) {
+    double time = 0, effort = 0;
+    bool alive = true;
+    for (int impact = 0; alive && impact < most_impacts && effort < most_effort; ++impact) {
+        alive = orbit.advance(horizon);
+        require_bounded(orbit.return_step());
+        require_contacts(orbit.contacts());
+        effort += effort_of(orbit.return_step());
+        if (!alive) break;
+        require_impact(scene, orbit, time);
+        time = orbit.lab().t;
+        alive = orbit.outcome() == Outcome::completed;
+        const PostImpactState<double>& z = orbit.post_impact();
+        if (alive && is_too_slow(scene, z.vn, z.vt, z.spin)) return;
+    }
+    require(alive || orbit.outcome() != Outcome::completed, "an orbit that has ended says how");
+    require(!name_of(orbit.outcome()).empty(), "every end has a name");
+}
+
+}  // namespace
+}  // namespace swirl::apps
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace swirl;
+    tests::fuzz::Bytes bytes(data, size);
+    const Scene<double> scene = apps::scene_from(bytes);
+    const apps::Start<double> start = apps::start_from(bytes, scene);
+    std::optional<apps::SceneOrbit<double>> orbit;
+    if (!tests::fuzz::answers([&] { orbit.emplace(scene, start); })) return 0;
+    if (!apps::is_too_slow(scene, start)) apps::follow(scene, *orbit);
+    return 0;
+}

@@ -16,8 +16,8 @@ namespace {
 
 using tests::fuzz::Bytes, tests::fuzz::require;
 
-/// A flight whose speed is less than this of the swirl's is left out: the search takes its G′, a difference of numbers
-/// of the swirl's size (map/first_contact/slow_bodies.hpp), for more than its rounding.
+/// A flight whose speed is less than this of the swirl's is left out: the search is known to find too late a contact
+/// where a body comes to the wall over more than some 10¹⁸ turns of the swirl (β = 0.01, v = 10⁻²⁰, e = 0).
 constexpr double least_speed = 1e-8;
 
 constexpr int most_impacts = 60;

@@ -41,7 +41,7 @@ void count_chatter_once(const std::vector<double>& spins, const analysis::Classi
     const auto impacts = static_cast<std::int64_t>(spins.size());
     const double fewer = static_cast<double>(verdict.period) / static_cast<double>(impacts);
     verdict.evidence.push_back(
-        {"rebounds of its chatter", static_cast<double>(verdict.period - impacts), 0,
+        {rebounds_evidence, static_cast<double>(verdict.period - impacts), 0,
          "the cycle leads through sustained contact; rebounds that end there count as one impact",
          "no contact: a cycle of impacts alone"});
     for (auto& evidence : verdict.evidence)

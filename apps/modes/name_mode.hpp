@@ -20,6 +20,9 @@ struct NamedMode {
     bool finished = true;  ///< false: stopped before there was a verdict; nothing else is meaningful then
 };
 
+/// The evidence of a landing: how many rebounds of its chatter its period does not count.
+inline constexpr const char* rebounds_evidence = "rebounds of its chatter";
+
 /// What else a verdict saw of its orbit.
 struct OrbitSamples {
     std::vector<Eigen::VectorXd> points;       ///< coordinates of the tail; none where the orbit ended

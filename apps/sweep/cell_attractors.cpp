@@ -41,6 +41,7 @@ Table<CellAttractor> cell_attractor_table() {
     return {{"attractor"},
             {{"mode", [](const Row& row) { return mode_of(row.first); }},
              kind_field<Row>([](const Row& row) { return kind_of(row.first); }),
+             {"outcome", [](const Row& row) { return static_cast<Outcome>(static_cast<int>(row.first.outcome)); }},
              period_field<Row>([](const Row& row) { return static_cast<std::int64_t>(row.first.period); }),
              {"share", &Row::share},
              {"share_low", [](const Row& row) { return row.interval.low; }},

@@ -10,9 +10,11 @@ namespace swirl::apps::sweep {
 namespace {
 
 constexpr std::array<const char*, 6> scene_axes = {"alpha", "beta", "mu", "restitution", "inertia-factor", "sides"};
+constexpr std::array<Law, 3> all_laws = {Law::poisson, Law::newton, Law::stronge};
 constexpr const char* start_speed = "speed";  // of random starts
 constexpr std::size_t most_axes = 5;
 constexpr long most_points = 1'000'000;
+constexpr double most_cells = 1e8;
 
 template <std::size_t n>
 bool is_among(const std::array<const char*, n>& names, const std::string& name) {
@@ -35,6 +37,7 @@ long count_from(const std::string& text, const std::string& count) {
 std::vector<std::string> parts_of(const std::string& text, bool sampled) {
     const auto equals = text.find('=');
     const char* wanted = sampled ? "NAME=A:B is wanted, as --sample has the COUNT" : "NAME=A:B:COUNT is wanted";
+    if (text == "law") refuse(text, "law=NAME,NAME,... is wanted");
     if (equals == std::string::npos) refuse(text, wanted);
     std::vector<std::string> parts{text.substr(0, equals)};
     for (std::size_t begin = equals + 1; begin <= text.size();) {
@@ -70,9 +73,13 @@ GridAxis law_axis_from(const std::string& text, const GridForm& form, const std:
     std::vector<double> laws;
     for (std::size_t begin = text.find('=') + 1; begin <= text.size();) {
         const auto end = std::min(text.find(',', begin), text.size());
-        const auto law = static_cast<double>(law_from(text.substr(begin, end - begin)));
-        if (std::find(laws.begin(), laws.end(), law) != laws.end())
-            refuse(text, fmt::format("{} is given twice", text.substr(begin, end - begin)));
+        const std::string word = text.substr(begin, end - begin);
+        const auto known =
+            std::find_if(all_laws.begin(), all_laws.end(), [&](Law law) { return word == name_of(law); });
+        if (known == all_laws.end())
+            refuse(text, fmt::format("law = {} is none of: poisson, newton, stronge", word.empty() ? "(empty)" : word));
+        const auto law = static_cast<double>(*known);
+        if (std::find(laws.begin(), laws.end(), law) != laws.end()) refuse(text, word + " is given twice");
         laws.push_back(law);
         begin = end + 1;
     }
@@ -129,6 +136,11 @@ std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const Gri
         for (std::size_t i = 0; i + 1 < grid.size(); ++i)
             if (grid[i].name == grid.back().name) refuse(text, grid.back().name + " is given twice");
     }
+    double cells = 1;  // may be more than a size_t counts
+    if (!form.sample)
+        for (const auto& axis : grid) cells *= static_cast<double>(axis.points.size());
+    if (cells > most_cells)
+        throw BadInput(fmt::format("the grid has {:.4g} cells: {:.0f} are the most", cells, most_cells));
     return grid;
 }
 

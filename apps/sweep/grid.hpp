@@ -41,7 +41,7 @@ inline constexpr int most_levels = 10;
 
 /// @throws BadInput naming the axis, its value and what is allowed: an unknown or repeated name, more than five axes,
 /// COUNT < 1, COUNT = 1 with A ≠ B, numbers that are not finite, sides that are not whole, COUNT of a sample, a law
-/// that is none or is given twice, a law to be refined
+/// that is none or is given twice, a law to be refined, more than 10⁸ cells
 std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const GridForm& form = {});
 
 /// True if the parameter is one of the grid's axes.

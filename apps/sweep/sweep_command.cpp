@@ -22,7 +22,8 @@ inertia-factor, sides, law (a list) and the starts' speed, or of one start for e
 vx, vy, angle, spin; in R_c, R_c omega_s, radians, omega_s): a map of basins of attraction. Of random starts run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's
 scene: an orbit is followed until its verdict is settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
 mean_S_error the standard error over them. Each cell also lists the attracting steady modes that follow from the scene's
-equations, with their shares of the runs: 0 of one that no start came to. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
+equations, with their shares of the runs: 0 of one that no start came to. A document lists what the runs of each cell came to
+(attractors), with Wilson's intervals. --grid law=NAME,NAME goes over impact laws, not with --refine. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
 
 --refine LEVELS halves the steps of the grid so often where the verdicts (mode, kind, period of most runs) of neighbours
 differ; the record is that of the full grid, in which cells that were not looked at (`visited` 0) have their neighbour's
@@ -73,6 +74,8 @@ constexpr std::size_t most_results = 100'000'000;
 
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     require_starts(options.start, grid, options.runs);
+    if (has_axis(grid, "law") && !options.scene.flag("law", "").empty())
+        throw BadInput("--law and --grid law=… are both given: give one of them");
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
     options.output.accuracy();  // a wrong name is told before any work
     const double results = static_cast<double>(cell_count(grid)) * static_cast<double>(options.runs);

@@ -192,7 +192,7 @@ void write_axis(const RecordGroup& group, const GridAxis& axis) {
     std::vector<std::string> words;
     words.reserve(axis.points.size());
     for (const double point : axis.points) words.push_back(axis.word_at(point));
-    group.write_strings(dimension_of(axis), along, words);
+    group.write_strings(dimension_of(axis), along, words, {"1", "parameter " + axis.name, {}});
 }
 
 }  // namespace

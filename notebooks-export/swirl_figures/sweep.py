@@ -12,7 +12,8 @@ _DRAWINGS = (mode_bands.draw_mode_bands, mode_map.draw_mode_map, mode_panels.dra
 def _shown(record):
     grid = record.derived(SweepGrid)
     while len(grid.axes) > _MOST_AXES:
-        grid = grid.at_middle(min(grid.axes, key=lambda name: len(grid.points[name])))
+        numbers = [name for name in grid.axes if name not in grid.words]  # laws are compared, and have no middle
+        grid = grid.at_middle(min(numbers, key=lambda name: len(grid.points[name])))
     return grid
 
 

@@ -30,7 +30,17 @@ def _panels(record):
     names = _parameters(record)
     if len(names) == 1:
         return [(names[0], None, True)]
-    return [(x, y, by_mode) for x, y in itertools.combinations(names, 2) for by_mode in (True, False)]
+    colourings = (True, False) if len(names) <= 3 else (True,)  # twenty panels would be too small to read
+    return [(x, y, by_mode) for x, y in itertools.combinations(names, 2) for by_mode in colourings]
+
+
+def _values(record, name):
+    """(numbers, the words that they stand for: of a law, in the order of their names)"""
+    values = record.column("sweep", name)
+    if values.dtype.kind not in "OSU":
+        return values, None
+    words = sorted({str(word) for word in values})
+    return numpy.array([words.index(str(word)) for word in values], dtype=float), words
 
 
 def size(record, width):
@@ -49,12 +59,16 @@ def _draw_panel(axes, record, panel, modes, place):
     """What a colour bar is made for, of a panel coloured by spin."""
     x, y, by_mode = panel
     spin = record.column("sweep", "mean_S")
-    ordinate = spin if y is None else record.column("sweep", y)
+    abscissa, x_words = _values(record, x)
+    ordinate, y_words = (spin, None) if y is None else _values(record, y)
     colours, extend = (mode_style(modes), None) if by_mode else spin_style(spin)
-    dots = axes.scatter(record.column("sweep", x), ordinate, c=place if by_mode else spin, s=_dots(len(spin)), lw=0.3,
+    dots = axes.scatter(abscissa, ordinate, c=place if by_mode else spin, s=_dots(len(spin)), lw=0.3,
                         ec="0.4", plotnonfinite=True, **colours)
     axes.set(xlabel=axis_label(x), ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$" if y is None else axis_label(y),
              title="Mode with the largest share" if by_mode else f"Mean spin {MEAN_SPIN}, in $\\omega_s$")
+    for along, words in ((axes.xaxis, x_words), (axes.yaxis, y_words)):
+        if words:
+            along.set_ticks(range(len(words)), words)
     return None if by_mode else (dots, extend)
 
 

@@ -2,10 +2,15 @@
 # ## Modes over the grid
 # %%
 sweep = group("sweep")
-axis = [name for name in sweep["mean_S"].dims if sweep.sizes[name] > 1][:2] or [sweep["mean_S"].dims[0]]
+wide = [name for name in sweep["mean_S"].dims if sweep.sizes[name] > 1]
+# A map needs numbers along both axes: the impact law, which has names, stands at one as the rest does.
+axis = [name for name in wide if sweep[name].dtype.kind in "iuf"][:2] or wide[:1] or [sweep["mean_S"].dims[0]]
+rest = [name for name in wide if name not in axis]
 flat = sweep.isel({name: 0 for name in sweep["mean_S"].dims if name not in axis})
 share = flat["share"].transpose(*axis, "mode")
 figure, axes = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
+if rest:
+    figure.suptitle(", ".join(f"{name} = {flat[name].item()}" for name in rest))
 if len(axis) == 1:
     for mode in share["mode"].values:
         axes[0].plot(share[axis[0]], share.sel(mode=mode), "o-", ms=3, label=str(mode))

@@ -231,6 +231,8 @@ class Boundaries(InFolder):
 
     def test_a_record_that_does_not_say_what_touches_on_its_border_curves_is_refused(self):
         for scene, known, code in ((PLANE, self.record, 0), (BORDERS, self.borders_record, 2)):  # of the first the curves are smooth
+            curves = self.answer["curves"] if known is self.record else self.borders["curves"]
+            self.assertEqual("grazing" in {curve["kind"] for curve in curves}, code == 2)
             path = self.copied(known)
             with h5py.File(path, "r+") as record:
                 del record["curves/touch"]

@@ -1,5 +1,5 @@
-"""SIGINT, SIGTERM, SIGHUP: every command ends with 130 within half a second, leaves no stray file and keeps what is
-finished. interruption_test.py SWIRL [InHalfASecond | Kept]"""
+"""SIGINT, SIGTERM, SIGHUP: every command ends with 130 within half a second and leaves no stray file (InHalfASecond); what
+is finished is kept (Kept, beside other tests). interruption_test.py SWIRL [InHalfASecond | Kept]"""
 
 import json
 import re

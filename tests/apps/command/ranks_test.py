@@ -23,7 +23,7 @@ GRID = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:5 --gr
 TREE = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4 --refine 1 --transient 500 "
         "--collisions 500 --threads 1")
 #: Seconds of one core, of some hundred runs, to be killed.
-LONG = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:9 --runs 2 --threads 1 "
+LONG = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:9 --runs 4 --threads 1 "
         "--exhaustive --transient 1000 --collisions 2000 --quiet")
 #: Many quick runs, whose results come many at a time.
 QUICK = ("sweep --sides disk --mu 0 --restitution 0.5 --grid alpha=0.2:0.3:40 --grid beta=0:0.1:40 --runs 40 --transient 0 "

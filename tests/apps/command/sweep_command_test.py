@@ -24,7 +24,9 @@ class BadGrids(InFolder):
                               ("alpha=0.2", "NAME=A:B:COUNT"), ("alpha=0.2:x:3", "x"), ("alpha=0.3:0.3:2", "COUNT = 1"),
                               ("alpha=0.2:0.6:3 --grid alpha=0.1:0.2:2", "twice"),
                               ("alpha=0.2:0.6:3 --grid mu=0:1:2 --grid restitution=0:1:2 --grid beta=0:1:2 --grid sides=3:4:2 --grid speed=0:1:2", "5"),
-                              ("law=euler", "poisson, newton, stronge"), ("law=poisson,", "law = "), ("law=newton,newton", "twice"),
+                              ("law=euler", "poisson, newton, stronge"), ("law=poisson,", "grid law=poisson,"), ("law=newton,newton", "twice"),
+                              ("law", "law=NAME"), ("law=newton --law poisson", "both given"),
+                              ("alpha=0.3:0.4:65536 --grid mu=0.1:0.2:65536 --grid beta=0.3:0.4:65536 --grid speed=0:1:65536", "1.845e+19"),
                               ("law=newton,poisson --grid alpha=0.2:0.4:3 --refine 1", "between two laws"),
                               ("alpha=0.2:0.6:3 --x 0.3", "random"), ("alpha=0.2:0.6:3 --runs 0", "runs")]:
             result = run(f"sweep {rest} --grid {grid} -o {self.folder}/a.h5")
@@ -160,6 +162,16 @@ class Axes(InFolder):
                          "--grid alpha=0.3:0.6 --sample latin:12")["cells"]
         laws = [cell["parameters"]["law"] for cell in cells]
         self.assertEqual({law: laws.count(law) for law in laws}, {"poisson": 4, "newton": 4, "stronge": 4})
+
+    def test_laws_are_compared_in_the_figure_of_four_parameters(self):
+        file = self.folder / "a.h5"
+        run(f"sweep --sides 6 --restitution 0.9 {self.SHORT} --grid law=stronge,newton --grid alpha=0.3:0.6:3 --grid beta=0.3:0.5:3 "
+            f"--grid mu=0.1:0.5:3 --quiet -o {file}")
+        figure = run(f"plot {file} -o {self.folder}/a.svg")
+        self.assertEqual((figure.returncode, figure.stderr), (0, ""))
+        text = (self.folder / "a.svg").read_text()
+        for words in ("Stronge's law", "Newton's law", "is one of 3 values"):
+            self.assertIn(words, text)
 
 
 class CellAttractors(unittest.TestCase):

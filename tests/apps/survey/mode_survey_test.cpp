@@ -47,7 +47,7 @@ struct Case {
     bool agrees(const Truth& t) const {
         std::int64_t period = found.verdict.period;
         for (const auto& evidence : found.verdict.evidence)
-            if (evidence.name == "rebounds of its chatter") period += static_cast<std::int64_t>(evidence.value);
+            if (evidence.name == rebounds_evidence) period += static_cast<std::int64_t>(evidence.value);
         return t.mode == found.verdict.mode && (period == t.period || period == t.nearly);
     }
 };

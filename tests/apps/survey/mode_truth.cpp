@@ -45,7 +45,7 @@ template <class Map, class State, class Point>
 double part(const Map& map, State& orbit, Point& neighbour, int direction) {
     constexpr double rounding = 1e-15;
     const auto other = map.advance(map.state_at(neighbour));
-    orbit = map.advance(orbit).state;
+    orbit = map.advance(orbit).state;  // alive: the tail went the same way
     neighbour = map.coordinates(orbit);
     const Point gap = other.alive ? analysis::difference(map, map.coordinates(other.state), neighbour) : Point::Zero();
     const double size = gap.norm();

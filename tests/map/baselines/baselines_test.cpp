@@ -138,7 +138,8 @@ TEST(Baselines, EndWithANameHoweverSlowOrFast) {
             for (const double speed : {0.0, 1e-70, 1e-12, 1e8, 1e70})
                 for (const double spin : {0.0, 1e8, 1e70}) {
                     const bool slow = speed < 1;  // as much work as there may be
-                    if (slow && (sides != 3 || beta != 0.5 || tests::sample_count(20) < 20) && spin != 1e8) continue;
+                    const bool tried = beta == 0.5 ? sides == 3 : sides != 50 && speed == 0 && spin == 0;
+                    if (slow && spin != 1e8 && (!tried || tests::sample_count(20) < 20)) continue;
                     const Body<double> body = make_body(uniform_scene(sides, 0.4, beta, 0.5, 0.9));
                     const Flight<double> flight = slow_and_spinning(body, speed, 0.3, spin);
                     for (const auto search : all) {

@@ -78,6 +78,7 @@ TEST(Baselines, ContactsComeLateByAnErrorOfTheOrderOfTheStep) {
     const Body<double> body = make_body(scene);
     Random random(2);
     std::vector<Flight<double>> flights;
+    flights.reserve(100);
     for (int i = 0; i < 100; ++i)
         flights.push_back(flight_from(body, post_impact_state(tests::random_point(random, scene, 0.5))));
     double coarse = 0, fine = 0;

@@ -15,8 +15,6 @@ RunVerdict verdict_of(const RunResult& run) {
     verdict.period = static_cast<std::int64_t>(run.period);
     verdict.mean_spin = run.mean_spin;
     verdict.mean_spin_per_impact = run.mean_spin_per_impact;
-    verdict.recurrence_rate = run.recurrence_rate;
-    verdict.largest_exponent = run.largest_exponent;
     return verdict;
 }
 

@@ -10,7 +10,6 @@ namespace swirl::apps::sweep {
 namespace {
 
 constexpr std::array<const char*, 6> scene_axes = {"alpha", "beta", "mu", "restitution", "inertia-factor", "sides"};
-constexpr std::array<Law, 3> all_laws = {Law::poisson, Law::newton, Law::stronge};
 constexpr const char* start_speed = "speed";  // of random starts
 constexpr std::size_t most_axes = 5;
 constexpr long most_points = 1'000'000;
@@ -33,18 +32,24 @@ long count_from(const std::string& text, const std::string& count) {
     return value;
 }
 
+/// What stands from `begin` on, between separators.
+std::vector<std::string> pieces_of(const std::string& text, std::size_t begin, char separator) {
+    std::vector<std::string> pieces;
+    while (begin <= text.size()) {
+        const auto end = std::min(text.find(separator, begin), text.size());
+        pieces.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return pieces;
+}
+
 /// NAME, A, B and, unless the cells are a sample, COUNT.
 std::vector<std::string> parts_of(const std::string& text, bool sampled) {
     const auto equals = text.find('=');
     const char* wanted = sampled ? "NAME=A:B is wanted, as --sample has the COUNT" : "NAME=A:B:COUNT is wanted";
-    if (text == "law") refuse(text, "law=NAME,NAME,... is wanted");
     if (equals == std::string::npos) refuse(text, wanted);
-    std::vector<std::string> parts{text.substr(0, equals)};
-    for (std::size_t begin = equals + 1; begin <= text.size();) {
-        const auto end = std::min(text.find(':', begin), text.size());
-        parts.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
+    std::vector<std::string> parts = pieces_of(text, equals + 1, ':');
+    parts.insert(parts.begin(), text.substr(0, equals));
     if (parts.size() != (sampled ? 3U : 4U)) refuse(text, wanted);
     return parts;
 }
@@ -67,21 +72,24 @@ std::vector<double> sampled_points(const std::string& name, double a, double b, 
     return points;
 }
 
+/// The number of a law. @throws BadInput naming the axis
+double law_number(const std::string& text, const std::string& word) {
+    try {
+        return static_cast<double>(law_from(word.empty() ? "(empty)" : word));
+    } catch (const BadInput& error) {
+        refuse(text, error.what());
+    }
+}
+
 /// law=NAME,NAME…: each of them; of a sample each with an equal share.
 GridAxis law_axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
+    if (text == "law") refuse(text, "law=NAME,NAME,... is wanted");
     if (form.levels > 0) refuse(text, "--refine halves steps, and there is nothing between two laws");
     std::vector<double> laws;
-    for (std::size_t begin = text.find('=') + 1; begin <= text.size();) {
-        const auto end = std::min(text.find(',', begin), text.size());
-        const std::string word = text.substr(begin, end - begin);
-        const auto known =
-            std::find_if(all_laws.begin(), all_laws.end(), [&](Law law) { return word == name_of(law); });
-        if (known == all_laws.end())
-            refuse(text, fmt::format("law = {} is none of: poisson, newton, stronge", word.empty() ? "(empty)" : word));
-        const auto law = static_cast<double>(*known);
+    for (const std::string& word : pieces_of(text, text.find('=') + 1, ',')) {
+        const double law = law_number(text, word);
         if (std::find(laws.begin(), laws.end(), law) != laws.end()) refuse(text, word + " is given twice");
         laws.push_back(law);
-        begin = end + 1;
     }
     if (units == nullptr) return {"law", text, laws, false};
     std::vector<double> points;
@@ -92,7 +100,7 @@ GridAxis law_axis_from(const std::string& text, const GridForm& form, const std:
 }
 
 GridAxis axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
-    if (text.starts_with("law=")) return law_axis_from(text, form, units);
+    if (text == "law" || text.starts_with("law=")) return law_axis_from(text, form, units);
     const std::vector<std::string> parts = parts_of(text, units != nullptr);
     GridAxis axis{parts[0], text, {}, units != nullptr};
     if (!is_among(scene_axes, axis.name) && !is_among(start_numbers, axis.name) && axis.name != start_speed)

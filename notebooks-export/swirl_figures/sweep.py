@@ -5,13 +5,12 @@ from . import mode_bands, mode_map, mode_panels, sweep_points
 from .sweep_grid import SweepGrid
 
 _SIZES = (mode_bands.size, mode_map.size, mode_panels.size)
-_MOST_AXES = 3
 _DRAWINGS = (mode_bands.draw_mode_bands, mode_map.draw_mode_map, mode_panels.draw_mode_panels)
 
 
 def _shown(record):
     grid = record.derived(SweepGrid)
-    while len(grid.axes) > _MOST_AXES:
+    while len(grid.axes) > len(_DRAWINGS):
         numbers = [name for name in grid.axes if name not in grid.words]  # laws are compared, and have no middle
         grid = grid.at_middle(min(numbers, key=lambda name: len(grid.points[name])))
     return grid

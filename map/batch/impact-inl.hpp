@@ -75,7 +75,8 @@ HWY_INLINE LaneImpact impulse(const LaneContact& approach, Lane per_inertia, Lan
     if constexpr (rule == ImpactRule::frictionless) {
         return {(Lane(1) + restitution) * un / b2, Lane(0), number_of(ContactMode::frictionless)};
     } else {
-        const Lane b1 = Lane(1) + approach.rn * approach.rn * per_inertia;
+        const Lane along_normal = approach.rn * approach.rn * per_inertia;
+        const Lane b1 = Lane(1) + along_normal;
         const Lane b3 = approach.rn * approach.rt * per_inertia;
         const Lane stick = mu * b1;
         const Mask sticks = magnitude(b3) <= stick;
@@ -89,7 +90,7 @@ HWY_INLINE LaneImpact impulse(const LaneContact& approach, Lane per_inertia, Lan
         path.first = b2 - mu * signed_b3;
         const Lane kink = choose(slowing > Lane(0), choose(positive, approach.ut, -approach.ut) / slowing, Lane(0));
         path.kink = choose(path.has_kink, kink, Lane(0));
-        path.second = choose(sticks, b2 - b3 * b3 / b1, b2 + mu * signed_b3);
+        path.second = choose(sticks, (b2 + along_normal) / b1, b2 + mu * signed_b3);
         path.at_kink = path.start + path.first * path.kink;
         path.in_compression = hn::And(path.has_kink, path.at_kink < Lane(0));
         const Lane end = impulse_end<rule>(path, restitution);

@@ -62,10 +62,10 @@ struct VariedKink {
 
 /// p_k = s u_t/d with d = μB₁ − sB₃ (u_t falls to zero at the rate sd), C_k = −u_n + c p_k.
 template <class T>
-VariedKink<T> kink_of(const VariedKinematics<T>& a, const T& mu, const T& sign, const Varied<T>& rate_after) {
+VariedKink<T> kink_of(const VariedKinematics<T>& a, const T& mu, const T& sign, const Varied<T>& slope_after) {
     VariedKink<T> kink;
     kink.first = slope(a, Varied<T>{-sign * mu});
-    kink.second = slope(a, rate_after);
+    kink.second = slope_after;
     const T slowing = mu * a.b1.value - sign * a.b3.value;
     kink.place.value = sign * a.ut.value / slowing;
     kink.place.change = (sign * a.ut.change - kink.place.value * (mu * a.b1.change - sign * a.b3.change)) / slowing;
@@ -138,12 +138,24 @@ Varied<T> end_beyond_kink(const VariedKinematics<T>& a, const VariedKink<T>& kin
         return place_of_level(kink, level_of_stronge(a, kink, restitution));
 }
 
+constexpr bool is_reversed(ContactMode mode) {
+    return mode == ContactMode::c_reversed || mode == ContactMode::r_reversed;
+}
+
 /// dq/dp once slip has stopped: sticking holds u_t = 0, r = −B₃/B₁; reversed slip has r = sμ.
 template <class T>
 Varied<T> rate_beyond_kink(const VariedKinematics<T>& a, const T& mu, const T& sign, ContactMode mode) {
-    if (mode == ContactMode::c_reversed || mode == ContactMode::r_reversed) return {sign * mu};
+    if (is_reversed(mode)) return {sign * mu};
     const T rate = -a.b3.value / a.b1.value;
     return {rate, -(a.b3.change + rate * a.b1.change) / a.b1.value};
+}
+
+/// dC/dp once slip has stopped: while sticking (B₁ + B₂ − 1)/B₁, as `ContactKinematics::sticking`.
+template <class T>
+Varied<T> slope_beyond_kink(const VariedKinematics<T>& a, const Varied<T>& rate, ContactMode mode) {
+    if (is_reversed(mode)) return slope(a, rate);
+    const T f = (a.b2.value + (a.b1.value - T(1))) / a.b1.value;
+    return {f, (a.b2.change + (T(1) - f) * a.b1.change) / a.b1.value};
 }
 
 /// dp and dq in the given contact mode; on a border between modes, that mode's one-sided differential.
@@ -156,7 +168,7 @@ ImpulseChange<T> impulse_change(const VariedKinematics<T>& a, const T& mu, const
         const T sign = (a.ut.value == T(0) ? a.b3.value : a.ut.value) > T(0) ? T(1) : T(-1);
         if (mode == ContactMode::sliding) return change_in_sliding(a, T(-sign * mu), restitution);
         const Varied<T> rate = rate_beyond_kink(a, mu, sign, mode);
-        const VariedKink<T> kink = kink_of(a, mu, sign, rate);
+        const VariedKink<T> kink = kink_of(a, mu, sign, slope_beyond_kink(a, rate, mode));
         const Varied<T> end = end_beyond_kink<rule>(a, kink, restitution);
         // q = −sμ p_k + r (p − p_k)
         ImpulseChange<T> change;

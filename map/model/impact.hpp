@@ -53,6 +53,8 @@ struct ContactKinematics {
     T b1() const { return T(1) + rn * rn * per_inertia; }
     T b2() const { return T(1) + rt * rt * per_inertia; }
     T b3() const { return rn * rt * per_inertia; }
+    /// B₂ − B₃²/B₁ = (1 + r²/I)/B₁, dC/dp while sticking: a sum, where the difference is rounding for a small I.
+    T sticking() const { return (b2() + rn * rn * per_inertia) / b1(); }
 };
 
 /// The impulse −p n + q t on the body.
@@ -169,7 +171,7 @@ Impulse<T> impulse(const ContactKinematics<T>& approach, const T& mu, const T& r
         detail::NormalVelocityPath<T> path{T(-un), b2 - mu * signed_b3, T(0), T(0), has_kink};
         if (has_kink) {
             path.kink = plain(slowing) > 0 ? T((positive ? approach.ut : T(-approach.ut)) / slowing) : T(0);
-            path.second = sticks ? T(b2 - b3 * b3 / b1) : T(b2 + mu * signed_b3);
+            path.second = sticks ? approach.sticking() : T(b2 + mu * signed_b3);
         }
         const T end = detail::impulse_end<rule>(path, restitution);
         const T friction = positive ? T(-mu) : mu;  // dq/dp at first

@@ -16,19 +16,14 @@ namespace {
 
 using tests::fuzz::Bytes, tests::fuzz::require;
 
-/// A flight whose speed is less than this of the swirl's is left out: the search is known to find too late a contact
-/// where a body comes to the wall over more than some 10¹⁸ turns of the swirl (β = 0.01, v = 10⁻²⁰, e = 0).
-constexpr double least_speed = 1e-8;
-
 constexpr int most_impacts = 60;
 /// Of contact without an impact, a twentieth of the program's own: most of the time would go into motions that last.
 constexpr double horizon = contact_horizon / 20;
 /// In ordinary impacts: an orbit is left after so much. One step may cost more, see require_bounded.
 constexpr double most_effort = 2'000;
 
-/// κ: a body's is at most 1, and how it comes near to 0 is in B₂ − B₃²/B₁ of an impact, which rounding spoils as ε/κ.
-/// Beyond these bounds a scene is refused or computed, but nothing is promised of its impulses.
-constexpr double least_inertia = 1e-6, most_inertia = 1e6;
+/// κ: a body's is at most 1.
+constexpr double least_inertia = 1e-100, most_inertia = 1e6;
 
 Scene<double> scene_from(Bytes& bytes) {
     Scene<double> scene;
@@ -120,16 +115,6 @@ void require_bounded(const ReturnStep<double>& step) {
     require(contact_steps(step) <= most_contact_steps + 1, "contact ends");
 }
 
-bool is_too_slow(const Scene<double>& scene, double vx, double vy, double spin) {
-    return std::abs(vx) + std::abs(vy) + scene.alpha * std::abs(spin) < least_speed * scene.beta;
-}
-
-bool is_too_slow(const Scene<double>& scene, const Start<double>& start) {
-    if (const auto* lab = std::get_if<LabStart<double>>(&start)) return is_too_slow(scene, lab->vx, lab->vy, lab->spin);
-    const auto& z = std::get<SectionPoint<double>>(start);
-    return is_too_slow(scene, z.vn, z.vt, z.spin);
-}
-
 void follow(const Scene<double>& scene, SceneOrbit<double>& orbit) {
     double time = 0, effort = 0;
     bool alive = true;
@@ -142,8 +127,6 @@ void follow(const Scene<double>& scene, SceneOrbit<double>& orbit) {
         require_impact(scene, orbit, time);
         time = orbit.lab().t;
         alive = orbit.outcome() == Outcome::completed;
-        const PostImpactState<double>& z = orbit.post_impact();
-        if (alive && is_too_slow(scene, z.vn, z.vt, z.spin)) return;
     }
     require(alive || orbit.outcome() != Outcome::completed, "an orbit that has ended says how");
     require(!name_of(orbit.outcome()).empty(), "every end has a name");
@@ -159,6 +142,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const apps::Start<double> start = apps::start_from(bytes, scene);
     std::optional<apps::SceneOrbit<double>> orbit;
     if (!tests::fuzz::answers([&] { orbit.emplace(scene, start); })) return 0;
-    if (!apps::is_too_slow(scene, start)) apps::follow(scene, *orbit);
+    apps::follow(scene, *orbit);
     return 0;
 }

@@ -1,0 +1,91 @@
+// The first contact of bodies that are slow against the swirl, in double against 113 bits.
+#include "map/first_contact/first_contact.hpp"
+#include "tests/map/random_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace swirl {
+namespace {
+
+using tests::Random;
+
+struct SlowCase {
+    int sides;
+    double alpha, beta;
+    double vx, vy, spin, angle;
+};
+
+template <class T>
+FirstContact<T> contact_of(const SlowCase& c) {
+    const Scene<T> scene{c.sides, T(c.alpha), T(c.beta), T(0), T(1), Law::newton, uniform_inertia_factor<T>(c.sides)};
+    const Body<T> body = make_body(scene);
+    Flight<T> flight;
+    flight.centre = {T(-c.beta), T(0)};  // at the swirl's centre
+    flight.velocity = {T(c.vx), T(c.vy)};
+    flight.phase = {T(1), T(0)};
+    flight.arm = {T(c.alpha * std::cos(c.angle)), T(c.alpha * std::sin(c.angle))};
+    flight.spin = T(c.spin);
+    flight.beta = T(c.beta);
+    return first_contact<Shape::polygon>(body, flight);
+}
+
+struct Compared {
+    double time = 0;     ///< in double
+    double late = 0;     ///< relative to the time in quad
+    double outside = 0;  ///< |x| − 1
+};
+
+Compared compare(const SlowCase& c) {
+    const FirstContact<double> found = contact_of<double>(c);
+    const FirstContact<Quad> exact = contact_of<Quad>(c);
+    EXPECT_EQ(found.outcome, FirstContactOutcome::contact);
+    EXPECT_EQ(exact.outcome, FirstContactOutcome::contact);
+    const double time = static_cast<double>(exact.at.time);
+    return {found.at.time, found.at.time / time - 1, detail::magnitude(found.at.centre + found.arm) - 1};
+}
+
+// It was found 12 % late: the sheltered flight's G′ was a difference of numbers of the size of β, whose rounding was
+// larger than the body's speed.
+TEST(SlowSearch, ABodyOfSpeedTenToTheMinusTwentyIsFoundAtTheWall) {
+    for (const double vx : {-1e-20, 1e-20}) {
+        const Compared c = compare({11, .49957939246289707, .01, vx, 0, 0, 0});
+        EXPECT_LE(std::abs(c.late), 1e-13);
+        EXPECT_LE(c.outside, 4e-16);
+    }
+}
+
+// From the swirl's centre the body moves straight on; the wall reaches the vertex within a turn or two of |y| = 1 − β,
+// which is known to some ε. A flight of 10⁹ turns and more ends at that turn: relative 10⁻⁸ for the shortest.
+TEST(SlowSearch, DrawnSlowBodiesAreFoundAtTheWallWhenTheyComeToIt) {
+    Random random(20261123);
+    double latest = 0, outside = 0, longest = 0;
+    constexpr int count = 80;
+    for (int i = 0; i < count; ++i) {
+        SlowCase c{random.one_of({3, 4, 5, 6, 7, 8, 11, 50}), random.between(0.05, 0.9), 0, 0, 0, 0, random.angle()};
+        c.beta = (1 - c.alpha) * random.between(0.01, 0.9);
+        const double speed = random.log_between(1e-60, 1e-10), direction = random.angle();
+        c.vx = speed * std::cos(direction);
+        c.vy = speed * std::sin(direction);
+        if (random.chance(0.7)) c.spin = random.sign() * speed * random.log_between(0.01, 3);
+        const Compared found = compare(c);
+        // Two turns of the swirl beside rounding: which of its passages touches is decided by the last digits of G.
+        const double allowed = 1e-13 + 4 * M_PI / found.time;
+        EXPECT_LE(std::abs(found.late), allowed)
+            << c.sides << " sides, alpha " << c.alpha << ", beta " << c.beta << ", v " << c.vx << ' ' << c.vy
+            << ", spin " << c.spin << ", angle " << c.angle;
+        latest = std::max(latest, std::abs(found.late) / allowed);
+        outside = std::max(outside, found.outside);
+        longest = std::max(longest, found.time);
+    }
+    std::printf("%d flights of at most %.1e: the contact at most %.2g of what is allowed off, %.2g outside\n", count,
+                longest, latest, outside);
+    EXPECT_LE(outside, 1e-14);
+    EXPECT_GT(longest, 1e40);
+}
+
+}  // namespace
+}  // namespace swirl

@@ -28,11 +28,12 @@ inline T sheltered_time_of(const Body<T>& body, const Flight<T>& flight, const I
     const Vec2<T> y = x + at.swirl;
     const Vec2<T> rate = flight.velocity + flight.spin * quarter_turned(vertex.arm);
     const T spin2 = flight.spin * flight.spin;
-    // G and G′ from g and g′, which of a vertex that leaves slowly are known to their own rounding. That of the sum for
-    // G′ is of the size of β, that of the product of the body's speed: the larger of the two is no less than G′ by more
-    // than the smaller rounding.
-    const T by_gap = vertex.gap.rate + T(2) * (dot(rate, at.swirl) + dot(x, quarter_turned(at.swirl)));
-    const Gap<T> gap{vertex.gap.value + T(2) * (body.beta + dot(x, at.swirl)), std::max(by_gap, T(T(2) * dot(y, rate))),
+    // G and G′ from g and g′, which of a vertex that leaves slowly are known to their own rounding. What is added to g′
+    // has that of β: for a slower vertex the product is known better.
+    const T slow_rate = T(2) * dot(y, rate);
+    const T rate_by_gap = vertex.gap.rate + T(2) * (dot(rate, at.swirl) + dot(x, quarter_turned(at.swirl)));
+    const bool is_slower = dot(rate, rate) < body.beta * body.beta;
+    const Gap<T> gap{vertex.gap.value + T(2) * (body.beta + dot(x, at.swirl)), is_slower ? slow_rate : rate_by_gap,
                      T(2) * (dot(rate, rate) - spin2 * dot(y, vertex.arm)), T(0)};
     if (!(gap.value < 0)) return T(0);
     const T third =

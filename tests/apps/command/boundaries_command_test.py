@@ -221,7 +221,7 @@ class Boundaries(InFolder):
                                 for point in other["points"]), 0.02 * 0.2)
 
     def test_a_record_of_curves_leads_to_all_of_them_again(self):
-        path, other = self.folder / "c.h5", f"{HEXAGON} --plane alpha=0.7:0.9 --plane beta=0.4:0.8"
+        path, other = self.folder / "c.h5", f"{HEXAGON} --plane alpha=0.76:0.84 --plane beta=0.5:0.7"
         curves = document(f"boundaries {other} --max-period 4 --lines 1 -o {path}")["curves"]
         kinds = set()
         for scene, first, record in ((BORDERS, self.borders["curves"], self.borders_record), (other, curves, path)):

@@ -5,7 +5,7 @@ import unittest
 from driving import InFolder, document, run
 
 #: Within chaos a last bit makes another orbit: with alpha = 0.46 a torus, with 0.45999999999999996 a fixed point.
-SCENE = "--sides 12 --alpha 0.46 --beta 0.748 --restitution 1 --seed 24"
+SCENE = "--sides 12 --alpha 0.46 --beta 0.748 --restitution 1 --seed 2"
 AROUND = SCENE.replace("--alpha 0.46", "--mu 0.8")
 SHORT = "--transient 1000 --collisions 1000"
 

@@ -17,6 +17,7 @@ def arguments():
     parser.add_argument("--font-size", metavar="POINTS", help="of the letters")
     parser.add_argument("--no-title", action="store_true", help="no title above")
     parser.add_argument("--xlim", metavar="A:B", help="range of the abscissa")
+    parser.add_argument("--caption", metavar="FILE", help="what the figure shows, in words, to a file of its own")
     parser.add_argument("--x", metavar="NAME", default="psi", help="of a section portrait")
     parser.add_argument("--y", metavar="NAME", default="S", help="of a section portrait")
     return parser.parse_args()
@@ -37,12 +38,18 @@ def main():
     fields = chosen_of(options)
     figures = script.load_figures()
 
+    look = figures.Look(**fields)
+
     def make():
         records = [figures.open_record(path) for path in options.record]
-        return figures.kind_of(records[0], options.kind), figures.draw(records, options.kind, figures.Look(**fields))
+        kind, figure = figures.kind_of(records[0], options.kind), figures.draw(records, options.kind, look)
+        return kind, figure, figures.caption.text_of(records, kind, look)
 
-    kind, figure = script.made_from(options.record, make)
+    kind, figure, caption = script.made_from(options.record, make)
     script.saved("figure", options.output, lambda: figures.save(figure, options.output))
+    if options.caption:
+        words = caption.encode("utf-8", errors="surrogateescape")
+        script.saved("caption", options.caption, lambda: figures.output.write_whole(words, options.caption))
     script.report(options, "figure", kind)
 
 

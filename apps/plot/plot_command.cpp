@@ -6,6 +6,8 @@ namespace {
 
 const scripts::ScriptOutput figure{
     "plot_record.py", "figure", "swirl plot", {".png", ".svg", ".pdf"}, "drawn by swirl plot"};
+const scripts::ScriptOutput words_of_it{
+    "plot_record.py", "caption", "swirl plot", {".txt", ".md"}, "drawn by swirl plot"};
 
 }  // namespace
 
@@ -26,9 +28,12 @@ const char* const plot_details =
   boundaries          boundaries: curves in two parameters and their special points; over the mode map of a sweep that is
                       given first
   sweep, join         modes: bands, a map or panels, by the number of parameters; of --sample its points; over two
-                      numbers of the start basins: the attractor that each start came to
+                      numbers of the start basins: the attractor that each start came to; with --track over one
+                      parameter attractors: share and mean S of each
   tradeoff            tradeoff: work against precision, how the verdict settles, what pieces of the model add
   describe, tour      steady-modes; tour
+--caption says what the figure shows in words: its title, all special points, also those that the figure leaves out where
+they would lie on one another, and the records.
 Several records: below one another, (a), (b), ...; section portraits in the same axes. Widths of columns by name: aps,
 aps-2, nature, nature-2, elsevier, elsevier-2. Figures narrower than 127 mm have their panels below one another.
 They are drawn by the Python package swirl_figures, which notebooks can use as well. The environment's SWIRL_FIGURES
@@ -37,21 +42,23 @@ names another folder that holds plot_record.py, SWIRL_PYTHON another interpreter
 Example:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 200 -o orbit.h5
   swirl plot orbit.h5 -o orbit.png
-  swirl plot orbit.h5 -o section.pdf --kind section --x psi --y vt --width aps --no-title)";
+  swirl plot orbit.h5 -o section.pdf --kind section --x psi --y vt --width aps --no-title --caption section.txt)";
 
 void PlotOptions::add_to(Flags& command) {
     files.add_to(command, figure, true);
     command.add_option("--kind", kind, "which figure, where there are several")
         ->type_name("NAME")
-        ->offer({"orbit", "spin", "path", "section", "balance", "contacts", "verdict", "shares", "recurrence",
-                 "spectrum", "lyapunov", "multipliers", "bifurcation", "boundaries", "basins", "modes", "tradeoff",
-                 "steady-modes", "tour"});
+        ->offer({"orbit",  "spin",       "path",     "section",  "balance",      "contacts",    "verdict",
+                 "shares", "recurrence", "spectrum", "lyapunov", "multipliers",  "bifurcation", "boundaries",
+                 "basins", "attractors", "modes",    "tradeoff", "steady-modes", "tour"});
     command.add_option("--width", width, "of the figure: millimetres, 3.4in, or a journal's column by name")
         ->type_name("WIDTH")
         ->offer({"aps", "aps-2", "nature", "nature-2", "elsevier", "elsevier-2"});
     command.add_option("--font-size", font_size, "of the letters, in points (default 9, in a column 8)")
         ->type_name("POINTS");
     command.add_flag("--no-title", no_title, "no title above: a paper's caption says it");
+    command.add_option("--caption", caption, "what the figure shows in words, with every special point: .txt, .md")
+        ->type_name("FILE");
     command.add_option("--xlim", xlim, "range of the abscissa")->type_name("A:B");
     command.add_option("--x", x, "of kind section: psi (default), chi, vn, vt or S")
         ->type_name("NAME")
@@ -70,6 +77,12 @@ int plot(PlotOptions& options) {
     scripts::add_argument(own, "x", options.x);
     scripts::add_argument(own, "y", options.y);
     if (options.no_title) own.emplace_back("--no-title");
+    if (!options.caption.empty()) {
+        scripts::ScriptFiles words = options.files;
+        words.output = options.caption;
+        scripts::check_output(words_of_it, words);
+        scripts::add_argument(own, "caption", options.caption);
+    }
     return scripts::run_script(figure, options.files, own);
 }
 

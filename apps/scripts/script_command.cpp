@@ -50,6 +50,13 @@ bool has_mark(const std::filesystem::path& output, const std::string& mark) {
     return content.find(mark) != std::string::npos;
 }
 
+/// A path that no parser takes for a flag.
+std::string as_word(const std::string& path) {
+    return path.starts_with('-') ? "./" + path : path;
+}
+
+}  // namespace
+
 void check_output(const ScriptOutput& kind, const ScriptFiles& files) {
     const std::filesystem::path output(files.output);
     if (std::find(kind.suffixes.begin(), kind.suffixes.end(), output.extension().string()) == kind.suffixes.end())
@@ -68,13 +75,6 @@ void check_output(const ScriptOutput& kind, const ScriptFiles& files) {
                         "--force",
                         kind.noun, files.output, kind.command));
 }
-
-/// A path that no parser takes for a flag.
-std::string as_word(const std::string& path) {
-    return path.starts_with('-') ? "./" + path : path;
-}
-
-}  // namespace
 
 void add_argument(std::vector<std::string>& arguments, const char* name, const std::string& value) {
     if (!value.empty()) arguments.push_back(fmt::format("--{}={}", name, value));

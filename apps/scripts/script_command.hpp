@@ -29,6 +29,10 @@ struct ScriptFiles {
     void add_to(Flags& command, const ScriptOutput& kind, bool several = false);
 };
 
+/// That the output may be made: its suffix, its folder, that it is no input, nor a file that the command did not make.
+/// @throws BadInput
+void check_output(const ScriptOutput& kind, const ScriptFiles& files);
+
 /// Checks what it can, then becomes the script; of a record without a checksum it runs it in a child process.
 ///   own  the command's own arguments, after those of the files
 /// @return the child's exit code @throws BadInput

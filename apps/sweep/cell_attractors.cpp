@@ -20,7 +20,7 @@ RunVerdict verdict_of(const RunResult& run) {
 
 }  // namespace
 
-std::vector<CellAttractor> cell_attractors(std::span<const RunResult> runs) {
+std::vector<CellAttractor> cell_attractors(std::span<const RunResult> runs, std::size_t cell) {
     std::vector<RunVerdict> verdicts;
     verdicts.reserve(runs.size());
     for (const RunResult& run : runs) verdicts.push_back(verdict_of(run));
@@ -28,24 +28,33 @@ std::vector<CellAttractor> cell_attractors(std::span<const RunResult> runs) {
     const auto all = static_cast<double>(runs.size());
     for (const SharedAttractor& shared : attractors_of(verdicts)) {
         const double share = static_cast<double>(shared.runs.size()) / all;
+        const std::size_t first = shared.runs.front();
         found.push_back(
-            {runs[shared.runs.front()], share, wilson_interval(share, all), shared.mean_spin, shared.mean_spin_error});
+            {runs[first], share, wilson_interval(share, all), shared.mean_spin, shared.mean_spin_error, first, cell});
     }
     return found;
 }
 
-Table<CellAttractor> cell_attractor_table() {
+Table<CellAttractor> cell_attractor_table(bool tracked) {
     using Row = CellAttractor;
+    using F = Field<Row>;
+    const auto cell = [](const Row& row) { return static_cast<std::int64_t>(row.cell); };
+    const auto track = [](const Row& row) { return row.track == no_track ? std::nullopt : std::optional(row.track); };
     return {{"attractor"},
-            {{"mode", [](const Row& row) { return mode_of(row.first); }},
+            {F{"cell", cell, "1", "place of its cell on the grid, the last axis fastest"}.record_only(),
+             F{"track", &Row::track, "1", "number of the attractor that it continues over the cells; -1: none"}
+                 .json_as(track)
+                 .when(tracked),
+             {"mode", [](const Row& row) { return mode_of(row.first); }},
              kind_field<Row>([](const Row& row) { return kind_of(row.first); }),
              {"outcome", [](const Row& row) { return static_cast<Outcome>(static_cast<int>(row.first.outcome)); }},
              period_field<Row>([](const Row& row) { return static_cast<std::int64_t>(row.first.period); }),
-             {"share", &Row::share},
-             {"share_low", [](const Row& row) { return row.interval.low; }},
-             {"share_high", [](const Row& row) { return row.interval.high; }},
-             {"mean_S", &Row::mean_spin},
-             {"mean_S_error", &Row::spin_error}}};
+             {"share", &Row::share, "1", "share of the cell's runs"},
+             {"share_low", [](const Row& row) { return row.interval.low; }, "1",
+              "from this share on, by Wilson's interval at 95 %"},
+             {"share_high", [](const Row& row) { return row.interval.high; }, "1", "up to this share"},
+             {"mean_S", &Row::mean_spin, "omega_s", "mean over its runs of the time mean of S"},
+             {"mean_S_error", &Row::spin_error, "omega_s", "its standard error over these runs"}}};
 }
 
 }  // namespace swirl::apps::sweep

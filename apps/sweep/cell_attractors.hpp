@@ -10,18 +10,25 @@
 
 namespace swirl::apps::sweep {
 
+/// Of an attractor that is followed over no cells.
+inline constexpr std::int64_t no_track = -1;
+
 struct CellAttractor {
     RunResult first;        ///< the earliest of its runs: mode, kind and period are theirs
     double share = 0;       ///< of the cell's runs
     Interval interval;      ///< Wilson's, 95 %
     double mean_spin = 0;   ///< mean over its runs of their mean S
     double spin_error = 0;  ///< its standard error over these runs alone, s/√n; NaN of one run
+    std::size_t run = 0;    ///< the number of `first` in its cell
+    std::size_t cell = 0;
+    std::int64_t track = no_track;  ///< see tracks.hpp
 };
 
 /// By attractors_of (apps/modes/attractors.hpp), the most shared first. An error within one attractor is that of its
 /// mean; across attractors there is none, for another sample would have other shares. Cost: runs × attractors.
-std::vector<CellAttractor> cell_attractors(std::span<const RunResult> runs);
+std::vector<CellAttractor> cell_attractors(std::span<const RunResult> runs, std::size_t cell = 0);
 
-Table<CellAttractor> cell_attractor_table();
+///   tracked  with `cell` (in a record) and `track`
+Table<CellAttractor> cell_attractor_table(bool tracked = false);
 
 }  // namespace swirl::apps::sweep

@@ -1,6 +1,7 @@
 // A sweep for people: a map in characters and the shares.
 #include "apps/output/write_table.hpp"
 #include "apps/sweep/sweep_command.hpp"
+#include "apps/sweep/tracks.hpp"
 
 #include <algorithm>
 
@@ -47,6 +48,16 @@ void print_basins(const Sweep& sweep) {
         fmt::print("  of {} of {} cells the verdict names no attractor\n", none, sweep.basins->of_cell.size());
 }
 
+/// Those over most cells.
+void print_tracks(const Sweep& sweep) {
+    constexpr std::size_t most = 20;
+    std::vector<Track> tracks = tracks_of(sweep);
+    const std::size_t all = tracks.size();
+    tracks.resize(std::min(all, most));
+    print_table(in_units(track_table(), sweep.units), tracks);
+    if (all > most) fmt::print("  and {} more, over fewer cells each\n", all - most);
+}
+
 }  // namespace
 
 void print_sweep(const Sweep& sweep) {
@@ -66,6 +77,7 @@ void print_sweep(const Sweep& sweep) {
     if (cells < cell_count(sweep.grid) && !sweep.shard)
         fmt::print("of a grid of {}; the others have the verdict of their neighbours\n", cell_count(sweep.grid));
     if (sweep.basins) print_basins(sweep);
+    if (!sweep.attractors.empty()) print_tracks(sweep);
 }
 
 }  // namespace swirl::apps::sweep

@@ -8,6 +8,7 @@
 #include "apps/record/posix_file.hpp"
 #include "apps/sweep/run_cells.hpp"
 #include "apps/sweep/starts.hpp"
+#include "apps/sweep/tracks.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -28,6 +29,9 @@ equations, with their shares of the runs: 0 of one that no start came to. A docu
 --refine LEVELS halves the steps of the grid so often where the verdicts (mode, kind, period of most runs) of neighbours
 differ; the record is that of the full grid, in which cells that were not looked at (`visited` 0) have their neighbour's
 results. --sample takes points that fill the box in place of a grid: Sobol's sequence, or a Latin hypercube by --seed.
+--track follows each attractor over the grid: a cycle of up to 64 impacts is carried to the next cell by Newton's method and
+is the attractor there to which it comes, if that one leads back to it; chaos, tori and motions on the wall are one where
+either cell has one of them. Attractors get a number, track, in document and record; `swirl plot` draws the shares by it.
 --shard i/n does the i-th of n parts; `swirl join` makes the record of the whole of them.
 
 Examples:
@@ -35,7 +39,8 @@ Examples:
   swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.1:1:4 --runs 2 -o sweep.h5
   swirl sweep --sides 6 --alpha 0.5 --beta 0.5 --mu 0.5 --restitution 0.95 --grid vx=-1:1:9 --grid vy=-1:1:9 -o basins.h5
   swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --grid law=poisson,newton,stronge --grid mu=0.1:1:4 --grid restitution=0.5:1:5
-  swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4 --refine 2 --collisions 500)";
+  swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4 --refine 2 --collisions 500
+  swirl sweep --sides 6 --alpha 0.5 --mu 0.5 --restitution 0.95 --grid beta=0.45:0.55:11 --runs 20 --track)";
 
 void SweepOptions::add_to(Flags& command) {
     scene.add_to(command);
@@ -51,6 +56,7 @@ void SweepOptions::add_to(Flags& command) {
     command.add_option("--sample", sample, "sobol:COUNT or latin:COUNT points in place of a grid")
         ->type_name("")
         ->offer({"sobol:", "latin:"});
+    command.add_flag("--track", track, "follow each attractor from cell to cell of a grid of random starts");
     command.add_option("--shard", shard, "i/n: the i-th of n shards of the cells, for swirl join")->type_name("");
     command.add_option("--runs", runs, "random starts in each cell (default 1)")
         ->type_name("R")
@@ -72,10 +78,19 @@ namespace {
 
 constexpr std::size_t most_results = 100'000'000;
 
+/// What a flag says of a parameter that the grid varies: the grid wins, but what is wrong is told.
+void check_beside(const std::string& flag, const GridAxis& axis) {
+    if (flag.empty()) return;
+    if (axis.has_words()) throw BadInput("--law and --grid law=… are both given: give one of them");
+    if (axis.name == "sides")
+        sides_from(flag);
+    else
+        number_from<double>(axis.name, flag);
+}
+
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     require_starts(options.start, grid, options.runs);
-    if (has_axis(grid, "law") && !options.scene.flag("law", "").empty())
-        throw BadInput("--law and --grid law=… are both given: give one of them");
+    for (const GridAxis& axis : grid) check_beside(options.scene.flag(axis.name, ""), axis);
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
     options.output.accuracy();  // a wrong name is told before any work
     const double results = static_cast<double>(cell_count(grid)) * static_cast<double>(options.runs);
@@ -85,6 +100,25 @@ void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
         const Scene<double> scene = cell_scene(options.scene, grid, c);
         flight_from(make_body(scene), cell_start(options.start, scene, grid, c, 0));
     }
+}
+
+/// Tracks lead from cell to cell of random starts that were all looked at.
+void require_trackable(const SweepOptions& options, const std::vector<GridAxis>& grid) {
+    const auto refuse = [](const char* other, const char* why) {
+        throw BadInput(fmt::format("{} and track are both given: {}", other, why));
+    };
+    if (!options.sample.empty()) refuse("sample", "a sample has no neighbours");
+    if (options.refine > 0) refuse("refine", "cells that are not looked at have no attractors of their own");
+    if (!options.shard.empty()) refuse("shard", "neighbours of its cells are in other shards");
+    if (starts_are_placed(grid)) refuse("a grid over the start", "its cells have one start each, and one attractor");
+}
+
+/// What is found from the results of all runs. False if interrupted.
+bool look_into_results(const SweepOptions& options, Sweep& sweep) {
+    if (!find_steady_modes(options, sweep)) return false;
+    if (options.track && !track_attractors(options, sweep)) return false;
+    find_basins(sweep);
+    return true;
 }
 
 /// What can be known of the record before any work.
@@ -122,6 +156,7 @@ Sweep planned(SweepOptions& options) {
     if (!options.sample.empty()) form.sample = sample_from(options.sample);
     Sweep sweep;
     sweep.grid = grid_from(options.grid, form);
+    if (options.track) require_trackable(options, sweep.grid);
     sweep.runs = options.runs;
     sweep.units = options.scene.units();
     check_all(options, sweep.grid);
@@ -163,14 +198,13 @@ int sweep(SweepOptions& options) {
             throw BadInput(error.what());
         }
         if (!options.output.quiet) tell(fmt::format("swirl: '{}' holds this sweep already", path));
-        if (!find_steady_modes(options, sweep)) return exit_interrupted;
-        find_basins(sweep);
+        if (!look_into_results(options, sweep)) return exit_interrupted;
     } else {
         std::vector<char> done(sweep.results.size(), 0);
         std::optional<SweepJournal> journal;
         if (!path.empty()) journal.emplace(path, sweep, done);
         const bool all =
-            run_all(options, sweep, done, journal ? &*journal : nullptr, hand_out) && find_steady_modes(options, sweep);
+            run_all(options, sweep, done, journal ? &*journal : nullptr, hand_out) && look_into_results(options, sweep);
         finish_up();
         if (!all) {
             if (journal && std::count(done.begin(), done.end(), 1) == 0) journal->remove();  // nothing to go on from
@@ -179,7 +213,6 @@ int sweep(SweepOptions& options) {
                                  std::count(done.begin(), done.end(), 1), done.size()));
             return exit_interrupted;
         }
-        find_basins(sweep);
         if (!path.empty()) {
             keep_sweep(options, sweep);
             journal->remove();

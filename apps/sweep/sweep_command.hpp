@@ -5,6 +5,7 @@
 #include "apps/command_line/output_options.hpp"
 #include "apps/modes/steady_shares.hpp"
 #include "apps/sweep/basins.hpp"
+#include "apps/sweep/cell_attractors.hpp"
 #include "apps/sweep/grid.hpp"
 #include "apps/sweep/sweep_results.hpp"
 
@@ -22,6 +23,7 @@ struct SweepOptions {
     std::string sample;  ///< sobol:COUNT, latin:COUNT; empty: a grid
     std::string shard;   ///< i/n; empty: all of it
     int refine = 0;      ///< levels; 0: the grid
+    bool track = false;  ///< attractors are followed from cell to cell
     std::int64_t runs = 1;
     analysis::ClassifyOptions settings;
 
@@ -45,10 +47,11 @@ struct Sweep {
     std::int64_t runs = 1;
     Settings settings;  ///< everything that the results depend on, in the order in which it is compared
     std::vector<RunResult> results;
-    std::vector<std::vector<SteadyShare>> steady;  ///< of each cell
-    std::vector<char> visited = {};                ///< 1 of the cells that were looked at; empty: all
-    std::optional<Basins> basins = {};             ///< of a grid over numbers of the start
-    std::optional<Shard> shard = {};               ///< whose cells they are
+    std::vector<std::vector<SteadyShare>> steady;             ///< of each cell
+    std::vector<char> visited = {};                           ///< 1 of the cells that were looked at; empty: all
+    std::optional<Basins> basins = {};                        ///< of a grid over numbers of the start
+    std::vector<std::vector<CellAttractor>> attractors = {};  ///< of each cell, where they are tracked
+    std::optional<Shard> shard = {};                          ///< whose cells they are
     std::optional<Units> units = {};
 
     std::span<const SteadyShare> steady_of(std::size_t cell) const {

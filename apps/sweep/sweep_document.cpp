@@ -127,8 +127,11 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
     const auto steady = [&sweep, table = steady_share_table()](JsonWriter& json, const Cell& cell) {
         write_rows(json, table, sweep.steady_of(cell.index), JsonLayout::line);
     };
-    const auto attractors = [&sweep, table = cell_attractor_table()](JsonWriter& json, const Cell& cell) {
-        write_rows(json, table, cell_attractors(sweep.cell(cell.index)), JsonLayout::line);
+    const bool tracked = !sweep.attractors.empty();
+    const auto attractors = [&sweep, tracked, table = cell_attractor_table(tracked)](JsonWriter& json,
+                                                                                     const Cell& cell) {
+        const auto& rows = tracked ? sweep.attractors[cell.index] : cell_attractors(sweep.cell(cell.index));
+        write_rows(json, table, rows, JsonLayout::line);
     };
     const auto runs = [&sweep, table = run_table()](JsonWriter& json, const Cell& cell) {
         write_rows(json, table, sweep.cell(cell.index), JsonLayout::line);
@@ -252,6 +255,11 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
         group.write<std::int64_t>("basin", axes, sweep.basins->of_cell,
                                   {"1", "place in the group basins; -1: none", {}});
         write_record(root.group("basins"), basin_table(), sweep.basins->basins);
+    }
+    if (!sweep.attractors.empty()) {
+        std::vector<CellAttractor> rows;
+        for (const auto& attractors : sweep.attractors) rows.insert(rows.end(), attractors.begin(), attractors.end());
+        write_record(root.group("attractors"), cell_attractor_table(true), rows);
     }
     record.finish();
 }

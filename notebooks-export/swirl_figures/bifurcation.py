@@ -4,6 +4,7 @@ import numpy
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
+from .caption import listed
 from .look import NARROW, LegendBelow, is_narrow, widen
 from .record import RecordError
 from .style import BLACK, BLUE, GREEN, MANY_POINTS, ORANGE, PURPLE, SKY, VERMILION
@@ -140,7 +141,7 @@ def _size_of_a_marker(axes, points):
             for length, (begin, end) in zip(size, (axes.get_xlim(), axes.get_ylim()))]
 
 
-def _draw_special(axes, record):
+def _draw_special(axes, record, look):
     parameter, spin = record.column("special", "parameter"), record.column("special", _observable(record)[0])
     kinds = record.names("special", "kind")
     if record.has("special", "located"):
@@ -150,6 +151,7 @@ def _draw_special(axes, record):
     scale = (1 if numpy.isfinite(spin).sum() <= 60 else 0.75) * (0.8 if is_narrow(axes.figure) else 1)
     near = _size_of_a_marker(axes, scale * _MARKER)
     limits = axes.axis()
+    drawn = numpy.zeros(len(kinds), dtype=bool)
     for kind in dict.fromkeys(kinds):
         of = kinds == kind
         plain = kind.split(",")[0]
@@ -158,11 +160,25 @@ def _draw_special(axes, record):
         x, y = numpy.repeat(parameter[of], spin.shape[1]), spin[of].ravel()
         shown = numpy.flatnonzero(numpy.isfinite(y))
         kept = shown[apart(x[shown], y[shown], *near)]
+        drawn[numpy.flatnonzero(of)[kept // spin.shape[1]]] = True
         axes.plot(x[kept], y[kept], ls="", zorder=4, **marker)
         count = f" ({len(kept)} of {len(shown)} drawn)" if len(kept) < len(shown) else ""
         handles.append(Line2D([], [], ls="", label=kind + count, **{**marker, "ms": marker["ms"] / scale}))
     axes.axis(limits)
+    look.notes.append(_listed_special(record, kinds, drawn))
     return handles
+
+
+def _listed_special(record, kinds, drawn):
+    """All special points by rising parameter, for a caption: their values at the first phase of each cycle."""
+    name, _ = _observable(record)
+    along = str(record.attributes("settings").get("along", "parameter"))
+    parameter, values = record.column("special", "parameter"), record.column("special", name)
+    first = values if values.ndim == 1 else values[:, 0]
+    rows = [(kinds[i], f"{parameter[i]:.10g}", f"{first[i]:.6g}", "" if drawn[i] else "left out where it would hide others")
+            for i in numpy.argsort(parameter, kind="stable")]
+    return listed(f"Special points, {len(rows)}, of which {int(drawn.sum())} are drawn:",
+                  ("kind", along, str(record.attributes("settings").get("observable", "S")), ""), rows)
 
 
 def _shown_values(record):
@@ -264,7 +280,7 @@ def draw_into(figure, record, look):
     if _has_branches(record):
         _draw_multiplier(panels[1], record, _curves(record))
     if "special" in record:
-        handles += _draw_special(panels[0], record)
+        handles += _draw_special(panels[0], record, look)
     parts.fill(handles, look)
     panels[-1].set_xlabel(axis_label(along))
     return [panels[0]]

@@ -4,6 +4,7 @@ import numpy
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import Normal, Stroke
 
+from .caption import listed
 from .look import LegendBelow
 from .mode_map import draw_cells, mode_handles, mode_style, sweep_title
 from .record import RecordError
@@ -97,9 +98,13 @@ def _named(curves, x, y):
     return points, apart(places[:, 0], places[:, 1], *_NAME)
 
 
-def _draw_special(axes, curves, x, y):
-    """All have a mark, small ones where they are not named."""
-    for (kind, a, b), named in zip(*_named(curves, x, y)):
+def _draw_special(axes, curves, x, y, look):
+    """All have a mark, small ones where they are not named; a caption lists them."""
+    points, are_named = _named(curves, x, y)
+    look.notes.append(listed(f"Special points, {len(points)}:", ("kind", x, y, ""),
+                             [(kind, f"{a:.10g}", f"{b:.10g}", "" if named else "marked, not named")
+                              for (kind, a, b), named in sorted(zip(points, are_named), key=lambda point: point[0][:2])]))
+    for (kind, a, b), named in zip(points, are_named):
         axes.plot(a, b, "o", ms=3.5 if named else 2, mfc="white", mec=BLACK, mew=0.8 if named else 0.5, zorder=4)
         if named:
             axes.annotate(_SHORT.get(kind, kind), (a, b), xytext=(3, 2), textcoords="offset points", size="xx-small",
@@ -136,7 +141,7 @@ def draw_into(figure, record, look):
     parts.fill(_handles(curves), look)
     axes = parts.above.subplots()
     _draw_curves(axes, curves, x, y)
-    _draw_special(axes, curves, x, y)
+    _draw_special(axes, curves, x, y, look)
     axes.set(xlim=curves.limits[x], ylim=curves.limits[y], xlabel=axis_label(x), ylabel=axis_label(y))
     return [axes]
 
@@ -171,6 +176,6 @@ def draw_over_map(figure, records, look):
     x, y = (axis.replace("-", "_") for axis in grid.axes)
     for curves in all_curves:
         _draw_curves(axes, curves, x, y)
-        _draw_special(axes, curves, x, y)
+        _draw_special(axes, curves, x, y, look)
     axes.set(xlim=limits[0], ylim=limits[1])
     return [axes]

@@ -4,8 +4,8 @@ import dataclasses
 from dataclasses import dataclass
 from typing import Callable
 
-from . import (balance, basins, bifurcation, boundaries, contacts, lyapunov, multipliers, orbit, path, recurrence, section, shares, spectrum,
-               spin, steady_modes, sweep, tour, tradeoff, verdict)
+from . import (attractors, balance, basins, bifurcation, boundaries, contacts, lyapunov, multipliers, orbit, path, recurrence, section,
+               shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
 from .look import Look, blank_figure, limit_abscissa
 from .record import RecordError, open_record
 from .style import styled_with
@@ -44,6 +44,7 @@ KINDS = {
     "balance": Kind(_simulate, balance.draw_into, balance.size),
     "contacts": Kind(contacts.has_contacts, contacts.draw_into, contacts.size),
     "basins": Kind(basins.has_basins, basins.draw_into, basins.size),
+    "attractors": Kind(attractors.has_tracks, attractors.draw_into, attractors.size),
     "modes": Kind(_with("sweep"), sweep.draw_into, sweep.size),
     "boundaries": Kind(boundaries.is_of_curves, boundaries.draw_into, boundaries.size),
     "bifurcation": Kind(bifurcation.is_diagram, bifurcation.draw_into, bifurcation.size),
@@ -124,7 +125,7 @@ _OF_ANY_HEIGHT = ("bifurcation", "multipliers")
 
 def _height(record, name, look):
     if name in _OF_ANY_HEIGHT:
-        return _draw_one(record, name, look).get_size_inches()[1]
+        return _draw_one(record, name, dataclasses.replace(look, notes=[])).get_size_inches()[1]  # tried, not shown
     return KINDS[name].size(record, look.width)[1]
 
 

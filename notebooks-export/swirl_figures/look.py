@@ -22,6 +22,7 @@ class Look:
     xlim: tuple = None       #: (least, most) of the abscissa
     x: str = "psi"           #: coordinates of a section portrait
     y: str = "S"
+    notes: list = dataclasses.field(default_factory=list, compare=False)  #: of its caption, filled as it is drawn
 
     @property
     def letters(self):
@@ -29,7 +30,8 @@ class Look:
         return self.font_size or (FONT_SIZE_OF_A_COLUMN if narrow else FONT_SIZE)
 
     def title(self, figure, text):
-        """Above the figure, broken where it is wider than that."""
+        """Above the figure, broken where it is wider than that; of a caption the first lines."""
+        self.notes.extend(text.split("\n"))
         if not self.titles:
             return
         width = figure.bbox.width / figure.figure.dpi

@@ -37,7 +37,7 @@ def _lowered(seconds, error, kept, decades):
 def _label_rung(axes, x, y, words, chosen, lowered=0):
     axes.annotate(words, (x, y), xytext=(9, -lowered), textcoords="offset points", fontsize="small", va="center",
                   color=VERMILION if chosen else "0.2", weight="bold" if chosen else "normal", clip_on=False,
-                  bbox={"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.85}, zorder=1)
+                  bbox={"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.85}, zorder=3)
 
 
 def _draw_precision(axes, record, recommended):

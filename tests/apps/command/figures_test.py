@@ -41,13 +41,14 @@ COMMANDS = {
     "families": "describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 1",
     "basins": f"sweep {CHAOTIC.replace('restitution 1', 'restitution 0.95')} --grid vx=-0.4:0.4:5 --grid spin=-1:1:4 --transient 100 "
               "--collisions 100",
+    "tracks": "sweep --sides 6 --alpha 0.5 --mu 0.5 --restitution 0.95 --grid beta=0.48:0.54:4 --runs 3 --track",
     "sweep": f"sweep --sides 6 --beta 0.5 --restitution 0.9 --alpha 0.4 --grid mu=0.1:0.9:3 --transient 100 --collisions 100",
 }
 #: Of seconds each: with --all alone.
 SLOW = {"tour": "tour", "tradeoff": f"tradeoff {HEXAGON} --budget 2"}
 KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
-            "basins": ["basins", "modes"], "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
+            "basins": ["basins", "modes"], "tracks": ["attractors", "modes"], "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
             "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}
 #: Drawn by plot_test.py, on a screen; here with --all alone.
 DRAWN_ELSEWHERE = {"orbit", "spin", "path", "modes", "bifurcation", "multipliers"}

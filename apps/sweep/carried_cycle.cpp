@@ -1,0 +1,67 @@
+#include "apps/sweep/carried_cycle.hpp"
+
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
+#include "analysis/cycles/stability.hpp"
+#include "apps/command_line/interruption.hpp"
+
+namespace swirl::apps::sweep {
+
+using analysis::CyclePoints;
+
+namespace {
+
+constexpr double closes = 1e-10;  // a cycle's residual, as in a diagram's branches
+constexpr double comes_again = 1e-8;
+constexpr double same_cycle = 1e-6;
+constexpr int most_halvings = 4;
+
+double between(double a, double b, double part) {
+    return a + part * (b - a);
+}
+
+Scene<double> scene_between(const Scene<double>& a, const Scene<double>& b, double part) {
+    Scene<double> scene = a;
+    scene.alpha = between(a.alpha, b.alpha, part);
+    scene.beta = between(a.beta, b.beta, part);
+    scene.mu = between(a.mu, b.mu, part);
+    scene.restitution = between(a.restitution, b.restitution, part);
+    scene.inertia_factor = between(a.inertia_factor, b.inertia_factor, part);
+    return scene;
+}
+
+/// A cycle's points in another scene; none if Newton's method does not lead there.
+CyclePoints solved_in(const Scene<double>& scene, Accuracy accuracy, const CyclePoints& from) {
+    const analysis::ShootingMap map = shooting_map_of(scene, accuracy);
+    const auto shot = analysis::solve_shooting(map, from, 0, closes);
+    if (!shot.converged) return {};
+    return analysis::minimal_cycle(map, shot.points, comes_again).size() == from.size() ? shot.points : CyclePoints{};
+}
+
+CyclePoints in_steps(const Scene<double>& from, const Scene<double>& to, Accuracy accuracy, int steps,
+                     CyclePoints points) {
+    for (int i = 1; i <= steps && !points.empty() && !is_interrupted(); ++i)
+        points = solved_in(i == steps ? to : scene_between(from, to, static_cast<double>(i) / steps), accuracy, points);
+    return points;
+}
+
+}  // namespace
+
+CarriedCycle carried(const Scene<double>& from, const Scene<double>& to, Accuracy accuracy, const CyclePoints& points) {
+    const analysis::ShootingMap home = shooting_map_of(from, accuracy);
+    for (int steps = 2; steps <= 1 << most_halvings && !is_interrupted(); steps *= 2) {
+        CarriedCycle there{in_steps(from, to, accuracy, steps, points)};
+        if (there.points.empty()) continue;
+        const CyclePoints back = in_steps(to, from, accuracy, steps, there.points);
+        if (back.empty() || !(analysis::distance_between(home, back, points) < same_cycle)) continue;
+        const auto shooting = analysis::shooting_residual(shooting_map_of(to, accuracy), there.points, 0);
+        if (!shooting.alive) continue;
+        there.mean_spin = shooting.integral / shooting.duration;
+        const auto multipliers = analysis::sorted_multipliers(analysis::monodromy(shooting));
+        there.stable = !multipliers.empty() && analysis::stability_of(multipliers) == analysis::Stability::stable;
+        return there;
+    }
+    return {};
+}
+
+}  // namespace swirl::apps::sweep

@@ -1,0 +1,228 @@
+#include "apps/command_line/interruption.hpp"
+#include "apps/command_line/parallel_pieces.hpp"
+#include "apps/modes/attractors.hpp"
+#include "apps/modes/name_mode.hpp"
+#include "apps/sweep/basins.hpp"
+#include "apps/sweep/carried_cycle.hpp"
+#include "apps/sweep/starts.hpp"
+#include "apps/sweep/tracks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace swirl::apps::sweep {
+
+namespace {
+
+bool is_cycle(const RunResult& run) {
+    using analysis::Kind;
+    const bool has_points =
+        kind_of(run) == Kind::fixed_point || kind_of(run) == Kind::cycle || kind_of(run) == Kind::landing;
+    return has_points && run.period <= static_cast<double>(longest_tracked);
+}
+
+/// An attractor of a cell, its number among those of all cells, and its points if it is a cycle.
+struct Node {
+    CellAttractor attractor;
+    std::size_t number = 0;
+    analysis::CyclePoints points;
+};
+
+struct TrackCell {
+    Scene<double> scene;
+    std::vector<Node> nodes;
+};
+
+TrackCell looked_at(const SweepOptions& options, const std::vector<GridAxis>& grid, std::size_t c,
+                    const std::vector<RunResult>& runs) {
+    TrackCell cell{cell_scene(options.scene, grid, c), {}};
+    const Accuracy accuracy = options.output.accuracy();
+    for (const CellAttractor& attractor : cell_attractors(runs, c)) {
+        cell.nodes.push_back({attractor, 0, {}});
+        if (!is_cycle(attractor.first) || is_interrupted()) continue;
+        const LabStart<double> start = cell_start(options.start, cell.scene, grid, c, attractor.run);
+        const auto verdict = name_mode(cell.scene, start, options.settings, accuracy, is_interrupted).verdict;
+        if (verdict.point.empty()) continue;
+        const auto size = static_cast<Eigen::Index>(verdict.point.size());
+        cell.nodes.back().points = analysis::orbit_from(shooting_map_of(cell.scene, accuracy),
+                                                        Eigen::Map<const Eigen::VectorXd>(verdict.point.data(), size),
+                                                        0, static_cast<int>(verdict.period));
+    }
+    return cell;
+}
+
+/// A cycle on its way: the place of its node in its cell, and the cell to which it is carried.
+struct Way {
+    std::size_t cell, place, to;
+};
+
+/// The cells, and which of their attractors are one. Nodes are added at the end of a cell, so that places stay.
+class Tracker {
+public:
+    explicit Tracker(std::vector<TrackCell> cells) : cells_(std::move(cells)) {
+        for (TrackCell& cell : cells_)
+            for (Node& node : cell.nodes) number(node);
+    }
+
+    const TrackCell& cell(std::size_t c) const { return cells_[c]; }
+
+    /// The ways to that cell of the cycles that are not known there.
+    void add_ways(std::size_t from, std::size_t to, std::size_t first_place, std::vector<Way>& ways) {
+        for (std::size_t i = first_place; i < cells_[from].nodes.size(); ++i) {
+            const Node& node = cells_[from].nodes[i];
+            const auto is_same = [&](const Node& other) { return is_one(node, other); };
+            if (!node.points.empty() && std::none_of(cells_[to].nodes.begin(), cells_[to].nodes.end(), is_same))
+                ways.push_back({from, i, to});
+        }
+    }
+
+    /// What a cycle came to there is one with it.
+    void arrive(const Way& way, const CarriedCycle& cycle, std::int64_t runs) {
+        if (cycle.points.empty()) return;
+        const Node from = cells_[way.cell].nodes[way.place];
+        for (const Node& node : cells_[way.to].nodes)
+            if (is_cycle(node.attractor.first) && node.attractor.first.period == from.attractor.first.period &&
+                std::abs(node.attractor.mean_spin - cycle.mean_spin) <=
+                    same_mean * std::max(1.0, std::abs(cycle.mean_spin)))
+                return unite(from, node);
+        if (!cycle.stable) return;
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        Node unseen{from.attractor, 0, cycle.points};
+        unseen.attractor.share = 0;
+        unseen.attractor.interval = wilson_interval(0, static_cast<double>(runs));
+        unseen.attractor.mean_spin = cycle.mean_spin;
+        unseen.attractor.spin_error = unknown;
+        unseen.attractor.cell = way.to;
+        number(unseen);
+        unite(from, unseen);
+        cells_[way.to].nodes.push_back(unseen);
+    }
+
+    /// What has no points to be carried.
+    void unite_others(std::size_t a, std::size_t b) {
+        for (const Node& node : cells_[a].nodes) {
+            const RunResult& run = node.attractor.first;
+            if (!has_attractor(run) || run.period > 0 || only_one_like(run, cells_[a]) != &node) continue;
+            if (const Node* other = only_one_like(run, cells_[b])) unite(node, *other);
+        }
+    }
+
+    /// All attractors, those that are one by one number.
+    std::vector<std::vector<CellAttractor>> numbered() {
+        std::map<std::size_t, std::int64_t> numbers;
+        std::vector<std::vector<CellAttractor>> all;
+        for (TrackCell& cell : cells_) {
+            all.emplace_back();
+            for (Node& node : cell.nodes) {
+                const auto next = static_cast<std::int64_t>(numbers.size());
+                if (has_attractor(node.attractor.first))
+                    node.attractor.track = numbers.emplace(first_of(node.number), next).first->second;
+                all.back().push_back(node.attractor);
+            }
+        }
+        return all;
+    }
+
+private:
+    void number(Node& node) {
+        node.number = earlier_.size();
+        earlier_.push_back(node.number);
+    }
+    std::size_t first_of(std::size_t number) const {
+        while (earlier_[number] != number) number = earlier_[number];
+        return number;
+    }
+    void unite(const Node& a, const Node& b) {
+        const auto [first, second] = std::minmax({first_of(a.number), first_of(b.number)});
+        earlier_[second] = first;
+    }
+    bool is_one(const Node& a, const Node& b) const { return first_of(a.number) == first_of(b.number); }
+
+    static const Node* only_one_like(const RunResult& run, const TrackCell& cell) {
+        const Node* found = nullptr;
+        for (const Node& node : cell.nodes) {
+            const RunResult& other = node.attractor.first;
+            if (other.mode != run.mode || other.kind != run.kind || other.outcome != run.outcome) continue;
+            if (found != nullptr) return nullptr;
+            found = &node;
+        }
+        return found;
+    }
+
+    std::vector<TrackCell> cells_;
+    std::vector<std::size_t> earlier_;  ///< of each node one that it is one with, itself if it is the first
+};
+
+/// Carries cycles on all threads, then lets them arrive in their order. False if interrupted.
+bool carry(const std::vector<Way>& ways, const SweepOptions& options, Tracker& tracker, std::int64_t runs) {
+    struct Piece {
+        Scene<double> from, to;
+        analysis::CyclePoints points;
+    };
+    auto pieces = std::make_shared<std::vector<Piece>>();  // an interrupted piece may use them to its end
+    for (const Way& way : ways)
+        pieces->push_back(
+            {tracker.cell(way.cell).scene, tracker.cell(way.to).scene, tracker.cell(way.cell).nodes[way.place].points});
+    std::vector<CarriedCycle> arrived(ways.size());
+    Progress progress("sweep: attractors from cell to cell", static_cast<double>(ways.size()), options.output.quiet);
+    const Accuracy accuracy = options.output.accuracy();
+    const bool all = run_pieces(ways.size(), options.output.threads, progress,
+                                [&arrived, pieces, accuracy](std::size_t i) -> KeepResult {
+                                    const Piece& piece = (*pieces)[i];
+                                    const CarriedCycle there = carried(piece.from, piece.to, accuracy, piece.points);
+                                    if (is_interrupted()) return {};
+                                    return [&arrived, i, there] { arrived[i] = there; };
+                                });
+    for (std::size_t i = 0; all && i < ways.size(); ++i) tracker.arrive(ways[i], arrived[i], runs);
+    return all;
+}
+
+/// To later cells, then those that have not arrived to earlier ones, and on from where they were unknown.
+bool follow_cycles(const SweepOptions& options, const Sweep& sweep, Tracker& tracker) {
+    const auto sides = neighbours(sweep.grid);
+    std::vector<std::size_t> begin(cell_count(sweep.grid), 0);  // the first place of each cell that is to be followed
+    for (bool grows = true; grows;) {
+        std::vector<std::size_t> end;
+        for (std::size_t c = 0; c < begin.size(); ++c) end.push_back(tracker.cell(c).nodes.size());
+        for (const bool onward : {true, false}) {
+            std::vector<Way> ways;
+            for (const auto& [a, b] : sides)
+                onward ? tracker.add_ways(a, b, begin[a], ways) : tracker.add_ways(b, a, begin[b], ways);
+            if (!carry(ways, options, tracker, sweep.runs)) return false;
+        }
+        begin = end;
+        grows = false;
+        for (std::size_t c = 0; c < begin.size(); ++c) grows = grows || tracker.cell(c).nodes.size() > begin[c];
+    }
+    return true;
+}
+
+}  // namespace
+
+bool track_attractors(const SweepOptions& options, Sweep& sweep) {
+    const std::size_t count = cell_count(sweep.grid);
+    std::vector<TrackCell> cells(count);
+    Progress progress("sweep: cycles of the cells", static_cast<double>(count), options.output.quiet);
+    // A piece that an interruption leaves alone may outlive the sweep: it has its own grid and runs.
+    const auto grid = std::make_shared<const std::vector<GridAxis>>(sweep.grid);
+    const auto results = std::make_shared<const std::vector<RunResult>>(sweep.results);
+    const auto look = [&options, &cells, grid, results, runs = sweep.runs](std::size_t c) -> KeepResult {
+        const auto first = results->begin() + static_cast<std::ptrdiff_t>(c) * runs;
+        auto cell = std::make_shared<TrackCell>(looked_at(options, *grid, c, {first, first + runs}));
+        if (is_interrupted()) return {};
+        return [&cells, c, cell] { cells[c] = std::move(*cell); };
+    };
+    const bool all = run_pieces(count, options.output.threads, progress, look);
+    if (!all) return false;
+    Tracker tracker(std::move(cells));
+    if (!follow_cycles(options, sweep, tracker)) return false;
+    for (const auto& [a, b] : neighbours(sweep.grid)) tracker.unite_others(a, b);
+    sweep.attractors = tracker.numbered();
+    return true;
+}
+
+}  // namespace swirl::apps::sweep

@@ -1,0 +1,43 @@
+// Attractors followed over the cells of a grid: which attractor of a cell is the continuation of which of its
+// neighbour's. A share over a parameter then belongs to an attractor, not to a place in a list.
+//
+// A cycle is carried to the neighbouring cells by Newton's method (carried_cycle.hpp). It is the attractor there that
+// has its period and mean S (`same_mean`). If none has, and the cycle attracts there, it is an attractor of that cell
+// that no start came to, with share 0, and is followed on. Chaos, tori, members of families and motions on the wall
+// have no points to be carried: they are one where either cell has exactly one attractor of that mode, kind and outcome
+// (so chaos before and after an interior crisis is).
+#pragma once
+
+#include "apps/sweep/cell_attractors.hpp"
+#include "apps/sweep/sweep_command.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace swirl::apps::sweep {
+
+/// Longer cycles have a track of their own in each cell.
+inline constexpr std::int64_t longest_tracked = 64;
+
+/// Neighbours whose attractors may be one's continuation: cells one step apart along an axis of real numbers (not N,
+/// not the law), the earlier cell first.
+std::vector<std::pair<std::size_t, std::size_t>> neighbours(const std::vector<GridAxis>& grid);
+
+/// Fills `sweep.attractors`: those of every cell, each with the number of its track; tracks are counted by their
+/// earliest cell. A verdict that names no attractor has none. False if interrupted.
+/// Cost: for each cycle of a cell one run more, and Newton's method to and from each neighbour.
+bool track_attractors(const SweepOptions& options, Sweep& sweep);
+
+/// A track, for people.
+struct Track {
+    CellAttractor first;     ///< in its earliest cell
+    std::int64_t cells = 0;  ///< that have it
+    double least_share = 1, largest_share = 0;
+    double least_spin = 0, largest_spin = 0;  ///< of the mean S
+};
+
+/// The one that most cells have first; of equally many that of the earlier cell.
+std::vector<Track> tracks_of(const Sweep& sweep);
+Table<Track> track_table();
+
+}  // namespace swirl::apps::sweep

@@ -1,0 +1,23 @@
+"""What a figure shows, in words for a paper's caption: the title, what the figure leaves out for want of room, and the
+records that it is drawn of."""
+
+from .output import MARK
+from .record import open_record
+
+#: A caption's file.
+SUFFIXES = (".txt", ".md")
+
+
+def text_of(records, kind, look):
+    """Of a figure that has been drawn with this look, whose `notes` it filled."""
+    lines = [f"Kind of figure: {kind}.", *look.notes]
+    for record in map(open_record, records):
+        lines.append(f"Record {record.path}, made by swirl {record.command}: {record.title}.")
+    return "\n".join([*lines, f"This figure was {MARK}."]) + "\n"
+
+
+def listed(heading, columns, rows):
+    """A table in aligned columns: [names, one text a cell]."""
+    widths = [max(len(str(cell)) for cell in column) for column in zip(columns, *rows)]
+    line = lambda cells: "  " + "  ".join(f"{cell:>{width}}" for cell, width in zip(cells, widths)).rstrip()
+    return "\n".join([heading, line(columns), *map(line, rows)])

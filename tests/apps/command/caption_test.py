@@ -1,0 +1,62 @@
+"""swirl plot --caption: what a figure shows, in words. caption_test.py SWIRL"""
+
+import re
+import unittest
+
+import h5py
+
+from driving import InFolder, run
+
+DIAGRAM = ("bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.3:0.9:40 --branches --transient 500 "
+           "--collisions 200")
+
+
+class Captions(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.record, self.words = self.folder / "d.h5", self.folder / "d.txt"
+        self.assertEqual(run(f"{DIAGRAM} --quiet -o {self.record}").returncode, 0)
+
+    def drawn(self, flags=""):
+        result = run(f"plot {self.record} -o {self.folder}/d.png --caption {self.words} --quiet {flags}")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return self.words.read_text()
+
+    def not_drawn(self, words, mention):
+        result = run(f"plot {self.record} -o {self.folder}/e.png --caption {words}")
+        self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), result.stderr)
+        self.assertIn(mention, result.stderr)
+        self.assertFalse((self.folder / "e.png").exists())
+
+    def test_every_special_point_is_listed_also_those_that_are_left_out(self):
+        with h5py.File(self.record) as record:
+            places = sorted(record["special/parameter"][:])
+        self.assertGreater(len(places), 3)
+        text = self.drawn()
+        all_points, drawn = map(int, re.search(r"Special points, (\d+), of which (\d+) are drawn", text).groups())
+        rows = re.findall(r"^ +(\S.*?) +(0\.\d+) +(\S+)(?: +(left out.*))?$", text, re.MULTILINE)
+        self.assertEqual([float(row[1]) for row in rows], [float(f"{place:.10g}") for place in places])
+        self.assertEqual(all_points, len(places))
+        self.assertEqual(sum(not row[3] for row in rows), drawn)
+        self.assertIn("hexagon, β = 0.5, μ = 0.5, e = 0.95", text)
+        self.assertIn(str(self.record), text)
+        narrow = self.drawn("--width 40 --no-title")
+        fewer = int(re.search(r"of which (\d+) are drawn", narrow).group(1))
+        self.assertTrue(0 < fewer <= drawn < all_points)  # a marker covers more of a narrow figure
+        self.assertIn("hexagon, β = 0.5", narrow)  # the title that the figure lacks
+
+    def test_a_file_that_swirl_did_not_write_stays(self):
+        self.words.write_text("my notes\n")
+        self.not_drawn(self.words, "d.txt")
+        self.assertEqual(self.words.read_text(), "my notes\n")
+        self.drawn("--force")
+        self.drawn()  # its own is replaced
+
+    def test_wrong_names(self):
+        for name, mention in (("d.doc", "suffix"), ("no/such/d.txt", "no/such"), ("d.h5", "suffix")):
+            with self.subTest(name):
+                self.not_drawn(self.folder / name, mention)
+
+
+if __name__ == "__main__":
+    unittest.main()

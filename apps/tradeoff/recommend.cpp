@@ -83,10 +83,12 @@ void recommend(Tradeoff& found) {
     for (const ArithmeticRung& row : found.rungs)
         if (row.rung->is_exact && !objection_to(row).empty())
             found.reason += fmt::format("{}: {}; ", row.rung->name, objection_to(row));
+    const std::string_view last = found.rungs.back().rung->name;
     if (best->flights)
-        found.reason += fmt::format("{} missed {} of {} contacts (below {:.1e} at 95 %), and its verdict is that of {}",
-                                    best->rung->name, best->flights->missed, best->flights->flights,
-                                    best->flights->missed_rate.most, found.rungs.back().rung->name);
+        found.reason += fmt::format("{} missed {} of {} contacts (below {:.1e} at 95 %), and {}", best->rung->name,
+                                    best->flights->missed, best->flights->flights, best->flights->missed_rate.most,
+                                    best->verdict_differs ? fmt::format("its verdict is that of {}", last)
+                                                          : "its orbit is too short to compare verdicts");
     else
         found.reason += fmt::format("{} is what the others are compared with", best->rung->name);
     found.advice = fmt::format("for a map over parameters use {}{}; for a cycle use {}{}", best->rung->name,

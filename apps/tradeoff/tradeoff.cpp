@@ -37,6 +37,11 @@ void follow_orbits(const Scene<double>& scene, const PostImpactState<double>& be
     }
 }
 
+/// Whether an orbit was long enough for a verdict.
+bool names_a_mode(const RungOrbit& orbit) {
+    return orbit.mode != analysis::Mode::undecided || orbit.outcome != Outcome::completed;
+}
+
 bool is_same_verdict(const RungOrbit& a, const RungOrbit& b) {
     return a.mode == b.mode && a.period == b.period && a.outcome == b.outcome;
 }
@@ -47,7 +52,7 @@ void compare_orbits(Tradeoff& found) {
         if (&row == &found.rungs.back() || !row.orbit || !last) continue;
         row.mean_spin_off = row.orbit->mean_spin - last->mean_spin;
         row.exponent_off = row.orbit->largest_exponent - last->largest_exponent;
-        row.verdict_differs = !is_same_verdict(*row.orbit, *last);
+        if (names_a_mode(*row.orbit) && names_a_mode(*last)) row.verdict_differs = !is_same_verdict(*row.orbit, *last);
     }
 }
 

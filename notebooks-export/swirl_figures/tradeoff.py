@@ -68,8 +68,8 @@ def _draw_precision(axes, record, recommended):
             _label_rung(axes, seconds[i], 3 * floor, words, chosen)
     axes.set(xscale="log", yscale="log", xlabel="seconds per collision", ylabel="error of one collision, against quad",
              title="Arithmetic: what digits cost")
-    if kept.any():
-        axes.set_ylim(floor, max(1e3 * floor, 30 * column("error_largest")[kept].max()))
+    if kept.any():  # with room above for the legend
+        axes.set_ylim(floor, max(1e3 * floor, column("error_largest")[kept].max() * 10 ** (0.2 * decades)))
     shown = seconds[seconds > 0]
     if len(shown):
         axes.set_xlim(0.5 * shown.min(), 40 * shown.max())

@@ -1,7 +1,9 @@
 """swirl plot --caption: what a figure shows, in words. caption_test.py SWIRL"""
 
 import re
+import tempfile
 import unittest
+from pathlib import Path
 
 import h5py
 
@@ -12,10 +14,16 @@ DIAGRAM = ("bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along a
 
 
 class Captions(InFolder):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.record = Path(folder.name) / "d.h5"
+        assert run(f"{DIAGRAM} --quiet -o {cls.record}").returncode == 0
+
     def setUp(self):
         super().setUp()
-        self.record, self.words = self.folder / "d.h5", self.folder / "d.txt"
-        self.assertEqual(run(f"{DIAGRAM} --quiet -o {self.record}").returncode, 0)
+        self.words = self.folder / "d.txt"
 
     def drawn(self, flags=""):
         result = run(f"plot {self.record} -o {self.folder}/d.png --caption {self.words} --quiet {flags}")

@@ -1,9 +1,10 @@
 """A figure for every record, and what may be chosen of it: figures_test.py SWIRL ROOT [--all]
 
 The package draws in this process (one for each figure takes seconds to begin). --all: every kind in every format, and a
-million points."""
+million points; with SWIRL_CONTACT_SHEET=FILE.png all of them on one sheet, to be looked at."""
 
 import json
+import os
 import sys
 import tempfile
 import time
@@ -12,6 +13,8 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import numpy
+from matplotlib.figure import Figure
+from matplotlib.image import imread
 
 from driving import InFolder, run
 
@@ -81,6 +84,17 @@ class WithRecords(unittest.TestCase):
         figure_records.write_boundaries(cls.records["curves"])
 
 
+def contact_sheet(pictures, path, columns=5):
+    rows = -(-len(pictures) // columns)
+    figure = Figure(figsize=(5 * columns, 3.6 * rows), layout="constrained")
+    for axes, picture in zip(figure.subplots(rows, columns).flat, pictures):
+        axes.imshow(imread(picture), interpolation="antialiased")
+        axes.set_title(picture.stem)
+    for axes in figure.axes:
+        axes.axis("off")
+    figure.savefig(path, dpi=60)
+
+
 class Names(WithRecords):
     def test_special_points_of_curves_are_named_where_names_do_not_lie_on_one_another(self):
         """Each that is not named lies beside one that is, of a kind that comes before or the same."""
@@ -118,6 +132,8 @@ class EveryRecord(WithRecords):
                 looks = [Look(width=length_of("aps"), titles=False), Look()]
                 for look in looks if ALL else looks[number % 2:][:1]:
                     self.check(name, kind, look, HEADS if ALL else [list(HEADS)[number % 3]])
+        if ALL and "SWIRL_CONTACT_SHEET" in os.environ:
+            contact_sheet(sorted(self.folder.glob("*.png")), os.environ["SWIRL_CONTACT_SHEET"])
 
     def check(self, name, kind, look, suffixes):
         figure = draw(self.records[name], kind, look)

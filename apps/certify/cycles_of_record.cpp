@@ -1,5 +1,6 @@
 #include "apps/certify/certified_orbit.hpp"
 #include "apps/command_line/errors.hpp"
+#include "apps/record/flag_text.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/system/letter.hpp"
 #include "apps/system/section_coordinates.hpp"
@@ -16,10 +17,7 @@ namespace {
 
 Scene<double> scene_of(const RecordReader& record) {
     Scene<double> scene;
-    const auto sides = record.attribute("/scene", "sides");
-    scene.sides = std::holds_alternative<std::string>(sides)
-                      ? sides_from(std::get<std::string>(sides))
-                      : sides_from(fmt::format("{}", record.attribute<std::int64_t>("/scene", "sides")));
+    scene.sides = sides_from(flag_text_of(record.attribute("/scene", "sides")).value_or(""));
     scene.alpha = record.attribute<double>("/scene", "alpha");
     scene.beta = record.attribute<double>("/scene", "beta");
     scene.mu = record.attribute<double>("/scene", "mu");

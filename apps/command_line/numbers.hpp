@@ -34,17 +34,14 @@ T number_from(const std::string& name, const std::string& text) {
     }
 }
 
+/// What stands from `begin` on, between separators: one piece more than there are of these, any of them empty.
+std::vector<std::string> pieces_of(const std::string& text, char separator, std::size_t begin = 0);
+
 /// Comma-separated numbers. @throws BadInput unless there are `count` of them
 template <class T>
 std::vector<T> numbers_from(const std::string& name, const std::string& text, std::size_t count) {
     std::vector<T> numbers;
-    std::size_t begin = 0;
-    while (true) {
-        const std::size_t comma = text.find(',', begin);
-        numbers.push_back(number_from<T>(name, text.substr(begin, comma - begin)));
-        if (comma == std::string::npos) break;
-        begin = comma + 1;
-    }
+    for (const std::string& piece : pieces_of(text, ',')) numbers.push_back(number_from<T>(name, piece));
     if (numbers.size() != count)
         throw BadInput(fmt::format("{} = '{}' has {} numbers; it takes {}", name, text, numbers.size(), count));
     return numbers;

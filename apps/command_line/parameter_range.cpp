@@ -17,17 +17,6 @@ constexpr long most_columns = 1'000'000;
     throw BadInput(fmt::format("{}: {}", text, why));
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts{""};
-    for (const char c : text) {
-        if (c == separator)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    return parts;
-}
-
 long count_from(const std::string& text, const std::string& count) {
     long value = 0;
     const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), value);
@@ -44,7 +33,7 @@ ParameterRange parameter_range_from(const std::string& text, bool counted, bool 
     const auto equals = text.find('=');
     if (text.empty()) throw BadInput(fmt::format("--{} is missing: {}", flag, wanted));
     if (equals == std::string::npos) refuse(named, wanted);
-    const auto parts = split(text.substr(equals + 1), ':');
+    const auto parts = pieces_of(text, ':', equals + 1);
     if (parts.size() != (counted ? 3U : 2U)) refuse(named, wanted);
     ParameterRange along;
     along.name = text.substr(0, equals);

@@ -1,5 +1,6 @@
 #include "apps/input/orbit_columns.hpp"
 
+#include "apps/command_line/number_checks.hpp"
 #include "apps/record/flag_text.hpp"
 #include "apps/record/record_reader.hpp"
 
@@ -8,8 +9,6 @@
 namespace swirl::apps {
 
 namespace {
-
-constexpr std::int64_t most_skipped = 1'000'000'000'000;  // simulate's
 
 Settings attributes_of(const RecordReader& record, const std::string& group) {
     Settings settings;
@@ -44,8 +43,8 @@ Settings in_order(const Settings& settings, const std::vector<std::string>& orde
 /// How many impacts a record leaves out. @throws BadInput if it says what simulate --skip can't
 std::int64_t skipped_impacts(const RecordReader& record, const std::string& file) {
     const auto skip = setting<std::int64_t>(attributes_of(record, "/settings"), "skip", 0);
-    if (skip < 0 || skip > most_skipped)
-        throw BadInput(fmt::format("record '{}': skip = {} is outside its range: 0 to {}", file, skip, most_skipped));
+    if (skip < 0 || skip > most_impacts)
+        throw BadInput(fmt::format("record '{}': skip = {} is outside its range: 0 to {}", file, skip, most_impacts));
     return skip;
 }
 

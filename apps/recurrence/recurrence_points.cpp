@@ -135,15 +135,10 @@ std::size_t values_in(const std::string& text) {
 }
 
 std::vector<std::string> observables_of(const std::string& text) {
-    std::vector<std::string> names;
-    std::size_t begin = 0;
-    while (true) {
-        const std::size_t comma = text.find(',', begin);
-        names.push_back(text.substr(begin, comma - begin));
-        if (names.back().empty()) throw BadInput(fmt::format("observable = '{}' has an empty name", text));
-        if (comma == std::string::npos) return names;
-        begin = comma + 1;
-    }
+    std::vector<std::string> names = pieces_of(text, ',');
+    if (std::find(names.begin(), names.end(), "") != names.end())
+        throw BadInput(fmt::format("observable = '{}' has an empty name", text));
+    return names;
 }
 
 RecurrencePoints main_points(RecurrenceOptions& options) {

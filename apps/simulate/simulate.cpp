@@ -80,14 +80,14 @@ void SimulateOptions::add_to(Flags& command) {
     output.add_to(command);
     command.add_option("--collisions", collisions, "follow K impacts (default 100)")
         ->type_name("K")
-        ->transform(whole_number(1, 1'000'000'000'000));
+        ->transform(whole_number(1, most_impacts));
     command.add_option("--time", time, "follow until time T, in 1/omega_s")->type_name("T");
     command.add_option("--skip", skip, "leave out the first K impacts")
         ->type_name("K")
-        ->transform(whole_number(0, 1'000'000'000'000));
+        ->transform(whole_number(0, most_impacts));
     command.add_option("--every", every, "list every K-th impact (default 1)")
         ->type_name("K")
-        ->transform(whole_number(1, 1'000'000'000'000));
+        ->transform(whole_number(1, most_impacts));
     command
         .add_option("--sample", sample,
                     "also x, y, angle and S at the multiples of DT, in flight and in contact: `samples`")

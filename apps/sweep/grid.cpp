@@ -32,23 +32,12 @@ long count_from(const std::string& text, const std::string& count) {
     return value;
 }
 
-/// What stands from `begin` on, between separators.
-std::vector<std::string> pieces_of(const std::string& text, std::size_t begin, char separator) {
-    std::vector<std::string> pieces;
-    while (begin <= text.size()) {
-        const auto end = std::min(text.find(separator, begin), text.size());
-        pieces.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return pieces;
-}
-
 /// NAME, A, B and, unless the cells are a sample, COUNT.
 std::vector<std::string> parts_of(const std::string& text, bool sampled) {
     const auto equals = text.find('=');
     const char* wanted = sampled ? "NAME=A:B is wanted, as --sample has the COUNT" : "NAME=A:B:COUNT is wanted";
     if (equals == std::string::npos) refuse(text, wanted);
-    std::vector<std::string> parts = pieces_of(text, equals + 1, ':');
+    std::vector<std::string> parts = pieces_of(text, ':', equals + 1);
     parts.insert(parts.begin(), text.substr(0, equals));
     if (parts.size() != (sampled ? 3U : 4U)) refuse(text, wanted);
     return parts;
@@ -86,7 +75,7 @@ GridAxis law_axis_from(const std::string& text, const GridForm& form, const std:
     if (text == "law") refuse(text, "law=NAME,NAME,... is wanted");
     if (form.levels > 0) refuse(text, "--refine halves steps, and there is nothing between two laws");
     std::vector<double> laws;
-    for (const std::string& word : pieces_of(text, text.find('=') + 1, ',')) {
+    for (const std::string& word : pieces_of(text, ',', text.find('=') + 1)) {
         const double law = law_number(text, word);
         if (std::find(laws.begin(), laws.end(), law) != laws.end()) refuse(text, word + " is given twice");
         laws.push_back(law);

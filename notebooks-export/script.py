@@ -92,6 +92,8 @@ def report(options, noun, kind):
             made = {noun: options.output, "kind": kind, "record": options.record[0]}
             if len(options.record) > 1:
                 made["records"] = options.record
+            if getattr(options, "caption", None):
+                made["caption"] = options.caption
             print(json.dumps(made))
         elif not options.quiet:
             print(f"{options.output}: {kind}")

@@ -57,6 +57,8 @@ CarriedCycle carried(const Scene<double>& from, const Scene<double>& to, Accurac
         const auto shooting = analysis::shooting_residual(shooting_map_of(to, accuracy), there.points, 0);
         if (!shooting.alive) continue;
         there.mean_spin = shooting.integral / shooting.duration;
+        for (const auto& z : there.points) there.mean_spin_per_impact += z.tail(1)[0];
+        there.mean_spin_per_impact /= static_cast<double>(there.points.size());
         const auto multipliers = analysis::sorted_multipliers(analysis::monodromy(shooting));
         there.stable = !multipliers.empty() && analysis::stability_of(multipliers) == analysis::Stability::stable;
         return there;

@@ -9,7 +9,8 @@ namespace swirl::apps::sweep {
 struct CarriedCycle {
     analysis::CyclePoints points;  ///< none: it was not carried, or not back to where it came from
     double mean_spin = 0;          ///< time mean of S
-    bool stable = false;           ///< all multipliers inside the unit circle
+    double mean_spin_per_impact = 0;
+    bool stable = false;  ///< all multipliers inside the unit circle
 };
 
 /// Carries the k points of a cycle to another scene with the same N and law, its minimal period kept, in 2ⁿ equal steps

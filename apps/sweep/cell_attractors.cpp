@@ -2,6 +2,7 @@
 
 #include "apps/modes/attractors.hpp"
 #include "apps/modes/mode_fields.hpp"
+#include "apps/system/section_coordinates.hpp"
 
 namespace swirl::apps::sweep {
 
@@ -29,8 +30,15 @@ std::vector<CellAttractor> cell_attractors(std::span<const RunResult> runs, std:
     for (const SharedAttractor& shared : attractors_of(verdicts)) {
         const double share = static_cast<double>(shared.runs.size()) / all;
         const std::size_t first = shared.runs.front();
-        found.push_back(
-            {runs[first], share, wilson_interval(share, all), shared.mean_spin, shared.mean_spin_error, first, cell});
+        found.push_back({runs[first],
+                         share,
+                         wilson_interval(share, all),
+                         shared.mean_spin,
+                         shared.mean_spin_error,
+                         first,
+                         cell,
+                         no_track,
+                         {}});
     }
     return found;
 }
@@ -39,6 +47,7 @@ Table<CellAttractor> cell_attractor_table(bool tracked) {
     using Row = CellAttractor;
     using F = Field<Row>;
     const auto cell = [](const Row& row) { return static_cast<std::int64_t>(row.cell); };
+    const auto point = [](const Row& row) { return row.point.empty() ? std::nullopt : std::optional(row.point); };
     const auto track = [](const Row& row) { return row.track == no_track ? std::nullopt : std::optional(row.track); };
     return {{"attractor"},
             {F{"cell", cell, "1", "place of its cell on the grid, the last axis fastest"}.record_only(),
@@ -54,7 +63,21 @@ Table<CellAttractor> cell_attractor_table(bool tracked) {
               "from this share on, by Wilson's interval at 95 %"},
              {"share_high", [](const Row& row) { return row.interval.high; }, "1", "up to this share"},
              {"mean_S", &Row::mean_spin, "omega_s", "mean over its runs of the time mean of S"},
-             {"mean_S_error", &Row::spin_error, "omega_s", "its standard error over these runs"}}};
+             {"mean_S_error", &Row::spin_error, "omega_s", "its standard error over these runs"},
+             F{"point", &Row::point, "", "a cycle's first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}
+                 .json_as(point)
+                 .along({"coordinate"}, polygon_dimension)
+                 .when(tracked)}};
+}
+
+Table<Tracking> tracking_table() {
+    using T = Tracking;
+    return {{},
+            {{"carried", &T::carried},
+             {"arrived", &T::arrived},
+             {"unseen", &T::unseen},
+             {"not_attracting", &T::not_attracting},
+             {"not_found", &T::not_found}}};
 }
 
 }  // namespace swirl::apps::sweep

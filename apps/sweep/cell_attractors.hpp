@@ -22,13 +22,25 @@ struct CellAttractor {
     std::size_t run = 0;    ///< the number of `first` in its cell
     std::size_t cell = 0;
     std::int64_t track = no_track;  ///< see tracks.hpp
+    std::vector<double> point;      ///< of a tracked cycle, its first state's section coordinates; else empty
 };
+
+/// How often cycles were carried to a neighbouring cell, and what they came to there.
+struct Tracking {
+    std::int64_t carried = 0;
+    std::int64_t arrived = 0;         ///< at an attractor of the cell
+    std::int64_t unseen = 0;          ///< attracts there, and no start came to it
+    std::int64_t not_attracting = 0;  ///< is there, and does not attract
+    /// No cycle there, or Newton's method failed, there or on the way back.
+    std::int64_t not_found() const { return carried - arrived - unseen - not_attracting; }
+};
+Table<Tracking> tracking_table();
 
 /// By attractors_of (apps/modes/attractors.hpp), the most shared first. An error within one attractor is that of its
 /// mean; across attractors there is none, for another sample would have other shares. Cost: runs × attractors.
 std::vector<CellAttractor> cell_attractors(std::span<const RunResult> runs, std::size_t cell = 0);
 
-///   tracked  with `cell` (in a record) and `track`
+///   tracked  with `cell` (in a record), `track` and `point`
 Table<CellAttractor> cell_attractor_table(bool tracked = false);
 
 }  // namespace swirl::apps::sweep

@@ -56,6 +56,11 @@ void print_tracks(const Sweep& sweep) {
     tracks.resize(std::min(all, most));
     print_table(in_units(track_table(), sweep.units), tracks);
     if (all > most) fmt::print("  and {} more, over fewer cells each\n", all - most);
+    const Tracking& t = sweep.tracking;
+    fmt::print(
+        "cycles were carried to a neighbour {} times: {} came to an attractor there, {} to one that no start showed, "
+        "{} do not attract there, {} were not found\n",
+        t.carried, t.arrived, t.unseen, t.not_attracting, t.not_found());
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ differ; the record is that of the full grid, in which cells that were not looked
 results. --sample takes points that fill the box in place of a grid: Sobol's sequence, or a Latin hypercube by --seed.
 --track follows each attractor over the grid: a cycle of up to 64 impacts is carried to the next cell by Newton's method and
 is the attractor there to which it comes, if that one leads back to it; chaos, tori and motions on the wall are one where
-either cell has one of them. Attractors get a number, track, in document and record; `swirl plot` draws the shares by it.
+each of the two cells has one of them. Attractors get a number, track, in document and record; `swirl plot` draws the shares by it.
 --shard i/n does the i-th of n parts; `swirl join` makes the record of the whole of them.
 
 Examples:
@@ -78,19 +78,18 @@ namespace {
 
 constexpr std::size_t most_results = 100'000'000;
 
-/// What a flag says of a parameter that the grid varies: the grid wins, but what is wrong is told.
-void check_beside(const std::string& flag, const GridAxis& axis) {
-    if (flag.empty()) return;
+/// What a flag says of a parameter that the grid varies: the grid wins, but a value that is none is told.
+void check_beside(const SweepOptions& options, const std::vector<GridAxis>& grid, const GridAxis& axis) {
+    if (options.scene.flag(axis.name, "").empty()) return;
     if (axis.has_words()) throw BadInput("--law and --grid law=… are both given: give one of them");
-    if (axis.name == "sides")
-        sides_from(flag);
-    else
-        number_from<double>(axis.name, flag);
+    std::vector<GridAxis> others = grid;
+    std::erase_if(others, [&](const GridAxis& other) { return other.name == axis.name; });
+    cell_scene(options.scene, others, 0);
 }
 
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     require_starts(options.start, grid, options.runs);
-    for (const GridAxis& axis : grid) check_beside(options.scene.flag(axis.name, ""), axis);
+    for (const GridAxis& axis : grid) check_beside(options, grid, axis);
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
     options.output.accuracy();  // a wrong name is told before any work
     const double results = static_cast<double>(cell_count(grid)) * static_cast<double>(options.runs);

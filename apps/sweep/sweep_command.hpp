@@ -51,7 +51,8 @@ struct Sweep {
     std::vector<char> visited = {};                           ///< 1 of the cells that were looked at; empty: all
     std::optional<Basins> basins = {};                        ///< of a grid over numbers of the start
     std::vector<std::vector<CellAttractor>> attractors = {};  ///< of each cell, where they are tracked
-    std::optional<Shard> shard = {};                          ///< whose cells they are
+    Tracking tracking = {};
+    std::optional<Shard> shard = {};  ///< whose cells they are
     std::optional<Units> units = {};
 
     std::span<const SteadyShare> steady_of(std::size_t cell) const {

@@ -6,6 +6,7 @@
 #include "apps/sweep/run_columns.hpp"
 #include "apps/sweep/starts.hpp"
 #include "apps/sweep/sweep_command.hpp"
+#include "apps/sweep/tracks.hpp"
 
 #include <algorithm>
 
@@ -204,6 +205,7 @@ void write_sweep_document(const Sweep& sweep) {
     print_document([&](JsonWriter& json) {
         if (sweep.units) write_json(json, "units", unit_settings(*sweep.units));
         if (sweep.basins) write_json(json, "basins", basin_table(), sweep.basins->basins);
+        if (!sweep.attractors.empty()) write_json(json, "tracking", tracking_table(), sweep.tracking);
         write_json(json, "cells", cell_table(sweep), visited_cells(sweep));
         write_json(json, "settings", sweep.settings);
     });
@@ -256,11 +258,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
                                   {"1", "place in the group basins; -1: none", {}});
         write_record(root.group("basins"), basin_table(), sweep.basins->basins);
     }
-    if (!sweep.attractors.empty()) {
-        std::vector<CellAttractor> rows;
-        for (const auto& attractors : sweep.attractors) rows.insert(rows.end(), attractors.begin(), attractors.end());
-        write_record(root.group("attractors"), cell_attractor_table(true), rows);
-    }
+    if (!sweep.attractors.empty()) write_attractors(root.group("attractors"), sweep);
     record.finish();
 }
 

@@ -20,9 +20,23 @@ namespace {
 
 bool is_cycle(const RunResult& run) {
     using analysis::Kind;
-    const bool has_points =
-        kind_of(run) == Kind::fixed_point || kind_of(run) == Kind::cycle || kind_of(run) == Kind::landing;
-    return has_points && run.period <= static_cast<double>(longest_tracked);
+    return kind_of(run) == Kind::fixed_point || kind_of(run) == Kind::cycle || kind_of(run) == Kind::landing;
+}
+
+bool is_carried(const RunResult& run) {
+    return is_cycle(run) && run.period <= static_cast<double>(longest_tracked);
+}
+
+bool agree(double a, double b) {
+    return std::abs(a - b) <= same_mean * std::max(1.0, std::abs(b));
+}
+
+/// Of a landing cycle S per impact counts chatter's rebounds otherwise than a verdict does.
+bool is_same_cycle(const CellAttractor& known, const CarriedCycle& cycle) {
+    return is_cycle(known.first) && known.first.period == static_cast<double>(cycle.points.size()) &&
+           agree(known.mean_spin, cycle.mean_spin) &&
+           (kind_of(known.first) == analysis::Kind::landing ||
+            agree(known.first.mean_spin_per_impact, cycle.mean_spin_per_impact));
 }
 
 /// An attractor of a cell, its number among those of all cells, and its points if it is a cycle.
@@ -43,7 +57,7 @@ TrackCell looked_at(const SweepOptions& options, const std::vector<GridAxis>& gr
     const Accuracy accuracy = options.output.accuracy();
     for (const CellAttractor& attractor : cell_attractors(runs, c)) {
         cell.nodes.push_back({attractor, 0, {}});
-        if (!is_cycle(attractor.first) || is_interrupted()) continue;
+        if (!is_carried(attractor.first) || is_interrupted()) continue;
         const LabStart<double> start = cell_start(options.start, cell.scene, grid, c, attractor.run);
         const auto verdict = name_mode(cell.scene, start, options.settings, accuracy, is_interrupted).verdict;
         if (verdict.point.empty()) continue;
@@ -82,19 +96,22 @@ public:
 
     /// What a cycle came to there is one with it.
     void arrive(const Way& way, const CarriedCycle& cycle, std::int64_t runs) {
+        ++tracking_.carried;
         if (cycle.points.empty()) return;
         const Node from = cells_[way.cell].nodes[way.place];
         for (const Node& node : cells_[way.to].nodes)
-            if (is_cycle(node.attractor.first) && node.attractor.first.period == from.attractor.first.period &&
-                std::abs(node.attractor.mean_spin - cycle.mean_spin) <=
-                    same_mean * std::max(1.0, std::abs(cycle.mean_spin)))
+            if (is_same_cycle(node.attractor, cycle)) {
+                ++tracking_.arrived;
                 return unite(from, node);
+            }
+        ++(cycle.stable ? tracking_.unseen : tracking_.not_attracting);
         if (!cycle.stable) return;
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
         Node unseen{from.attractor, 0, cycle.points};
         unseen.attractor.share = 0;
         unseen.attractor.interval = wilson_interval(0, static_cast<double>(runs));
-        unseen.attractor.mean_spin = cycle.mean_spin;
+        unseen.attractor.mean_spin = unseen.attractor.first.mean_spin = cycle.mean_spin;
+        unseen.attractor.first.mean_spin_per_impact = cycle.mean_spin_per_impact;
         unseen.attractor.spin_error = unknown;
         unseen.attractor.cell = way.to;
         number(unseen);
@@ -102,11 +119,14 @@ public:
         cells_[way.to].nodes.push_back(unseen);
     }
 
-    /// What has no points to be carried.
+    const Tracking& tracking() const { return tracking_; }
+
+    /// What has no points to be carried, and landing cycles that could not be.
     void unite_others(std::size_t a, std::size_t b) {
         for (const Node& node : cells_[a].nodes) {
             const RunResult& run = node.attractor.first;
-            if (!has_attractor(run) || run.period > 0 || only_one_like(run, cells_[a]) != &node) continue;
+            const bool has_points = is_cycle(run) && kind_of(run) != analysis::Kind::landing;
+            if (!has_attractor(run) || has_points || only_one_like(run, cells_[a]) != &node) continue;
             if (const Node* other = only_one_like(run, cells_[b])) unite(node, *other);
         }
     }
@@ -121,6 +141,10 @@ public:
                 const auto next = static_cast<std::int64_t>(numbers.size());
                 if (has_attractor(node.attractor.first))
                     node.attractor.track = numbers.emplace(first_of(node.number), next).first->second;
+                if (!node.points.empty()) {
+                    const Eigen::VectorXd& first = node.points.front();
+                    node.attractor.point.assign(first.data(), first.data() + first.size());
+                }
                 all.back().push_back(node.attractor);
             }
         }
@@ -146,7 +170,9 @@ private:
         const Node* found = nullptr;
         for (const Node& node : cell.nodes) {
             const RunResult& other = node.attractor.first;
-            if (other.mode != run.mode || other.kind != run.kind || other.outcome != run.outcome) continue;
+            const bool is_like = other.mode == run.mode && other.kind == run.kind && other.outcome == run.outcome &&
+                                 other.period == run.period;
+            if (!is_like) continue;
             if (found != nullptr) return nullptr;
             found = &node;
         }
@@ -154,6 +180,7 @@ private:
     }
 
     std::vector<TrackCell> cells_;
+    Tracking tracking_;
     std::vector<std::size_t> earlier_;  ///< of each node one that it is one with, itself if it is the first
 };
 
@@ -222,6 +249,7 @@ bool track_attractors(const SweepOptions& options, Sweep& sweep) {
     if (!follow_cycles(options, sweep, tracker)) return false;
     for (const auto& [a, b] : neighbours(sweep.grid)) tracker.unite_others(a, b);
     sweep.attractors = tracker.numbered();
+    sweep.tracking = tracker.tracking();
     return true;
 }
 

@@ -1,6 +1,8 @@
 #include "apps/sweep/tracks.hpp"
 
 #include "apps/modes/mode_fields.hpp"
+#include "apps/output/write_table.hpp"
+#include "apps/system/section_coordinates.hpp"
 
 #include <fmt/format.h>
 
@@ -22,6 +24,14 @@ std::vector<std::pair<std::size_t, std::size_t>> neighbours(const std::vector<Gr
         }
     }
     return sides;
+}
+
+void write_attractors(const RecordGroup& group, const Sweep& sweep) {
+    std::vector<CellAttractor> rows;
+    for (const auto& attractors : sweep.attractors) rows.insert(rows.end(), attractors.begin(), attractors.end());
+    group.dimension("coordinate", polygon_dimension);
+    write_attributes(group, tracking_table(), sweep.tracking);
+    write_record(group, cell_attractor_table(true), rows);
 }
 
 std::vector<Track> tracks_of(const Sweep& sweep) {

@@ -4,8 +4,9 @@
 // A cycle is carried to the neighbouring cells by Newton's method (carried_cycle.hpp). It is the attractor there that
 // has its period and mean S (`same_mean`). If none has, and the cycle attracts there, it is an attractor of that cell
 // that no start came to, with share 0, and is followed on. Chaos, tori, members of families and motions on the wall
-// have no points to be carried: they are one where either cell has exactly one attractor of that mode, kind and outcome
-// (so chaos before and after an interior crisis is).
+// have no points to be carried: they are one where each of the two cells has exactly one attractor of that mode, kind,
+// period and outcome (so chaos before and after an interior crisis is); so are landing cycles that could not be
+// carried, for those that leave at u_n = 0 lie on the edge of the map.
 #pragma once
 
 #include "apps/sweep/cell_attractors.hpp"
@@ -27,6 +28,9 @@ std::vector<std::pair<std::size_t, std::size_t>> neighbours(const std::vector<Gr
 /// earliest cell. A verdict that names no attractor has none. False if interrupted.
 /// Cost: for each cycle of a cell one run more, and Newton's method to and from each neighbour.
 bool track_attractors(const SweepOptions& options, Sweep& sweep);
+
+/// The cells' attractors as rows of a record, and how often cycles were carried as attributes. @throws RecordError
+void write_attractors(const RecordGroup& group, const Sweep& sweep);
 
 /// A track, for people.
 struct Track {

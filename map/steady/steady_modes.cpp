@@ -82,19 +82,13 @@ void search_curve(Search& search, SteadyBranch branch, Interval interval, bool s
     for (const auto& [tau, j] : whole.found) search.candidates.push_back({branch, j, tau, chi_of(tau), slides});
 }
 
-bool is_searched(const SteadyOptions& options, SteadyBranch branch) {
-    return branch == SteadyBranch::plus || !options.attracting;
-}
-
 void search_sticking(Search& search) {
     const Scene<double>& scene = search.scene;
     const auto spin_at = [&](const SteadyGeometry<double>& at, double tau) { return sticking_spin(scene, at, tau); };
-    for (const StickingCurve& curve : sticking_curves(scene, search.options.longest_flight)) {
-        if (!is_searched(search.options, curve.branch)) continue;
+    for (const StickingCurve& curve : sticking_curves(scene, search.options.longest_flight))
         search_curve(
             search, curve.branch, {curve.from, curve.to}, false, [&](double tau) { return chi_at(scene, curve, tau); },
             spin_at);
-    }
 }
 
 /// The lines χ = `chi` over all τ.
@@ -102,7 +96,6 @@ template <class SpinAt>
 void search_line(Search& search, double chi, bool slides, const SpinAt& spin_at) {
     for (const SteadyBranch branch : {SteadyBranch::plus, SteadyBranch::minus}) {
         if (search.scene.beta == 0 && branch == SteadyBranch::minus) continue;  // the same
-        if (!is_searched(search.options, branch)) continue;
         if (!(geometry_at(search.scene, branch, chi).radius > 0)) continue;
         // The line begins at j = 0, τ = 0, where the impact vanishes; roots of j = 0 near it (e → 1) need closer looks.
         const double longest = search.options.longest_flight, shorter = std::min(short_flight, longest);

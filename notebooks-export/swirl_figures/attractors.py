@@ -4,6 +4,7 @@ its mean S, as curves. A dot is a cell; a line joins cells side by side that hav
 import numpy
 from matplotlib.lines import Line2D
 
+from .caption import listed
 from .look import LegendBelow
 from .mode_map import sweep_title
 from .record import RecordError
@@ -65,6 +66,14 @@ def _draw(axes, track, points, values, colour, big):
     axes.plot(points[track.cells], values, "o", ms=3.5 if big else 2, color=colour, mec="none")
 
 
+def _listed_tracks(tracks, named):
+    """For a caption: all attractors."""
+    rows = [(track.label.split(",")[0], len(track.cells), f"{track.share.min():.4g}", f"{track.share.max():.4g}",
+             f"{track.spin.min():.6g}", f"{track.spin.max():.6g}", "" if i < named else "in grey")
+            for i, track in enumerate(tracks)]
+    return listed(f"Attractors, {len(tracks)}:", ("", "cells", "share from", "to", "mean S from", "to", ""), rows)
+
+
 def draw_into(figure, record, look):
     grid = record.derived(SweepGrid)
     points = grid.points[grid.axes[0]]
@@ -75,6 +84,7 @@ def draw_into(figure, record, look):
     if len(tracks) > len(handles):
         handles.append(Line2D([], [], marker="o", ms=4, color=GREY, label=f"{len(tracks) - len(handles)} more, over fewer cells"))
     look.title(figure, sweep_title(grid))
+    look.notes.append(_listed_tracks(tracks, len(handles) - (len(tracks) > _MOST_NAMED)))
     parts = LegendBelow(figure)
     parts.fill(handles, look)
     above, below = parts.above.subplots(2, 1, sharex=True, height_ratios=(3, 2))

@@ -4,13 +4,20 @@ records that it is drawn of."""
 from .output import MARK
 from .record import open_record
 
-#: A caption's file.
-SUFFIXES = (".txt", ".md")
+#: What titles write as formulas.
+_PLAIN = ((r"\langle ", "⟨"), (r" \rangle", "⟩"), (r"\omega_s", "ω_s"), (r"\omega_p", "ω_p"), (r"\tau", "τ"), (r"\leq", "≤"),
+          (r"\lambda", "λ"), ("$", ""))
+
+
+def _in_words(note):
+    for formula, word in _PLAIN:
+        note = note.replace(formula, word)
+    return note
 
 
 def text_of(records, kind, look):
     """Of a figure that has been drawn with this look, whose `notes` it filled."""
-    lines = [f"Kind of figure: {kind}.", *look.notes]
+    lines = [f"Kind of figure: {kind}.", *map(_in_words, look.notes)]
     for record in map(open_record, records):
         lines.append(f"Record {record.path}, made by swirl {record.command}: {record.title}.")
     return "\n".join([*lines, f"This figure was {MARK}."]) + "\n"

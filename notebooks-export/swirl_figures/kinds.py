@@ -142,6 +142,7 @@ def _draw_below_one_another(records, names, look):
     figure = blank_figure(width, sum(heights))
     parts = figure.subfigures(len(records), 1, height_ratios=heights, squeeze=False)[:, 0]
     for letter, part, record, name in zip("abcdefgh", parts, records, names):
+        look.notes.append(f"({letter})")
         limit_abscissa(KINDS[name].draw_into(part, record, look), look, name)
         _see_through(part)
         part.text(0.004, 0.995, f"({letter})", va="top", ha="left", weight="bold")

@@ -216,6 +216,18 @@ void compare_attracting(long scenes, std::uint64_t seed) {
 TEST(SteadyAttracting, TheQuickSearchFindsThem) {
     compare_attracting(tests::sample_count(40), 11);
 }
+/// At small e a few attract on the − branch: a triangle's fixed point of S = −0.354871936, multiplier 0.679.
+TEST(SteadyAttracting, TheQuickSearchFindsOneOnTheMinusBranch) {
+    const Scene<double> scene{3, 0.6425, 0.1945, 0.2279, 0.01, Law::poisson, uniform_inertia_factor<double>(3)};
+    SteadyOptions quick;
+    quick.longest_flight = longest_attracting_flight;
+    quick.attracting = true;
+    std::vector<SteadyMode> found = steady_modes(scene, quick).modes;
+    std::erase_if(found, [](const SteadyMode& mode) { return !attracts(mode); });
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.front().branch, SteadyBranch::minus);
+    EXPECT_NEAR(found.front().spin, -0.35487193612986, 1e-12);
+}
 TEST(SteadyAttractingNightly, TheQuickSearchFindsThemInFiveThousandScenes) {
     compare_attracting(5000, 12);
 }

@@ -56,6 +56,13 @@ class Captions(InFolder):
         self.drawn("--force")
         self.drawn()  # its own is replaced
 
+    def test_the_figure_itself_is_no_caption(self):
+        (self.folder / "e.png").symlink_to("d.txt")
+        result = run(f"plot {self.record} -o {self.folder}/e.png --caption {self.words}")
+        self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), result.stderr)
+        self.assertIn("is the figure itself", result.stderr)
+        self.assertFalse(self.words.exists())
+
     def test_wrong_names(self):
         for name, mention in (("d.doc", "suffix"), ("no/such/d.txt", "no/such"), ("d.h5", "suffix")):
             with self.subTest(name):

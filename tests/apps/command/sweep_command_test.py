@@ -112,11 +112,12 @@ class Refined(InFolder):
         self.assertEqual(whole.read_bytes(), cut.read_bytes())
 
     def test_what_is_wrong_beside_the_grid_is_told(self):
-        """The grid wins over a flag for its parameter, but a word is none."""
-        for flags, grid in (("--sides 6 --alpha nine", "alpha=0.2:0.3:2"), ("--sides six --alpha 0.4", "sides=3:4:2")):
+        """The grid wins over a flag for its parameter, but not over what is none."""
+        for flags, grid, value in (("--sides 6 --alpha nine", "alpha=0.2:0.3:2", "nine"), ("--sides 6 --alpha 9", "alpha=0.2:0.3:2", "9"),
+                                   ("--sides 6 --alpha nan", "alpha=0.2:0.3:2", "nan"), ("--sides six --alpha 0.4", "sides=3:4:2", "six")):
             result = run(f"sweep {flags} --beta 0.5 --mu 0.5 --restitution 0.95 --grid {grid}")
             self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), result.stderr)
-            self.assertIn(flags.split()[1 if "six" in flags else 3], result.stderr)
+            self.assertIn(value, result.stderr)
 
     def test_what_cannot_be_refined_is_refused(self):
         for flags, mention in (("--grid sides=3:6:4 --refine 1", "whole"), ("--grid alpha=0.3:0.3:1 --refine 1", "COUNT"),

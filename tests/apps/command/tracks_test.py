@@ -97,6 +97,27 @@ class Tracks(Refusing):
         self.assertEqual((other.returncode, other.stdout), (2, ""))
         self.assertIn("another track", other.stderr)
 
+    def test_families_and_landing_cycles_are_one_where_each_cell_has_one(self):
+        """At e = 0 impacts leave with u_n = 0: Newton's method does not carry such a cycle, which is told."""
+        families = document("sweep --sides disk --alpha 0.4 --restitution 1 --beta 0.5 --grid mu=0.3:0.5:3 --runs 2 --track")
+        self.assertEqual([(a["kind"], a["track"]) for cell, a in attractors(families)], [("family", 0)] * 3)
+        landing = document("sweep --sides 3 --beta 0.4983 --mu 0.6153 --restitution 0 --grid alpha=0.7293:0.7327:3 --runs 2 "
+                           "--transient 500 --collisions 200 --track")
+        self.assertEqual([(a["kind"], a["period"], a["track"]) for cell, a in attractors(landing)], [("landing", 3, 0)] * 3)
+        counts = landing["tracking"]
+        self.assertEqual(counts["carried"], sum(counts[key] for key in ("arrived", "unseen", "not_attracting", "not_found")))
+        self.assertGreater(counts["not_found"], 0)
+
+    def test_a_cycle_that_no_start_came_to_attracts_from_its_point(self):
+        unseen = [(cell, a) for cell, a in attractors(self.line) if a["share"] == 0]
+        cell, attractor = unseen[0]
+        point = ",".join(map(repr, attractor["point"]))
+        beta = cell["parameters"]["beta"]
+        alone = document(f"classify {HEXAGON} --beta {beta} --point={point} --transient 500 --collisions 200")
+        self.assertEqual((alone["kind"], alone["period"]), (attractor["kind"], attractor["period"]))
+        self.assertAlmostEqual(alone["mean_S"], attractor["mean_S"], delta=1e-9)
+        self.assertEqual(self.line["tracking"]["unseen"], len(unseen))
+
     def test_cells_that_have_no_neighbours_are_refused(self):
         for flags, mention in (("--grid beta=0.4:0.5:2 --refine 1", "refine and track"),
                                ("--grid beta=0.4:0.5 --sample sobol:4", "sample and track"),

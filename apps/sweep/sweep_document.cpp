@@ -205,7 +205,10 @@ void write_sweep_document(const Sweep& sweep) {
     print_document([&](JsonWriter& json) {
         if (sweep.units) write_json(json, "units", unit_settings(*sweep.units));
         if (sweep.basins) write_json(json, "basins", basin_table(), sweep.basins->basins);
-        if (!sweep.attractors.empty()) write_json(json, "tracking", tracking_table(), sweep.tracking);
+        if (!sweep.attractors.empty()) {
+            json.key("tracking");
+            write_object(json, tracking_table(), sweep.tracking);
+        }
         write_json(json, "cells", cell_table(sweep), visited_cells(sweep));
         write_json(json, "settings", sweep.settings);
     });

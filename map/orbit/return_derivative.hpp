@@ -37,19 +37,19 @@ inline long most_steps_beside(const ReturnStep<double>& known) {
 
 /// The coordinates in which a state in contact can differ: a disk has no χ; a moving edge turns as one piece, S = u_t;
 /// an edge at rest has ψ only.
-inline int contact_freedom(const ContactScene& scene, const ChatterCompletion& completion) {
+inline int contact_freedom(const ContactScene<double>& scene, const ChatterCompletion<double>& completion) {
     if (completion.support == Support::rim) return 3;
     if (completion.support == Support::vertex) return 4;
     return rests_still(scene, completion) ? 1 : 2;
 }
 
-inline Eigen::Vector4d contact_vector(const ChatterCompletion& completion, const ContactState& s) {
+inline Eigen::Vector4d contact_vector(const ChatterCompletion<double>& completion, const ContactState<double>& s) {
     if (completion.support == Support::vertex) return {s.psi, s.ut, s.spin, s.chi};
     return {s.psi, s.ut, s.spin, 0};
 }
 
-inline ContactState moved_by(const ChatterCompletion& completion, int coordinate, double h) {
-    ContactState s = completion.state;
+inline ContactState<double> moved_by(const ChatterCompletion<double>& completion, int coordinate, double h) {
+    ContactState<double> s = completion.state;
     if (coordinate == 0) s.psi += h;
     if (coordinate == 1) s.ut += h;
     if (coordinate == 2) s.spin += h;
@@ -64,7 +64,8 @@ inline double wrapped(double angle) {
 
 /// A landing on a vertex whose neighbour comes to rest at once counts as one on their edge: the rocking between ends
 /// within rounding.
-inline ChatterCompletion lasting_completion(ChatterCompletion completion, const std::vector<ContactSegment>& contacts) {
+inline ChatterCompletion<double> lasting_completion(ChatterCompletion<double> completion,
+                                                    const std::vector<ContactSegment>& contacts) {
     if (contacts.size() < 2 || completion.support != Support::vertex) return completion;
     const ContactSegment& first = contacts[0];
     const ContactSegment& second = contacts[1];
@@ -101,7 +102,8 @@ Eigen::Matrix<double, section_dimension<shape>, 1> section_difference(const Post
 
 /// A: ∂(state in contact)/∂(post-impact state).
 template <Shape shape>
-auto landing_derivative(const ContactScene& scene, const SectionPoint<double>& z, const ChatterCompletion& completion) {
+auto landing_derivative(const ContactScene<double>& scene, const SectionPoint<double>& z,
+                        const ChatterCompletion<double>& completion) {
     constexpr int dimension = section_dimension<shape>;
     constexpr double h = difference_step;
     Eigen::Matrix<double, 4, dimension> a;
@@ -149,7 +151,7 @@ auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<do
     constexpr int dimension = section_dimension<Map::shape>;
     constexpr double h = detail::difference_step;
     const PostImpactState<double> base = post_impact_state(z);
-    const ChatterCompletion completion = detail::lasting_completion(map.completion(base), known.contacts);
+    const ChatterCompletion<double> completion = detail::lasting_completion(map.completion(base), known.contacts);
     const int freedom = detail::contact_freedom(map.contact(), completion);
     Eigen::Matrix<double, dimension, 4> b = Eigen::Matrix<double, dimension, 4>::Zero();
     constexpr long looks_per_series = 64;  // of the flight after contact
@@ -157,7 +159,7 @@ auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<do
     bool follows = true;
     for (int i = 0; i < freedom && follows; ++i) {
         const auto end = [&](double step) -> std::optional<PostImpactState<double>> {
-            ChatterCompletion near = completion;
+            ChatterCompletion<double> near = completion;
             near.state = detail::moved_by(completion, i, step);
             const ReturnStep<double> return_step = map.advance_in_contact(base, near, contact_horizon, {}, most_steps);
             if (series) *series += contact_steps(return_step) + return_step.collision.steps / looks_per_series;

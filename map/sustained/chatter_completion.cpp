@@ -1,6 +1,7 @@
 #include "map/sustained/chatter_completion.hpp"
 
 #include "map/map_list.hpp"
+#include "map/sustained/contact_jets.hpp"
 #include "map/sustained/reaction.hpp"
 
 #include <algorithm>
@@ -246,12 +247,15 @@ ChatterCompletion<T> chatter_completion(const ContactScene<T>& scene, const Post
     return completion;
 }
 
-#define SWIRL_COMPILE_CHATTER(T)                                                                  \
-    template ChatterError<T> chatter_error(const ContactScene<T>&, const PostImpactState<T>&);    \
-    template bool rests_still(const ContactScene<T>&, const ChatterCompletion<T>&);               \
-    template ContactState<T> landed_like(const ContactScene<T>&, const PostImpactState<T>&,       \
-                                         const ChatterCompletion<T>&, const PostImpactState<T>&); \
+#define SWIRL_COMPILE_CHATTER(T)                                                               \
+    template ChatterError<T> chatter_error(const ContactScene<T>&, const PostImpactState<T>&); \
+    template bool rests_still(const ContactScene<T>&, const ChatterCompletion<T>&);            \
     template ChatterCompletion<T> chatter_completion(const ContactScene<T>&, const PostImpactState<T>&);
 SWIRL_EVERY_NUMBER(SWIRL_COMPILE_CHATTER)
+#define SWIRL_COMPILE_LANDED_LIKE(T)                                                        \
+    template ContactState<T> landed_like(const ContactScene<T>&, const PostImpactState<T>&, \
+                                         const ChatterCompletion<T>&, const PostImpactState<T>&);
+SWIRL_EVERY_NUMBER(SWIRL_COMPILE_LANDED_LIKE)
+SWIRL_EVERY_CONTACT_JET(SWIRL_COMPILE_LANDED_LIKE)
 
 }  // namespace swirl

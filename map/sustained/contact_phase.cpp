@@ -1,8 +1,8 @@
 #include "map/sustained/contact_phase.hpp"
 
 #include "map/map_list.hpp"
+#include "map/sustained/contact_watch.hpp"
 #include "map/sustained/motion_choice.hpp"
-#include "map/sustained/reaction.hpp"
 
 #include <cmath>
 #include <utility>
@@ -11,25 +11,13 @@ namespace swirl {
 
 namespace {
 
-using std::abs, std::copysign, std::sin;
+using std::copysign;
 
 /// After more consecutive pieces of zero duration contact is called unresolved.
 constexpr int most_idle_pieces = 50;
 
 /// After so many pieces contact is not followed further.
 constexpr std::size_t most_pieces = 100'000;
-
-/// True if the neighbour's chatter, while a vertex is in contact, has ended: its remaining rebounds move it by less
-/// than rounding (vT as in chatter_completion.hpp), with L|χ″| its acceleration towards the wall.
-template <class T>
-bool ends_second_chatter(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z) {
-    const Reaction<T> r = reaction_of(scene, Support::vertex, motion, z);
-    const int side = z.chi > 0 ? -1 : 1;
-    const T lever = scene.body.alpha * abs(sin(z.chi) - sin(z.chi + side * scene.body.spacing));
-    const T acceleration = lever * side * -(r.spin_rate - r.ut_rate);
-    const T v = scene.restitution * lever * abs(z.spin - z.ut);
-    return acceleration > 0 && 2 * v * v <= chatter_tolerance<T>() * acceleration * (1 - scene.restitution);
-}
 
 template <class T>
 struct Follower {
@@ -109,7 +97,8 @@ struct Follower {
         switch (end.event) {
             case ContactEvent::strike:
                 if (const auto settled = settled_neighbour(end.state, choice.vertex_step)) return settled;
-                strike(end.state, choice.vertex_step, ends_second_chatter(scene, choice.motion, end.state));
+                strike(end.state, choice.vertex_step,
+                       contact_detail::ends_second_chatter(scene, choice.motion, end.state));
                 return {};
             case ContactEvent::jam:
                 jam(next);

@@ -1,6 +1,7 @@
 #include "map/sustained/contact_series.hpp"
 
 #include "map/map_list.hpp"
+#include "map/sustained/contact_jets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -256,5 +257,6 @@ Plain<T> step_of(const ContactSeries<T>& z, const Plain<T>& tolerance) {
     template T reach_of<T>(const Series<T>&, const T&);                                                              \
     template Plain<T> step_of(const ContactSeries<T>&, const Plain<T>&);
 SWIRL_EVERY_NUMBER(SWIRL_COMPILE_CONTACT_SERIES)
+SWIRL_EVERY_CONTACT_JET(SWIRL_COMPILE_CONTACT_SERIES)
 
 }  // namespace swirl

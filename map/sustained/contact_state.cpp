@@ -1,6 +1,7 @@
 #include "map/sustained/contact_state.hpp"
 
 #include "map/map_list.hpp"
+#include "map/sustained/contact_jets.hpp"
 
 #include <cmath>
 
@@ -59,10 +60,12 @@ PostImpactState<T> seen_from_neighbour(const ContactScene<T>& scene, const PostI
 
 #define SWIRL_COMPILE_CONTACT_STATE(T)                                                             \
     template ContactScene<T> contact_scene(const Body<T>&, const T&, const T&, ImpactRule);        \
-    template ContactScene<double> in_double(const ContactScene<T>&);                               \
     template ContactState<T> contact_state(const ContactScene<T>&, const PostImpactState<T>&);     \
     template PostImpactState<T> post_impact_state(const ContactScene<T>&, const ContactState<T>&); \
     template PostImpactState<T> seen_from_neighbour(const ContactScene<T>&, const PostImpactState<T>&);
 SWIRL_EVERY_NUMBER(SWIRL_COMPILE_CONTACT_STATE)
+SWIRL_EVERY_CONTACT_JET(SWIRL_COMPILE_CONTACT_STATE)
+#define SWIRL_COMPILE_IN_DOUBLE(T) template ContactScene<double> in_double(const ContactScene<T>&);
+SWIRL_EVERY_NUMBER(SWIRL_COMPILE_IN_DOUBLE)
 
 }  // namespace swirl

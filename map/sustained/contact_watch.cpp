@@ -1,6 +1,7 @@
 #include "map/sustained/contact_watch.hpp"
 
 #include "map/map_list.hpp"
+#include "map/sustained/chatter_completion.hpp"
 #include "map/sustained/reaction.hpp"
 
 #include <boost/math/tools/roots.hpp>
@@ -16,7 +17,7 @@ namespace swirl::contact_detail {
 
 namespace {
 
-using std::abs, std::copysign, std::ldexp;
+using std::abs, std::copysign, std::ldexp, std::sin;
 
 /// A contact is released where λ is below zero by this margin, so that the flight certainly accelerates away from the
 /// wall.
@@ -206,6 +207,16 @@ Failure<T> failure_by(const Problem<T>& problem, const Step<T>& step, const T& f
 }  // namespace
 
 template <class T>
+bool ends_second_chatter(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z) {
+    const Reaction<T> r = reaction_of(scene, Support::vertex, motion, z);
+    const int side = z.chi > 0 ? -1 : 1;
+    const T lever = scene.body.alpha * abs(sin(z.chi) - sin(z.chi + side * scene.body.spacing));
+    const T acceleration = lever * side * -(r.spin_rate - r.ut_rate);
+    const T v = scene.restitution * lever * abs(z.spin - z.ut);
+    return acceleration > 0 && 2 * v * v <= chatter_tolerance<T>() * acceleration * (1 - scene.restitution);
+}
+
+template <class T>
 Conditions<T> conditions_of(const Problem<T>& problem, const State<T>& y) {
     const ContactState<T> z = y.contact();
     const Reaction<T> r = reaction_of(problem.scene, problem.support, problem.motion, z);
@@ -249,8 +260,9 @@ Failure<T> first_failure(const Problem<T>& problem, const Step<T>& step, const T
     return {};
 }
 
-#define SWIRL_COMPILE_CONTACT_WATCH(T)                                        \
-    template Conditions<T> conditions_of(const Problem<T>&, const State<T>&); \
+#define SWIRL_COMPILE_CONTACT_WATCH(T)                                                                \
+    template bool ends_second_chatter(const ContactScene<T>&, ContactMotion, const ContactState<T>&); \
+    template Conditions<T> conditions_of(const Problem<T>&, const State<T>&);                         \
     template Failure<T> first_failure(const Problem<T>&, const Step<T>&, const T&);
 SWIRL_EVERY_NUMBER(SWIRL_COMPILE_CONTACT_WATCH)
 

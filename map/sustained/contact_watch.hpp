@@ -22,6 +22,11 @@ using Conditions = std::array<Condition<T>, most_conditions>;
 template <class T>
 Conditions<T> conditions_of(const Problem<T>& problem, const State<T>& y);
 
+/// True if the neighbour's chatter, while a vertex is in contact, has ended: its remaining rebounds move it by less
+/// than rounding (vT as in chatter_completion.hpp), with L|χ″| its acceleration towards the wall.
+template <class T>
+bool ends_second_chatter(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z);
+
 /// The first condition that fails within a step, and when.
 template <class T>
 struct Failure {

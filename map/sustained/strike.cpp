@@ -2,6 +2,7 @@
 
 #include "map/map_list.hpp"
 #include "map/sustained/chatter_completion.hpp"
+#include "map/sustained/contact_jets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,5 +102,6 @@ Strike<T> strike_in_contact(const ContactScene<T>& scene, const PostImpactState<
     template Impulse<T> jam_once(const ContactScene<T>&, PostImpactState<T>&, Strike<T>&);              \
     template Strike<T> strike_in_contact(const ContactScene<T>&, const PostImpactState<T>&, bool);
 SWIRL_EVERY_NUMBER(SWIRL_COMPILE_STRIKE)
+SWIRL_EVERY_CONTACT_JET(SWIRL_COMPILE_STRIKE)
 
 }  // namespace swirl

@@ -1,8 +1,7 @@
 // Sustained contact in more digits: in 113 bits it is its own reference, for double and long double the reference.
 #include "map/orbit/orbit.hpp"
 #include "map/sustained/motion_choice.hpp"
-#include "tests/map/contact_scenes.hpp"
-#include "tests/map/random_scenes.hpp"
+#include "tests/map/landings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,52 +9,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace swirl {
 namespace {
 
-/// A landing and the impact that ends the contact after it.
-template <class T>
-struct Passage {
-    PostImpactState<T> after;
-    T time{}, turned{}, work{};  ///< from the start; `work` also by the impacts on the way
-    T exchanged{};               ///< Σ of the magnitudes of J's changes
-    std::string way;             ///< the supports and how they ended: passages are compared where it is the same
-    double landing_error = 0;
-};
-
-/// From just after an impact through chatter and the next contact, to the impact after it.
-template <class Map>
-std::optional<Passage<typename Map::Number>> passage(const Map& map, const PostImpactState<typename Map::Number>& z) {
-    using T = typename Map::Number;
-    using std::abs;
-    const ReturnMap<Map> returns(map);
-    Passage<T> p;
-    PostImpactState<T> at = z;
-    for (int i = 0; i < 1000; ++i) {
-        const ReturnStep<T> step = returns.advance(at);
-        if (step.outcome != Outcome::completed) return {};
-        const Collision<T>& c = step.collision;
-        p.time += c.flight_time;
-        p.turned += step.turned;
-        p.work += c.jacobi_restitution + c.jacobi_friction + step.contact_work;
-        p.exchanged += abs(c.jacobi_restitution) + abs(c.jacobi_friction) + abs(step.contact_work);
-        at = p.after = c.after;
-        if (step.contacts.empty()) continue;
-        for (const ContactSegment& piece : step.contacts)
-            if (piece.end > piece.start || piece.finish == ContactEvent::strike)
-                p.way += std::string(name_of(piece.support, piece.motion)) + " " +
-                         std::to_string(static_cast<int>(piece.support)) + " " + std::string(name_of(piece.finish)) +
-                         ", ";
-        p.way += name_of(c.impulse.mode);
-        p.landing_error = step.contacts.front().error;
-        return p;
-    }
-    return {};
-}
+using tests::Landing, tests::Passage, tests::passage, tests::random_landing, tests::widened;
 
 /// Differences of place, velocities and times.
 template <class T>
@@ -72,46 +30,6 @@ double largest(const std::array<double, 9>& list) {
     double most = 0;
     for (const double d : list) most = std::max(most, std::abs(d));
     return most;
-}
-
-/// The same state in T. A u_n that is rounding in double (e = 0) is zero, as it would be in T.
-template <class T>
-PostImpactState<T> widened(const Body<T>& body, const PostImpactState<double>& narrow) {
-    using std::abs;
-    const SectionPoint<double> z = section_point(narrow);
-    PostImpactState<T> wide = post_impact_state(SectionPoint<T>{T(z.psi), T(z.chi), T(z.vn), T(z.vt), T(z.spin)});
-    const T un = contact_kinematics(body, wide).un;
-    if (abs(un) < T(1e-14)) wide.vn -= un;
-    return wide;
-}
-
-/// A scene and an impact from which chatter and contact follow.
-struct Landing {
-    Scene<double> scene;
-    PostImpactState<double> from;
-};
-
-/// The first landing of an orbit of a random scene, if it has one that leads on to an impact. Not in the midst of
-/// rocking, where it depends on the digits at which impact contact begins and the next impact is that of a vertex
-/// within 10⁻⁷ of the wall.
-std::optional<Landing> random_landing(tests::Random& random, int sides) {
-    const Law law = static_cast<Law>(random.one_of({0, 1, 2}));
-    const double e = random.chance(0.3) ? 0 : random.between(0, 0.8),
-                 mu = random.chance(0.2) ? 0 : random.between(0, 1);
-    const Scene<double> scene = tests::random_scene(random, sides, mu, e, law);
-    const SectionPoint<double> z = tests::random_point(random, scene, 0.2);
-    return with_collision_map(scene, [&](const auto& map) -> std::optional<Landing> {
-        const ReturnMap returns(map);
-        PostImpactState<double> at = post_impact_state(z);
-        for (int i = 0; i < 1000; ++i) {
-            const ReturnStep<double> step = returns.advance(at, 50);
-            if (step.outcome != Outcome::completed) return {};
-            if (!step.contacts.empty() && step.contacts.back().end < 1e-3) return {};
-            if (!step.contacts.empty()) return Landing{scene, at};
-            at = step.collision.after;
-        }
-        return {};
-    });
 }
 
 /// By how much the end of a passage changes with its start, the largest of the directions.

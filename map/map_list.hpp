@@ -1,7 +1,12 @@
 // The one list of the maps there are: what is compiled once for each of them (collision map, return map, derivative)
-// names it here. A template can't be instantiated in a loop, hence the macros.
+// or for each of their numbers (sustained contact) names it here. A template can't be instantiated in a loop, hence the macros.
 #pragma once
 
+// DO(T) for every number type that there are maps over.
+#define SWIRL_EVERY_NUMBER(DO) \
+    DO(double)                 \
+    DO(long double)            \
+    DO(Quad)
 // DO(T, SHAPE, RULE) for every map over the number type T.
 #define SWIRL_EVERY_DISK_MAP(DO, T)              \
     DO(T, Shape::disk, ImpactRule::frictionless) \

@@ -28,16 +28,16 @@ struct OrbitColumns {
     Settings scene, start, units;  ///< as documents write them; units empty: dimensionless
     double beta = 0;
     bool disk = false;
-    std::vector<std::string> names;             ///< as asked for
-    std::vector<std::vector<double>> values;    ///< one column a name, an entry for each impact kept
-    std::string outcome = "completed";          ///< how the orbit ended
-    std::int64_t impacts = 0;                   ///< that the orbit has had, the transient included
-    std::int64_t every = 1;                     ///< of a thinned record: only every k-th impact is there
-    std::vector<ContactWay> contacts;           ///< between the impacts kept; of an orbit that was followed
-    std::optional<ContactScene> contact_scene;  ///< what they belong to
-    std::string accuracy = "double";            ///< a record's
-    ImpactRange range;                          ///< of the whole orbit's impacts: those that are kept
-    std::int64_t contacts_listed = 0;           ///< a record's, over the whole orbit
+    std::vector<std::string> names;                     ///< as asked for
+    std::vector<std::vector<double>> values;            ///< one column a name, an entry for each impact kept
+    std::string outcome = "completed";                  ///< how the orbit ended
+    std::int64_t impacts = 0;                           ///< that the orbit has had, the transient included
+    std::int64_t every = 1;                             ///< of a thinned record: only every k-th impact is there
+    std::vector<ContactWay> contacts;                   ///< between the impacts kept; of an orbit that was followed
+    std::optional<ContactScene<double>> contact_scene;  ///< what they belong to
+    std::string accuracy = "double";                    ///< a record's
+    ImpactRange range;                                  ///< of the whole orbit's impacts: those that are kept
+    std::int64_t contacts_listed = 0;                   ///< a record's, over the whole orbit
 };
 
 /// "S" is called spin among the columns of an orbit.

@@ -49,7 +49,8 @@ void describe_periods(const analysis::Swing& swing, bool limit_known, analysis::
 
 }  // namespace
 
-void ContactTail::add(const ContactSums& sums, Support support, ContactMotion motion, const ContactState& state) {
+void ContactTail::add(const ContactSums<double>& sums, Support support, ContactMotion motion,
+                      const ContactState<double>& state) {
     const double from = std::max(last_time_, 0.5 * followed_);
     const double share = 2 * (sums.time / followed_) - 1;  // of the tail, 0 to 1
     const bool slips = motion != ContactMotion::sticking;
@@ -68,7 +69,7 @@ void ContactTail::add(const ContactSums& sums, Support support, ContactMotion mo
     on_edge_ = on_edge_ && support == Support::edge;
 }
 
-void ContactTail::note_rolling(double share, const ContactState& state) {
+void ContactTail::note_rolling(double share, const ContactState<double>& state) {
     rolling_ = state;
     if (share < 0) return;
     const double height = rim_pendulum(scene_, state).height;

@@ -27,7 +27,8 @@ public:
 
     /// Passes on the samples of these segments up to `until`; successive calls take successive segments.
     template <class Use>
-    void take(const ContactScene& scene, std::span<const TrajectorySegment> trajectory, double until, const Use& use) {
+    void take(const ContactScene<double>& scene, std::span<const TrajectorySegment> trajectory, double until,
+              const Use& use) {
         for (const TrajectorySegment& segment : trajectory)
             for (; time() <= segment.end && time() <= until; ++next_) {
                 if (next_ % 1024 == 0 && is_interrupted()) return;

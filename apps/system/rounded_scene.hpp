@@ -56,7 +56,7 @@ struct RoundedScene {
     static std::shared_ptr<const void> make(const Scene<double>& scene, Accuracy accuracy) {
         return std::make_shared<const RoundedScene>(scene, accuracy);
     }
-    static const ContactScene& contact(const void* scene) {
+    static const ContactScene<double>& contact(const void* scene) {
         return in_double_functions().contact(of(scene).in_double.get());
     }
     static Step first_impact(const void* scene, const LabStart<double>& start) {

@@ -16,7 +16,7 @@ struct SceneFunctions {
     using Derivative = analysis::Matrix<D>;
 
     std::shared_ptr<const void> (*make)(const Scene<double>&, Accuracy);
-    const ContactScene& (*contact)(const void* map);
+    const ContactScene<double>& (*contact)(const void* map);
     Step (*first_impact)(const void* map, const LabStart<double>& start);
     Outcome (*advance)(const void* map, Step& step, double horizon, const ContactSink& sink);
     std::int64_t (*follow)(const void* map, State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
@@ -104,7 +104,7 @@ struct ConcreteScene {
     static std::shared_ptr<const void> make(const Scene<double>& scene, Accuracy) {
         return std::make_shared<const ConcreteScene>(scene);
     }
-    static const ContactScene& contact(const void* map) { return of(map).return_map.contact(); }
+    static const ContactScene<double>& contact(const void* map) { return of(map).return_map.contact(); }
     static Step first_impact(const void* map, const LabStart<double>& start) {
         const auto& return_map = of(map).return_map;
         return return_map.advance(flight_from(return_map.map().body(), start));

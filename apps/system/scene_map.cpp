@@ -74,7 +74,7 @@ SceneMap<D>::SceneMap(const SceneFunctions<D>* functions, const Scene<double>& s
 }
 
 template <int D>
-const ContactScene& SceneMap<D>::contact() const {
+const ContactScene<double>& SceneMap<D>::contact() const {
     return functions_->contact(map_.get());
 }
 

@@ -44,7 +44,7 @@ public:
 
     const Body<double>& body() const { return body_; }
     /// What contact needs of the scene; only where ReturnMap has it.
-    const ContactScene& contact() const;
+    const ContactScene<double>& contact() const;
 
     analysis::Advance<D, State> advance(const State& z) const { return advance_by(return_step(z)); }
     /// The step where it is known already.

@@ -27,8 +27,8 @@ struct DrawnFlights {
     std::vector<DrawnFlight> flights;  ///< no two nearer to each other than 10⁻⁶ in every coordinate, nearly
     /// False where they come from the way there, too: the orbit ends, or returns to fewer than a hundred states.
     bool after_transient = true;
-    std::int64_t steps = 0;            ///< looked at
-    std::int64_t through_contact = 0;  ///< of these, on which sustained contact came between: followed in double by all
+    std::int64_t steps = 0;                ///< looked at
+    std::int64_t through_contact = 0;      ///< of these, on which sustained contact came between: left out
     Outcome outcome = Outcome::completed;  ///< how the first orbit ended within its transient and the steps after it
     std::int64_t impacts = 0;              ///< it then had
     /// Where rungs and models follow the orbit from: after the transient, or its first impact if it ends before.

@@ -64,7 +64,7 @@ const ArithmeticRung* cheapest(const Tradeoff& found) {
 std::string obstacle(const Tradeoff& found) {
     const DrawnFlights& drawn = found.drawn;
     if (drawn.flights.empty() && drawn.steps > 0)
-        return "every step of this orbit leads through contact, which all rungs follow in double: nothing to compare";
+        return "every step of this orbit leads through contact, and rungs are compared on flights: nothing to compare";
     if (drawn.flights.empty())
         return fmt::format("no flight ends in an impact: {} after {} impacts", name_of(drawn.outcome), drawn.impacts);
     if (found.compared == 0 || !found.rungs.back().orbit)

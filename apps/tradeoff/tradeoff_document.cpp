@@ -51,8 +51,7 @@ void print_flights(const Tradeoff& found) {
                                ? "of the orbit after its transient"
                                : "of beginnings of orbits too: after its transient this one has too few");
     if (drawn.through_contact > 0)
-        fmt::print("; {} of {} steps lead through contact, followed in double by all", drawn.through_contact,
-                   drawn.steps);
+        fmt::print("; {} of {} steps lead through contact and are left out", drawn.through_contact, drawn.steps);
     fmt::print("\n");
 }
 

@@ -17,7 +17,7 @@ void fill_scene(const Body<double>& body, double mu, double restitution, double 
     s.outer.of[lane] = body.outer;
     s.mu.of[lane] = mu;
     s.restitution.of[lane] = restitution;
-    s.chatter.of[lane] = chatter_tolerance * (1 - restitution);
+    s.chatter.of[lane] = chatter_tolerance<double>() * (1 - restitution);
     s.widest_sine.of[lane] = widest_sine;
     s.sides.of[lane] = body.sides;
     s.spacing.of[lane] = body.spacing;

@@ -20,7 +20,7 @@ HWY_INLINE Mask leaves_the_wall(const LaneScenes& scenes, int i, const LaneBody&
     const Lane acceleration = body.beta + u.ut * u.ut;
     const Lane from_edge = magnitude(magnitude(z.chi.y) - load(scenes.widest_sine, i));
     return all(leaves_quickly(u.un, load(scenes.chatter, i) * acceleration, z, body.alpha, body.beta),
-               from_edge > Lane(2 * neighbour_tolerance));
+               from_edge > Lane(2 * neighbour_tolerance<double>()));
 }
 
 HWY_INLINE LaneFlight flight_from(const LaneBody& body, const LaneState& z) {

@@ -49,6 +49,12 @@ inline Plain<T> epsilon() {
     return std::numeric_limits<Plain<T>>::epsilon();
 }
 
+/// A tolerance of rounding: `in_double` for double, and for T as many of its own ε.
+template <class T>
+inline Plain<T> tolerance(double in_double) {
+    return Plain<T>(in_double) * (epsilon<T>() / Plain<T>(epsilon<double>()));
+}
+
 /// p/q, rounded once in T's own precision.
 template <class T>
 constexpr Plain<T> fraction(int p, int q) {

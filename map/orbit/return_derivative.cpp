@@ -4,11 +4,13 @@
 
 namespace swirl::detail {
 
-Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(b, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    Eigen::VectorXd sizes = svd.singularValues();
+Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& derivative) {
+    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    if (!derivative.allFinite()) return derivative;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(derivative, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    Eigen::VectorXd sizes = svd.singularValues();  // the largest first
     for (auto& size : sizes)
-        if (size <= difference_rounding) size = 0;
+        if (size <= rounding * svd.singularValues()[0]) size = 0;
     return svd.matrixU() * sizes.asDiagonal() * svd.matrixV().transpose();
 }
 

@@ -1,70 +1,30 @@
-// The derivative of the return map where a return step leads through sustained contact.
+// The derivative of the return map where a return step leads through sustained contact: exact, by Jets.
 //
-// An impact that ends in contact leaves with a normal velocity that may be as small as 10⁻⁸, so differences over larger
-// h would reach states that begin a flight. DF is therefore the product B A, divided at the landing: A is the
-// derivative of the state in contact, where the removal of u_n with its friction is smooth for either sign of u_n
-// (`landed_like`), B that of the motion from there to the next impact. Both are central differences with error O(h²).
-// If only neighbours on one side pass through the same events as the orbit (`same_way`), B's column is a one-sided
-// difference, with error O(h²) from two neighbours and O(h) from one; if none does, the column is zero. A singular
-// value of B within rounding belongs to a direction that contact removes, and is set to zero. A neighbour that takes
-// eight times as long in contact as the orbit shows that h is no small step there: the derivative is then NaN.
+// DF is differentiated along the orbit's own events (map/sustained/contact_along.hpp): the state in contact, where the
+// removal of u_n with its friction is smooth for either sign of u_n (`landed_like`); the motion to the end of contact;
+// and what follows, a flight to its first contact or the impulse that ends the contact. On the border between two ways
+// it is the one-sided derivative on the orbit's side. A singular value of DF within rounding belongs to a direction
+// that contact removes, and is set to zero.
 #pragma once
 
-#include "map/derivative/linearised_collision.hpp"
+#include "map/derivative/derivative.hpp"
 #include "map/orbit/return_map.hpp"
+#include "map/sustained/contact_along.hpp"
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace swirl {
 
 namespace detail {
 
-constexpr double difference_step = 1e-5;
-/// Contact is integrated with an error of some 10⁻¹⁴: in a difference over 2 h that is 10⁻⁹.
-constexpr double difference_rounding = 1e-8;
-
-/// How many power series a neighbour of an orbit in contact may take.
-inline long most_steps_beside(const ReturnStep<double>& known) {
-    constexpr long fewest = 500, more = 8;
-    return std::max(fewest, more * contact_steps(known));
-}
-
-/// The coordinates in which a state in contact can differ: a disk has no χ; a moving edge turns as one piece, S = u_t;
-/// an edge at rest has ψ only.
-inline int contact_freedom(const ContactScene& scene, const ChatterCompletion& completion) {
-    if (completion.support == Support::rim) return 3;
-    if (completion.support == Support::vertex) return 4;
-    return rests_still(scene, completion) ? 1 : 2;
-}
-
-inline Eigen::Vector4d contact_vector(const ChatterCompletion& completion, const ContactState& s) {
-    if (completion.support == Support::vertex) return {s.psi, s.ut, s.spin, s.chi};
-    return {s.psi, s.ut, s.spin, 0};
-}
-
-inline ContactState moved_by(const ChatterCompletion& completion, int coordinate, double h) {
-    ContactState s = completion.state;
-    if (coordinate == 0) s.psi += h;
-    if (coordinate == 1) s.ut += h;
-    if (coordinate == 2) s.spin += h;
-    if (coordinate == 3) s.chi += h;
-    if (completion.support == Support::edge) s.spin = s.ut;
-    return s;
-}
-
-inline double wrapped(double angle) {
-    return std::remainder(angle, 2 * pi<double>());
-}
-
 /// A landing on a vertex whose neighbour comes to rest at once counts as one on their edge: the rocking between ends
 /// within rounding.
-inline ChatterCompletion lasting_completion(ChatterCompletion completion, const std::vector<ContactSegment>& contacts) {
+inline ChatterCompletion<double> lasting_completion(ChatterCompletion<double> completion,
+                                                    const std::vector<ContactSegment>& contacts) {
     if (contacts.size() < 2 || completion.support != Support::vertex) return completion;
     const ContactSegment& first = contacts[0];
     const ContactSegment& second = contacts[1];
@@ -72,105 +32,98 @@ inline ChatterCompletion lasting_completion(ChatterCompletion completion, const 
     return {true, Support::edge, second.from, second.vertex_step, completion.error, completion.jacobi};
 }
 
-/// True if two return steps have the same sequence of supports, the same last event and the same impact. (A slip of no
-/// duration does not count: every neighbour of a sticking state has one.)
-inline bool same_way(const ReturnStep<double>& a, const ReturnStep<double>& b) {
-    if (a.outcome != Outcome::completed || a.contacts.empty() || b.contacts.empty()) return false;
-    const auto supports = [](const ReturnStep<double>& return_step) {
-        std::vector<Support> list;
-        for (const auto& segment : return_step.contacts)
-            if (segment.end > segment.start && (list.empty() || list.back() != segment.support))
-                list.push_back(segment.support);
-        return list;
-    };
-    return a.collision.vertex_step == b.collision.vertex_step && a.collision.impulse.mode == b.collision.impulse.mode &&
-           a.contacts.back().finish == b.contacts.back().finish && supports(a) == supports(b);
+template <class J>
+ChatterCompletion<J> completion_in_jets(const ChatterCompletion<double>& c) {
+    return {c.in_contact,  c.support,  {J(c.state.psi), J(c.state.chi), J(c.state.ut), J(c.state.spin)},
+            c.vertex_step, J(c.error), J(c.jacobi)};
 }
 
-template <Shape shape>
-Eigen::Matrix<double, section_dimension<shape>, 1> section_difference(const PostImpactState<double>& a,
-                                                                      const PostImpactState<double>& b) {
-    constexpr int dimension = section_dimension<shape>;
-    const auto x = coordinates<shape>(section_point(a)), y = coordinates<shape>(section_point(b));
-    Eigen::Matrix<double, dimension, 1> d;
-    for (int i = 0; i < dimension; ++i) d[i] = x[static_cast<std::size_t>(i)] - y[static_cast<std::size_t>(i)];
-    const int angles = shape == Shape::disk ? 1 : 2;
-    for (int i = 0; i < angles; ++i) d[i] = wrapped(d[i]);
-    return d;
+template <class J>
+PostImpactState<J> state_in_jets(const PostImpactState<double>& z) {
+    return {{J(z.psi.x), J(z.psi.y)}, {J(z.chi.x), J(z.chi.y)}, J(z.vn), J(z.vt), J(z.spin)};
 }
 
-/// A: ∂(state in contact)/∂(post-impact state).
-template <Shape shape>
-auto landing_derivative(const ContactScene& scene, const SectionPoint<double>& z, const ChatterCompletion& completion) {
-    constexpr int dimension = section_dimension<shape>;
-    constexpr double h = difference_step;
-    Eigen::Matrix<double, 4, dimension> a;
-    const auto c = coordinates<shape>(z);
-    const PostImpactState<double> base = post_impact_state(z);
-    for (int j = 0; j < dimension; ++j) {
-        const auto at = [&](double step) {
-            auto near = c;
-            near[static_cast<std::size_t>(j)] += step;
-            return contact_vector(completion,
-                                  landed_like(scene, base, completion, post_impact_state(section_point<shape>(near))));
-        };
-        a.col(j) = at(h) - at(-h);
-        a(0, j) = wrapped(a(0, j));
-        a(3, j) = wrapped(a(3, j));
+/// A return step's contact, once more from its landing.
+struct KnownContact {
+    PostImpactState<double> base;
+    bool struck = false;  ///< two vertices struck in turn, in flights that shrank to nothing: no contact in between
+    ChatterCompletion<double> completion;
+    ContactPhase<double> phase;
+
+    template <class Map>
+    KnownContact(const ReturnMap<Map>& map, const PostImpactState<double>& post_impact, const ReturnStep<double>& known)
+        : base(post_impact),
+          struck(known.contacts.front().steps == 0 && known.contacts.front().finish == ContactEvent::strike),
+          completion(lasting_completion(map.completion(base), known.contacts)),
+          phase(struck ? struck_at_once(map.contact(), base)
+                       : follow_contact(map.contact(), completion, contact_horizon)) {}
+
+    /// The state where contact begins, with its derivatives by the section's coordinates.
+    template <class J, Shape shape>
+    ContactState<J> landing(const ContactScene<J>& scene) const {
+        const PostImpactState<J> near = seeded<J, shape>(base);
+        if (struck) return contact_state(scene, near);
+        return landed_like(scene, slipping<J>(), completion_in_jets<J>(completion), near);
     }
-    return Eigen::Matrix<double, 4, dimension>(a / (2 * h));
-}
 
-/// One column of B: `end(s)` is the state after the next impact from s along the coordinate, empty if the events
-/// differ.
-template <Shape shape, class End>
-Eigen::Matrix<double, section_dimension<shape>, 1> column_of(const PostImpactState<double>& after, const End& end,
-                                                             double h) {
-    const auto above = end(h), below = end(-h);
-    if (above && below) return section_difference<shape>(*above, *below) / (2 * h);
-    if (!above && !below) return Eigen::Matrix<double, section_dimension<shape>, 1>::Zero();
-    const double side = above ? h : -h;
-    const auto near = section_difference<shape>(above ? *above : *below, after);
-    const auto beyond = end(2 * side);
-    if (!beyond) return near / side;
-    return (4 * near - section_difference<shape>(*beyond, after)) / (2 * side);
-}
+private:
+    /// Where the impact before stopped the slip and friction does not hold, u_n is removed with the friction of the
+    /// slip that begins: the state before it, as if it slipped that way already.
+    template <class J>
+    PostImpactState<J> slipping() const {
+        PostImpactState<J> state = state_in_jets<J>(base);
+        for (const ContactSegment& piece : phase.segments) {
+            if (!(piece.end > piece.start)) continue;
+            if (completion.state.ut == 0 && piece.motion == ContactMotion::sliding_forward) state.vt += J(1);
+            if (completion.state.ut == 0 && piece.motion == ContactMotion::sliding_backward) state.vt -= J(1);
+            break;
+        }
+        return state;
+    }
+};
 
-/// B with singular values that are no more than rounding made zero.
-Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& b);
+/// Without the singular values that are no more than rounding made of zero.
+Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& derivative);
+
+/// The impact after a release: `leaving` with u_n = 0, which it has in every neighbour too.
+template <class Map, class J>
+PostImpactState<J> impact_after_release(const CollisionMap<J, Map::shape, Map::rule>& map, PostImpactState<J> leaving,
+                                        const ReturnStep<double>& known, const ContactPhase<double>& phase) {
+    leaving.vn = leaving.vn - contact_kinematics(map.body(), leaving).un;
+    const double flown = known.collision.flight_time - phase.sums.time;
+    int vertex = 0;
+    if constexpr (Map::shape == Shape::polygon)
+        vertex = map.body().vertex_number(static_cast<long long>(known.collision.vertex_step) - phase.vertex_step);
+    return strike_along(map, flight_from(map.body(), leaving), flown, vertex).after;
+}
 
 }  // namespace detail
 
-/// DF(z), where `known` is F(z) and leads through contact; NaN where neighbours stay in contact for much longer.
-///   series  is added how many power series it took, or as much in looks at flights, if it is given
+/// DF(z), where `known` is F(z) and leads through contact; NaN if it does not.
+///   series  is added how many power series it took, those in Jets by what they cost, if it is given
 template <class Map>
 auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z,
                                 const ReturnStep<double>& known, long* series = nullptr) {
     constexpr int dimension = section_dimension<Map::shape>;
-    constexpr double h = detail::difference_step;
-    const PostImpactState<double> base = post_impact_state(z);
-    const ChatterCompletion completion = detail::lasting_completion(map.completion(base), known.contacts);
-    const int freedom = detail::contact_freedom(map.contact(), completion);
-    Eigen::Matrix<double, dimension, 4> b = Eigen::Matrix<double, dimension, 4>::Zero();
-    constexpr long looks_per_series = 64;  // of the flight after contact
-    const long most_steps = detail::most_steps_beside(known);
-    bool follows = true;
-    for (int i = 0; i < freedom && follows; ++i) {
-        const auto end = [&](double step) -> std::optional<PostImpactState<double>> {
-            ChatterCompletion near = completion;
-            near.state = detail::moved_by(completion, i, step);
-            const ReturnStep<double> return_step = map.advance_in_contact(base, near, contact_horizon, {}, most_steps);
-            if (series) *series += contact_steps(return_step) + return_step.collision.steps / looks_per_series;
-            if (return_step.outcome == Outcome::contact_cut) follows = false;
-            if (!detail::same_way(return_step, known)) return {};
-            return return_step.collision.after;
-        };
-        b.col(i) = detail::column_of<Map::shape>(known.collision.after, end, h);
-    }
+    constexpr long cost_in_jets = 8;
+    using J = ContactJet<dimension>;
     using Derivative = Eigen::Matrix<double, dimension, dimension>;
-    if (!follows) return Derivative(Derivative::Constant(std::numeric_limits<double>::quiet_NaN()));
-    return Derivative(detail::without_rounding(b) *
-                      detail::landing_derivative<Map::shape>(map.contact(), z, completion));
+    const detail::KnownContact contact(map, post_impact_state(z), known);
+    const ContactPhase<double>& phase = contact.phase;
+    Derivative derivative = Derivative::Constant(std::numeric_limits<double>::quiet_NaN());
+    if (!phase.resolved || phase.finish == ContactEvent::horizon) return derivative;
+    const Scene<double>& s = map.map().scene();
+    const CollisionMap<J, Map::shape, Map::rule> jets(
+        {s.sides, J(s.alpha), J(s.beta), J(s.mu), J(s.restitution), s.law, J(s.inertia_factor)});
+    const ContactScene<J> scene = contact_scene(jets.body(), jets.scene().mu, jets.scene().restitution, Map::rule);
+    const ContactState<J> landing = contact.template landing<J, Map::shape>(scene);
+    long steps = 0;
+    PostImpactState<J> end = contact_along(map.contact(), scene, phase, landing, &steps);
+    if (phase.finish == ContactEvent::release) end = detail::impact_after_release<Map>(jets, end, known, phase);
+    if (series) *series += cost_in_jets * steps + contact_steps(known);
+    const auto next = coordinates<Map::shape>(section_point(end));
+    for (int i = 0; i < dimension; ++i) derivative.row(i) = next[static_cast<std::size_t>(i)].v.transpose();
+    return Derivative(detail::without_rounding(derivative));
 }
 
 }  // namespace swirl

@@ -36,7 +36,7 @@ inline constexpr double contact_horizon = 1000;
 /// F with sustained contact. For e = 1 it is the collision map itself, with one exception: where friction holds a
 /// polygon's vertex its normal velocity may fall with every impact (Poisson, Stronge: B₃ couples it to friction), and
 /// once it is below rounding the orbit goes on in contact. For a disk or a frictionless body |u_n| is conserved at e =
-/// 1, so that there is no contact. Contact is integrated in double, whatever T is.
+/// 1, so that there is no contact. Contact is integrated in T, as flights are.
 template <class Map>
 class ReturnMap {
 public:
@@ -48,19 +48,12 @@ public:
         const auto& s = map.scene();
         sums_chatter_ = s.restitution < T(1);
         if (!sums_chatter_ && (shape == Shape::disk || Map::rule == ImpactRule::frictionless)) return;
-        Scene<double> scene{s.sides,
-                            static_cast<double>(s.alpha),
-                            static_cast<double>(s.beta),
-                            static_cast<double>(s.mu),
-                            static_cast<double>(s.restitution),
-                            s.law,
-                            static_cast<double>(s.inertia_factor)};
-        contact_ = contact_scene(make_body(scene), scene.mu, scene.restitution, Map::rule);
+        contact_ = contact_scene(map.body(), s.mu, s.restitution, Map::rule);
     }
 
     const Map& map() const { return map_; }
     /// What contact needs of the scene; only for e < 1, or a polygon with friction.
-    const ContactScene& contact() const { return *contact_; }
+    const ContactScene<T>& contact() const { return *contact_; }
 
     /// The first impact of a flight in the laboratory.
     ReturnStep<T> advance(const Flight<T>& flight) const;
@@ -76,10 +69,10 @@ public:
     Outcome advance(ReturnStep<T>& return_step, double horizon = contact_horizon, const ContactSink& sink = {}) const;
 
     /// The chatter completion (support and state) just after an impact from which `advance` led through contact.
-    ChatterCompletion completion(const PostImpactState<T>& post_impact) const;
+    ChatterCompletion<T> completion(const PostImpactState<T>& post_impact) const;
 
     /// The return step from a landing on; `post_impact` is the state after the impact before it.
-    ReturnStep<T> advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion& completion,
+    ReturnStep<T> advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion<T>& completion,
                                      double horizon = contact_horizon, const ContactSink& sink = {},
                                      long most_steps = most_contact_steps) const;
 
@@ -91,22 +84,13 @@ private:
 
     /// The contact state where the search found `sustained` but `chatter_completion` did not: both within rounding of
     /// the border between leaving and staying.
-    ChatterCompletion held(const PostImpactState<T>& post_impact) const {
-        ChatterCompletion completion;
+    ChatterCompletion<T> held(const PostImpactState<T>& post_impact) const {
+        ChatterCompletion<T> completion;
         completion.support = shape == Shape::disk ? Support::rim : Support::vertex;
-        completion.state = contact_state(*contact_, state_in_double(post_impact));
+        completion.state = contact_state(*contact_, post_impact);
         return completion;
     }
 
-    static PostImpactState<double> state_in_double(const PostImpactState<T>& l) {
-        const auto d = [](const T& x) { return static_cast<double>(x); };
-        return {{d(l.psi.x), d(l.psi.y)}, {d(l.chi.x), d(l.chi.y)}, d(l.vn), d(l.vt), d(l.spin)};
-    }
-    /// Contact ends in double precision; the directions are normalised in T, so that the body touches to T's rounding.
-    static PostImpactState<T> state_from_double(const PostImpactState<double>& l) {
-        return {renormalised(Vec2<T>{T(l.psi.x), T(l.psi.y)}), renormalised(Vec2<T>{T(l.chi.x), T(l.chi.y)}), T(l.vn),
-                T(l.vt), T(l.spin)};
-    }
     Outcome outcome_of(FirstContactOutcome outcome) const {
         switch (outcome) {
             case FirstContactOutcome::contact:
@@ -124,10 +108,10 @@ private:
     /// The first impact after a release.
     Collision<T> fly_off(const Flight<T>& flight) const;
 
-    ReturnStep<T> after_contact(const PostImpactState<T>& post_impact, const ContactPhase& phase) const;
+    ReturnStep<T> after_contact(const PostImpactState<T>& post_impact, const ContactPhase<T>& phase) const;
 
     const Map& map_;
-    std::optional<ContactScene> contact_;
+    std::optional<ContactScene<T>> contact_;
     bool sums_chatter_ = false;  ///< e < 1: chatter is looked for after every impact
 };
 
@@ -143,8 +127,8 @@ auto ReturnMap<Map>::advance(const Flight<T>& flight) const -> ReturnStep<T> {
 template <class Map>
 auto ReturnMap<Map>::advance(const PostImpactState<T>& post_impact, double horizon, const ContactSink& sink) const
     -> ReturnStep<T> {
-    if (sums_chatter_ && may_chatter(*contact_, state_in_double(post_impact)))
-        if (const ChatterCompletion completion = chatter_completion(*contact_, state_in_double(post_impact));
+    if (sums_chatter_ && may_chatter(*contact_, post_impact))
+        if (const ChatterCompletion<T> completion = chatter_completion(*contact_, post_impact);
             completion.in_contact || completion.struck)
             return advance_in_contact(post_impact, completion, horizon, sink);
     ReturnStep<T> return_step = advance(flight_from(map_.body(), post_impact));
@@ -158,7 +142,7 @@ auto ReturnMap<Map>::advance(const PostImpactState<T>& post_impact, double horiz
 template <class Map>
 auto ReturnMap<Map>::advance(ReturnStep<T>& return_step, double horizon, const ContactSink& sink) const -> Outcome {
     Collision<T>& collision = return_step.collision;
-    if (!sums_chatter_ || !may_chatter(*contact_, state_in_double(collision.after))) [[likely]] {
+    if (!sums_chatter_ || !may_chatter(*contact_, collision.after)) [[likely]] {
         const T spin = collision.after.spin;
         map_.advance(collision.after, collision);
         if (collision.outcome == FirstContactOutcome::contact && !changes_nothing(collision)) [[likely]] {
@@ -179,20 +163,20 @@ auto ReturnMap<Map>::advance(ReturnStep<T>& return_step, double horizon, const C
 }
 
 template <class Map>
-auto ReturnMap<Map>::completion(const PostImpactState<T>& post_impact) const -> ChatterCompletion {
+auto ReturnMap<Map>::completion(const PostImpactState<T>& post_impact) const -> ChatterCompletion<T> {
     if (!sums_chatter_) return held(post_impact);
-    const ChatterCompletion completion = chatter_completion(*contact_, state_in_double(post_impact));
+    const ChatterCompletion<T> completion = chatter_completion(*contact_, post_impact);
     return completion.in_contact ? completion : held(post_impact);
 }
 
 template <class Map>
-auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion& completion,
+auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, const ChatterCompletion<T>& completion,
                                         double horizon, const ContactSink& sink, long most_steps) const
     -> ReturnStep<T> {
-    const ContactPhase phase = completion.struck ? struck_at_once(*contact_, state_in_double(post_impact))
-                                                 : follow_contact(*contact_, completion, horizon, sink, most_steps);
+    const ContactPhase<T> phase = completion.struck ? struck_at_once(*contact_, post_impact)
+                                                    : follow_contact(*contact_, completion, horizon, sink, most_steps);
     ReturnStep<T> return_step = after_contact(post_impact, phase);
-    return_step.contact_work = T(phase.sums.work + completion.jacobi);
+    return_step.contact_work = phase.sums.work + completion.jacobi;
     return return_step;
 }
 
@@ -210,10 +194,12 @@ auto ReturnMap<Map>::fly_off(const Flight<T>& flight) const -> Collision<T> {
 }
 
 template <class Map>
-auto ReturnMap<Map>::after_contact(const PostImpactState<T>& post_impact, const ContactPhase& phase) const
+auto ReturnMap<Map>::after_contact(const PostImpactState<T>& post_impact, const ContactPhase<T>& phase) const
     -> ReturnStep<T> {
     ReturnStep<T> return_step;
-    const PostImpactState<T> end = state_from_double(phase.strike.after);
+    PostImpactState<T> end = phase.strike.after;  // after turns by Δψ and from vertex to vertex
+    end.psi = renormalised(end.psi);
+    end.chi = renormalised(end.chi);
     Collision<T>& collision = return_step.collision;
     T flight_time{}, flight_turned{};
     Vec2<T> flight_normal{T(1), T(0)};
@@ -222,7 +208,7 @@ auto ReturnMap<Map>::after_contact(const PostImpactState<T>& post_impact, const 
     } else if (phase.finish == ContactEvent::horizon) {
         return_step.outcome = phase.cut ? Outcome::contact_cut : Outcome::in_contact;
     } else if (phase.finish == ContactEvent::release) {
-        PostImpactState<T> leaving = end;  // a release has u_n = 0, in T's digits too
+        PostImpactState<T> leaving = end;  // a release has u_n = 0
         leaving.vn = leaving.vn - contact_kinematics(map_.body(), leaving).un;
         const Flight<T> flight = flight_from(map_.body(), leaving);
         collision = fly_off(flight);
@@ -232,21 +218,20 @@ auto ReturnMap<Map>::after_contact(const PostImpactState<T>& post_impact, const 
         return_step.outcome = outcome_of(collision.outcome);
     } else {
         collision.outcome = FirstContactOutcome::contact;
-        const Impulse<double>& j = phase.strike.impulse;
-        collision.impulse = {T(j.normal), T(j.tangential), j.mode};
-        collision.jacobi_restitution = T(phase.strike.jacobi_restitution);
-        collision.jacobi_friction = T(phase.strike.jacobi_friction);
+        collision.impulse = phase.strike.impulse;
+        collision.jacobi_restitution = phase.strike.jacobi_restitution;
+        collision.jacobi_friction = phase.strike.jacobi_friction;
     }
     if (phase.finish != ContactEvent::release) collision.after = end;
     // The whole return step: arg n has gone on by Δψ + t in contact, and by the flight's own turn after it.
-    const T duration(phase.sums.time);
+    const T& duration = phase.sums.time;
     const Vec2<T> advance = times(seen_from(post_impact.psi, end.psi), cis(duration));
     collision.normal = times(advance, flight_normal);
     collision.flight_time = duration + flight_time;
     if constexpr (shape == Shape::polygon)
         collision.vertex_step =
             map_.body().vertex_number(static_cast<long long>(collision.vertex_step) + phase.vertex_step);
-    return_step.turned = T(phase.sums.turned) + flight_turned;
+    return_step.turned = phase.sums.turned + flight_turned;
     return_step.contacts = phase.segments;
     return return_step;
 }

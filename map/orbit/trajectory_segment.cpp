@@ -7,7 +7,7 @@ namespace swirl {
 namespace {
 
 /// The body's centre in contact: β w + n − α r, of a disk β w + (1 − α) n.
-Vec2<double> centre_on_wall(const ContactScene& scene, const ContactState& state, double t) {
+Vec2<double> centre_on_wall(const ContactScene<double>& scene, const ContactState<double>& state, double t) {
     const Vec2<double> swirl = cis(t);
     const Vec2<double> n = times(swirl, cis(state.psi));
     const Vec2<double> r = scene.is_disk() ? n : times(n, cis(state.chi));
@@ -16,7 +16,7 @@ Vec2<double> centre_on_wall(const ContactScene& scene, const ContactState& state
 
 }  // namespace
 
-Moment moment_at(const ContactScene& scene, const TrajectorySegment& segment, double t) {
+Moment moment_at(const ContactScene<double>& scene, const TrajectorySegment& segment, double t) {
     const double later = t - segment.start;
     if (!segment.in_contact) {
         const double lasts = segment.end - segment.start;
@@ -24,8 +24,8 @@ Moment moment_at(const ContactScene& scene, const TrajectorySegment& segment, do
         const double turned = segment.spin * later;
         return {segment.from + share * (segment.to - segment.from), segment.angle + turned, segment.spin, turned};
     }
-    const ContactSeries series = contact_series(scene, segment.support, segment.motion, segment.state);
-    ContactState state = segment.state;
+    const ContactSeries<double> series = contact_series(scene, segment.support, segment.motion, segment.state);
+    ContactState<double> state = segment.state;
     state.psi += change_at(series.psi, later);
     state.chi += change_at(series.chi, later);
     state.spin += change_at(series.spin, later);
@@ -44,12 +44,13 @@ TrajectorySegmenter::TrajectorySegmenter(const Scene<double>& scene)
     : scene_(contact_scene(make_body(scene), scene.mu, scene.restitution, ImpactRule::poisson)) {}
 
 ContactSink TrajectorySegmenter::sink() {
-    return [this](const ContactSums& sums, Support support, ContactMotion motion, const ContactState& state) {
+    return [this](const ContactSums<double>& sums, Support support, ContactMotion motion,
+                  const ContactState<double>& state) {
         looks_.push_back({sums, support, motion, state});
     };
 }
 
-Vec2<double> TrajectorySegmenter::centre_in_contact(const ContactState& state, double t) const {
+Vec2<double> TrajectorySegmenter::centre_in_contact(const ContactState<double>& state, double t) const {
     return centre_on_wall(scene_, state, t);
 }
 

@@ -20,7 +20,7 @@ struct TrajectorySegment {
     Vec2<double> from, to;              ///< in flight: the centre at both ends
     Support support = Support::vertex;  ///< in contact, and so are the next two
     ContactMotion motion = ContactMotion::sticking;
-    ContactState state;  ///< at the start
+    ContactState<double> state;  ///< at the start
 };
 
 /// Position and orientation of the body at a time, and in contact the wall's force on it, −λ n + f t (of an edge the
@@ -36,7 +36,7 @@ struct Moment {
 };
 
 /// The body at a time within a segment. Cost: in contact, a power series (about a microsecond).
-Moment moment_at(const ContactScene& scene, const TrajectorySegment& segment, double t);
+Moment moment_at(const ContactScene<double>& scene, const TrajectorySegment& segment, double t);
 
 /// Cuts the return steps of an orbit into segments. Give `sink()` to every Orbit::advance, and call `passed` after it.
 class TrajectorySegmenter {
@@ -50,13 +50,13 @@ public:
     }
     template <class T>
     TrajectorySegmenter(const Scene<T>& scene, const SectionPoint<T>& z) : TrajectorySegmenter(in_double(scene)) {
-        const ContactState state{number(z.psi), number(z.chi), 0, number(z.spin)};
+        const ContactState<double> state{number(z.psi), number(z.chi), 0, number(z.spin)};
         place_ = centre_in_contact(state, 0);
         angle_ = state.psi + state.chi;
         spin_ = state.spin;
     }
 
-    const ContactScene& scene() const { return scene_; }
+    const ContactScene<double>& scene() const { return scene_; }
     /// Refers to this object.
     ContactSink sink();
 
@@ -79,10 +79,10 @@ public:
 
 private:
     struct Look {
-        ContactSums sums;
+        ContactSums<double> sums;
         Support support;
         ContactMotion motion;
-        ContactState state;
+        ContactState<double> state;
     };
 
     explicit TrajectorySegmenter(const Scene<double>& scene);
@@ -95,11 +95,11 @@ private:
         return {s.sides, number(s.alpha),         number(s.beta), number(s.mu), number(s.restitution),
                 s.law,   number(s.inertia_factor)};
     }
-    Vec2<double> centre_in_contact(const ContactState& state, double t) const;
+    Vec2<double> centre_in_contact(const ContactState<double>& state, double t) const;
     void add_contacts(const std::vector<ContactSegment>& segments);
     void add_flight(double until, const Vec2<double>& place);
 
-    ContactScene scene_;
+    ContactScene<double> scene_;
     std::vector<Look> looks_;
     std::vector<TrajectorySegment> trajectory_;
     double time_ = 0;  ///< where the next segment begins: t, centre, angle, S

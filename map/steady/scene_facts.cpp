@@ -39,7 +39,7 @@ double amplitude_of(const RimPendulum& pendulum) {
     return 2 * std::asin(std::min(1.0, std::sqrt(pendulum.height / (2 * pendulum.strength))));
 }
 
-RimFacts rim_facts(const Scene<double>& scene, const ContactScene& contact) {
+RimFacts rim_facts(const Scene<double>& scene, const ContactScene<double>& contact) {
     RimFacts facts;
     const double rho = 1 - scene.alpha;
     facts.rolls = scene.mu > 0;
@@ -66,7 +66,7 @@ RimFacts rim_facts(const Scene<double>& scene, const ContactScene& contact) {
 
 SceneFacts scene_facts(const Scene<double>& scene) {
     const Body<double> body = make_body(validated(scene));
-    const ContactScene contact = contact_scene(body, scene.mu, scene.restitution, ImpactRule::poisson);
+    const ContactScene<double> contact = contact_scene(body, scene.mu, scene.restitution, ImpactRule::poisson);
     SceneFacts facts;
     facts.untouched_radius = body.inner - body.beta;
     facts.untouched_room_turning = body.outer - body.beta;

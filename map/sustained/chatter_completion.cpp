@@ -1,5 +1,7 @@
 #include "map/sustained/chatter_completion.hpp"
 
+#include "map/map_list.hpp"
+#include "map/sustained/contact_jets.hpp"
 #include "map/sustained/reaction.hpp"
 
 #include <algorithm>
@@ -10,193 +12,209 @@ namespace swirl {
 
 namespace {
 
+using std::abs, std::atan2, std::copysign, std::cos, std::isnan, std::sin;
+
 /// The acceleration towards the wall of the point that touches, in free flight with u_n = 0.
-double free_acceleration(const ContactScene& scene, const PostImpactState<double>& post_impact, double ut) {
-    const Body<double>& body = scene.body;
-    const double wn = body.beta * post_impact.psi.x;
+template <class T>
+T free_acceleration(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const T& ut) {
+    const Body<T>& body = scene.body;
+    const T wn = body.beta * post_impact.psi.x;
     if (scene.is_disk()) {
-        const double along = ut - body.alpha * post_impact.spin;
+        const T along = ut - body.alpha * post_impact.spin;
         return wn + along * along / body.inner;
     }
     return wn + ut * ut - post_impact.spin * post_impact.spin * body.alpha * post_impact.chi.x;
 }
 
+template <class T>
 struct Touch {
     bool rests;    ///< the normal velocity is zero within rounding, or chatter has ended
     bool pressed;  ///< in free flight it would accelerate into the wall
-    double error;
+    T error;
 };
 
-Touch touch_of(const ContactScene& scene, const PostImpactState<double>& post_impact) {
-    const ContactKinematics<double> u = contact_kinematics(scene.body, post_impact);
-    const double rounding = velocity_rounding(scene, post_impact);
-    const double acceleration = free_acceleration(scene, post_impact, u.ut);
-    if (std::abs(u.un) <= rounding) return {true, acceleration > 0, 0};
-    const ChatterError error = chatter_error(scene, post_impact);
-    return {u.un < 0 && error.moved <= chatter_tolerance, acceleration > 0, error.estimate};
+template <class T>
+Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
+    const T rounding = velocity_rounding(scene, post_impact);
+    const T acceleration = free_acceleration(scene, post_impact, u.ut);
+    if (abs(u.un) <= rounding) return {true, acceleration > 0, T(0)};
+    const ChatterError<T> error = chatter_error(scene, post_impact);
+    return {u.un < 0 && error.moved <= chatter_tolerance<T>(), acceleration > 0, error.estimate};
 }
 
 /// The direction of slip, which decides the friction of a normal impulse: −1 and 1 by the sign of u_t while it slides,
 /// 0 while it sticks.
+template <class T>
 struct Slip {
     bool slides;
-    double sign;
+    T sign;
 };
 
-Slip slip_of(const ContactScene& scene, const PostImpactState<double>& post_impact) {
-    const double ut = contact_kinematics(scene.body, post_impact).ut;
-    return {scene.mu > 0 && std::abs(ut) > velocity_rounding(scene, post_impact), ut > 0 ? 1.0 : -1.0};
+template <class T>
+Slip<T> slip_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    const T ut = contact_kinematics(scene.body, post_impact).ut;
+    return {scene.mu > T(0) && abs(ut) > velocity_rounding(scene, post_impact), ut > T(0) ? T(1) : T(-1)};
 }
 
 /// Removes v by the normal impulse p = u_n/c < 0, the difference of chatter's from contact's, with the friction that
 /// goes with it.
-ContactState without_normal_velocity(const ContactScene& scene, const PostImpactState<double>& post_impact,
-                                     const Slip& slip, double& jacobi) {
-    const ContactKinematics<double> u = contact_kinematics(scene.body, post_impact);
-    ContactState state = contact_state(scene, post_impact);
-    const double ratio = scene.mu == 0 ? 0 : slip.slides ? -scene.mu * slip.sign : -u.b3() / u.b1();  // q/p
-    const double c = u.b2() + u.b3() * ratio;
-    const double p = c > 0 ? u.un / c : 0;
-    const double q = ratio * p;
+template <class T>
+ContactState<T> without_normal_velocity(const ContactScene<T>& scene, const PostImpactState<T>& post_impact,
+                                        const Slip<T>& slip, T& jacobi) {
+    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
+    ContactState<T> state = contact_state(scene, post_impact);
+    const T ratio = scene.mu == T(0) ? T(0) : slip.slides ? T(-scene.mu * slip.sign) : T(-u.b3() / u.b1());  // q/p
+    const T c = u.b2() + u.b3() * ratio;
+    const T p = c > T(0) ? T(u.un / c) : T(0);
+    const T q = ratio * p;
     state.ut += u.b3() * p + u.b1() * q;
     state.spin += (u.rn * q + u.rt * p) / u.inertia;
-    jacobi = -p * 0.5 * u.un + q * (0.5 * (u.ut + state.ut) - 1);
+    jacobi = -p * T(0.5) * u.un + q * (T(0.5) * (u.ut + state.ut) - T(1));
     return state;
 }
 
-ContactState landed(const ContactScene& scene, const PostImpactState<double>& post_impact, double& jacobi) {
-    const Slip slip = slip_of(scene, post_impact);
-    ContactState state = without_normal_velocity(scene, post_impact, slip, jacobi);
+template <class T>
+ContactState<T> landed(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, T& jacobi) {
+    const Slip<T> slip = slip_of(scene, post_impact);
+    ContactState<T> state = without_normal_velocity(scene, post_impact, slip, jacobi);
     if (scene.mu > 0 && (!slip.slides || state.ut * slip.sign <= 0)) state.ut = 0;
     return state;
 }
 
 /// |c′|/c: how fast the impulse that removes v changes with χ; c = B₂ − sμB₃ while the vertex slides, B₂ − B₃²/B₁ while
 /// it sticks. Here and below with the magnitudes of all terms, since a sum may be small by chance.
-double impulse_change(const ContactScene& scene, const Slip& slip, double chi) {
-    const double kappa = scene.inertia_factor(), c = std::cos(chi), s = std::sin(chi);
-    if (scene.mu > 0 && !slip.slides) return std::abs(2 * s * c) / (kappa + c * c);
-    return (std::abs(2 * s * c) + scene.mu * std::abs(c * c - s * s)) /
-           std::abs(kappa + s * (s - scene.mu * slip.sign * c));
+template <class T>
+T impulse_change(const ContactScene<T>& scene, const Slip<T>& slip, const T& chi) {
+    const T kappa = scene.inertia_factor(), c = cos(chi), s = sin(chi);
+    if (scene.mu > 0 && !slip.slides) return abs(2 * s * c) / (kappa + c * c);
+    return (abs(2 * s * c) + scene.mu * abs(c * c - s * s)) / abs(kappa + s * (s - scene.mu * slip.sign * c));
 }
 
 /// (r(r + |a′|/a) + r′)(1 + |c′|/c) of chatter_completion.hpp, each with the magnitudes of its terms, since a sum may
 /// be small by chance.
 ///   before, contact  velocities just after the impact, and with u_n removed
-double second_order(const ContactScene& scene, const Slip& slip, const ContactState& before,
-                    const ContactState& contact) {
-    const Body<double>& body = scene.body;
+template <class T>
+T second_order(const ContactScene<T>& scene, const Slip<T>& slip, const ContactState<T>& before,
+               const ContactState<T>& contact) {
+    const Body<T>& body = scene.body;
     const ContactMotion motion = scene.mu > 0 && !slip.slides    ? ContactMotion::sticking
                                  : scene.mu > 0 && slip.sign < 0 ? ContactMotion::sliding_backward
                                                                  : ContactMotion::sliding_forward;
     const Support support = scene.is_disk() ? Support::rim : Support::vertex;
-    const Reaction change = reaction_of(scene, support, motion, contact);
-    const double wn = body.beta * std::cos(contact.psi), wt = body.beta * std::abs(std::sin(contact.psi));
+    const Reaction<T> change = reaction_of(scene, support, motion, contact);
+    const T wn = body.beta * cos(contact.psi), wt = body.beta * abs(sin(contact.psi));
     if (scene.is_disk()) {
-        const double rate = 1 + std::abs(normal_rate(scene, support, before));
-        const double turning = normal_rate(scene, support, contact);
-        const double faster = std::abs(change.ut_rate - body.alpha * change.spin_rate) * body.per_inner;
-        const double a = wn + body.inner * turning * turning;
-        const double a_rate = wt * std::abs(turning - 1) + 2 * body.inner * std::abs(turning) * faster;
-        return rate * (rate + a_rate / std::abs(a)) + faster;
+        const T rate = 1 + abs(normal_rate(scene, support, before));
+        const T turning = normal_rate(scene, support, contact);
+        const T faster = abs(change.ut_rate - body.alpha * change.spin_rate) * body.per_inner;
+        const T a = wn + body.inner * turning * turning;
+        const T a_rate = wt * abs(turning - 1) + 2 * body.inner * abs(turning) * faster;
+        return rate * (rate + a_rate / abs(a)) + faster;
     }
-    const double rate = 1 + std::abs(before.ut) + std::abs(before.spin);
-    const double faster = std::abs(change.ut_rate) + std::abs(change.spin_rate);
-    const double rn = body.alpha * std::abs(std::cos(contact.chi)), rt = body.alpha * std::abs(std::sin(contact.chi));
-    const double spin2 = contact.spin * contact.spin;
-    const double a = wn + contact.ut * contact.ut - spin2 * body.alpha * std::cos(contact.chi);
-    const double a_rate = wt * std::abs(contact.ut - 1) + 2 * std::abs(contact.ut * change.ut_rate) +
-                          2 * std::abs(contact.spin * change.spin_rate) * rn +
-                          spin2 * std::abs(contact.spin - contact.ut) * rt;
-    return (rate * (rate + a_rate / std::abs(a)) + faster) * (1 + impulse_change(scene, slip, contact.chi));
+    const T rate = 1 + abs(before.ut) + abs(before.spin);
+    const T faster = abs(change.ut_rate) + abs(change.spin_rate);
+    const T rn = body.alpha * abs(cos(contact.chi)), rt = body.alpha * abs(sin(contact.chi));
+    const T spin2 = contact.spin * contact.spin;
+    const T a = wn + contact.ut * contact.ut - spin2 * body.alpha * cos(contact.chi);
+    const T a_rate = wt * abs(contact.ut - 1) + 2 * abs(contact.ut * change.ut_rate) +
+                     2 * abs(contact.spin * change.spin_rate) * rn + spin2 * abs(contact.spin - contact.ut) * rt;
+    return (rate * (rate + a_rate / abs(a)) + faster) * (1 + impulse_change(scene, slip, contact.chi));
 }
 
 /// The rate at which an edge turns about the container's centre once its rocking has ended: the angular momentum about
 /// that centre is conserved, since normal impulses point at it.
-double edge_rate(const ContactScene& scene, const PostImpactState<double>& post_impact) {
-    const Body<double>& body = scene.body;
-    const Vec2<double> place{1 - body.alpha * post_impact.chi.x, -(body.alpha * post_impact.chi.y)};
-    const Vec2<double> velocity{post_impact.vn - body.beta * post_impact.psi.y,
-                                post_impact.vt - body.beta * post_impact.psi.x};
+template <class T>
+T edge_rate(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    const Body<T>& body = scene.body;
+    const Vec2<T> place{T(1) - body.alpha * post_impact.chi.x, -(body.alpha * post_impact.chi.y)};
+    const Vec2<T> velocity{post_impact.vn - body.beta * post_impact.psi.y,
+                           post_impact.vt - body.beta * post_impact.psi.x};
     return (cross(place, velocity) + body.inertia * post_impact.spin) / (dot(place, place) + body.inertia);
 }
 
 /// The distance an edge slides after landing until friction holds it; infinite if friction does not. Where no sliding
 /// is consistent the edge jams at once.
-double slide_of(const ContactScene& scene, const ContactState& landed) {
-    ContactState z = landed;
+template <class T>
+T slide_of(const ContactScene<T>& scene, const ContactState<T>& landed) {
+    ContactState<T> z = landed;
     z.ut = z.spin = 0;
-    const Reaction held = reaction_of(scene, Support::edge, ContactMotion::sticking, z);
-    if (scene.mu == 0 || held.reserve < 0) return std::numeric_limits<double>::infinity();
+    const Reaction<T> held = reaction_of(scene, Support::edge, ContactMotion::sticking, z);
+    if (scene.mu == 0 || held.reserve < 0) return std::numeric_limits<T>::infinity();
     z.ut = z.spin = landed.ut;
     const auto motion = landed.ut > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
-    const Reaction slips = reaction_of(scene, Support::edge, motion, z);
+    const Reaction<T> slips = reaction_of(scene, Support::edge, motion, z);
     const bool pushes = slips.stiffness > 0 && slips.normal >= 0 && slips.second >= 0;
-    const double slowing =
-        pushes ? (landed.ut > 0 ? -slips.ut_rate : slips.ut_rate) : scene.mu * (held.normal + held.second);
-    return slowing > 0 ? landed.ut * landed.ut / (2 * slowing) : std::numeric_limits<double>::infinity();
+    const T slowing =
+        pushes ? (landed.ut > 0 ? T(-slips.ut_rate) : slips.ut_rate) : T(scene.mu * (held.normal + held.second));
+    return slowing > 0 ? T(landed.ut * landed.ut / (2 * slowing)) : std::numeric_limits<T>::infinity();
 }
 
-/// Sets χ to ±χ_m if it is within `tolerance` of it: the neighbour touches, too. Left an ulp inside, the neighbour
+/// Sets χ to ±χ_m if it is `apart` from it or less: the neighbour touches, too. Left an ulp inside, the neighbour
 /// would fall by an ulp and gain a velocity of order √ε = 10⁻⁸ that it did not have: where two vertices strike in turn,
 /// this gain balances the loss at each strike and the alternation does not end.
-void keep_neighbour_at_wall(const ContactScene& scene, double tolerance, ContactState& state) {
-    if (scene.is_disk() || std::abs(std::abs(state.chi) - scene.widest_chi) > tolerance) return;
-    state.chi = std::copysign(scene.widest_chi, state.chi);
+template <class T>
+void keep_neighbour_at_wall(const ContactScene<T>& scene, const T& apart, ContactState<T>& state) {
+    if (scene.is_disk() || abs(abs(state.chi) - scene.widest_chi) > apart) return;
+    state.chi = copysign(scene.widest_chi, state.chi);
 }
 
 }  // namespace
 
-ChatterError chatter_error(const ContactScene& scene, const PostImpactState<double>& post_impact) {
-    const ContactKinematics<double> u = contact_kinematics(scene.body, post_impact);
-    const double acceleration = free_acceleration(scene, post_impact, u.ut);
-    const double v = std::abs(u.un);
-    if (!(acceleration > 0)) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    const double lasts = 2 * v / (acceleration * (1 - scene.restitution));
-    const Slip slip = slip_of(scene, post_impact);
-    double unused;
-    const ContactState taken = without_normal_velocity(scene, post_impact, slip, unused);
-    const double removed = v + std::abs(taken.ut - u.ut) + scene.body.alpha * std::abs(taken.spin - post_impact.spin);
-    const double order = second_order(scene, slip, contact_state(scene, post_impact), taken);
-    const double estimate = 0.5 * removed * lasts * lasts * order;
-    return {v * lasts, std::isnan(estimate) ? std::numeric_limits<double>::infinity() : estimate};  // a or c is 0
+template <class T>
+ChatterError<T> chatter_error(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
+    const T acceleration = free_acceleration(scene, post_impact, u.ut);
+    const T v = abs(u.un);
+    if (!(acceleration > 0)) return {std::numeric_limits<T>::infinity(), std::numeric_limits<T>::infinity()};
+    const T lasts = 2 * v / (acceleration * (1 - scene.restitution));
+    const Slip<T> slip = slip_of(scene, post_impact);
+    T unused;
+    const ContactState<T> taken = without_normal_velocity(scene, post_impact, slip, unused);
+    const T removed = v + abs(taken.ut - u.ut) + scene.body.alpha * abs(taken.spin - post_impact.spin);
+    const T order = second_order(scene, slip, contact_state(scene, post_impact), taken);
+    const T estimate = 0.5 * removed * lasts * lasts * order;
+    return {v * lasts, isnan(estimate) ? std::numeric_limits<T>::infinity() : estimate};  // a or c is 0
 }
 
-bool rests_still(const ContactScene& scene, const ChatterCompletion& completion) {
-    return scene.mu > 0 && completion.support == Support::edge && completion.state.ut == 0 &&
-           completion.state.spin == 0;
+template <class T>
+bool rests_still(const ContactScene<T>& scene, const ChatterCompletion<T>& completion) {
+    return scene.mu > T(0) && completion.support == Support::edge && completion.state.ut == T(0) &&
+           completion.state.spin == T(0);
 }
 
-ContactState landed_like(const ContactScene& scene, const PostImpactState<double>& base,
-                         const ChatterCompletion& completion, const PostImpactState<double>& near) {
-    const auto seen = [&](const PostImpactState<double>& post_impact) {
+template <class T>
+ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<T>& base,
+                            const ChatterCompletion<T>& completion, const PostImpactState<T>& near) {
+    const auto seen = [&](const PostImpactState<T>& post_impact) {
         return completion.vertex_step == 0 ? post_impact : seen_from_neighbour(scene, post_impact);
     };
     if (completion.support == Support::edge) {
-        ContactState state = contact_state(scene, seen(near));
+        ContactState<T> state = contact_state(scene, seen(near));
         state.chi = completion.state.chi;
-        state.spin = state.ut = rests_still(scene, completion) ? 0 : edge_rate(scene, seen(near));
+        state.spin = state.ut = rests_still(scene, completion) ? T(0) : edge_rate(scene, seen(near));
         return state;
     }
-    double jacobi = 0;
+    T jacobi(0);
     return without_normal_velocity(scene, seen(near), slip_of(scene, seen(base)), jacobi);
 }
 
-ChatterCompletion chatter_completion(const ContactScene& scene, const PostImpactState<double>& post_impact) {
-    ChatterCompletion completion;
-    const Touch here = touch_of(scene, post_impact);
+template <class T>
+ChatterCompletion<T> chatter_completion(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    ChatterCompletion<T> completion;
+    const Touch<T> here = touch_of(scene, post_impact);
     bool there_rests = false;
     bool there_approaches = false;
-    PostImpactState<double> neighbour;
-    Touch there{false, false, 0};
+    PostImpactState<T> neighbour;
+    Touch<T> there{false, false, T(0)};
     if (!scene.is_disk()) {
-        const double apart = std::abs(std::abs(std::atan2(post_impact.chi.y, post_impact.chi.x)) - scene.widest_chi);
-        if (apart <= neighbour_tolerance) {
+        const T apart = abs(abs(atan2(post_impact.chi.y, post_impact.chi.x)) - scene.widest_chi);
+        if (apart <= neighbour_tolerance<T>()) {
             neighbour = seen_from_neighbour(scene, post_impact);
             there = touch_of(scene, neighbour);
             there_rests = there.rests;
             there_approaches =
-                !there.rests && apart <= chatter_tolerance && contact_kinematics(scene.body, neighbour).un > 0;
+                !there.rests && apart <= chatter_tolerance<T>() && contact_kinematics(scene.body, neighbour).un > 0;
         }
     }
     const int step = post_impact.chi.y > 0 ? -1 : 1;
@@ -207,26 +225,37 @@ ChatterCompletion chatter_completion(const ContactScene& scene, const PostImpact
                       contact_state(scene, clockwise ? post_impact : neighbour),
                       clockwise ? 0 : step,
                       std::max(here.error, there.error),
-                      0};
+                      T(0)};
         completion.state.chi = -scene.widest_chi;
         // The slip of one vertex includes the remaining rocking on the other.
-        const bool still = scene.mu > 0 && (std::abs(completion.state.ut) <= velocity_rounding(scene, post_impact) ||
-                                            slide_of(scene, completion.state) <= chatter_tolerance);
-        completion.state.ut = completion.state.spin = still ? 0 : completion.state.ut;
+        const bool still = scene.mu > 0 && (abs(completion.state.ut) <= velocity_rounding(scene, post_impact) ||
+                                            slide_of(scene, completion.state) <= chatter_tolerance<T>());
+        completion.state.ut = completion.state.spin = still ? T(0) : completion.state.ut;
         completion.jacobi =
             jacobi_of(scene.body, post_impact_state(scene, completion.state)) - jacobi_of(scene.body, post_impact);
     } else if (here.rests && here.pressed) {
-        completion = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, here.error, 0};
+        completion = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, here.error, T(0)};
         completion.state = landed(scene, post_impact, completion.jacobi);
-        keep_neighbour_at_wall(scene, chatter_tolerance, completion.state);
+        keep_neighbour_at_wall(scene, chatter_tolerance<T>(), completion.state);
     } else if (there_rests && there.pressed) {
-        completion = {true, Support::vertex, {}, step, there.error, 0};
+        completion = {true, Support::vertex, {}, step, there.error, T(0)};
         completion.state = landed(scene, neighbour, completion.jacobi);
-        keep_neighbour_at_wall(scene, neighbour_tolerance, completion.state);  // known only to its rebound
+        keep_neighbour_at_wall(scene, neighbour_tolerance<T>(), completion.state);  // known only to its rebound
     } else {
         completion.struck = here.rests && there_approaches;
     }
     return completion;
 }
+
+#define SWIRL_COMPILE_CHATTER(T)                                                               \
+    template ChatterError<T> chatter_error(const ContactScene<T>&, const PostImpactState<T>&); \
+    template bool rests_still(const ContactScene<T>&, const ChatterCompletion<T>&);            \
+    template ChatterCompletion<T> chatter_completion(const ContactScene<T>&, const PostImpactState<T>&);
+SWIRL_EVERY_NUMBER(SWIRL_COMPILE_CHATTER)
+#define SWIRL_COMPILE_LANDED_LIKE(T)                                                        \
+    template ContactState<T> landed_like(const ContactScene<T>&, const PostImpactState<T>&, \
+                                         const ChatterCompletion<T>&, const PostImpactState<T>&);
+SWIRL_EVERY_NUMBER(SWIRL_COMPILE_LANDED_LIKE)
+SWIRL_EVERY_CONTACT_JET(SWIRL_COMPILE_LANDED_LIKE)
 
 }  // namespace swirl

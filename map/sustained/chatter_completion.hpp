@@ -4,10 +4,10 @@
 // remaining flights last 2v/a, 2ve/a, 2ve²/a …: they end after T = 2v/(a(1 − e)). To first order in T their impulses
 // add up to those of contact over the same time, less v: the rest of the sequence equals the removal of v, with
 // friction, at its beginning, followed by contact (complete chattering: Nordmark & Piiroinen, Nonlinear Dyn. 58 (2009)
-// 85). Meanwhile the two motions differ by at most vT in place: contact begins once that is below 16 ε of R_c. There is
-// no speed threshold. At the end of chattering they differ in place and velocities by the second order in T, which
-// `ChatterError::estimate` estimates (the first order cancels: the tangential displacement is proportional to the
-// normal one, which is zero at the end):
+// 85). Meanwhile the two motions differ by at most vT in place: contact begins once that is below 16 ε of R_c, ε that
+// of the number type. There is no speed threshold. At the end of chattering they differ in place and velocities by the
+// second order in T, which `ChatterError::estimate` estimates (the first order cancels: the tangential displacement is
+// proportional to the normal one, which is zero at the end):
 //
 //     ½ Δu T² (r(r + |a′|/a) + r′)(1 + |c′|/c)
 //
@@ -19,67 +19,81 @@
 #include "map/sustained/contact_state.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace swirl {
 
+template <class T>
 struct ChatterCompletion {
     bool in_contact = false;
     Support support = Support::vertex;
-    ContactState state;   ///< u_n removed
-    int vertex_step = 0;  ///< from the vertex that struck to the one that the state belongs to: −1, 0 or 1
-    double error = 0;     ///< of replacing the rest of chatter by contact (ChatterError::estimate)
-    double jacobi = 0;    ///< change of J by the removal of u_n (the rest of chatter), −p ū_n + q (ū_t − 1)
-    bool struck = false;  ///< not in contact: the vertex would leave, but its neighbour is at the wall and approaches
+    ContactState<T> state;  ///< u_n removed
+    int vertex_step = 0;    ///< from the vertex that struck to the one that the state belongs to: −1, 0 or 1
+    T error{};              ///< of replacing the rest of chatter by contact (ChatterError::estimate)
+    T jacobi{};             ///< change of J by the removal of u_n (the rest of chatter), −p ū_n + q (ū_t − 1)
+    bool struck = false;    ///< not in contact: the vertex would leave, but its neighbour is at the wall and approaches
 };
 
 /// Chatter is replaced by contact once vT, the bound of the displacement by its remaining flights, is below this, in
-/// R_c.
-inline constexpr double chatter_tolerance = 16 * std::numeric_limits<double>::epsilon();
+/// R_c. In more digits chatter is followed further down, so that its error falls with ε.
+template <class T>
+inline Plain<T> chatter_tolerance() {
+    return 16 * epsilon<T>();
+}
 
 /// The neighbour counts as touching if |χ| is this close to χ_m: the rounding of an impact of both vertices.
-inline constexpr double neighbour_tolerance = 1e-12;
+template <class T>
+inline Plain<T> neighbour_tolerance() {
+    return tolerance<T>(1e-12);
+}
 
 /// Normal velocities up to this are rounding and count as zero.
-inline double velocity_rounding(const ContactScene& scene, const PostImpactState<double>& post_impact) {
-    return 64 * std::numeric_limits<double>::epsilon() *
-           (std::abs(post_impact.vn) + std::abs(post_impact.vt) + scene.body.beta +
-            scene.body.alpha * std::abs(post_impact.spin));
+template <class T>
+inline T velocity_rounding(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    using std::abs;
+    return 64 * epsilon<T>() *
+           (abs(post_impact.vn) + abs(post_impact.vt) + scene.body.beta + scene.body.alpha * abs(post_impact.spin));
 }
 
 /// A quick sufficient test: false (as after nearly every impact) implies that `chatter_completion` finds no contact.
 /// The body leaves if vT exceeds `chatter_tolerance` by a factor of 2 (for rounding) even with the bound a ≤ β + (u_t −
 /// αS)²/ρ (a disk) or β + u_t² (a vertex), and the neighbour is away from the wall. Cost: some ten products.
-[[gnu::always_inline]] inline bool may_chatter(const ContactScene& scene, const PostImpactState<double>& post_impact) {
-    const ContactKinematics<double> u = contact_kinematics(scene.body, post_impact);
-    const double along = scene.is_disk() ? u.ut - scene.body.alpha * post_impact.spin : u.ut;
-    const double nearer = scene.is_disk() ? scene.body.per_inner : 1;
-    const double acceleration = scene.body.beta + along * along * nearer;
-    if (!(u.un * u.un > chatter_tolerance * (1 - scene.restitution) * acceleration &&
-          std::abs(u.un) > velocity_rounding(scene, post_impact)))
+template <class T>
+[[gnu::always_inline]] inline bool may_chatter(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    using std::abs;
+    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
+    const T along = scene.is_disk() ? T(u.ut - scene.body.alpha * post_impact.spin) : u.ut;
+    const T nearer = scene.is_disk() ? scene.body.per_inner : T(1);
+    const T acceleration = scene.body.beta + along * along * nearer;
+    if (!(u.un * u.un > chatter_tolerance<T>() * (1 - scene.restitution) * acceleration &&
+          abs(u.un) > velocity_rounding(scene, post_impact)))
         return true;
-    return !scene.is_disk() && !(std::abs(std::abs(post_impact.chi.y) - scene.widest_sine) > 2 * neighbour_tolerance);
+    return !scene.is_disk() && !(abs(T(abs(post_impact.chi.y) - scene.widest_sine)) > 2 * neighbour_tolerance<T>());
 }
 
 /// Whether and how contact begins just after an impact.
-ChatterCompletion chatter_completion(const ContactScene& scene, const PostImpactState<double>& post_impact);
+template <class T>
+ChatterCompletion<T> chatter_completion(const ContactScene<T>& scene, const PostImpactState<T>& post_impact);
 
 /// The errors of replacing chatter after an impact by contact.
+template <class T>
 struct ChatterError {
-    double moved;     ///< vT: bounds the displacement between the two motions during chatter, in R_c
-    double estimate;  ///< of the error of place (R_c) and velocities (R_c ω_s) at its end
+    T moved;     ///< vT: bounds the displacement between the two motions during chatter, in R_c
+    T estimate;  ///< of the error of place (R_c) and velocities (R_c ω_s) at its end
 };
 
 /// Infinite if the vertex (rim) does not come back to the wall.
-ChatterError chatter_error(const ContactScene& scene, const PostImpactState<double>& post_impact);
+template <class T>
+ChatterError<T> chatter_error(const ContactScene<T>& scene, const PostImpactState<T>& post_impact);
 
 /// True for an edge that friction holds at rest.
-bool rests_still(const ContactScene& scene, const ChatterCompletion& completion);
+template <class T>
+bool rests_still(const ContactScene<T>& scene, const ChatterCompletion<T>& completion);
 
 /// The state in contact of a post-impact state `near` to `base`, whose completion is given: u_n is removed with the
 /// same friction on the same support, for either sign of u_n. Smooth in `near`, so that it can be differentiated. On an
 /// edge the friction during the decay of rocking is neglected.
-ContactState landed_like(const ContactScene& scene, const PostImpactState<double>& base,
-                         const ChatterCompletion& completion, const PostImpactState<double>& near);
+template <class T>
+ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<T>& base,
+                            const ChatterCompletion<T>& completion, const PostImpactState<T>& near);
 
 }  // namespace swirl

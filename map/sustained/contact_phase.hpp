@@ -9,7 +9,8 @@
 
 namespace swirl {
 
-/// One piece of sustained contact. Times and vertices count from the impact before it.
+/// One piece of sustained contact, for records and figures: in double whatever the number of the motion. Times and
+/// vertices count from the impact before it.
 struct ContactSegment {
     double start = 0, end = 0;
     int vertex_step = 0;  ///< the vertex in contact; an edge's clockwise one
@@ -17,7 +18,7 @@ struct ContactSegment {
     ContactMotion motion = ContactMotion::sticking;
     ContactEvent begin = ContactEvent::landing;
     ContactEvent finish = ContactEvent::horizon;
-    ContactState from, to;
+    ContactState<double> from, to;
     double turned = 0;          ///< ∫ S dt
     double work = 0;            ///< ∫ f (u_t − 1) dt: change of J by friction
     double landing_jacobi = 0;  ///< change of J by the end of chatter before it (a landing's, a neighbour's)
@@ -25,23 +26,26 @@ struct ContactSegment {
     long steps = 0;    ///< number of power series
 };
 
+template <class T>
 struct ContactPhase {
     ContactEvent finish = ContactEvent::horizon;  ///< horizon, release, strike or jam
     bool cut = false;      ///< finish is horizon, but the horizon was not reached: too many steps or pieces
     bool resolved = true;  ///< false: no motion is consistent with the wall and friction
-    Strike strike;  ///< `after` is the post-impact state at the end: leaving, or just after the impact (strike, jam)
+    Strike<T> strike;  ///< `after` is the post-impact state at the end: leaving, or just after the impact (strike, jam)
     int vertex_step = 0;  ///< the vertex of that post-impact state, counted from the one that struck before
-    ContactSums sums;
+    ContactSums<T> sums;
     std::vector<ContactSegment> segments;
 };
 
 /// Follows contact until the body leaves the wall, another vertex strikes, `horizon` is over, or so many power series
 /// were made.
-ContactPhase follow_contact(const ContactScene& scene, const ChatterCompletion& completion, double horizon,
-                            const ContactSink& sink = {}, long most_steps = most_contact_steps);
+template <class T>
+ContactPhase<T> follow_contact(const ContactScene<T>& scene, const ChatterCompletion<T>& completion, double horizon,
+                               const ContactSink& sink = {}, long most_steps = most_contact_steps);
 
 /// Where two vertices strike in turn and flights shrink to rounding (`ChatterCompletion::struck`): the strike of the
 /// neighbour, at the same time.
-ContactPhase struck_at_once(const ContactScene& scene, const PostImpactState<double>& post_impact);
+template <class T>
+ContactPhase<T> struck_at_once(const ContactScene<T>& scene, const PostImpactState<T>& post_impact);
 
 }  // namespace swirl

@@ -1,10 +1,13 @@
 #include "map/sustained/contact_run.hpp"
 
+#include "map/map_list.hpp"
 #include "map/sustained/contact_watch.hpp"
 #include "map/sustained/rim_pendulum.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <type_traits>
 
 namespace swirl {
 
@@ -12,29 +15,37 @@ namespace {
 
 using contact_detail::Condition, contact_detail::Failure, contact_detail::Problem, contact_detail::State,
     contact_detail::Step;
+using std::abs, std::isfinite;
 
 /// A step whose sixteen parts are short against the swirl and the body's own motion (a disk's spin moves no contact).
-double longest_step(const ContactScene& scene, Support support, const ContactState& z) {
-    const double spin = support == Support::rim ? 0 : std::abs(z.spin);
-    return 1 / (1 + spin + std::abs(normal_rate(scene, support, z)));
+template <class T>
+T longest_step(const ContactScene<T>& scene, Support support, const ContactState<T>& z) {
+    const T spin = support == Support::rim ? T(0) : T(abs(z.spin));
+    return 1 / (1 + spin + abs(normal_rate(scene, support, z)));
 }
 
 /// Bound of the last terms of a step; the truncation error is smaller by a factor (step)/(distance to the nearest
 /// singularity).
-constexpr double local_error = 1e-16;
+template <class T>
+T local_error() {
+    return tolerance<T>(1e-16);
+}
 
 /// False where the motion is so fast that the series has left the numbers.
-bool is_finite(const State& y) {
-    return std::all_of(y.value.begin(), y.value.end(), [](double value) { return std::isfinite(value); });
+template <class T>
+bool is_finite(const State<T>& y) {
+    return std::all_of(y.value.begin(), y.value.end(), [](const T& value) { return isfinite(value); });
 }
 
 /// Shows a step to a sink, in parts short enough to interpolate between.
-void show(const Problem& problem, const Step& step, double time, double h, const ContactSink& sink) {
+template <class T>
+void show(const Problem<T>& problem, const Step<T>& step, const T& time, const T& h, const ContactSink& sink) {
     constexpr int parts = 4;
     for (int part = 1; part <= parts; ++part) {
-        const double t = part == parts ? h : h * part / parts;
-        const State at = step.at(t);
-        sink({time + t, at.value[4], at.value[5]}, problem.support, problem.motion, at.contact());
+        const T t = part == parts ? h : T(h * part / parts);
+        const State<T> at = step.at(t);
+        sink({static_cast<double>(time + t), static_cast<double>(at.value[4]), static_cast<double>(at.value[5])},
+             problem.support, problem.motion, in_double(at.contact()));
     }
 }
 
@@ -43,7 +54,8 @@ void show(const Problem& problem, const Step& step, double time, double h, const
 constexpr double long_contact = 20;
 constexpr double hold_margin = 1e-9;
 
-bool holds_throughout(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& z) {
+bool holds_throughout(const ContactScene<double>& scene, Support support, ContactMotion motion,
+                      const ContactState<double>& z) {
     if (support != Support::rim || (scene.mu > 0 && motion != ContactMotion::sticking)) return false;
     const RimPendulum pendulum = rim_pendulum(scene, z);
     const double scale = (1 + scene.mu) * (scene.body.beta + scene.body.inner * (1 + 2 * pendulum.height));
@@ -51,8 +63,9 @@ bool holds_throughout(const ContactScene& scene, Support support, ContactMotion 
 }
 
 /// The whole duration at once. Of S the integral is −ρ(t + Δψ)/α rolling; friction's is IΔS/α, at u_t = 0.
-ContactEnd advanced_at_once(const ContactScene& scene, const ContactState& start, double duration) {
-    const ContactState to = advance_rim(scene, start, duration);
+ContactEnd<double> advanced_at_once(const ContactScene<double>& scene, const ContactState<double>& start,
+                                    double duration) {
+    const ContactState<double> to = advance_rim(scene, start, duration);
     const double per_alpha = 1 / scene.body.alpha;
     const bool rolls = scene.mu > 0;
     const double turned =
@@ -61,18 +74,41 @@ ContactEnd advanced_at_once(const ContactScene& scene, const ContactState& start
     return {ContactEvent::horizon, to, {duration, turned, work}, false, 1};
 }
 
+/// The contact of a pendulum that no event can end, in closed form, where that saves steps; nothing otherwise. In
+/// double whatever T is: no impact comes of it, and what it is reported in is double.
+template <class T>
+std::optional<ContactEnd<T>> endless_contact(const ContactScene<T>& scene, Support support, ContactMotion motion,
+                                             const ContactState<T>& start, const T& duration) {
+    if (support != Support::rim || !(duration > T(long_contact) * longest_step(scene, support, start))) return {};
+    if constexpr (std::is_same_v<T, double>) {
+        if (!holds_throughout(scene, support, motion, start)) return {};
+        return advanced_at_once(scene, start, duration);
+    } else {
+        const auto end =
+            endless_contact<double>(in_double(scene), support, motion, in_double(start), static_cast<double>(duration));
+        if (!end) return {};
+        const ContactState<double>& to = end->state;
+        return ContactEnd<T>{ContactEvent::horizon,
+                             {T(to.psi), T(to.chi), T(to.ut), T(to.spin)},
+                             {duration, T(end->sums.turned), T(end->sums.work)},
+                             false,
+                             1};
+    }
+}
+
 }  // namespace
 
-ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& start,
-                       double duration, const ContactSink& sink, long most_steps) {
-    const Problem problem{scene, support, motion};
-    if (!sink && duration > long_contact * longest_step(scene, support, start) &&
-        holds_throughout(scene, support, motion, start))
-        return advanced_at_once(scene, start, duration);
-    State y{{start.psi, start.chi, start.ut, start.spin, 0, 0}, {}};
-    ContactEnd end;
-    double time = 0;
-    const auto finish = [&](ContactEvent event, const State& at, double t) {
+template <class T>
+ContactEnd<T> run_contact(const ContactScene<T>& scene, Support support, ContactMotion motion,
+                          const ContactState<T>& start, const Plain<T>& duration, const ContactSink& sink,
+                          long most_steps) {
+    const Problem<T> problem{scene, support, motion};
+    if (!sink)
+        if (const auto end = endless_contact(scene, support, motion, start, duration)) return *end;
+    State<T> y{{start.psi, start.chi, start.ut, start.spin, T(0), T(0)}, {}};
+    ContactEnd<T> end;
+    T time(0);
+    const auto finish = [&](ContactEvent event, const State<T>& at, const T& t) {
         end.event = event;
         end.state = at.contact();
         end.sums = {t, at.value[4], at.value[5]};
@@ -81,23 +117,28 @@ ContactEnd run_contact(const ContactScene& scene, Support support, ContactMotion
     // Ends at: an event, the duration, the step limit, or a motion too fast for numbers, which is cut short as well.
     while (time < duration && end.steps < most_steps) {
         ++end.steps;
-        const Step step(problem, y);
-        const double h =
-            std::min({step_of(step.series(), local_error), longest_step(scene, support, y.contact()), duration - time});
-        const State next = step.at(h);
+        const Step<T> step(problem, y);
+        const T h = std::min(
+            {step_of(step.series(), local_error<T>()), longest_step(scene, support, y.contact()), T(duration - time)});
+        const State<T> next = step.at(h);
         if (!is_finite(next)) break;
-        const Failure failure = first_failure(problem, step, h);
+        const Failure<T> failure = first_failure(problem, step, h);
         if (failure.found) {
-            const Condition condition = conditions_of(problem, y)[failure.which];
+            const Condition<T> condition = conditions_of(problem, y)[failure.which];
             end.first_lifts = condition.first_lifts;
             if (sink && failure.time > 0) show(problem, step, time, failure.time, sink);
-            return finish(condition.event, failure.time > 0 ? step.at(failure.time) : y, time + failure.time);
+            return finish(condition.event, failure.time > 0 ? step.at(failure.time) : y, T(time + failure.time));
         }
         if (sink) show(problem, step, time, h, sink);
         y = next;
-        time = duration - time <= h ? duration : time + h;
+        time = duration - time <= h ? duration : T(time + h);
     }
     return finish(ContactEvent::horizon, y, time);
 }
+
+#define SWIRL_COMPILE_RUN_CONTACT(T)                                                                           \
+    template ContactEnd<T> run_contact(const ContactScene<T>&, Support, ContactMotion, const ContactState<T>&, \
+                                       const Plain<T>&, const ContactSink&, long);
+SWIRL_EVERY_NUMBER(SWIRL_COMPILE_RUN_CONTACT)
 
 }  // namespace swirl

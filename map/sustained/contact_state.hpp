@@ -22,36 +22,55 @@ inline std::string_view name_of(Support support, ContactMotion motion) {
 }
 
 /// A state in contact. Angles in radians, u_t in R_c ω_s, S in ω_s.
+template <class T>
 struct ContactState {
-    double psi = 0;
-    double chi = 0;
-    double ut = 0;
-    double spin = 0;
+    T psi{};
+    T chi{};
+    T ut{};
+    T spin{};
 };
+
+/// The same for a report: records and figures are made in double.
+template <class T>
+ContactState<double> in_double(const ContactState<T>& z) {
+    return {static_cast<double>(z.psi), static_cast<double>(z.chi), static_cast<double>(z.ut),
+            static_cast<double>(z.spin)};
+}
 
 /// What sustained contact needs of a scene.
+template <class T>
 struct ContactScene {
-    Body<double> body;
-    double mu = 0;
-    double restitution = 0;
+    Body<T> body;
+    T mu{};
+    T restitution{};
     ImpactRule rule = ImpactRule::frictionless;
-    double widest_chi = 0;   ///< χ_m = π/N − asin(α sin(π/N)): at |χ| = χ_m the neighbour touches too
-    double widest_sine = 0;  ///< sin χ_m
-    double half_chord = 0;   ///< asin(α sin(π/N)): half the angle between the two contacts of an edge
+    T widest_chi{};   ///< χ_m = π/N − asin(α sin(π/N)): at |χ| = χ_m the neighbour touches too
+    T widest_sine{};  ///< sin χ_m
+    T half_chord{};   ///< asin(α sin(π/N)): half the angle between the two contacts of an edge
 
     bool is_disk() const { return body.sides == disk_sides; }
-    double inertia_factor() const { return body.inertia / (body.alpha * body.alpha); }
+    T inertia_factor() const { return body.inertia / (body.alpha * body.alpha); }
 };
 
-ContactScene contact_scene(const Body<double>& body, double mu, double restitution, ImpactRule rule);
+/// The same in double.
+template <class T>
+ContactScene<double> in_double(const ContactScene<T>& scene);
+
+// Compiled once for every number of map_list.hpp, as all of sustained contact.
+
+template <class T>
+ContactScene<T> contact_scene(const Body<T>& body, const T& mu, const T& restitution, ImpactRule rule);
 
 /// The state in contact just after an impact that left no normal velocity.
-ContactState contact_state(const ContactScene& scene, const PostImpactState<double>& post_impact);
+template <class T>
+ContactState<T> contact_state(const ContactScene<T>& scene, const PostImpactState<T>& post_impact);
 
 /// The state just after an impact, u_n = 0, on the vertex (rim) that the contact's coordinates belong to.
-PostImpactState<double> post_impact_state(const ContactScene& scene, const ContactState& state);
+template <class T>
+PostImpactState<T> post_impact_state(const ContactScene<T>& scene, const ContactState<T>& state);
 
 /// The same state seen from the neighbour that touches too (|χ| = χ_m): one number up if χ < 0, one down if χ > 0.
-PostImpactState<double> seen_from_neighbour(const ContactScene& scene, const PostImpactState<double>& post_impact);
+template <class T>
+PostImpactState<T> seen_from_neighbour(const ContactScene<T>& scene, const PostImpactState<T>& post_impact);
 
 }  // namespace swirl

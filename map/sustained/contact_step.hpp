@@ -10,21 +10,27 @@
 namespace swirl::contact_detail {
 
 inline constexpr std::size_t state_size = 6;  // ψ, χ, u_t, S, ∫S dt, ∫f(u_t − 1)dt
-using Components = std::array<double, state_size>;
+template <class T>
+using Components = std::array<T, state_size>;
 
 /// A state as value + rest: a step's small change is added without rounding error (compensated sum). Over 100 periods
 /// of a pendulum the error is 1e-11, without `rest` 5e-10.
+template <class T>
 struct State {
-    Components value{};
-    Components rest{};
+    Components<T> value{};
+    Components<T> rest{};
 
-    ContactState contact() const { return {value[0], value[1], value[2], value[3]}; }
+    ContactState<T> contact() const { return {value[0], value[1], value[2], value[3]}; }
     /// |χ| below `widest`: a neighbour's rebounds whose height is below the rounding of χ need it.
-    double room(double widest) const { return (widest - std::abs(value[1])) - (value[1] < 0 ? -rest[1] : rest[1]); }
+    T room(const T& widest) const {
+        using std::abs;
+        return (widest - abs(value[1])) - (value[1] < 0 ? T(-rest[1]) : rest[1]);
+    }
 };
 
+template <class T>
 struct Problem {
-    const ContactScene& scene;
+    const ContactScene<T>& scene;
     Support support;
     ContactMotion motion;
 
@@ -32,31 +38,32 @@ struct Problem {
 };
 
 /// The motion from a state on.
+template <class T>
 class Step {
 public:
-    Step(const Problem& problem, const State& from)
+    Step(const Problem<T>& problem, const State<T>& from)
         : from_(from),
           series_(contact_series(problem.scene, problem.support, problem.motion, from.contact(), from.rest[0])) {}
 
-    const ContactSeries& series() const { return series_; }
+    const ContactSeries<T>& series() const { return series_; }
 
     /// The state t later.
-    State at(double t) const {
-        const Series* parts[] = {&series_.psi,  &series_.chi,    &series_.ut,
-                                 &series_.spin, &series_.turned, &series_.work};
-        State to;
+    State<T> at(const T& t) const {
+        const Series<T>* parts[] = {&series_.psi,  &series_.chi,    &series_.ut,
+                                    &series_.spin, &series_.turned, &series_.work};
+        State<T> to;
         for (std::size_t i = 0; i < state_size; ++i) {
-            const double change = from_.rest[i] + change_at(*parts[i], t);
+            const T change = from_.rest[i] + change_at<T>(*parts[i], t);
             to.value[i] = from_.value[i] + change;
-            const double kept = to.value[i] - from_.value[i];
+            const T kept = to.value[i] - from_.value[i];
             to.rest[i] = (from_.value[i] - (to.value[i] - kept)) + (change - kept);  // Knuth's two-sum
         }
         return to;
     }
 
 private:
-    State from_;
-    ContactSeries series_;
+    State<T> from_;
+    ContactSeries<T> series_;
 };
 
 }  // namespace swirl::contact_detail

@@ -1,5 +1,7 @@
 #include "map/sustained/reaction.hpp"
 
+#include "map/map_list.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,42 +9,47 @@ namespace swirl {
 
 namespace {
 
-double sign_of(ContactMotion motion) {
-    return motion == ContactMotion::sliding_backward ? -1 : 1;
+using std::abs, std::cos, std::sin;
+
+template <class T>
+T sign_of(ContactMotion motion) {
+    return motion == ContactMotion::sliding_backward ? T(-1) : T(1);
 }
 
-Reaction on_rim(const ContactScene& scene, ContactMotion motion, const ContactState& z) {
-    const Body<double>& body = scene.body;
-    const double wn = body.beta * std::cos(z.psi), wt = -body.beta * std::sin(z.psi);
-    const double rho = body.inner, kappa = scene.inertia_factor();
-    const double turning = (z.ut - body.alpha * z.spin) / rho;
-    Reaction r;
+template <class T>
+Reaction<T> on_rim(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z) {
+    const Body<T>& body = scene.body;
+    const T wn = body.beta * cos(z.psi), wt = -body.beta * sin(z.psi);
+    const T rho = body.inner, kappa = scene.inertia_factor();
+    const T turning = (z.ut - body.alpha * z.spin) / rho;
+    Reaction<T> r;
     r.normal = wn + rho * turning * turning;
     if (motion == ContactMotion::sticking) {
         r.friction = -kappa * wt / (1 + kappa);
-        r.reserve = scene.mu * r.normal - std::abs(r.friction);
+        r.reserve = scene.mu * r.normal - abs(r.friction);
     } else {
-        r.friction = -scene.mu * sign_of(motion) * r.normal;
+        r.friction = -scene.mu * sign_of<T>(motion) * r.normal;
         r.ut_rate = wt + r.friction * (1 + 1 / kappa);
     }
     r.spin_rate = r.friction / (kappa * body.alpha);
     return r;
 }
 
-Reaction on_vertex(const ContactScene& scene, ContactMotion motion, const ContactState& z) {
-    const Body<double>& body = scene.body;
-    const double wn = body.beta * std::cos(z.psi), wt = -body.beta * std::sin(z.psi);
-    const double rn = body.alpha * std::cos(z.chi), rt = body.alpha * std::sin(z.chi);
-    const double spin2 = z.spin * z.spin;
-    Reaction r;
+template <class T>
+Reaction<T> on_vertex(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z) {
+    const Body<T>& body = scene.body;
+    const T wn = body.beta * cos(z.psi), wt = -body.beta * sin(z.psi);
+    const T rn = body.alpha * cos(z.chi), rt = body.alpha * sin(z.chi);
+    const T spin2 = z.spin * z.spin;
+    Reaction<T> r;
     if (motion == ContactMotion::sticking) {
         r.spin_rate = (rt * wn - rn * wt) / (body.inertia + body.alpha * body.alpha);
         r.normal = wn - r.spin_rate * rt - spin2 * rn;
         r.friction = -wt - r.spin_rate * rn + spin2 * rt;
-        r.reserve = scene.mu * r.normal - std::abs(r.friction);
+        r.reserve = scene.mu * r.normal - abs(r.friction);
         return r;
     }
-    const double smu = scene.mu * sign_of(motion);
+    const T smu = scene.mu * sign_of<T>(motion);
     r.stiffness = 1 + rt * (rt - smu * rn) / body.inertia;
     r.normal = (wn + z.ut * z.ut - spin2 * rn) / r.stiffness;
     r.friction = -smu * r.normal;
@@ -53,45 +60,47 @@ Reaction on_vertex(const ContactScene& scene, ContactMotion motion, const Contac
 
 /// Two vertices at rest: the reactions are not unique, (λ₁ + λ₂) = Λ is free along the wedge between the contacts.
 /// Rest lasts while any Λ keeps both forces within their friction cones: the width of that interval of Λ.
-double edge_reserve(const ContactScene& scene, double sum_friction, double difference, double wn) {
-    const double c = std::cos(scene.half_chord), s = std::sin(scene.half_chord);
+template <class T>
+T edge_reserve(const ContactScene<T>& scene, const T& sum_friction, const T& difference, const T& wn) {
+    const T c = cos(scene.half_chord), s = sin(scene.half_chord);
     // f₁ − f₂ = (Λ c − w)/s; the four sides of |f₁| ≤ μλ₁, |f₂| ≤ μλ₂ as a + bΛ ≥ 0.
-    double least = 0, most = std::numeric_limits<double>::infinity();
-    for (const double first : {1.0, -1.0})       // which contact: λ = (Λ ± D)/2
-        for (const double sign : {1.0, -1.0}) {  // which side of the cone
-            const double a = scene.mu * first * difference - sign * (sum_friction - first * wn / s);
-            const double b = scene.mu - sign * first * c / s;
+    T least(0), most = std::numeric_limits<T>::infinity();
+    for (const int first : {1, -1})       // which contact: λ = (Λ ± D)/2
+        for (const int sign : {1, -1}) {  // which side of the cone
+            const T a = scene.mu * first * difference - sign * (sum_friction - first * wn / s);
+            const T b = scene.mu - sign * first * c / s;
             if (b > 0)
-                least = std::max(least, -a / b);
+                least = std::max(least, T(-a / b));
             else if (b < 0)
-                most = std::min(most, -a / b);
+                most = std::min(most, T(-a / b));
             else if (a < 0)
                 return a;
         }
-    return std::min(most, 1e300) - least;
+    return std::min(most, T(1e300)) - least;
 }
 
-Reaction on_edge(const ContactScene& scene, ContactMotion motion, const ContactState& z) {
-    const Body<double>& body = scene.body;
-    const double centre = z.psi + scene.half_chord;  // arg X − t
-    const double wn = body.beta * std::cos(centre), wt = -body.beta * std::sin(centre);
-    const double c = std::cos(scene.half_chord), s = std::sin(scene.half_chord), d = body.outer;
-    const double inertia = body.inertia + d * d;
-    Reaction r;
+template <class T>
+Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z) {
+    const Body<T>& body = scene.body;
+    const T centre = z.psi + scene.half_chord;  // arg X − t
+    const T wn = body.beta * cos(centre), wt = -body.beta * sin(centre);
+    const T c = cos(scene.half_chord), s = sin(scene.half_chord), d = body.outer;
+    const T inertia = body.inertia + d * d;
+    Reaction<T> r;
     if (motion == ContactMotion::sticking) {
         r.friction = -d * wt;
-        const double difference = (-wt - r.friction * c) / s;
+        const T difference = (-wt - r.friction * c) / s;
         r.reserve = edge_reserve(scene, r.friction, difference, wn);
         // One of the possible pairs, the one without tension along the edge: f₁ = f₂.
         r.normal = 0.5 * (wn / c + difference);
         r.second = 0.5 * (wn / c - difference);
         return r;
     }
-    const double smu = scene.mu * sign_of(motion);
-    const double lean = -wt * body.inertia / inertia;
+    const T smu = scene.mu * sign_of<T>(motion);
+    const T lean = -wt * body.inertia / inertia;
     r.stiffness = c + smu * smu * (c - d / inertia);
-    const double sum = (wn + d * z.spin * z.spin - smu * lean) / r.stiffness;
-    const double difference = (smu * sum * (c - d / inertia) + lean) / s;
+    const T sum = (wn + d * z.spin * z.spin - smu * lean) / r.stiffness;
+    const T difference = (smu * sum * (c - d / inertia) + lean) / s;
     r.normal = 0.5 * (sum + difference);
     r.second = 0.5 * (sum - difference);
     r.friction = -smu * sum;
@@ -102,7 +111,9 @@ Reaction on_edge(const ContactScene& scene, ContactMotion motion, const ContactS
 
 }  // namespace
 
-Reaction reaction_of(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& state) {
+template <class T>
+Reaction<T> reaction_of(const ContactScene<T>& scene, Support support, ContactMotion motion,
+                        const ContactState<T>& state) {
     switch (support) {
         case Support::rim:
             return on_rim(scene, motion, state);
@@ -114,13 +125,21 @@ Reaction reaction_of(const ContactScene& scene, Support support, ContactMotion m
     return {};
 }
 
-double stick_margin(const ContactScene& scene, const ContactState& state) {
-    return 1e-12 * (scene.body.beta + scene.body.alpha * state.spin * state.spin);
+template <class T>
+T stick_margin(const ContactScene<T>& scene, const ContactState<T>& state) {
+    return tolerance<T>(1e-12) * (scene.body.beta + scene.body.alpha * state.spin * state.spin);
 }
 
-double normal_rate(const ContactScene& scene, Support support, const ContactState& state) {
+template <class T>
+T normal_rate(const ContactScene<T>& scene, Support support, const ContactState<T>& state) {
     if (support == Support::rim) return (state.ut - scene.body.alpha * state.spin) / scene.body.inner;
     return support == Support::vertex ? state.ut : state.spin;
 }
+
+#define SWIRL_COMPILE_REACTION(T)                                                                             \
+    template Reaction<T> reaction_of(const ContactScene<T>&, Support, ContactMotion, const ContactState<T>&); \
+    template T stick_margin(const ContactScene<T>&, const ContactState<T>&);                                  \
+    template T normal_rate(const ContactScene<T>&, Support, const ContactState<T>&);
+SWIRL_EVERY_NUMBER(SWIRL_COMPILE_REACTION)
 
 }  // namespace swirl

@@ -14,24 +14,29 @@
 
 namespace swirl {
 
+template <class T>
 struct Reaction {
-    double normal = 0;     ///< λ (of an edge: of the clockwise vertex)
-    double second = 0;     ///< λ of an edge's other vertex
-    double friction = 0;   ///< f, along t (of an edge: both together)
-    double ut_rate = 0;    ///< du_t/dt
-    double spin_rate = 0;  ///< S′
-    double reserve = 0;    ///< sticking: μλ − |f|, negative if friction can't hold it (edge: see `edge_reserve`)
-    double stiffness =
-        1;  ///< sliding on a vertex: B₂ − sμB₃; at 0 and below λ is not unique or does not exist (Painlevé)
+    T normal{};     ///< λ (of an edge: of the clockwise vertex)
+    T second{};     ///< λ of an edge's other vertex
+    T friction{};   ///< f, along t (of an edge: both together)
+    T ut_rate{};    ///< du_t/dt
+    T spin_rate{};  ///< S′
+    T reserve{};    ///< sticking: μλ − |f|, negative if friction can't hold it (edge: see `edge_reserve`)
+    T stiffness =
+        T(1);  ///< sliding on a vertex: B₂ − sμB₃; at 0 and below λ is not unique or does not exist (Painlevé)
 };
 
-Reaction reaction_of(const ContactScene& scene, Support support, ContactMotion motion, const ContactState& state);
+template <class T>
+Reaction<T> reaction_of(const ContactScene<T>& scene, Support support, ContactMotion motion,
+                        const ContactState<T>& state);
 
 /// A margin beyond its limit within which friction still counts as holding, so that the direction of the slip that
 /// follows is not decided by rounding.
-double stick_margin(const ContactScene& scene, const ContactState& state);
+template <class T>
+T stick_margin(const ContactScene<T>& scene, const ContactState<T>& state);
 
 /// dν/dt of the contact's normal.
-double normal_rate(const ContactScene& scene, Support support, const ContactState& state);
+template <class T>
+T normal_rate(const ContactScene<T>& scene, Support support, const ContactState<T>& state);
 
 }  // namespace swirl

@@ -31,9 +31,9 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
     const T fourth = derivative_bounds<4, shape>(body, flight).vertex;
     // Below the scale of the flight's own accelerations and velocities, however weak the swirl.
     const T turning = body.alpha * fabs(flight.spin);
-    const T rounding =
-        T(1e-11) * (std::min(T(1), T(body.beta + turning * fabs(flight.spin))) + bounds.drift * bounds.drift);
-    const T slow = T(1e-12) * (std::min(T(1), T(body.beta + turning)) + bounds.drift);
+    const T rounding = tolerance<T>(1e-11) *
+                       (std::min(T(1), T(body.beta + turning * fabs(flight.spin))) + bounds.drift * bounds.drift);
+    const T slow = tolerance<T>(1e-12) * (std::min(T(1), T(body.beta + turning)) + bounds.drift);
     const Instant<T> start = at;
     if constexpr (shape == Shape::disk) {
         const T time = leaving_time(centre_gap(body, flight, at), bounds.centre_third, fourth, rounding);
@@ -47,7 +47,7 @@ bool leave_wall(const Body<T>& body, const Flight<T>& flight, const FlightBounds
         for (const auto* candidate : {&pair.first, &pair.second}) {
             const Gap<T>& gap = candidate->gap;
             const bool lifts = (candidate == &pair.first ? departures.first : departures.second).leaves;
-            const bool closed = gap.value > T(-1e-12) && fabs(gap.rate) <= slow;
+            const bool closed = gap.value > -tolerance<T>(1e-12) && fabs(gap.rate) <= slow;
             time =
                 std::min(time, closed ? leaving_time(gap, bounds.vertex_third, fourth, rounding)
                                // Half of it: the whole may lead to the wall itself.

@@ -23,7 +23,7 @@ double rate_at(const RimPendulum& p, double psi, double direction) {
     return direction * std::sqrt(std::max(0.0, 2 * p.height - 4 * p.strength * s * s));
 }
 
-double hold_at(const ContactScene& scene, const RimPendulum& p, double psi, double direction) {
+double hold_at(const ContactScene<double>& scene, const RimPendulum& p, double psi, double direction) {
     const Body<double>& body = scene.body;
     const double turning = 1 + rate_at(p, psi, direction);
     const double normal = body.beta * std::cos(psi) + body.inner * turning * turning;
@@ -33,7 +33,7 @@ double hold_at(const ContactScene& scene, const RimPendulum& p, double psi, doub
 }
 
 /// The minimum over ψ from 0 to `widest` (it is even in ψ): the least of equally spaced values, refined.
-double least_of_way(const ContactScene& scene, const RimPendulum& p, double widest, double direction) {
+double least_of_way(const ContactScene<double>& scene, const RimPendulum& p, double widest, double direction) {
     constexpr int parts = 32;
     const auto hold = [&](double psi) { return hold_at(scene, p, psi, direction); };
     double least = hold(widest);
@@ -47,7 +47,7 @@ double least_of_way(const ContactScene& scene, const RimPendulum& p, double wide
 
 }  // namespace
 
-RimPendulum rim_pendulum(const ContactScene& scene, const ContactState& state) {
+RimPendulum rim_pendulum(const ContactScene<double>& scene, const ContactState<double>& state) {
     const bool rolls = scene.mu > 0;
     const double rate = normal_rate(scene, Support::rim, state) - 1, s = std::sin(0.5 * state.psi);
     const double strength = scene.body.beta * scene.body.per_inner / (rolls ? 1 + scene.inertia_factor() : 1);
@@ -60,18 +60,18 @@ double period_of(const RimPendulum& p) {
     return p.turns() ? 2 * ellint_1(omega / size) / size : 4 * ellint_1(size / omega) / omega;
 }
 
-double mean_rolling_spin(const ContactScene& scene, const RimPendulum& p) {
+double mean_rolling_spin(const ContactScene<double>& scene, const RimPendulum& p) {
     const double mean_rate = p.turns() ? p.direction * 2 * pi<double>() / period_of(p) : 0;
     return -(scene.body.inner / scene.body.alpha) * (1 + mean_rate);
 }
 
-double least_hold(const ContactScene& scene, const RimPendulum& p) {
+double least_hold(const ContactScene<double>& scene, const RimPendulum& p) {
     if (p.turns()) return least_of_way(scene, p, pi<double>(), p.direction);
     const double widest = p.strength > 0 ? 2 * std::asin(std::min(1.0, std::sqrt(p.height / (2 * p.strength)))) : 0;
     return std::min(least_of_way(scene, p, widest, 1), least_of_way(scene, p, widest, -1));
 }
 
-std::optional<RimPendulum> settled_pendulum(const ContactScene& scene, const RimPendulum& pendulum) {
+std::optional<RimPendulum> settled_pendulum(const ContactScene<double>& scene, const RimPendulum& pendulum) {
     const auto with = [&](double height) {
         RimPendulum p = pendulum;
         p.height = height;
@@ -97,7 +97,7 @@ std::optional<RimPendulum> settled_pendulum(const ContactScene& scene, const Rim
     return {};
 }
 
-ContactState advance_rim(const ContactScene& scene, const ContactState& state, double time) {
+ContactState<double> advance_rim(const ContactScene<double>& scene, const ContactState<double>& state, double time) {
     const RimPendulum p = rim_pendulum(scene, state);
     const double omega = std::sqrt(p.strength), size = std::sqrt(p.height / 2);
     const double half = 0.5 * state.psi, whole = std::floor(half / pi<double>() + 0.5);

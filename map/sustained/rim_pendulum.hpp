@@ -8,6 +8,7 @@
 //     librating    sin ψ/2 = √m sn(ωt)    ψ′ = 2ω√m cn(ωt)     period 4K(√m)/ω
 //     circulating  sin ψ/2 = sn(ω√m t)    ψ′ = 2ω√m dn(ω√m t)  period 2K(1/√m)/(ω√m)
 //
+// In double: it tells what becomes of a contact that lasts, and no impact follows from it.
 // Source: Landau, Lifshitz, Mechanics, § 11; derived in map/sustained/README.md.
 #pragma once
 
@@ -27,27 +28,27 @@ struct RimPendulum {
 };
 
 /// The pendulum of a disk's state in contact. Rolling (u_t = 0) where there is friction.
-RimPendulum rim_pendulum(const ContactScene& scene, const ContactState& state);
+RimPendulum rim_pendulum(const ContactScene<double>& scene, const ContactState<double>& state);
 
 /// Time from ψ and ψ′ back to both, in 1/ω_s (ψ modulo 2π): of small swings 2π/√k, infinite on the separatrix.
 double period_of(const RimPendulum& pendulum);
 
 /// The time mean of S over a period, rolling: −(ρ/α)(1 + mean ψ′), where ψ′ has the mean 0 (librating) or ±2π/period.
-double mean_rolling_spin(const ContactScene& scene, const RimPendulum& pendulum);
+double mean_rolling_spin(const ContactScene<double>& scene, const RimPendulum& pendulum);
 
 /// The margin of the contact, its minimum over a whole period: μλ − |f| rolling, λ without friction, with λ = β cos ψ +
 /// ρ(1 + ψ′)² and |f| = κβ|sin ψ|/(1 + κ). If it is positive the contact never ends. Cost: some microseconds.
-double least_hold(const ContactScene& scene, const RimPendulum& pendulum);
+double least_hold(const ContactScene<double>& scene, const RimPendulum& pendulum);
 
 /// The limit of a disk that slips a little in each period. With x the share of friction that is missing, the slips on
 /// either side of ψ = 0 change ψ′ by O(x^{3/2}) each and cancel to that order; a period changes x by O(−x²). So the
 /// distance to the pendulum on which friction just holds, `least_hold` = 0, falls like 1/n in n periods.
 /// @return the pendulum of the same kind, of the energy nearest below on which friction just holds; the pendulum itself
 ///         if friction holds; none if there is none
-std::optional<RimPendulum> settled_pendulum(const ContactScene& scene, const RimPendulum& pendulum);
+std::optional<RimPendulum> settled_pendulum(const ContactScene<double>& scene, const RimPendulum& pendulum);
 
 /// The state of a rolling or frictionless disk a time later, if nothing ends the contact before; ψ is unwound. Error:
 /// some ε times the turns of ψ.
-ContactState advance_rim(const ContactScene& scene, const ContactState& state, double time);
+ContactState<double> advance_rim(const ContactScene<double>& scene, const ContactState<double>& state, double time);
 
 }  // namespace swirl

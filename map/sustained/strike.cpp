@@ -1,6 +1,8 @@
 #include "map/sustained/strike.hpp"
 
+#include "map/map_list.hpp"
 #include "map/sustained/chatter_completion.hpp"
+#include "map/sustained/contact_jets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +12,12 @@ namespace swirl {
 
 namespace {
 
+using std::abs;
+
 constexpr int most_impulses = 100'000;
 
-Impulse<double> impulse_by(const ContactScene& scene, const ContactKinematics<double>& approach, double restitution) {
+template <class T>
+Impulse<T> impulse_by(const ContactScene<T>& scene, const ContactKinematics<T>& approach, const T& restitution) {
     switch (scene.rule) {
         case ImpactRule::frictionless:
             return impulse<ImpactRule::frictionless>(approach, scene.mu, restitution);
@@ -26,57 +31,61 @@ Impulse<double> impulse_by(const ContactScene& scene, const ContactKinematics<do
     return {};
 }
 
-void receive(const ContactScene& scene, const ContactKinematics<double>& before, const Impulse<double>& j,
-             PostImpactState<double>& post_impact, Strike& strike) {
+template <class T>
+void receive(const ContactScene<T>& scene, const ContactKinematics<T>& before, const Impulse<T>& j,
+             PostImpactState<T>& post_impact, Strike<T>& strike) {
     post_impact.vn -= j.normal;
     post_impact.vt += j.tangential;
     post_impact.spin += (before.rn * j.tangential + before.rt * j.normal) / before.inertia;
-    const ContactKinematics<double> after = contact_kinematics(scene.body, post_impact);
-    strike.jacobi_restitution -= j.normal * 0.5 * (before.un + after.un);
-    strike.jacobi_friction += j.tangential * (0.5 * (before.ut + after.ut) - 1);
+    const ContactKinematics<T> after = contact_kinematics(scene.body, post_impact);
+    strike.jacobi_restitution -= j.normal * T(0.5) * (before.un + after.un);
+    strike.jacobi_friction += j.tangential * (T(0.5) * (before.ut + after.ut) - T(1));
 }
 
 }  // namespace
 
-Impulse<double> strike_once(const ContactScene& scene, PostImpactState<double>& post_impact, double restitution,
-                            Strike& strike) {
-    const ContactKinematics<double> before = contact_kinematics(scene.body, post_impact);
-    const Impulse<double> j = impulse_by(scene, before, restitution);
+template <class T>
+Impulse<T> strike_once(const ContactScene<T>& scene, PostImpactState<T>& post_impact, const T& restitution,
+                       Strike<T>& strike) {
+    const ContactKinematics<T> before = contact_kinematics(scene.body, post_impact);
+    const Impulse<T> j = impulse_by(scene, before, restitution);
     receive(scene, before, j, post_impact, strike);
     return j;
 }
 
-Impulse<double> jam_once(const ContactScene& scene, PostImpactState<double>& post_impact, Strike& strike) {
-    const ContactKinematics<double> before = contact_kinematics(scene.body, post_impact);
-    const double sign = before.ut > 0 ? 1 : -1;
-    const double stiffness = before.b2() - sign * scene.mu * before.b3();
-    const double stop = std::abs(before.ut) / (scene.mu * before.b1() - sign * before.b3());  // p where slip ends
-    ContactKinematics<double> pressed = before;
-    pressed.un = std::max(2 * stiffness * stop, 0.0);
-    const Impulse<double> j = impulse_by(scene, pressed, scene.restitution);
+template <class T>
+Impulse<T> jam_once(const ContactScene<T>& scene, PostImpactState<T>& post_impact, Strike<T>& strike) {
+    const ContactKinematics<T> before = contact_kinematics(scene.body, post_impact);
+    const T sign = before.ut > T(0) ? T(1) : T(-1);
+    const T stiffness = before.b2() - sign * scene.mu * before.b3();
+    const T stop = abs(before.ut) / (scene.mu * before.b1() - sign * before.b3());  // p where slip ends
+    ContactKinematics<T> pressed = before;
+    pressed.un = std::max(T(T(2) * stiffness * stop), T(0));
+    const Impulse<T> j = impulse_by(scene, pressed, scene.restitution);
     receive(scene, before, j, post_impact, strike);
     return j;
 }
 
-Strike strike_in_contact(const ContactScene& scene, const PostImpactState<double>& completion, bool plastic) {
-    const double restitution = plastic ? 0 : scene.restitution;
-    const double rounding = velocity_rounding(scene, completion);
-    const double rest = rounding / 16;
-    Strike strike;
-    PostImpactState<double> striking = seen_from_neighbour(scene, completion);
-    double previous = std::numeric_limits<double>::infinity();
+template <class T>
+Strike<T> strike_in_contact(const ContactScene<T>& scene, const PostImpactState<T>& completion, bool plastic) {
+    const T restitution = plastic ? T(0) : scene.restitution;
+    const T rounding = velocity_rounding(scene, completion);
+    const T rest = rounding / T(16);
+    Strike<T> strike;
+    PostImpactState<T> striking = seen_from_neighbour(scene, completion);
+    T previous = std::numeric_limits<T>::infinity();
     for (int i = 0; i < most_impulses; ++i) {
-        const Impulse<double> j = strike_once(scene, striking, restitution, strike);
+        const Impulse<T> j = strike_once(scene, striking, restitution, strike);
         strike.impulse.normal += j.normal;
         strike.impulse.tangential += j.tangential;
         if (i == 0) strike.impulse.mode = j.mode;
-        PostImpactState<double> other = seen_from_neighbour(scene, striking);
+        PostImpactState<T> other = seen_from_neighbour(scene, striking);
         if (contact_kinematics(scene.body, other).un > rest) {
             strike_once(scene, other, restitution, strike);
             striking = seen_from_neighbour(scene, other);
         }
         // Alternating impulses that fall by a factor r each gather the rounding of 1/(1 − r) of them: they end there.
-        const double un = contact_kinematics(scene.body, striking).un;
+        const T un = contact_kinematics(scene.body, striking).un;
         if (!(un > rest) || (un <= rounding && un >= previous)) {
             strike.after = striking;
             strike.resolved = true;
@@ -87,5 +96,12 @@ Strike strike_in_contact(const ContactScene& scene, const PostImpactState<double
     strike.after = striking;
     return strike;
 }
+
+#define SWIRL_COMPILE_STRIKE(T)                                                                         \
+    template Impulse<T> strike_once(const ContactScene<T>&, PostImpactState<T>&, const T&, Strike<T>&); \
+    template Impulse<T> jam_once(const ContactScene<T>&, PostImpactState<T>&, Strike<T>&);              \
+    template Strike<T> strike_in_contact(const ContactScene<T>&, const PostImpactState<T>&, bool);
+SWIRL_EVERY_NUMBER(SWIRL_COMPILE_STRIKE)
+SWIRL_EVERY_CONTACT_JET(SWIRL_COMPILE_STRIKE)
 
 }  // namespace swirl

@@ -27,7 +27,7 @@ struct Place {
     Vec2<double> n, n2;   ///< contact normals
 };
 
-Place place_of(const ContactScene& scene, Support support, const ContactState& z, double t) {
+Place place_of(const ContactScene<double>& scene, Support support, const ContactState<double>& z, double t) {
     const double nu = z.psi + t;
     Place place;
     place.n = cis(nu);
@@ -51,7 +51,7 @@ TEST(Reaction, IsWhatTheGeometryNeeds) {
             for (int i = 0; i < 200; ++i) {
                 const int sides = support == Support::rim ? disk_sides : 3 + i % 4;
                 const auto scene = contact_of(scene_of(sides, 0.35 + 0.3 * u(random), 0.5 + 0.4 * u(random), 0.3, 0.5));
-                ContactState z{3 * u(random), 0, 0, u(random)};
+                ContactState<double> z{3 * u(random), 0, 0, u(random)};
                 if (support == Support::vertex) z.chi = 0.5 * scene.widest_chi * u(random);
                 if (support == Support::edge) z.chi = -scene.widest_chi;
                 if (motion == ContactMotion::sliding_forward) z.ut = 0.5 + 0.3 * u(random);
@@ -60,7 +60,7 @@ TEST(Reaction, IsWhatTheGeometryNeeds) {
                 const auto now = run_contact(scene, support, motion, z, h),
                            later = run_contact(scene, support, motion, z, 2 * h);
                 if (now.event != ContactEvent::horizon || later.event != ContactEvent::horizon) continue;
-                const Reaction r = reaction_of(scene, support, motion, now.state);
+                const Reaction<double> r = reaction_of(scene, support, motion, now.state);
                 if (r.stiffness < 0.05) continue;
                 const Place p0 = place_of(scene, support, z, 0), p1 = place_of(scene, support, now.state, h),
                             p2 = place_of(scene, support, later.state, 2 * h);
@@ -99,11 +99,12 @@ TEST(Strike, CreatesNoEnergyAndLeavesNothingApproaching) {
             const double mu = i % 4 == 0 ? 0 : 0.5 + 0.5 * u(random);
             const auto scene =
                 contact_of(scene_of(3 + i % 5, 0.5 + 0.4 * u(random), 0.5, mu, 0.5 + 0.49 * u(random), law));
-            const ContactState z{3 * u(random), i % 2 ? scene.widest_chi : -scene.widest_chi, u(random), 2 * u(random)};
+            const ContactState<double> z{3 * u(random), i % 2 ? scene.widest_chi : -scene.widest_chi, u(random),
+                                         2 * u(random)};
             const PostImpactState<double> completion = post_impact_state(scene, z);
             const PostImpactState<double> before = seen_from_neighbour(scene, completion);
             if (!(contact_kinematics(scene.body, before).un > 1e-3)) continue;
-            const Strike strike = strike_in_contact(scene, completion, false);
+            const Strike<double> strike = strike_in_contact(scene, completion, false);
             ASSERT_TRUE(strike.resolved);
             ++resolved;
             // The container is heavy and moves: energy is counted in its frame.
@@ -125,8 +126,9 @@ TEST(Jam, WhereTheNormalForceIsNotUniqueStopsTheSlip) {
     // Slides to the point where the numerator and the denominator of the normal force vanish together.
     const auto scene = contact_of(
         scene_of(3, 0.048062199662670724, 0.81137724721839988, 1.3105431873092972, 0.12970732048356093, Law::newton));
-    const ChatterCompletion completion{true, Support::vertex, {-1.792332, 0.874762935, 0.5870, -0.00356}, 0, 0, 0};
-    const ContactPhase phase = follow_contact(scene, completion, 10);
+    const ChatterCompletion<double> completion{true, Support::vertex, {-1.792332, 0.874762935, 0.5870, -0.00356}, 0, 0,
+                                               0};
+    const ContactPhase<double> phase = follow_contact(scene, completion, 10);
     ASSERT_EQ(phase.finish, ContactEvent::jam) << name_of(phase.finish);
     EXPECT_TRUE(phase.resolved);
     const ContactKinematics<double> after = contact_kinematics(scene.body, phase.strike.after);
@@ -140,7 +142,7 @@ TEST(Slip, ThatTurnsAgainstItsOwnDirectionEndsAtOnce) {
     const auto scene = contact_of(scene_of(disk_sides, 0.4, 0.5, 0.2, 0.5));
     for (const double side : {1.0, -1.0}) {
         const auto motion = side > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
-        const ContactState z{side * 1.2, 0, 0, -1};  // the centrifugal force along the wall: −β sin ψ
+        const ContactState<double> z{side * 1.2, 0, 0, -1};  // the centrifugal force along the wall: −β sin ψ
         ASSERT_LT(side * reaction_of(scene, Support::rim, motion, z).ut_rate, 0);
         const auto end = run_contact(scene, Support::rim, motion, z, 10);
         EXPECT_EQ(end.event, ContactEvent::stick) << name_of(end.event);

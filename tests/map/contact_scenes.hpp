@@ -10,7 +10,14 @@ inline Scene<double> uniform_scene(int sides, double alpha, double beta, double 
     return {sides, alpha, beta, mu, e, law, uniform_inertia_factor<double>(sides)};
 }
 
-inline ContactScene contact_of(const Scene<double>& s) {
+/// The same scene in another number type.
+template <class T>
+Scene<T> scene_in(const Scene<double>& s) {
+    return {s.sides, T(s.alpha), T(s.beta), T(s.mu), T(s.restitution), s.law, T(s.inertia_factor)};
+}
+
+template <class T>
+ContactScene<T> contact_of(const Scene<T>& s) {
     const ImpactRule rule = s.mu == 0               ? ImpactRule::frictionless
                             : s.law == Law::newton  ? ImpactRule::newton
                             : s.law == Law::stronge ? ImpactRule::stronge

@@ -1,5 +1,6 @@
 // The power series of contact motions against the forces themselves, stepped by GSL's Runge–Kutta.
 #include "map/sustained/contact_series.hpp"
+#include "map/sustained/reaction.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
 
@@ -18,10 +19,10 @@ namespace {
 using enum ContactMotion;
 
 struct Case {
-    ContactScene scene;
+    ContactScene<double> scene;
     Support support;
     ContactMotion motion;
-    ContactState start;
+    ContactState<double> start;
 };
 
 Case random_case(tests::Random& random, Support support, ContactMotion motion) {
@@ -43,8 +44,8 @@ Case random_case(tests::Random& random, Support support, ContactMotion motion) {
 
 int rates(double, const double y[], double out[], void* parameters) {
     const auto& c = *static_cast<const Case*>(parameters);
-    const ContactState z{y[0], y[1], y[2], y[3]};
-    const Reaction r = reaction_of(c.scene, c.support, c.motion, z);
+    const ContactState<double> z{y[0], y[1], y[2], y[3]};
+    const Reaction<double> r = reaction_of(c.scene, c.support, c.motion, z);
     const double turning = normal_rate(c.scene, c.support, z);
     out[0] = turning - 1;
     out[1] = c.support == Support::vertex ? z.spin - turning : 0;
@@ -76,11 +77,11 @@ TEST(ContactSeries, IsWhatRungeKuttaFindsByTheForces) {
             for (int i = 0; i < 300; ++i) {
                 Case c = random_case(random, support, motion);
                 if (reaction_of(c.scene, support, motion, c.start).stiffness < 0.2) continue;
-                const ContactSeries series = contact_series(c.scene, support, motion, c.start);
+                const ContactSeries<double> series = contact_series(c.scene, support, motion, c.start);
                 const double h = std::min(step_of(series, 1e-16), 0.5);
                 const auto y = by_runge_kutta(c, h);
-                const Series* parts[] = {&series.psi,  &series.chi,    &series.ut,
-                                         &series.spin, &series.turned, &series.work};
+                const Series<double>* parts[] = {&series.psi,  &series.chi,    &series.ut,
+                                                 &series.spin, &series.turned, &series.work};
                 for (std::size_t k = 0; k < 6; ++k)
                     worst = std::max(worst,
                                      std::abs((*parts[k])[0] + change_at(*parts[k], h) - y[k]) / (1 + std::abs(y[k])));
@@ -100,10 +101,11 @@ TEST(ContactSeries, HasTheForcesOfEveryMomentOfAStep) {
                 const Case c = random_case(random, support, motion);
                 if (reaction_of(c.scene, support, motion, c.start).stiffness < 0.2) continue;
                 if (support == Support::edge && motion == sticking) continue;  // not unique: no series
-                const ContactSeries s = contact_series(c.scene, support, motion, c.start);
+                const ContactSeries<double> s = contact_series(c.scene, support, motion, c.start);
                 const double t = 0.9 * std::min(step_of(s, 1e-16), 0.5);
-                const auto at = [&](const Series& series) { return series[0] + change_at(series, t); };
-                const Reaction r = reaction_of(c.scene, support, motion, {at(s.psi), at(s.chi), at(s.ut), at(s.spin)});
+                const auto at = [&](const Series<double>& series) { return series[0] + change_at(series, t); };
+                const Reaction<double> r =
+                    reaction_of(c.scene, support, motion, {at(s.psi), at(s.chi), at(s.ut), at(s.spin)});
                 const double size = 1 + std::abs(r.normal) + std::abs(r.second) + std::abs(r.friction);
                 worst =
                     std::max({worst, std::abs(at(s.normal) - r.normal) / size, std::abs(at(s.second) - r.second) / size,

@@ -10,9 +10,10 @@ namespace swirl::tests {
 Tally follow(const Scene<double>& scene, const LabStart<double>& start, double until, long most, bool looks) {
     return with_collision_map(scene, [&](const auto& map) {
         Tally tally;
-        const ContactScene contact = contact_of(scene);
+        const ContactScene<double> contact = contact_of(scene);
         const auto& body = map.body();
-        const auto look = [&](const ContactSums&, Support support, ContactMotion, const ContactState& z) {
+        const auto look = [&](const ContactSums<double>&, Support support, ContactMotion,
+                              const ContactState<double>& z) {
             if (support == Support::vertex)
                 tally.outside = std::max(tally.outside, std::abs(z.chi) - contact.widest_chi);
         };

@@ -40,7 +40,7 @@ TEST(DiskInContact, IsAPendulumForAHundredPeriods) {
             const double rho = 0.6, kappa = 0.5;
             const double omega = std::sqrt(0.05 / (rho * (mu > 0 ? 1 + kappa : 1)));
             // Circulating with ψ′ > 0, λ > 0 all the time.
-            ContactState z{0, 0, 0, mu > 0 ? 0 : 0.7};
+            ContactState<double> z{0, 0, 0, mu > 0 ? 0 : 0.7};
             const double rate = 2 * omega * k;
             if (mu > 0)
                 z.spin = -rho * (1 + rate) / 0.4;
@@ -49,11 +49,11 @@ TEST(DiskInContact, IsAPendulumForAHundredPeriods) {
             const auto motion = mu > 0 ? ContactMotion::sticking : ContactMotion::sliding_forward;
             const double period = 4 * boost::math::ellint_1(k < 1 ? k : 1 / k) / (omega * std::max(1.0, k));
             double largest = 0;
-            const auto end = run_contact(scene, Support::rim, motion, z, 100 * period,
-                                         [&](const ContactSums& sums, Support, ContactMotion, const ContactState& at) {
-                                             largest =
-                                                 std::max(largest, std::abs(at.psi - pendulum(omega, k, sums.time)));
-                                         });
+            const auto end = run_contact(
+                scene, Support::rim, motion, z, 100 * period,
+                [&](const ContactSums<double>& sums, Support, ContactMotion, const ContactState<double>& at) {
+                    largest = std::max(largest, std::abs(at.psi - pendulum(omega, k, sums.time)));
+                });
             EXPECT_EQ(end.event, ContactEvent::horizon) << name_of(end.event);
             std::printf("disk, mu = %g, k = %g: largest error of psi over 100 periods %.1e\n", mu, k, largest);
             // Near the separatrix (k = 0.99) a rounding of the start grows with time like the period's derivative does.
@@ -88,7 +88,7 @@ TEST(DiskInContact, IsReleasedWhereTheNormalForceVanishes) {
         std::uintmax_t iterations = 100;
         const auto [a, b] = boost::math::tools::toms748_solve(
             lambda, -1.87, -0.5, boost::math::tools::eps_tolerance<double>(52), iterations);
-        ContactState z{0, 0, 0, mu > 0 ? -rho * (1 + start_rate) / 0.4 : 0};
+        ContactState<double> z{0, 0, 0, mu > 0 ? -rho * (1 + start_rate) / 0.4 : 0};
         if (mu == 0) z.ut = rho * (1 + start_rate);
         const auto motion = mu > 0 ? ContactMotion::sticking : ContactMotion::sliding_forward;
         const auto end = run_contact(scene, Support::rim, motion, z, 100);
@@ -109,7 +109,7 @@ TEST(DiskInContact, IsReleasedWhereTheNormalForceVanishes) {
 // ---- closed forms
 
 /// A disk's state in contact with ψ′ = rate: rolling, or without friction at a spin.
-ContactState state_on_rim(const ContactScene& scene, double psi, double rate, double spin) {
+ContactState<double> state_on_rim(const ContactScene<double>& scene, double psi, double rate, double spin) {
     const double turning = scene.body.inner * (1 + rate), alpha = scene.body.alpha;
     if (scene.mu > 0) return {psi, 0, 0, -turning / alpha};
     return {psi, 0, turning + alpha * spin, spin};
@@ -123,7 +123,8 @@ TEST(RimPendulum, InClosedFormIsWhatIntegrationFinds) {
     for (long i = 0; i < cases; ++i) {
         const double mu = i % 3 == 0 ? 0 : 5, alpha = random.between(0.05, 0.97), beta = random.between(0, 1);
         const auto scene = contact_of(scene_of(disk_sides, alpha, beta, mu, 0.5));
-        const ContactState z = state_on_rim(scene, random.between(-9, 9), random.between(-6, 6), random.between(-1, 1));
+        const ContactState<double> z =
+            state_on_rim(scene, random.between(-9, 9), random.between(-6, 6), random.between(-1, 1));
         const RimPendulum pendulum = rim_pendulum(scene, z);
         if (!(least_hold(scene, pendulum) > 1e-3)) continue;
         const auto motion = mu > 0 ? ContactMotion::sticking : ContactMotion::sliding_forward;
@@ -155,7 +156,7 @@ TEST(RimPendulum, HasTheMeanSpinThatIntegrationFinds) {
     for (const double alpha : {0.1, 0.35, 0.62})
         for (const double rate : {-9.0, -0.5, 0.02, 4.0}) {
             const auto scene = contact_of(scene_of(disk_sides, alpha, 0.05, 50, 0.5));
-            const ContactState z = state_on_rim(scene, 0, rate, 0);
+            const ContactState<double> z = state_on_rim(scene, 0, rate, 0);
             const RimPendulum pendulum = rim_pendulum(scene, z);
             const double period = period_of(pendulum);
             const auto end =
@@ -173,7 +174,7 @@ TEST(RimPendulum, HasTheMeanSpinThatIntegrationFinds) {
 TEST(RimPendulum, IsSettledOnWhereFrictionJustHolds) {
     for (const double alpha : {0.1, 0.15, 0.35, 0.62}) {
         const auto scene = contact_of(scene_of(disk_sides, alpha, 0.05, 0.4, 0));
-        const ContactState z = state_on_rim(scene, 0, -0.85, 0);
+        const ContactState<double> z = state_on_rim(scene, 0, -0.85, 0);
         const auto limit = settled_pendulum(scene, rim_pendulum(scene, z));
         ASSERT_TRUE(limit);
         ASSERT_TRUE(limit->turns());
@@ -181,7 +182,7 @@ TEST(RimPendulum, IsSettledOnWhereFrictionJustHolds) {
         double before = 0;
         std::printf("alpha = %g, mean S of the limit %.9f, energy above it:", alpha, mean_rolling_spin(scene, *limit));
         for (const double time : {1e3, 1e4, 1e5}) {
-            const ContactPhase phase =
+            const ContactPhase<double> phase =
                 follow_contact(scene, {true, Support::rim, z, 0, 0, 0}, time, {}, 10 * most_contact_steps);
             ASSERT_EQ(phase.finish, ContactEvent::horizon);
             double above = 0;  // the mean of the last two pieces of rolling, on either side

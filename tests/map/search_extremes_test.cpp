@@ -247,7 +247,7 @@ TEST(SearchAtExtremes, AnElasticPolygonThatFrictionHoldsGoesOnInContact) {
     EXPECT_GT(contacts, 0);
 }
 
-// Contact is integrated in double; the flight after it must begin on the wall in the wider type's digits as well.
+// The flight after contact must begin on the wall in the wider type's digits.
 TEST(SearchAtExtremes, WiderTypesGoOnAfterARelease) {
     const SectionPoint<double> start{-0.7660487341864468, 0, -2.828050828744203, -1.0937463400211522,
                                      2.3751268390572786};

@@ -18,7 +18,7 @@ struct Look {
     double turned = 0;   ///< | ∫S dt of the segments − that of the return step |
 };
 
-double farthest_point(const ContactScene& scene, const Moment& now, double t) {
+double farthest_point(const ContactScene<double>& scene, const Moment& now, double t) {
     const Vec2<double> x = now.centre - scene.body.beta * cis(t);
     if (scene.is_disk()) return std::hypot(x.x, x.y) + scene.body.alpha;
     double farthest = 0;

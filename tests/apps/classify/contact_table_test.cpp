@@ -48,7 +48,7 @@ std::optional<RimPendulum> own_pendulum(const Scene<double>& scene, const std::v
         const auto rolls = std::find_if(return_step.contacts.rbegin(), return_step.contacts.rend(),
                                         [](const auto& segment) { return segment.motion == ContactMotion::sticking; });
         if (rolls == return_step.contacts.rend()) return {};
-        const ContactScene& contact = map.contact();
+        const ContactScene<double>& contact = map.contact();
         const RimPendulum pendulum = rim_pendulum(contact, rolls->from);
         const auto settled = settled_pendulum(contact, pendulum);
         row.settling += settled && settled->turns() && settled->height != pendulum.height;
@@ -59,7 +59,7 @@ std::optional<RimPendulum> own_pendulum(const Scene<double>& scene, const std::v
 Row look_at(double alpha, double beta, double e, int starts) {
     const Scene<double> scene{
         disk_sides, alpha, beta, 0.4, e, Law::poisson, uniform_inertia_factor<double>(disk_sides)};
-    const ContactScene contact = contact_scene(make_body(scene), scene.mu, e, ImpactRule::poisson);
+    const ContactScene<double> contact = contact_scene(make_body(scene), scene.mu, e, ImpactRule::poisson);
     Row row;
     for (int seed = 1; seed <= starts; ++seed) {
         const LabStart<double> start = random_start(beta, 1.0 / 7, static_cast<std::uint64_t>(seed), 0);

@@ -1,0 +1,17 @@
+// The Jets that sustained contact is compiled for (contact_along.hpp).
+#pragma once
+
+#include <ceres/jet.h>
+
+namespace swirl {
+
+/// Derivatives by the section's coordinates: 4 of a disk, 5 of a polygon.
+template <int D>
+using ContactJet = ceres::Jet<double, D>;
+
+// DO(J) for each of them.
+#define SWIRL_EVERY_CONTACT_JET(DO) \
+    DO(ContactJet<4>)               \
+    DO(ContactJet<5>)
+
+}  // namespace swirl

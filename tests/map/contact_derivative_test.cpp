@@ -1,0 +1,168 @@
+// The return map's derivative through contact against differences in 113 bits.
+#include "map/orbit/return_derivative.hpp"
+#include "tests/map/landings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swirl {
+namespace {
+
+using tests::Landing, tests::Passage, tests::passage, tests::random_landing, tests::widened;
+
+template <int D>
+using Column = Eigen::Matrix<double, D, 1>;
+
+/// (to − from)/h, angles as angles.
+template <Shape shape>
+Column<section_dimension<shape>> quotient(const Passage<Quad>& to, const Passage<Quad>& from, const Quad& h) {
+    const auto x = coordinates<shape>(section_point(to.after)), y = coordinates<shape>(section_point(from.after));
+    Column<section_dimension<shape>> q;
+    const int angles = shape == Shape::disk ? 1 : 2;
+    for (int i = 0; i < section_dimension<shape>; ++i) {
+        const std::size_t k = static_cast<std::size_t>(i);
+        const Quad change = i < angles ? wrapped_angle(Quad(x[k] - y[k])) : Quad(x[k] - y[k]);
+        q[i] = static_cast<double>(change / h);
+    }
+    return q;
+}
+
+/// The slip is rounding of double: the impact before has stopped it.
+template <class T>
+bool sticks(const ContactKinematics<T>& u) {
+    using std::abs;
+    return abs(u.ut) < T(1e-14);
+}
+
+/// The one-sided derivative of the passage along coordinate j, on the side of h: v_n goes along so that u_n stays what
+/// it is, and where the impact before sticks v_t so that u_t does. Nothing if a neighbour goes another way.
+template <class Map>
+std::optional<Column<section_dimension<Map::shape>>> derivative_along(const Map& map, const PostImpactState<Quad>& from,
+                                                                      const Passage<Quad>& known, int j,
+                                                                      const Quad& h) {
+    constexpr Shape shape = Map::shape;
+    constexpr int vn = section_dimension<shape> - 3;
+    const ContactKinematics<Quad> u = contact_kinematics(map.body(), from);
+    const auto at = [&](const Quad& step) {
+        auto c = coordinates<shape>(section_point(from));
+        c[static_cast<std::size_t>(j)] += step;
+        PostImpactState<Quad> near = post_impact_state(section_point<shape>(c));
+        if (sticks(u)) near.vt += u.ut - contact_kinematics(map.body(), near).ut;
+        if (j != vn) near.vn += u.un - contact_kinematics(map.body(), near).un;
+        return passage(map, near);
+    };
+    const auto near = at(h), beyond = at(2 * h);
+    if (!near || !beyond || near->supports != known.supports || beyond->supports != known.supports) return {};
+    return Column<section_dimension<shape>>(2 * quotient<shape>(*near, known, h) -
+                                            0.5 * quotient<shape>(*beyond, known, h));
+}
+
+/// How long chatter lasts, T = 2v/(a(1 − e)).
+double chatter_lasts(const ContactScene<double>& scene, const PostImpactState<double>& from) {
+    const double v = std::abs(contact_kinematics(scene.body, from).un);
+    const double moved = v > 0 ? chatter_error(scene, from).moved : 0;
+    return std::isfinite(moved) && moved > 0 ? moved / v : 0;
+}
+
+struct Kind {
+    long compared = 0, columns = 0, left_out = 0, kinks = 0;
+    double worst = 0;
+};
+
+void compare(const Landing& landing, std::map<std::string, Kind>& kinds) {
+    with_collision_map(landing.scene, [&](const auto& map) {
+        using Map = std::decay_t<decltype(map)>;
+        constexpr Shape shape = Map::shape;
+        constexpr int dimension = section_dimension<shape>, vn = dimension - 3;
+        const ReturnMap returns(map);
+        const SectionPoint<double> z = section_point(landing.from);
+        const ReturnStep<double> known = returns.advance(post_impact_state(z));
+        if (known.outcome != Outcome::completed || known.contacts.empty()) return;
+        const auto derivative = derivative_through_contact(returns, z, known);
+        const CollisionMap<Quad, shape, Map::rule> wide(tests::scene_in<Quad>(landing.scene));
+        const PostImpactState<Quad> from = widened(wide.body(), landing.from);
+        const auto reference = passage(wide, from);
+        const auto in_double = passage(map, landing.from);
+        if (!reference || !in_double || reference->supports != in_double->supports) return;
+        Kind& kind =
+            kinds[reference->supports.substr(0, reference->supports.find(' ', reference->supports.find(' ') + 1))];
+        ++kind.compared;
+        const double size = derivative.cwiseAbs().maxCoeff();
+        // By that v_n and v_t go along with each coordinate, −∂u_n/∂z and −∂u_t/∂z.
+        const Body<double>& body = map.body();
+        const auto vn_along = coordinates<shape>(SectionPoint<double>{
+            body.beta * std::cos(z.psi), body.alpha * z.spin * std::cos(z.chi), 0, 0, body.alpha * std::sin(z.chi)});
+        const auto vt_along = coordinates<shape>(SectionPoint<double>{
+            -body.beta * std::sin(z.psi), body.alpha * z.spin * std::sin(z.chi), 0, 0, -body.alpha * std::cos(z.chi)});
+        const bool stuck = sticks(contact_kinematics(body, landing.from));
+        double split = 0, worst = 0;
+        for (int j = 0; j < dimension; ++j) {
+            if (stuck && j == vn + 1) continue;
+            constexpr double h = 1e-13;
+            const auto below = derivative_along(wide, from, *reference, j, Quad(-h));
+            const auto above = j == vn ? below : derivative_along(wide, from, *reference, j, Quad(h));
+            if (!above || !below) {
+                ++kind.left_out;
+                continue;
+            }
+            const Column<dimension> expected = 0.5 * (*above + *below);
+            Column<dimension> found = derivative.col(j);
+            const std::size_t k = static_cast<std::size_t>(j);
+            if (j != vn) found += derivative.col(vn) * vn_along[k];
+            if (stuck) found += derivative.col(vn + 1) * vt_along[k];
+            ++kind.columns;
+            split = std::max(split, (*above - *below).cwiseAbs().maxCoeff() / size);
+            worst = std::max(worst, (found - expected).cwiseAbs().maxCoeff() / size);
+        }
+        // Chatter that sticks moves along the wall by O(T²), which its sum leaves out: by v an error of order T.
+        const double lasts = stuck ? chatter_lasts(returns.contact(), landing.from) : 0;
+        const double error = worst - 3 * lasts;
+        if (split > 1e-7)
+            ++kind.kinks;
+        else
+            kind.worst = std::max(kind.worst, error);
+    });
+}
+
+std::map<std::string, Kind> compare_landings(int landings, std::uint64_t seed) {
+    std::map<std::string, Kind> kinds;
+    tests::Random random(seed);
+    for (const int sides : {disk_sides, 3, 4, 6, 12})
+        for (int i = 0; i < landings;)
+            if (const auto landing = random_landing(random, sides)) {
+                compare(*landing, kinds);
+                ++i;
+            }
+    for (const auto& [name, kind] : kinds)
+        std::printf("%s: %ld landings, %ld columns, %ld left out, %ld landings at a kink, largest difference %.1e\n",
+                    name.c_str(), kind.compared, kind.columns, kind.left_out, kind.kinks, kind.worst);
+    return kinds;
+}
+
+void expect_exact(const std::map<std::string, Kind>& kinds, long least) {
+    for (const auto& [name, kind] : kinds) {
+        EXPECT_GE(kind.compared, least) << name;
+        EXPECT_LE(kind.worst, 1e-10) << name;  // of the largest entry; measured: 9e-14
+        EXPECT_LE(kind.kinks + kind.left_out, 0.02 * static_cast<double>(kind.columns)) << name;
+    }
+}
+
+TEST(ContactDerivative, IsWhatDifferencesIn113BitsGive) {
+    const auto kinds = compare_landings(20, 1);
+    EXPECT_GE(kinds.size(), 3U);  // a rim's release, a vertex's release and strike
+    expect_exact(kinds, 10);
+}
+TEST(ContactDerivativeNightly, IsWhatDifferencesIn113BitsGiveInAThousandLandings) {
+    expect_exact(compare_landings(1000, 2), 1);
+}
+
+}  // namespace
+}  // namespace swirl

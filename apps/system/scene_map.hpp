@@ -23,7 +23,7 @@ struct SceneFunctions;
 /// In double its states are those that `simulate` iterates, bit for bit; in another accuracy each step is computed
 /// there and rounded to double (rounded_scene.hpp). Coordinates are (ψ, χ, v_n, v_t, S), a disk's (ψ, v_n, v_t, S). It
 /// ends (`alive` false) where there is no next impact, and where speeds leave the numbers. The derivative, by the
-/// coordinates, is exact for a flight and made of differences through contact (map/orbit/return_derivative.hpp). Copies
+/// coordinates, is exact, also through contact (map/orbit/return_derivative.hpp). Copies
 /// share what they are made of.
 template <int D>
 class SceneMap {

@@ -66,6 +66,11 @@ struct KnownContact {
         return landed_like(scene, slipping<J>(), completion_in_jets<J>(completion), near);
     }
 
+    /// False on a border within the rounding of the state.
+    bool is(const ReturnStep<double>& known) const {
+        return phase.segments.empty() || phase.segments.back().finish == known.contacts.back().finish;
+    }
+
 private:
     /// Where the impact before stopped the slip and friction does not hold, u_n is removed with the friction of the
     /// slip that begins: the state before it, as if it slipped that way already.
@@ -99,7 +104,7 @@ PostImpactState<J> impact_after_release(const CollisionMap<J, Map::shape, Map::r
 
 }  // namespace detail
 
-/// DF(z), where `known` is F(z) and leads through contact; NaN if it does not.
+/// DF(z), where `known` is F(z) and leads through contact; NaN if z, as it is rounded here, ends it by another event.
 ///   series  is added how many power series it took, those in Jets by what they cost, if it is given
 template <class Map>
 auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z,
@@ -111,7 +116,7 @@ auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<do
     const detail::KnownContact contact(map, post_impact_state(z), known);
     const ContactPhase<double>& phase = contact.phase;
     Derivative derivative = Derivative::Constant(std::numeric_limits<double>::quiet_NaN());
-    if (!phase.resolved || phase.finish == ContactEvent::horizon) return derivative;
+    if (!phase.resolved || phase.finish == ContactEvent::horizon || !contact.is(known)) return derivative;
     const Scene<double>& s = map.map().scene();
     const CollisionMap<J, Map::shape, Map::rule> jets(
         {s.sides, J(s.alpha), J(s.beta), J(s.mu), J(s.restitution), s.law, J(s.inertia_factor)});

@@ -174,6 +174,7 @@ template <class J>
 PostImpactState<J> contact_along(const ContactScene<double>& plain, const ContactScene<J>& scene,
                                  const ContactPhase<double>& phase, const ContactState<J>& landing, long* steps) {
     Follower<J> follower{scene, landing};
+    if (phase.segments.empty()) follower.vertex_step = phase.vertex_step;  // it ended at once
     for (std::size_t i = 0; i < phase.segments.size(); ++i)
         follower.follow(phase.segments[i], i + 1 < phase.segments.size() ? &phase.segments[i + 1] : nullptr);
     if (steps) *steps += follower.steps;

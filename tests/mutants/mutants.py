@@ -5,6 +5,7 @@
     mutants.py                          60 mutants that compile; goes on where it was interrupted
     mutants.py --only 17                the 17th of the draw
     mutants.py --again                  those that survived, once more: after a test was added
+    mutants.py --record                 the same, and writes the verdicts to recorded.json
     mutants.py --recorded 5             5 of those that recorded.json calls killed: exit 1 if one of them survives
 
 README.md beside this says what is drawn and what came of it.
@@ -90,10 +91,22 @@ def arguments_of(words):
     parser.add_argument("--list", action="store_true", help="print the draw and end")
     parser.add_argument("--only", type=int, metavar="N", help="the Nth of the draw, from 1")
     parser.add_argument("--again", action="store_true", help="judge survivors again")
+    parser.add_argument("--record", action="store_true", help="write the verdicts to recorded.json")
     parser.add_argument("--recorded", type=int, metavar="N", help="N of the recorded killed ones must be killed")
     parser.add_argument("--work", type=Path, default=Path(tempfile.gettempdir()) / "swirl-mutants",
                         help="folder of copies, objects and results.json")
     return parser.parse_args(words)
+
+
+def record(mutants, results):
+    """Keeps the verdicts beside this; a reason that a survivor has been given stays."""
+    known = json.loads(RECORDED.read_text(encoding="utf-8")) if RECORDED.exists() else {}
+    lines = {}
+    for mutant in mutants:
+        one = {name: results.found[mutant.key][name] for name in ("verdict", "by")}
+        reason = known.get(mutant.key, {}).get("reason")
+        lines[mutant.key] = {**one, "reason": reason} if reason and one["verdict"] == "survived" else one
+    RECORDED.write_text(json.dumps(lines, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 def recorded_killed(seed, count):
@@ -130,6 +143,8 @@ def main(words):
         results.found = {key: one for key, one in results.found.items() if one["verdict"] != "survived"}
     judged = judge_all(mutants, scratches, results, options.count)
     print(summary(judged, results))
+    if options.record:
+        record(judged, results)
     return 1 if options.recorded and any(results.verdict(mutant) != "killed" for mutant in judged) else 0
 
 

@@ -85,6 +85,9 @@ class Draw(unittest.TestCase):
             first = next(i for i, (a, b) in enumerate(zip(text + "\0", mutant.after + "\0")) if a != b)
             self.assertNotEqual(code[first:].strip(), "", f"a comment: {mutant}")
 
+    def test_each_has_a_name_of_its_own(self):
+        self.assertEqual(len({mutant.key for mutant in self.all}), len(self.all))
+
     def test_all_folders_and_all_kinds_are_drawn(self):
         first = self.all[:60]
         self.assertEqual({re.match(r"map/([^/]+)", mutant.file)[1] for mutant in first}, set(STRATA))

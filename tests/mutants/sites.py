@@ -5,6 +5,7 @@ what only declares (`using`, `template`, `static_assert`) are left alone. Where 
 seed and on its own line, not on the other lines: an edit elsewhere does not draw the others anew.
 """
 
+import collections
 import hashlib
 import itertools
 import re
@@ -40,11 +41,13 @@ class Mutant:
     kind: str
     before: str
     after: str
+    nth: int = 1  # of the equal lines of its file
 
     @property
     def key(self):
         """Names the mutant as long as its line stays as it is, wherever in the file it stands."""
-        return f"{self.file}: {self.before.strip()} -> {self.after.strip()}"
+        name = f"{self.file}: {self.before.strip()} -> {self.after.strip()}"
+        return name if self.nth == 1 else f"{name} ({self.nth})"
 
     def place(self, seed):
         return hashlib.sha256(f"{seed} {self.key}".encode()).hexdigest()
@@ -104,13 +107,16 @@ def mutants_of_text(file, text):
     """All mutants of one file's text."""
     lines = text.split("\n")
     in_macro = False
+    seen = collections.Counter()
     for number, (line, code) in enumerate(zip(lines, code_of(text).split("\n")), 1):
         skipped = in_macro or _ONLY_DECLARES.match(code)
         in_macro = code.endswith("\\")
         if skipped:
             continue
         for kind, start, end, new in changes_of(code):
-            yield Mutant(file, number, kind, line, line[:start] + new + line[end:])
+            after = line[:start] + new + line[end:]
+            seen[line.strip(), after.strip()] += 1
+            yield Mutant(file, number, kind, line, after, seen[line.strip(), after.strip()])
 
 
 def mutants_of(root, stratum):

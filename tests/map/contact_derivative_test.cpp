@@ -235,22 +235,25 @@ std::map<std::string, Kind> compare_phases(int phases, std::uint64_t seed) {
     return kinds;
 }
 
-void expect_exact(const std::map<std::string, Kind>& kinds, long least) {
+/// Of the largest entry. An event whose rate is small (a release, a grazing λ) is known to ε by that rate: 1 in 700.
+constexpr double usual = 1e-10, most = 1e-7;
+
+/// Few landings on a kink, or whose neighbours go another way.
+void expect_exact(const std::map<std::string, Kind>& kinds, double bound) {
+    long columns = 0, without = 0;
     for (const auto& [name, kind] : kinds) {
-        EXPECT_GE(kind.compared, least) << name;
-        EXPECT_LE(kind.worst, 1e-10) << name;  // of the largest entry; measured: 9e-14
-        EXPECT_LE(kind.kinks + kind.left_out, 0.02 * static_cast<double>(kind.columns)) << name;
+        EXPECT_LE(kind.worst, bound) << name;
+        columns += kind.columns;
+        without += kind.kinks + kind.left_out;
     }
+    EXPECT_LE(without, 0.02 * static_cast<double>(columns));
 }
 
 TEST(ContactDerivative, IsWhatDifferencesIn113BitsGive) {
     const auto kinds = compare_landings(20, 1);
     EXPECT_GE(kinds.size(), 3U);  // a rim's release, a vertex's release and strike
-    expect_exact(kinds, 10);
+    expect_exact(kinds, usual);   // measured: 9e-12
 }
-/// Of the largest entry. An event whose rate is small (a release, a grazing λ) is known to ε by that rate: 1 in 700.
-constexpr double usual = 1e-10, most = 1e-7;
-
 TEST(ContactDerivative, OfAPhaseIsWhatDifferencesIn113BitsGive) {
     const auto kinds = compare_phases(60, 3);
     EXPECT_GE(kinds.size(), 5U);
@@ -264,7 +267,7 @@ TEST(ContactDerivativeNightly, OfAPhaseIsWhatDifferencesIn113BitsGiveInThreeThou
 }
 
 TEST(ContactDerivativeNightly, IsWhatDifferencesIn113BitsGiveInAThousandLandings) {
-    expect_exact(compare_landings(1000, 2), 1);
+    expect_exact(compare_landings(1000, 2), most);
 }
 
 }  // namespace

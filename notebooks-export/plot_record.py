@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Draws records of swirl: plot_record.py RECORD… -o FIGURE [--kind NAME] …. `swirl plot` runs it."""
 
+import os
 import sys
 from pathlib import Path
 
@@ -35,6 +36,8 @@ def main():
     script.leave_at_once_when_interrupted()
     script.say_names_as_they_are()
     options = arguments()
+    if options.caption and os.path.realpath(options.caption) == os.path.realpath(options.output):
+        script.fail(2, f"caption '{options.caption}' is the figure itself")
     fields = chosen_of(options)
     figures = script.load_figures()
 

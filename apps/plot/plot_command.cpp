@@ -1,11 +1,5 @@
 #include "apps/plot/plot_command.hpp"
 
-#include "apps/command_line/errors.hpp"
-
-#include <fmt/format.h>
-
-#include <filesystem>
-
 namespace swirl::apps::plot {
 
 namespace {
@@ -87,9 +81,6 @@ int plot(PlotOptions& options) {
         scripts::ScriptFiles words = options.files;
         words.output = options.caption;
         scripts::check_output(words_of_it, words);
-        if (std::filesystem::weakly_canonical(options.caption) ==
-            std::filesystem::weakly_canonical(options.files.output))
-            throw BadInput(fmt::format("caption '{}' is the figure itself", options.caption));
         scripts::add_argument(own, "caption", options.caption);
     }
     return scripts::run_script(figure, options.files, own);

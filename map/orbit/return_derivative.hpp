@@ -87,8 +87,9 @@ private:
     }
 };
 
-/// Without the singular values that are no more than rounding made of zero.
-Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& derivative);
+/// Without the singular values that are no more than rounding made of zero: 64 ε of the largest, where velocities (the
+/// last three coordinates) are measured in units of `speed`, so that the rank does not depend on how slow a body is.
+Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& derivative, double speed);
 
 /// The impact after a release: `leaving` with u_n = 0, which it has in every neighbour too.
 template <class Map, class J>
@@ -128,7 +129,8 @@ auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<do
     if (series) *series += cost_in_jets * steps + contact_steps(known);
     const auto next = coordinates<Map::shape>(section_point(end));
     for (int i = 0; i < dimension; ++i) derivative.row(i) = next[static_cast<std::size_t>(i)].v.transpose();
-    return Derivative(detail::without_rounding(derivative));
+    const double speed = s.beta + speed_of(map.map().body(), z.vn, z.vt, z.spin);
+    return Derivative(detail::without_rounding(derivative, speed));
 }
 
 }  // namespace swirl

@@ -95,7 +95,8 @@ void search_sticking(Search& search) {
 template <class SpinAt>
 void search_line(Search& search, double chi, bool slides, const SpinAt& spin_at) {
     for (const SteadyBranch branch : {SteadyBranch::plus, SteadyBranch::minus}) {
-        if (search.scene.beta == 0 && branch == SteadyBranch::minus) continue;  // the same
+        const bool is_minus = branch == SteadyBranch::minus;
+        if (is_minus && (search.scene.beta == 0 || search.options.attracting)) continue;  // the same; none attracts
         if (!(geometry_at(search.scene, branch, chi).radius > 0)) continue;
         // The line begins at j = 0, τ = 0, where the impact vanishes; roots of j = 0 near it (e → 1) need closer looks.
         const double longest = search.options.longest_flight, shorter = std::min(short_flight, longest);

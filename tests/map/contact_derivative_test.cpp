@@ -3,6 +3,8 @@
 #include "tests/map/landings.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>
@@ -268,6 +270,26 @@ TEST(ContactDerivativeNightly, OfAPhaseIsWhatDifferencesIn113BitsGiveInThreeThou
 
 TEST(ContactDerivativeNightly, IsWhatDifferencesIn113BitsGiveInAThousandLandings) {
     expect_exact(compare_landings(1000, 2), most);
+}
+
+/// Contact takes directions from DF; how slow the body is takes none. In plain coordinates the third direction of a
+/// body 10⁵ times slower was below the rounding of the first.
+TEST(ContactDerivative, KeepsItsRankHoweverSlowTheBody) {
+    const Eigen::MatrixXd left = Eigen::MatrixXd::Random(5, 5).householderQr().householderQ();
+    const Eigen::MatrixXd right = (Eigen::MatrixXd::Random(5, 5) + left).householderQr().householderQ();
+    const Eigen::VectorXd sizes{{5000, 70, 0.2, 1e-14, 0}};
+    for (const double speed : {1.0, 1e-2, 1e-5, 1e-8, 1e-12, 1e8}) {
+        const Eigen::VectorXd units{{1, 1, speed, speed, speed}};
+        const Eigen::MatrixXd df =
+            units.asDiagonal() * left * sizes.asDiagonal() * right.transpose() * units.cwiseInverse().asDiagonal();
+        const Eigen::MatrixXd kept = detail::without_rounding(df, speed);
+        const Eigen::MatrixXd balanced = units.cwiseInverse().asDiagonal() * kept * units.asDiagonal();
+        const Eigen::VectorXd found = balanced.jacobiSvd().singularValues();
+        EXPECT_NEAR(found[0], 5000, 1e-9);
+        EXPECT_NEAR(found[1], 70, 1e-9);
+        EXPECT_NEAR(found[2], 0.2, 1e-10);
+        EXPECT_LE(found[3], 1e-11) << speed;
+    }
 }
 
 }  // namespace

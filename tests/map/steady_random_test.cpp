@@ -226,7 +226,7 @@ TEST(SteadyAttracting, TheQuickSearchFindsOneOnTheMinusBranch) {
     std::erase_if(found, [](const SteadyMode& mode) { return !attracts(mode); });
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found.front().branch, SteadyBranch::minus);
-    EXPECT_NEAR(found.front().spin, -0.35487193612986, 1e-12);
+    EXPECT_NEAR(found.front().point.spin, -0.35487193612986, 1e-12);
 }
 TEST(SteadyAttractingNightly, TheQuickSearchFindsThemInFiveThousandScenes) {
     compare_attracting(5000, 12);

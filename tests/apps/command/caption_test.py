@@ -28,7 +28,7 @@ class Captions(InFolder):
         return self.words.read_text()
 
     def not_drawn(self, words, mention):
-        result = run(f"plot {self.record} -o {self.folder}/e.png --caption {words}")
+        result = run(f"plot {self.record} -o {self.folder}/e.png --caption {words} --quiet")
         self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), result.stderr)
         self.assertIn(mention, result.stderr)
         self.assertFalse((self.folder / "e.png").exists())
@@ -58,7 +58,7 @@ class Captions(InFolder):
 
     def test_the_figure_itself_is_no_caption(self):
         (self.folder / "e.png").symlink_to("d.txt")
-        result = run(f"plot {self.record} -o {self.folder}/e.png --caption {self.words}")
+        result = run(f"plot {self.record} -o {self.folder}/e.png --caption {self.words} --quiet")
         self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), result.stderr)
         self.assertIn("is the figure itself", result.stderr)
         self.assertFalse(self.words.exists())

@@ -1,5 +1,5 @@
 // The one list of the maps there are: what is compiled once for each of them (collision map, return map, derivative)
-// or for each of their numbers (sustained contact) names it here. A template can't be instantiated in a loop, hence the macros.
+// or for each number type of theirs (sustained contact) names it here: no loop instantiates templates, hence macros.
 #pragma once
 
 // DO(T) for every number type that there are maps over.

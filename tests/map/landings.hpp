@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace swirl::tests {
 
@@ -45,14 +46,14 @@ std::optional<Passage<typename Map::Number>> passage(const Map& map, const PostI
         if (step.contacts.empty()) continue;
         for (const ContactSegment& piece : step.contacts)
             if (piece.end > piece.start || piece.finish == ContactEvent::strike)
-                p.way += std::string(name_of(piece.support, piece.motion)) + " " + digit(piece.support) + " " +
-                         std::string(name_of(piece.finish)) + ", ";
+                for (const std::string_view word : {name_of(piece.support, piece.motion), name_of(piece.finish)})
+                    p.way.append(word).append(1, digit(piece.support)).append(", ");
         p.way += name_of(c.impulse.mode);
         for (const ContactSegment& piece : step.contacts)
             if (piece.end > piece.start && (p.supports.empty() || p.supports.back() != digit(piece.support)))
                 p.supports += digit(piece.support);
-        p.supports = std::string(name_of(step.contacts.back().finish)) + " " + p.supports;
-        p.supports += " " + std::to_string(c.vertex_step) + " " + std::string(name_of(c.impulse.mode));
+        p.supports.insert(0, 1, ' ').insert(0, name_of(step.contacts.back().finish));
+        p.supports.append(1, ' ').append(std::to_string(c.vertex_step)).append(1, ' ').append(name_of(c.impulse.mode));
         p.landing_error = step.contacts.front().error;
         return p;
     }

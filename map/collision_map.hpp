@@ -32,8 +32,10 @@ public:
     static constexpr ImpactRule rule = rule_;
     using Number = T;
 
+    ///   similar  as in `make_body`
     /// @throws std::invalid_argument if a parameter is out of range
-    explicit CollisionMap(const Scene<T>& scene) : scene_(validated(scene)), body_(make_body(scene)) {}
+    explicit CollisionMap(const Scene<T>& scene, const Body<T>* similar = nullptr)
+        : scene_(validated(scene)), body_(make_body(scene, similar)) {}
 
     const Scene<T>& scene() const { return scene_; }
     const Body<T>& body() const { return body_; }

@@ -1,4 +1,4 @@
-// The one list of the maps there are: what is compiled once for each of them (collision map, return map, derivative)
+// The one list of the maps there are: what is compiled once for each of them (collision map, return map)
 // or for each number type of theirs (sustained contact) names it here: no loop instantiates templates, hence macros.
 #pragma once
 
@@ -23,5 +23,3 @@
 #define SWIRL_COMPILE_COLLISION_MAP(T, SHAPE, RULE) template class CollisionMap<T, SHAPE, RULE>;
 #define SWIRL_DECLARE_RETURN_MAP(T, SHAPE, RULE) extern template class ReturnMap<CollisionMap<T, SHAPE, RULE>>;
 #define SWIRL_COMPILE_RETURN_MAP(T, SHAPE, RULE) template class ReturnMap<CollisionMap<T, SHAPE, RULE>>;
-#define SWIRL_DECLARE_DERIVATIVE(T, SHAPE, RULE) extern template class DifferentiatedMap<T, SHAPE, RULE>;
-#define SWIRL_COMPILE_DERIVATIVE(T, SHAPE, RULE) template class DifferentiatedMap<T, SHAPE, RULE>;

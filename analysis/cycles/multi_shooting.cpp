@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace swirl::analysis {
 
@@ -27,7 +28,7 @@ public:
         const bool closed = parameter_block_sizes().size() == 1;
         const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(blocks[0], d);
         const Eigen::VectorXd next = Eigen::Map<const Eigen::VectorXd>(blocks[closed ? 0 : 1], d);
-        const ShootingStep step = map_.step(z, p_);
+        const ShootingStep& step = step_from(z);
         if (!step.alive) return false;
         Eigen::Map<Eigen::VectorXd>(residuals, d) = map_.gap(step.state, next);
         using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -44,27 +45,46 @@ public:
     }
 
 private:
+    /// Ceres asks for the residual alone where it may go, and for the Jacobian beside it where it went: the same step.
+    const ShootingStep& step_from(const Eigen::VectorXd& z) const {
+        if (from_.size() == z.size() && from_ == z) return step_;
+        step_ = map_.step(z, p_);
+        from_ = z;
+        return step_;
+    }
+
     const ShootingMap& map_;
     double p_;
+    mutable Eigen::VectorXd from_;  // a problem is solved by one thread
+    mutable ShootingStep step_;
 };
 
 constexpr double same_time = 1e-6;  // another contact lies farther away, or the two can't be told apart
 
-/// Ends the solver where the polishing can take over, and where it gets nowhere.
+constexpr std::size_t patience = 8;  // iterations, of ShootingOptions::one_of_many
+
+/// Ends the solver where the polishing can take over, and one of many where it gets nowhere.
 class StopWhenNear final : public ceres::IterationCallback {
 public:
-    explicit StopWhenNear(double residual) : cost_(0.5 * residual * residual) {}
+    explicit StopWhenNear(const ShootingOptions& options)
+        : near_(0.5 * options.residual * options.residual), gives_up_(options.one_of_many) {}
     ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-        return summary.cost <= cost_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+        least_.push_back(least_.empty() ? summary.cost : std::min(least_.back(), summary.cost));
+        const bool stalls =
+            gives_up_ && least_.size() > patience && least_.back() > 0.8 * least_[least_.size() - 1 - patience];
+        return stalls || least_.back() <= near_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
     }
 
 private:
-    double cost_;
+    double near_;
+    bool gives_up_;
+    std::vector<double> least_;  ///< cost up to each iteration
 };
 
 ceres::Solver::Options solver_options(const ShootingOptions& options, std::size_t unknowns) {
     ceres::Solver::Options solver;
-    solver.linear_solver_type = unknowns <= 60 ? ceres::DENSE_QR : ceres::SPARSE_NORMAL_CHOLESKY;
+    const auto dense = options.one_of_many && unknowns > 10 ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
+    solver.linear_solver_type = unknowns <= 60 ? dense : ceres::SPARSE_NORMAL_CHOLESKY;
     solver.max_num_iterations = options.most_iterations;
     solver.initial_trust_region_radius = options.radius;
     solver.function_tolerance = 1e-12;  // relative fall of the cost: a local minimum that is no cycle
@@ -94,7 +114,7 @@ ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, 
             problem.AddResidualBlock(new StepResidual(map, p, false), nullptr, here, result.points[(i + 1) % k].data());
     }
     auto solver = solver_options(options, k * static_cast<std::size_t>(map.dimension));
-    StopWhenNear stop(options.residual);
+    StopWhenNear stop(options);
     solver.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);

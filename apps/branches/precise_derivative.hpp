@@ -1,7 +1,7 @@
 // D(Fᵏ) in 113 bits: a file for every two maps, since Jets of that precision take seconds to compile for each.
 #pragma once
 
-#include "map/derivative/derivative.hpp"
+#include "map/derivative/saltation.hpp"
 #include "map/numbers/real.hpp"
 
 namespace swirl::apps {
@@ -14,12 +14,11 @@ template <Shape shape, ImpactRule rule>
 bool precise_derivative(const CollisionMap<Quad, shape, rule>& map, PreciseVector z, std::size_t k,
                         PreciseMatrix& product) {
     constexpr int dimension = section_dimension<shape>;
-    const DifferentiatedMap differentiated(map);
     product = PreciseMatrix::Identity(dimension, dimension);
     for (std::size_t i = 0; i < k; ++i) {
         std::array<Quad, dimension> c;
         for (int j = 0; j < dimension; ++j) c[static_cast<std::size_t>(j)] = z[j];
-        const auto step = differentiated.linearise(section_point<shape>(c));
+        const auto step = linearise_by_saltation(map, section_point<shape>(c));
         if (step.collision.outcome != FirstContactOutcome::contact) return false;
         product = (PreciseMatrix(step.derivative) * product).eval();
         const auto next = coordinates<shape>(section_point(step.collision.after));

@@ -100,6 +100,7 @@ FoundOrbits find_orbits(const Scene<double>& scene, const analysis::ShootingMap&
         work.search.timed = &timed;
         work.search.threads = options.threads;
         work.search.stop = options.candidates.stop;
+        work.search.shooting.one_of_many = true;
         if (k == 1)  // those of impacts alone are known from their equations
             work.search.wanted = [&](const CyclePoints& points) {
                 return letter_from(map.step(points.front(), 0).letter).through_contact;

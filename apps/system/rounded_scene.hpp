@@ -35,33 +35,32 @@ struct RoundedScene {
     using State = typename Functions::State;
     using Step = typename Functions::Step;
     using Derivative = typename Functions::Derivative;
-    using WithParameter = std::pair<Derivative, analysis::Vector<section_dimension<Map::shape>>>;
 
-    RoundedScene(const Scene<double>& scene, Accuracy accuracy)
-        : in_double(in_double_functions().make(scene, accuracy)),
-          body(make_body(scene)),
+    RoundedScene(const Scene<double>& scene, Accuracy accuracy, const Body<double>* similar)
+        : in_double(in_double_functions().make(scene, accuracy, similar)),
           map(rounded_detail::make_map<Map>(scene, accuracy)),
           return_map(map) {}
     RoundedScene(const RoundedScene&) = delete;
     RoundedScene& operator=(const RoundedScene&) = delete;
 
     std::shared_ptr<const void> in_double;  ///< what double_functions made
-    Body<double> body;
     Map map;
     ReturnMap<Map> return_map;  ///< refers to it
 
     static const RoundedScene& of(const void* scene) { return *static_cast<const RoundedScene*>(scene); }
     static const Functions& in_double_functions() { return double_functions<Map::shape, Map::rule>(); }
 
-    static std::shared_ptr<const void> make(const Scene<double>& scene, Accuracy accuracy) {
-        return std::make_shared<const RoundedScene>(scene, accuracy);
+    static std::shared_ptr<const void> make(const Scene<double>& scene, Accuracy accuracy,
+                                            const Body<double>* similar) {
+        return std::make_shared<const RoundedScene>(scene, accuracy, similar);
     }
+    static const Body<double>& body(const void* scene) { return in_double_functions().body(of(scene).in_double.get()); }
     static const ContactScene<double>& contact(const void* scene) {
         return in_double_functions().contact(of(scene).in_double.get());
     }
     static Step first_impact(const void* scene, const LabStart<double>& start) {
         const RoundedScene& here = of(scene);
-        return rounded_from(here.return_map.advance(flight_in<T>(flight_from(here.body, start))));
+        return rounded_from(here.return_map.advance(flight_in<T>(flight_from(body(scene), start))));
     }
     Outcome advance_rounded(Step& step, double horizon, const ContactSink& sink) const {
         ReturnStep<T> next;
@@ -79,13 +78,14 @@ struct RoundedScene {
     static std::int64_t follow(const void* scene, State& z, std::int64_t steps, double horizon,
                                const analysis::Stop& stop, analysis::Effort& effort) {
         const RoundedScene& here = of(scene);
-        return follow_steps(here.body, z, steps, stop, effort,
+        return follow_steps(body(scene), z, steps, stop, effort,
                             [&](Step& step) { return here.advance_rounded(step, horizon, {}); });
     }
     static Derivative through_flight(const void* scene, const State& z, const Step& known) {
         return in_double_functions().through_flight(of(scene).in_double.get(), z, known);
     }
-    static WithParameter along(const void* scene, const State& z, const Step& known, Parameter parameter) {
+    static analysis::Vector<section_dimension<Map::shape>> along(const void* scene, const State& z, const Step& known,
+                                                                 Parameter parameter) {
         return in_double_functions().along(of(scene).in_double.get(), z, known, parameter);
     }
     static Derivative through_contact(const void* scene, const SectionPoint<double>& z, const Step& known,
@@ -93,8 +93,8 @@ struct RoundedScene {
         return in_double_functions().through_contact(of(scene).in_double.get(), z, known, series);
     }
 
-    static constexpr Functions functions{&make,   &contact,        &first_impact, &advance,
-                                         &follow, &through_flight, &along,        &through_contact};
+    static constexpr Functions functions{&make,   &body,           &contact, &first_impact,   &advance,
+                                         &follow, &through_flight, &along,   &through_contact};
 };
 
 }  // namespace swirl::apps

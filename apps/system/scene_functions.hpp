@@ -4,7 +4,7 @@
 #include "apps/system/effort.hpp"
 #include "apps/system/exact_return.hpp"
 #include "apps/system/scene_map.hpp"
-#include "map/derivative/derivative.hpp"
+#include "map/derivative/saltation.hpp"
 #include "map/orbit/return_derivative.hpp"
 
 namespace swirl::apps {
@@ -15,15 +15,15 @@ struct SceneFunctions {
     using Step = ReturnStep<double>;
     using Derivative = analysis::Matrix<D>;
 
-    std::shared_ptr<const void> (*make)(const Scene<double>&, Accuracy);
+    std::shared_ptr<const void> (*make)(const Scene<double>&, Accuracy, const Body<double>* similar);
+    const Body<double>& (*body)(const void* map);
     const ContactScene<double>& (*contact)(const void* map);
     Step (*first_impact)(const void* map, const LabStart<double>& start);
     Outcome (*advance)(const void* map, Step& step, double horizon, const ContactSink& sink);
     std::int64_t (*follow)(const void* map, State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
                            analysis::Effort& effort);
     Derivative (*through_flight)(const void* map, const State& z, const Step& known);
-    std::pair<Derivative, analysis::Vector<D>> (*along)(const void* map, const State& z, const Step& known,
-                                                        Parameter parameter);
+    analysis::Vector<D> (*along)(const void* map, const State& z, const Step& known, Parameter parameter);
     Derivative (*through_contact)(const void* map, const SectionPoint<double>& z, const Step& known, long& series);
 };
 
@@ -91,19 +91,20 @@ struct ConcreteScene {
     using Step = typename Functions::Step;
     using Derivative = typename Functions::Derivative;
 
-    explicit ConcreteScene(const Scene<double>& scene)
-        : differentiated(CollisionMap<double, shape, rule>(scene)), return_map(differentiated.map()) {}
+    ConcreteScene(const Scene<double>& scene, const Body<double>* similar)
+        : collision_map(scene, similar), return_map(collision_map) {}
     ConcreteScene(const ConcreteScene&) = delete;
     ConcreteScene& operator=(const ConcreteScene&) = delete;
 
-    DifferentiatedMap<double, shape, rule> differentiated;
+    Map collision_map;
     ReturnMap<Map> return_map;  ///< refers to the map within the other
 
     static const ConcreteScene& of(const void* map) { return *static_cast<const ConcreteScene*>(map); }
 
-    static std::shared_ptr<const void> make(const Scene<double>& scene, Accuracy) {
-        return std::make_shared<const ConcreteScene>(scene);
+    static std::shared_ptr<const void> make(const Scene<double>& scene, Accuracy, const Body<double>* similar) {
+        return std::make_shared<const ConcreteScene>(scene, similar);
     }
+    static const Body<double>& body(const void* map) { return of(map).collision_map.body(); }
     static const ContactScene<double>& contact(const void* map) { return of(map).return_map.contact(); }
     static Step first_impact(const void* map, const LabStart<double>& start) {
         const auto& return_map = of(map).return_map;
@@ -119,19 +120,17 @@ struct ConcreteScene {
                             [&return_map, horizon](Step& step) { return return_map.advance(step, horizon); });
     }
     static Derivative through_flight(const void* map, const State& z, const Step& known) {
-        return of(map).differentiated.derivative_of(z, known.collision);
+        return derivative_by_saltation(of(map).collision_map, z, known.collision);
     }
-    static std::pair<Derivative, analysis::Vector<dimension>> along(const void* map, const State& z, const Step& known,
-                                                                    Parameter parameter) {
-        return derivative_with_parameter<double, shape, rule>(of(map).return_map.map().scene(), parameter, z,
-                                                              known.collision);
+    static analysis::Vector<dimension> along(const void* map, const State& z, const Step& known, Parameter parameter) {
+        return derivative_along(of(map).collision_map, parameter, z, known.collision);
     }
     static Derivative through_contact(const void* map, const SectionPoint<double>& z, const Step& known, long& series) {
         return derivative_through_contact(of(map).return_map, z, known, &series);
     }
 
-    static constexpr Functions functions{&make,   &contact,        &first_impact, &advance,
-                                         &follow, &through_flight, &along,        &through_contact};
+    static constexpr Functions functions{&make,   &body,           &contact, &first_impact,   &advance,
+                                         &follow, &through_flight, &along,   &through_contact};
 };
 
 }  // namespace swirl::apps

@@ -61,13 +61,14 @@ void fill(Step& step, const ReturnStep<double>& return_step) {
 
 template <int D>
 SceneMap<D>::SceneMap(const Scene<double>& scene, double horizon, Accuracy accuracy)
-    : SceneMap(&functions_for(scene, accuracy, std::integral_constant<int, D>()), scene, horizon, accuracy) {}
+    : SceneMap(&functions_for(scene, accuracy, std::integral_constant<int, D>()), scene, horizon, accuracy, nullptr) {}
 
 template <int D>
-SceneMap<D>::SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon, Accuracy accuracy)
+SceneMap<D>::SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon, Accuracy accuracy,
+                      const Body<double>* similar)
     : functions_(functions),
-      map_(functions->make(scene, accuracy)),
-      body_(make_body(scene)),
+      map_(functions->make(scene, accuracy, similar)),
+      body_(&functions->body(map_.get())),
       horizon_(horizon),
       accuracy_(accuracy) {
     if (scene.is_disk() != (D == disk_dimension)) throw std::logic_error("a map of the other shape's dimension");
@@ -130,8 +131,8 @@ auto SceneMap<D>::through_flight(const State& z, const ReturnStep<double>& known
 }
 
 template <int D>
-auto SceneMap<D>::through_flight(const State& z, const ReturnStep<double>& known, Parameter parameter) const
-    -> std::pair<Derivative, analysis::Vector<D>> {
+auto SceneMap<D>::along(const State& z, const ReturnStep<double>& known, Parameter parameter) const
+    -> analysis::Vector<D> {
     return functions_->along(map_.get(), z, known, parameter);
 }
 

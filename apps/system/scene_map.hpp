@@ -40,9 +40,11 @@ public:
                       Accuracy accuracy = Accuracy::double_precision);
 
     /// The same shape and impact rule with other numbers: friction stays, where μ is 0 too (its limit μ → 0).
-    SceneMap with(const Scene<double>& scene) const { return SceneMap(functions_, scene, horizon_, accuracy_); }
+    SceneMap with(const Scene<double>& scene) const {
+        return SceneMap(functions_, scene, horizon_, accuracy_, &body());
+    }
 
-    const Body<double>& body() const { return body_; }
+    const Body<double>& body() const { return *body_; }
     /// What contact needs of the scene; only where ReturnMap has it.
     const ContactScene<double>& contact() const;
 
@@ -68,15 +70,14 @@ public:
     ReturnStep<double> first_impact(const LabStart<double>& start) const;
     /// True if an orbit goes on from a step's end: there was an impact, and its speeds are within the numbers.
     bool goes_on(const ReturnStep<double>& step) const {
-        return step.outcome == Outcome::completed && !has_come_to_rest(body_, step.collision.after) &&
-               !has_diverged(body_, step.collision.after);
+        return step.outcome == Outcome::completed && !has_come_to_rest(body(), step.collision.after) &&
+               !has_diverged(body(), step.collision.after);
     }
 
     /// DF at z where the step from there is known: a flight …
     Derivative through_flight(const State& z, const ReturnStep<double>& known) const;
-    /// … with ∂F/∂p, p a parameter of the scene, beside it …
-    std::pair<Derivative, analysis::Vector<D>> through_flight(const State& z, const ReturnStep<double>& known,
-                                                              Parameter parameter) const;
+    /// … and ∂F/∂p beside it, p a parameter of the scene …
+    analysis::Vector<D> along(const State& z, const ReturnStep<double>& known, Parameter parameter) const;
     /// … or one with contact.
     Derivative through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known) const {
         long series = 0;
@@ -86,11 +87,12 @@ public:
     Derivative through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known, long& series) const;
 
 private:
-    SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon, Accuracy accuracy);
+    SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon, Accuracy accuracy,
+             const Body<double>* similar);
 
     const SceneFunctions<D>* functions_;
     std::shared_ptr<const void> map_;
-    Body<double> body_;
+    const Body<double>* body_;  ///< of what map_ points to
     double horizon_;
     Accuracy accuracy_;
 };

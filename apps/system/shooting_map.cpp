@@ -70,9 +70,9 @@ struct MapAlongParameter {
         analysis::Vector<D> along = analysis::Vector<D>::Zero();
         step = step_of(map, z, [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
             if (!known.contacts.empty()) return derivative_at(map, from, known);
-            const auto d = map.through_flight(from, known, parameter);
-            along = d.first * along + d.second;
-            return d.first;
+            const analysis::Matrix<D> d = map.through_flight(from, known);
+            along = d * along + map.along(from, known, parameter);
+            return d;
         });
         if (!step.alive) return step;
         const bool landed = letter_from(step.letter).through_contact;
@@ -104,6 +104,47 @@ struct MapAlongParameter {
         for (int i = 0; i < D; ++i)
             if (typical.angle_period(i) > 0) change[i] = std::remainder(change[i], typical.angle_period(i));
         return (change - by_state.col(vn) * (upper.vn - lower.vn)) / (high - low);
+    }
+};
+
+/// F over two parameters. `typical` has the shape and the impact rule.
+template <int D>
+struct PlaneStepOf {
+    SceneMap<D> typical;
+    Scene<double> scene;
+    Parameter first, second;
+
+    analysis::PlaneStep operator()(const Eigen::VectorXd& z, const Eigen::Vector2d& p) const {
+        analysis::PlaneStep result;
+        if (!is_allowed(first, p[0]) || !is_allowed(second, p[1])) return result;
+        const Scene<double> by_first = with_parameter(scene, first, p[0]),
+                            by_second = with_parameter(scene, second, p[1]);
+        const SceneMap<D> map = typical.with(with_parameter(by_first, second, p[1]));
+        Eigen::Matrix<double, D, 2> along = Eigen::Matrix<double, D, 2>::Zero();
+        const analysis::ShootingStep step =
+            step_of(map, z, [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
+                const analysis::Matrix<D> d = derivative_at(map, from, known);
+                if (known.contacts.empty()) {
+                    along = (d * along).eval();
+                    along.col(0) += map.along(from, known, first);
+                    along.col(1) += map.along(from, known, second);
+                }
+                return d;
+            });
+        if (step.alive && letter_from(step.letter).through_contact) {
+            const PostImpactState<double> start = map.state_at(analysis::Vector<D>(z));
+            along.col(0) = MapAlongParameter<D>{typical, by_second, first}.quotient_along(start, p[0], step.by_state);
+            along.col(1) = MapAlongParameter<D>{typical, by_first, second}.quotient_along(start, p[1], step.by_state);
+        }
+        result.alive = step.alive && along.allFinite();
+        if (!result.alive) return result;
+        result.state = step.state;
+        result.by_state = step.by_state;
+        result.by_parameters = along;
+        result.letter = step.letter;
+        result.duration = step.duration;
+        result.margin = step.margin;
+        return result;
     }
 };
 
@@ -171,23 +212,7 @@ analysis::PlaneMap plane_map_of(const Scene<double>& scene, Parameter first, Par
         [&]<int D>(const SceneMap<D>& map) {
             const analysis::ShootingMap shape = without_step(map);
             analysis::PlaneMap plane{D, shape.angle_periods, shape.least_margin, {}};
-            plane.step = [map, typical, first, second](const Eigen::VectorXd& z, const Eigen::Vector2d& p) {
-                analysis::PlaneStep step;
-                if (!is_allowed(first, p[0]) || !is_allowed(second, p[1])) return step;
-                const MapAlongParameter<D> along_first{map, with_parameter(typical, second, p[1]), first};
-                const MapAlongParameter<D> along_second{map, with_parameter(typical, first, p[0]), second};
-                const analysis::ShootingStep a = along_first(z, p[0]), b = along_second(z, p[1]);
-                step.alive = a.alive && b.alive && a.letter == b.letter;
-                if (!step.alive) return step;
-                step.state = a.state;
-                step.by_state = a.by_state;
-                step.by_parameters.resize(D, 2);
-                step.by_parameters << a.by_parameter, b.by_parameter;
-                step.letter = a.letter;
-                step.duration = a.duration;
-                step.margin = a.margin;
-                return step;
-            };
+            plane.step = PlaneStepOf<D>{map, typical, first, second};
             return plane;
         },
         solver_horizon);

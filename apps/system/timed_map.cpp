@@ -15,14 +15,14 @@ template <Shape shape, ImpactRule rule>
 struct TimedStep {
     static constexpr int dimension = section_dimension<shape>;
 
-    Scene<double> scene;
+    CollisionMap<double, shape, rule> map;
 
     analysis::ShootingStep operator()(const Eigen::VectorXd& y, double) const {
         analysis::ShootingStep step;
         const double time = y[dimension];
         if (!(time > 0)) return step;
         const SectionPoint<double> z = section_point_of(y.head<dimension>());
-        const auto timed = collide_at<double, shape, rule>(scene, z, time);
+        const auto timed = collide_at(map, z, time);
         if (!timed.possible) return step;
         step.state.resize(dimension + 1);
         step.state << coordinates_of<dimension>(section_point(timed.collision.after)), timed.gap;
@@ -43,10 +43,13 @@ double time_between(const CollisionMap<double, shape, rule>& map, const analysis
     const double longest = 4 * pi<double>();  // flights longer than two turns of the swirl are rare
     const Flight<double> flight = flight_from(map.body(), post_impact_state(section_point_of(z)));
     double best = std::numeric_limits<double>::infinity(), time = longest / samples;
+    Instant<double> at = instant_at_start(flight);
     for (int i = 1; i <= samples; ++i) {
-        const Instant<double> at = instant_at<shape>(flight, longest * i / samples);
+        advance<shape>(flight, at, longest / samples);
+        // No vertex is outside the circumscribed circle.
+        if (!(-centre_gap(map.body(), flight, at).value < best)) continue;
         const auto nearest = detail::nearest_to_wall<shape>(map.body(), flight, at);
-        if (!(nearest.gap.rate > 0)) continue;
+        if (!(nearest.gap.rate > 0 && std::abs(nearest.gap.value) < best)) continue;
         Collision<double> collision;
         map.strike(flight, at, nearest.arm, collision);
         const Eigen::VectorXd after = coordinates_of<section_dimension<shape>>(section_point(collision.after));
@@ -70,7 +73,7 @@ analysis::TimedMap timed_map_of(const Scene<double>& scene) {
         ++timed.map.dimension;
         timed.map.constraints = 1;
         timed.map.angle_periods.push_back(0);
-        timed.map.step = TimedStep<Map::shape, Map::rule>{map.scene()};
+        timed.map.step = TimedStep<Map::shape, Map::rule>{map};
         timed.time_between = [map, plain](const Eigen::VectorXd& z, const Eigen::VectorXd& next) {
             return time_between(map, plain, z, next);
         };

@@ -20,6 +20,7 @@ struct WordFunctions {
     static constexpr int dimension = section_dimension<shape>;
 
     Scene<double> scene;
+    Body<double> body;  ///< of the scene
     Parameter first, second;
 
     Scene<double> at(const Eigen::Vector2d& p) const {
@@ -48,14 +49,14 @@ struct WordFunctions {
     }
 
     std::vector<std::pair<int, double>> nearest(const Eigen::VectorXd& z, double time, const Eigen::Vector2d& p) const {
-        const Body<double> body = make_body(at(p));
-        const Flight<double> flight = flight_from(body, post_impact_state(section_point_of(z)));
+        const Body<double> here = make_body(at(p), &body);
+        const Flight<double> flight = flight_from(here, post_impact_state(section_point_of(z)));
         const Instant<double> moment = instant_at<shape>(flight, time);
         if constexpr (shape == Shape::disk) {
-            return {{0, centre_gap(body, flight, moment).value}};
+            return {{0, centre_gap(here, flight, moment).value}};
         } else {
             detail::NearestTwo<double> pair;
-            detail::look_around(body, flight, moment, pair);
+            detail::look_around(here, flight, moment, pair);
             if (pair.second.gap.value > pair.first.gap.value) std::swap(pair.first, pair.second);
             return {{pair.first.vertex, pair.first.gap.value}, {pair.second.vertex, pair.second.gap.value}};
         }
@@ -70,7 +71,7 @@ WordMap word_map_of(const Scene<double>& scene, Parameter first, Parameter secon
         if (parameter == Parameter::mu) typical = with_parameter(typical, parameter, 1.0);
     return with_collision_map(typical, [&](const auto& map) {
         using Map = std::decay_t<decltype(map)>;
-        const WordFunctions<Map::shape, Map::rule> functions{typical, first, second};
+        const WordFunctions<Map::shape, Map::rule> functions{typical, map.body(), first, second};
         WordMap result;
         result.dimension = functions.dimension;
         result.sides = typical.sides;

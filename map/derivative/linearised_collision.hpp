@@ -51,6 +51,12 @@ inline PostImpactState<Jet> seeded(const PostImpactState<T>& z) {
     return jets;
 }
 
+/// A state in Jets without derivatives.
+template <class Jet, class T>
+inline PostImpactState<Jet> state_in_jets(const PostImpactState<T>& z) {
+    return {{Jet(z.psi.x), Jet(z.psi.y)}, {Jet(z.chi.x), Jet(z.chi.y)}, Jet(z.vn), Jet(z.vt), Jet(z.spin)};
+}
+
 /// F(z) with DF(z) (rows: the new coordinates; columns: the old).
 template <class T, Shape shape>
 struct LinearisedCollision {

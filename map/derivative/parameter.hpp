@@ -1,11 +1,13 @@
 // One number of the scene as a variable: by name, and ∂F along it.
 #pragma once
 
-#include "map/derivative/derivative.hpp"
+#include "map/derivative/strike_along.hpp"
 
+#include <Eigen/Core>
+
+#include <cstddef>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 namespace swirl {
 
@@ -68,24 +70,21 @@ inline Scene<To> scene_in(const Scene<From>& s) {
     return {s.sides, To(s.alpha), To(s.beta), To(s.mu), To(s.restitution), s.law, To(s.inertia_factor)};
 }
 
-/// ∂F/∂z and ∂F/∂λ where the next collision is known, λ the parameter: one pass in Jets of dimension + 1. The uniform
-/// lamina's κ does not follow N, which stays. Cost: some six collisions.
+/// ∂F/∂λ at a fixed state where the next collision is known, λ the parameter; ∂F/∂z is `derivative_by_saltation`'s. By
+/// Jets of one dimension. The uniform lamina's κ does not follow N, which stays. Cost: some two collisions.
 template <class T, Shape shape, ImpactRule rule>
-auto derivative_with_parameter(const Scene<T>& scene, Parameter parameter, const PostImpactState<T>& post_impact,
-                               const Collision<T>& known) {
+auto derivative_along(const CollisionMap<T, shape, rule>& map, Parameter parameter,
+                      const PostImpactState<T>& post_impact, const Collision<T>& known) {
     constexpr int dimension = section_dimension<shape>;
-    using Jet = ceres::Jet<T, dimension + 1>;
-    Scene<Jet> jets = scene_in<Jet>(scene);
-    number_of(jets, parameter).v[dimension] = T(1);
-    const CollisionMap<Jet, shape, rule> map(jets);
-    const Flight<Jet> flight = flight_from(map.body(), seeded<Jet, shape>(post_impact));
-    const Collision<Jet> collision = strike_along(map, flight, known.flight_time, known.vertex_step);
+    using Jet = ceres::Jet<T, 1>;
+    Scene<Jet> along = scene_in<Jet>(map.scene());
+    number_of(along, parameter).v[0] = T(1);
+    const CollisionMap<Jet, shape, rule> jets(along);
+    const Flight<Jet> flight = flight_from(jets.body(), state_in_jets<Jet>(post_impact));
+    const auto collision = strike_along(jets, flight, known.flight_time, known.vertex_step);
     const auto next = coordinates<shape>(section_point(collision.after));
-    std::pair<Eigen::Matrix<T, dimension, dimension>, Eigen::Matrix<T, dimension, 1>> result;
-    for (int i = 0; i < dimension; ++i) {
-        result.first.row(i) = next[i].v.template head<dimension>().transpose();
-        result.second[i] = next[i].v[dimension];
-    }
+    Eigen::Matrix<T, dimension, 1> result;
+    for (int i = 0; i < dimension; ++i) result[i] = next[static_cast<std::size_t>(i)].v[0];
     return result;
 }
 

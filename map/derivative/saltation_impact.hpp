@@ -67,8 +67,10 @@ VariedKink<T> kink_of(const VariedKinematics<T>& a, const T& mu, const T& sign, 
     kink.first = slope(a, Varied<T>{-sign * mu});
     kink.second = slope_after;
     const T slowing = mu * a.b1.value - sign * a.b3.value;
-    kink.place.value = sign * a.ut.value / slowing;
-    kink.place.change = (sign * a.ut.change - kink.place.value * (mu * a.b1.change - sign * a.b3.change)) / slowing;
+    if (slowing > T(0)) {  // else p_k = 0: at rest, and friction just holds B₃'s pull
+        kink.place.value = sign * a.ut.value / slowing;
+        kink.place.change = (sign * a.ut.change - kink.place.value * (mu * a.b1.change - sign * a.b3.change)) / slowing;
+    }
     kink.level.value = -a.un.value + kink.first.value * kink.place.value;
     kink.level.change = -a.un.change + kink.place.value * kink.first.change + kink.first.value * kink.place.change;
     return kink;

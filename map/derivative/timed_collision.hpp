@@ -43,17 +43,17 @@ Candidate<T> nearest_to_wall(const Body<T>& body, const Flight<T>& flight, const
 /// with gap = 0 is one of the map only if the map's own first contact is at that time. z is just after an impact. Cost:
 /// one pass in Jets of dimension + 1, some six collisions.
 template <class T, Shape shape, ImpactRule rule>
-TimedCollision<T, shape> collide_at(const Scene<T>& scene, const SectionPoint<T>& z, const T& time) {
+TimedCollision<T, shape> collide_at(const CollisionMap<T, shape, rule>& in, const SectionPoint<T>& z, const T& time) {
     constexpr int dimension = section_dimension<shape>;
     using Jet = ceres::Jet<T, dimension + 1>;
     TimedCollision<T, shape> result;
-    const Body<T> body = make_body(scene);
+    const Body<T>& body = in.body();
     const Flight<T> plain_flight = flight_from(body, post_impact_state(z));
     const auto nearest = detail::nearest_to_wall<shape>(body, plain_flight, instant_at<shape>(plain_flight, time));
     result.possible = nearest.gap.rate > T(2 * detail::least_impact_speed);  // g′ = 2 u_n
     if (!result.possible) return result;
 
-    const CollisionMap<Jet, shape, rule> map(scene_in<Jet>(scene));
+    const CollisionMap<Jet, shape, rule> map(scene_in<Jet>(in.scene()));
     const auto c = coordinates<shape>(z);
     std::array<Jet, dimension> seeded;
     for (int i = 0; i < dimension; ++i) seeded[i] = Jet(c[i], i);

@@ -7,7 +7,7 @@
 // that contact removes, and is set to zero.
 #pragma once
 
-#include "map/derivative/derivative.hpp"
+#include "map/derivative/strike_along.hpp"
 #include "map/orbit/return_map.hpp"
 #include "map/sustained/contact_along.hpp"
 
@@ -36,11 +36,6 @@ template <class J>
 ChatterCompletion<J> completion_in_jets(const ChatterCompletion<double>& c) {
     return {c.in_contact,  c.support,  {J(c.state.psi), J(c.state.chi), J(c.state.ut), J(c.state.spin)},
             c.vertex_step, J(c.error), J(c.jacobi)};
-}
-
-template <class J>
-PostImpactState<J> state_in_jets(const PostImpactState<double>& z) {
-    return {{J(z.psi.x), J(z.psi.y)}, {J(z.chi.x), J(z.chi.y)}, J(z.vn), J(z.vt), J(z.spin)};
 }
 
 /// A return step's contact, once more from its landing.

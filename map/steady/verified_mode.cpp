@@ -1,7 +1,7 @@
 #include "map/steady/verified_mode.hpp"
 
-#include "map/derivative/derivative.hpp"
 #include "map/derivative/multipliers.hpp"
+#include "map/derivative/saltation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,11 +47,10 @@ bool is_expected(const MapOfScene& map, long long j, double tau, const SectionPo
 
 MapOfScene map_of(const Scene<double>& scene) {
     return with_collision_map(scene, [&](const auto& map) -> MapOfScene {
-        const auto kept = std::make_shared<
-            DifferentiatedMap<double, std::decay_t<decltype(map)>::shape, std::decay_t<decltype(map)>::rule>>(map);
+        const auto kept = std::make_shared<std::decay_t<decltype(map)>>(map);
         return {scene, make_body(scene), [kept](const SectionPoint<double>& z, bool with_derivative) -> Seen {
-                    if (!with_derivative) return {kept->map().advance(post_impact_state(z)), {}};
-                    const auto step = kept->linearise(z);
+                    if (!with_derivative) return {kept->advance(post_impact_state(z)), {}};
+                    const auto step = linearise_by_saltation(*kept, z);
                     return {step.collision, step.derivative};
                 }};
     });

@@ -1,7 +1,7 @@
 // The cycles of tests/references/cycles.json and the steady modes of steady_e1.json there: points and multipliers.
-#include "map/derivative/derivative.hpp"
 #include "map/derivative/multipliers.hpp"
 #include "map/derivative/saltation.hpp"
+#include "tests/map/differentiated_map.hpp"
 #include "tests/references/references.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ void check_cycle(const Map& map, const json& cycle, double tolerance) {
     using Matrix = Eigen::Matrix<double, dimension, dimension>;
     const auto start = tests::point_from<double>(cycle["point"]);
     const int period = cycle["period"];
-    const DifferentiatedMap differentiated(map);
+    const tests::DifferentiatedMap differentiated(map);
     Matrix jets = Matrix::Identity(), saltation = Matrix::Identity();
     SectionPoint<double> z = start;
     double time = 0;

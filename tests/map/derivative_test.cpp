@@ -1,6 +1,6 @@
 // DF: two forms that share no formula against each other, and the facts that hold without friction at e = 1.
-#include "map/derivative/derivative.hpp"
 #include "map/derivative/saltation.hpp"
+#include "tests/map/differentiated_map.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
 
@@ -16,6 +16,7 @@
 namespace swirl {
 namespace {
 
+using tests::DifferentiatedMap;
 using tests::Random;
 using tests::sample_count;
 

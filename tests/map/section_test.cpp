@@ -1,5 +1,5 @@
 // Section coordinates both ways, and the laboratory's frame along an orbit.
-#include "map/derivative/derivative.hpp"
+#include "map/derivative/saltation.hpp"
 #include "map/orbit/laboratory.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
@@ -106,7 +106,7 @@ void check_orbit(const Map& map, const SectionPoint<double>& z, long& impacts) {
     for (int k = 0; k < 8; ++k) {
         const auto step = map.advance(post_impact);
         if (step.outcome != FirstContactOutcome::contact || step.simultaneous) return;
-        const double norm = DifferentiatedMap(map).linearise(section_point(post_impact)).derivative.norm();
+        const double norm = linearise_by_saltation(map, section_point(post_impact)).derivative.norm();
         if (norm > 1e3) return;  // the restart's rounding is multiplied by it
         const LabState<double> state = lab_state(map.body(), frame, post_impact);
         const LabStart<double> start = half_way(state, frame, step.flight_time / 2);

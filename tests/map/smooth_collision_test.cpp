@@ -60,33 +60,33 @@ auto coordinates_of(const PostImpactState<double>& state) {
 
 TYPED_TEST(SmoothCollision, AtTheTimeOfTheMapsContactIsItsImpact) {
     constexpr int dimension = section_dimension<TypeParam::shape>;
-    over_impacts<TypeParam>(
-        1, sides_of<TypeParam>, friction_of<TypeParam>, [](const auto& scene, const auto& z, const auto& known) {
-            const auto timed = collide_at<double, TypeParam::shape, TypeParam::rule>(scene, z, known.flight_time);
-            const auto word = collide_by_word<double, TypeParam::shape, TypeParam::rule>(
-                scene, Parameter::alpha, Parameter::beta, z, known.flight_time, known.vertex_step);
-            ASSERT_TRUE(timed.possible);
-            EXPECT_EQ(timed.collision.vertex_step, known.vertex_step);
-            EXPECT_EQ(timed.collision.flight_time, known.flight_time);
-            EXPECT_EQ(timed.collision.impulse.mode, known.impulse.mode);
-            EXPECT_EQ(word.mode, known.impulse.mode);
-            EXPECT_LT(std::fabs(timed.gap), 1e-13);  // rounding of a position of size 1, squared
-            EXPECT_LT(std::fabs(word.touch.gap), 1e-13);
-            const auto wanted = coordinates_of<TypeParam>(known.after);
-            const auto found = coordinates_of<TypeParam>(timed.collision.after);
-            for (std::size_t i = 0; i < dimension; ++i) {
-                EXPECT_NEAR(found[i], wanted[i], 1e-12) << i;
-                EXPECT_NEAR(word.after[i], wanted[i], 1e-12) << i;
-            }
-        });
+    over_impacts<TypeParam>(1, sides_of<TypeParam>, friction_of<TypeParam>,
+                            [](const auto& scene, const auto& z, const auto& known) {
+                                const auto timed = collide_at(TypeParam(scene), z, known.flight_time);
+                                const auto word = collide_by_word<double, TypeParam::shape, TypeParam::rule>(
+                                    scene, Parameter::alpha, Parameter::beta, z, known.flight_time, known.vertex_step);
+                                ASSERT_TRUE(timed.possible);
+                                EXPECT_EQ(timed.collision.vertex_step, known.vertex_step);
+                                EXPECT_EQ(timed.collision.flight_time, known.flight_time);
+                                EXPECT_EQ(timed.collision.impulse.mode, known.impulse.mode);
+                                EXPECT_EQ(word.mode, known.impulse.mode);
+                                EXPECT_LT(std::fabs(timed.gap), 1e-13);  // rounding of a position of size 1, squared
+                                EXPECT_LT(std::fabs(word.touch.gap), 1e-13);
+                                const auto wanted = coordinates_of<TypeParam>(known.after);
+                                const auto found = coordinates_of<TypeParam>(timed.collision.after);
+                                for (std::size_t i = 0; i < dimension; ++i) {
+                                    EXPECT_NEAR(found[i], wanted[i], 1e-12) << i;
+                                    EXPECT_NEAR(word.after[i], wanted[i], 1e-12) << i;
+                                }
+                            });
 }
 
 TYPED_TEST(SmoothCollision, OfAVertexThatLeavesIsImpossibleAtAGivenTime) {
-    over_impacts<TypeParam>(
-        1, sides_of<TypeParam>, friction_of<TypeParam>, [](const auto& scene, const auto& z, const auto&) {
-            const bool possible = collide_at<double, TypeParam::shape, TypeParam::rule>(scene, z, 0.0).possible;
-            EXPECT_FALSE(possible);
-        });
+    over_impacts<TypeParam>(1, sides_of<TypeParam>, friction_of<TypeParam>,
+                            [](const auto& scene, const auto& z, const auto&) {
+                                const bool possible = collide_at(TypeParam(scene), z, 0.0).possible;
+                                EXPECT_FALSE(possible);
+                            });
 }
 
 TYPED_TEST(SmoothCollision, DerivativesAreItsDifferences) {
@@ -105,7 +105,7 @@ TYPED_TEST(SmoothCollision, DerivativesAreItsDifferences) {
                                                                                   known.vertex_step);
             };
             const auto timed_at = [&](const SectionPoint<double>& from, double time) {
-                return collide_at<double, TypeParam::shape, TypeParam::rule>(scene, from, time);
+                return collide_at(TypeParam(scene), from, time);
             };
             const auto word = word_at(scene, z, known.flight_time);
             const auto timed = timed_at(z, known.flight_time);

@@ -1,6 +1,6 @@
 // The steady modes at e = 1 in closed form (map/README.md, "Steady modes"): ψ = χ = 0, v_n = −(2R/τ) sin²(τ/2), v_t = R
 // sin τ/τ, with friction S = (β − v_t)/α, R = β + 1 − α.
-#include "map/derivative/derivative.hpp"
+#include "map/derivative/saltation.hpp"
 
 #include <gtest/gtest.h>
 #include <boost/math/tools/roots.hpp>
@@ -59,7 +59,7 @@ void expect_fixed(const Scene<double>& scene, const SectionPoint<double>& z, dou
         const double error = std::max({std::fabs(next.psi), std::fabs(next.chi), std::fabs(next.vn - z.vn),
                                        std::fabs(next.vt - z.vt), std::fabs(next.spin - z.spin)});
         // A rounding of the state is multiplied by DF; below 10³ this is the 10⁻¹² of a well-conditioned point.
-        const double norm = DifferentiatedMap(map).linearise(z).derivative.norm();
+        const double norm = linearise_by_saltation(map, z).derivative.norm();
         EXPECT_LE(error, 1e-15 * std::max(1e3, norm));
         EXPECT_NEAR(step.flight_time, time, 1e-15 * std::max(1e3, norm));
         ++tally.tested;

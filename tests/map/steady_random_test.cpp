@@ -1,7 +1,7 @@
 // Random polygons under the three laws: every steady mode returned is a fixed point of the map, and Newton's method on
 // the map itself, from random starts, comes to none that is not among them.
-#include "map/derivative/derivative.hpp"
 #include "map/steady/steady_modes.hpp"
+#include "tests/map/differentiated_map.hpp"
 #include "tests/sample_count.hpp"
 
 #include <gtest/gtest.h>
@@ -126,7 +126,7 @@ void search_from_random_starts(const Scene<double>& scene, const SteadyModes& re
     const double room = pi<double>() / scene.sides - std::asin(scene.alpha * std::sin(pi<double>() / scene.sides));
     with_collision_map(scene, [&](const auto& map) {
         if constexpr (std::decay_t<decltype(map)>::shape == Shape::polygon) {
-            const DifferentiatedMap differentiated(map);
+            const tests::DifferentiatedMap differentiated(map);
             for (int i = 0; i < starts; ++i) {
                 const auto found = newton(differentiated, random_point(draw, scene, room), room);
                 if (!found || found->tau > 12 || found->impulse < least_impulse) continue;

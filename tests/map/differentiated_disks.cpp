@@ -1,0 +1,7 @@
+#include "tests/map/differentiated_map.hpp"
+
+namespace swirl::tests {
+
+SWIRL_EVERY_DISK_MAP(SWIRL_COMPILE_DERIVATIVE, double)
+
+}  // namespace swirl::tests

@@ -8,20 +8,18 @@ function(swirl_install_library target folder)
   list(FILTER headers EXCLUDE REGEX "/map/(intervals|proof|proof_check)/")  # the command's: their library needs Arb
   target_sources(${target} ${ARGN} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   install(TARGETS ${target} EXPORT SwirlTargets
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/swirl COMPONENT development)
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/swirl)
 endfunction()
 
-install(TARGETS swirl_options EXPORT SwirlTargets COMPONENT development)
+install(TARGETS swirl_options EXPORT SwirlTargets)
 swirl_install_library(swirl_map map PUBLIC)
 swirl_install_library(swirl_analysis analysis PUBLIC)
 
 set(swirl_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Swirl)
-install(EXPORT SwirlTargets NAMESPACE Swirl:: DESTINATION ${swirl_package_dir} COMPONENT development)
+install(EXPORT SwirlTargets NAMESPACE Swirl:: DESTINATION ${swirl_package_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/SwirlConfig.cmake.in
   ${PROJECT_BINARY_DIR}/SwirlConfig.cmake INSTALL_DESTINATION ${swirl_package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/SwirlConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/SwirlConfig.cmake ${PROJECT_BINARY_DIR}/SwirlConfigVersion.cmake
-  DESTINATION ${swirl_package_dir} COMPONENT development)
-
-include(SwirlPackages)
+  DESTINATION ${swirl_package_dir})

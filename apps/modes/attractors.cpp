@@ -34,15 +34,10 @@ bool has_own_mean(analysis::Kind kind) {
     return false;
 }
 
-bool agree(double a, double b) {
-    if (std::isnan(a) || std::isnan(b)) return std::isnan(a) == std::isnan(b);
-    return std::abs(a - b) <= same_mean * std::max({1.0, std::abs(a), std::abs(b)});
-}
-
 bool same_attractor(const RunVerdict& a, const RunVerdict& b) {
     if (a.mode != b.mode || a.kind != b.kind || a.outcome != b.outcome || a.period != b.period) return false;
     return !has_own_mean(a.kind) ||
-           (agree(a.mean_spin, b.mean_spin) && agree(a.mean_spin_per_impact, b.mean_spin_per_impact));
+           (means_agree(a.mean_spin, b.mean_spin) && means_agree(a.mean_spin_per_impact, b.mean_spin_per_impact));
 }
 
 void summarise(std::span<const RunVerdict> runs, SharedAttractor& attractor) {
@@ -65,6 +60,11 @@ void summarise(std::span<const RunVerdict> runs, SharedAttractor& attractor) {
 }
 
 }  // namespace
+
+bool means_agree(double a, double b) {
+    if (std::isnan(a) || std::isnan(b)) return std::isnan(a) == std::isnan(b);
+    return std::abs(a - b) <= same_mean * std::max({1.0, std::abs(a), std::abs(b)});
+}
 
 std::vector<SharedAttractor> attractors_of(std::span<const RunVerdict> runs) {
     std::vector<SharedAttractor> found;

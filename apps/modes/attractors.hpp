@@ -40,6 +40,9 @@ struct SharedAttractor {
 /// from its polished point, exact to rounding; what rests or slides on the wall is constant to 10⁻⁷.
 inline constexpr double same_mean = 1e-6;
 
+/// Are two means one attractor's? What neither has measured (NaN) agrees.
+bool means_agree(double a, double b);
+
 /// The most shared first; of equally shared ones that of the earlier run. Runs of one kind and period are one attractor
 /// where their mean S (by time and by impact) agree. Members of a continuum (family, torus, libration, circulation),
 /// chaotic runs and undecided ones have means of their own, run by run: they are grouped by kind and outcome alone.

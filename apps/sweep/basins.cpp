@@ -1,5 +1,6 @@
 #include "apps/sweep/basins.hpp"
 
+#include "apps/modes/attractors.hpp"
 #include "apps/modes/mode_fields.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +55,7 @@ bool has_attractor(const RunResult& run) {
 bool is_same_attractor(const RunResult& a, const RunResult& b) {
     if (a.mode != b.mode || a.kind != b.kind || a.period != b.period) return false;
     if (!has_exact_spin(a) || !has_exact_spin(b)) return has_exact_spin(a) == has_exact_spin(b);
-    return std::abs(a.mean_spin - b.mean_spin) <= same_spin * (1 + std::abs(a.mean_spin));
+    return means_agree(a.mean_spin, b.mean_spin);
 }
 
 Basins basins_of(std::span<const RunResult> results, std::span<const char> visited) {

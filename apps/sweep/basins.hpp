@@ -14,13 +14,10 @@ namespace swirl::apps::sweep {
 bool has_attractor(const RunResult& run);
 
 /// Two runs of one scene came to the same attractor: equal mode, kind and period, and of a polished cycle (fixed-point,
-/// cycle, landing) equal mean S to within `same_spin` (1 + |S|). All chaotic runs are one, and all tori: their means
+/// cycle, landing) equal mean S (`means_agree`). All chaotic runs are one, and all tori: their means
 /// have errors of their own; so are all members of a family and all motions on the wall of one kind, whose S may be the
 /// start's; and two cycles of equal period and mean S.
 bool is_same_attractor(const RunResult& a, const RunResult& b);
-
-/// Polished cycles have their mean S to some 10⁻¹².
-inline constexpr double same_spin = 1e-6;
 
 struct Basin {
     RunResult attractor;      ///< mean_spin NaN where that is no number of the attractor's alone

@@ -4,6 +4,7 @@
 #include "analysis/cycles/multi_shooting.hpp"
 #include "analysis/cycles/stability.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "map/derivative/parameter.hpp"
 
 namespace swirl::apps::sweep {
 
@@ -16,17 +17,12 @@ constexpr double comes_again = 1e-8;
 constexpr double same_cycle = 1e-6;
 constexpr int most_halvings = 4;
 
-double between(double a, double b, double part) {
-    return a + part * (b - a);
-}
-
 Scene<double> scene_between(const Scene<double>& a, const Scene<double>& b, double part) {
-    Scene<double> scene = a;
-    scene.alpha = between(a.alpha, b.alpha, part);
-    scene.beta = between(a.beta, b.beta, part);
-    scene.mu = between(a.mu, b.mu, part);
-    scene.restitution = between(a.restitution, b.restitution, part);
-    scene.inertia_factor = between(a.inertia_factor, b.inertia_factor, part);
+    Scene<double> scene = a, other = b;
+    for (const Parameter parameter : all_parameters) {
+        double& value = number_of(scene, parameter);
+        value += part * (number_of(other, parameter) - value);
+    }
     return scene;
 }
 

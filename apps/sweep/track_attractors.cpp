@@ -27,16 +27,12 @@ bool is_carried(const RunResult& run) {
     return is_cycle(run) && run.period <= static_cast<double>(longest_tracked);
 }
 
-bool agree(double a, double b) {
-    return std::abs(a - b) <= same_mean * std::max(1.0, std::abs(b));
-}
-
 /// Of a landing cycle S per impact counts chatter's rebounds otherwise than a verdict does.
 bool is_same_cycle(const CellAttractor& known, const CarriedCycle& cycle) {
     return is_cycle(known.first) && known.first.period == static_cast<double>(cycle.points.size()) &&
-           agree(known.mean_spin, cycle.mean_spin) &&
+           means_agree(known.mean_spin, cycle.mean_spin) &&
            (kind_of(known.first) == analysis::Kind::landing ||
-            agree(known.first.mean_spin_per_impact, cycle.mean_spin_per_impact));
+            means_agree(known.first.mean_spin_per_impact, cycle.mean_spin_per_impact));
 }
 
 /// An attractor of a cell, its number among those of all cells, and its points if it is a cycle.
@@ -209,8 +205,8 @@ bool carry(const std::vector<Way>& ways, const SweepOptions& options, Tracker& t
 }
 
 /// To later cells, then those that have not arrived to earlier ones, and on from where they were unknown.
-bool follow_cycles(const SweepOptions& options, const Sweep& sweep, Tracker& tracker) {
-    const auto sides = neighbours(sweep.grid);
+bool follow_cycles(const SweepOptions& options, const Sweep& sweep,
+                   const std::vector<std::pair<std::size_t, std::size_t>>& sides, Tracker& tracker) {
     std::vector<std::size_t> begin(cell_count(sweep.grid), 0);  // the first place of each cell that is to be followed
     for (bool grows = true; grows;) {
         std::vector<std::size_t> end;
@@ -246,8 +242,9 @@ bool track_attractors(const SweepOptions& options, Sweep& sweep) {
     const bool all = run_pieces(count, options.output.threads, progress, look);
     if (!all) return false;
     Tracker tracker(std::move(cells));
-    if (!follow_cycles(options, sweep, tracker)) return false;
-    for (const auto& [a, b] : neighbours(sweep.grid)) tracker.unite_others(a, b);
+    const auto sides = neighbours(sweep.grid);
+    if (!follow_cycles(options, sweep, sides, tracker)) return false;
+    for (const auto& [a, b] : sides) tracker.unite_others(a, b);
     sweep.attractors = tracker.numbered();
     sweep.tracking = tracker.tracking();
     return true;

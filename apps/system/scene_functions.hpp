@@ -123,7 +123,8 @@ struct ConcreteScene {
         return derivative_by_saltation(of(map).collision_map, z, known.collision);
     }
     static analysis::Vector<dimension> along(const void* map, const State& z, const Step& known, Parameter parameter) {
-        return derivative_along(of(map).collision_map, parameter, z, known.collision);
+        if (known.contacts.empty()) return derivative_along(of(map).collision_map, parameter, z, known.collision);
+        return derivative_along_contact(of(map).return_map, parameter, section_point(z), known);
     }
     static Derivative through_contact(const void* map, const SectionPoint<double>& z, const Step& known, long& series) {
         return derivative_through_contact(of(map).return_map, z, known, &series);

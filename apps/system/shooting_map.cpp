@@ -69,41 +69,13 @@ struct MapAlongParameter {
         const SceneMap<D> map = at(p);
         analysis::Vector<D> along = analysis::Vector<D>::Zero();
         step = step_of(map, z, [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
-            if (!known.contacts.empty()) return derivative_at(map, from, known);
-            const analysis::Matrix<D> d = map.through_flight(from, known);
+            const analysis::Matrix<D> d = derivative_at(map, from, known);
             along = d * along + map.along(from, known, parameter);
             return d;
         });
-        if (!step.alive) return step;
-        const bool landed = letter_from(step.letter).through_contact;
-        step.by_parameter =
-            landed ? quotient_along(map.state_at(analysis::Vector<D>(z)), p, step.by_state) : Eigen::VectorXd(along);
-        step.alive = step.by_parameter.allFinite();
+        step.by_parameter = along;
+        step.alive = step.alive && along.allFinite();
         return step;
-    }
-
-    /// Through contact: a central difference, one-sided at the end of the parameter's range. A state that lands at once
-    /// leaves with u_n = 0 or nearly so, and would approach the wall in a neighbouring scene: v_n goes along with the
-    /// parameter there, so that u_n stays what it is, and what that does is taken off again by DF.
-    Eigen::VectorXd quotient_along(const PostImpactState<double>& state, double p,
-                                   const Eigen::MatrixXd& by_state) const {
-        constexpr double h = 1e-5;
-        constexpr int vn = D - 3;
-        const double high = is_allowed(parameter, p + h) ? p + h : p;
-        const double low = is_allowed(parameter, p - h) ? p - h : p;
-        const double un = contact_kinematics(at(p).body(), state).un;
-        const auto from = [&](double q) {
-            PostImpactState<double> z = state;
-            z.vn += un - contact_kinematics(at(q).body(), state).un;
-            return z;
-        };
-        const PostImpactState<double> upper = from(high), lower = from(low);
-        const auto above = advance_as_one(at(high), upper), below = advance_as_one(at(low), lower);
-        if (!above.alive || !below.alive) return Eigen::VectorXd::Constant(D, std::nan(""));
-        Eigen::VectorXd change = typical.coordinates(above.state) - typical.coordinates(below.state);
-        for (int i = 0; i < D; ++i)
-            if (typical.angle_period(i) > 0) change[i] = std::remainder(change[i], typical.angle_period(i));
-        return (change - by_state.col(vn) * (upper.vn - lower.vn)) / (high - low);
     }
 };
 
@@ -117,25 +89,16 @@ struct PlaneStepOf {
     analysis::PlaneStep operator()(const Eigen::VectorXd& z, const Eigen::Vector2d& p) const {
         analysis::PlaneStep result;
         if (!is_allowed(first, p[0]) || !is_allowed(second, p[1])) return result;
-        const Scene<double> by_first = with_parameter(scene, first, p[0]),
-                            by_second = with_parameter(scene, second, p[1]);
-        const SceneMap<D> map = typical.with(with_parameter(by_first, second, p[1]));
+        const SceneMap<D> map = typical.with(with_parameter(with_parameter(scene, first, p[0]), second, p[1]));
         Eigen::Matrix<double, D, 2> along = Eigen::Matrix<double, D, 2>::Zero();
         const analysis::ShootingStep step =
             step_of(map, z, [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
                 const analysis::Matrix<D> d = derivative_at(map, from, known);
-                if (known.contacts.empty()) {
-                    along = (d * along).eval();
-                    along.col(0) += map.along(from, known, first);
-                    along.col(1) += map.along(from, known, second);
-                }
+                along = (d * along).eval();
+                along.col(0) += map.along(from, known, first);
+                along.col(1) += map.along(from, known, second);
                 return d;
             });
-        if (step.alive && letter_from(step.letter).through_contact) {
-            const PostImpactState<double> start = map.state_at(analysis::Vector<D>(z));
-            along.col(0) = MapAlongParameter<D>{typical, by_second, first}.quotient_along(start, p[0], step.by_state);
-            along.col(1) = MapAlongParameter<D>{typical, by_first, second}.quotient_along(start, p[1], step.by_state);
-        }
         result.alive = step.alive && along.allFinite();
         if (!result.alive) return result;
         result.state = step.state;

@@ -7,6 +7,7 @@
 // that contact removes, and is set to zero.
 #pragma once
 
+#include "map/derivative/parameter.hpp"
 #include "map/derivative/strike_along.hpp"
 #include "map/orbit/return_map.hpp"
 #include "map/sustained/contact_along.hpp"
@@ -53,16 +54,16 @@ struct KnownContact {
           phase(struck ? struck_at_once(map.contact(), base)
                        : follow_contact(map.contact(), completion, contact_horizon)) {}
 
-    /// The state where contact begins, with its derivatives by the section's coordinates.
-    template <class J, Shape shape>
-    ContactState<J> landing(const ContactScene<J>& scene) const {
-        const PostImpactState<J> near = seeded<J, shape>(base);
+    /// The state where contact begins, with the derivatives that the scene and a state `near` carry.
+    template <class J>
+    ContactState<J> landing(const ContactScene<J>& scene, const PostImpactState<J>& near) const {
         if (struck) return contact_state(scene, near);
         return landed_like(scene, slipping<J>(), completion_in_jets<J>(completion), near);
     }
 
-    /// False on a border within the rounding of the state.
+    /// False on a border within the rounding of the state, and where contact was not followed to its end.
     bool is(const ReturnStep<double>& known) const {
+        if (!phase.resolved || phase.finish == ContactEvent::horizon) return false;
         return phase.segments.empty() || phase.segments.back().finish == known.contacts.back().finish;
     }
 
@@ -98,6 +99,19 @@ PostImpactState<J> impact_after_release(const CollisionMap<J, Map::shape, Map::r
     return strike_along(map, flight_from(map.body(), leaving), flown, vertex).after;
 }
 
+/// F(z) in Jets: `scene` is the map's and `near` the state z, with what they carry of derivatives.
+///   steps  is added the number of power series
+template <class Map, class J>
+auto return_in_jets(const ReturnMap<Map>& map, const Scene<J>& scene, const PostImpactState<J>& near,
+                    const KnownContact& contact, const ReturnStep<double>& known, long& steps) {
+    const CollisionMap<J, Map::shape, Map::rule> jets(scene);
+    const ContactScene<J> in_contact = contact_scene(jets.body(), scene.mu, scene.restitution, Map::rule);
+    const ContactPhase<double>& phase = contact.phase;
+    PostImpactState<J> end = contact_along(map.contact(), in_contact, phase, contact.landing(in_contact, near), &steps);
+    if (phase.finish == ContactEvent::release) end = impact_after_release<Map>(jets, end, known, phase);
+    return coordinates<Map::shape>(section_point(end));
+}
+
 }  // namespace detail
 
 /// DF(z), where `known` is F(z) and leads through contact; NaN if z, as it is rounded here, ends it by another event.
@@ -110,22 +124,34 @@ auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<do
     using J = ContactJet<dimension>;
     using Derivative = Eigen::Matrix<double, dimension, dimension>;
     const detail::KnownContact contact(map, post_impact_state(z), known);
-    const ContactPhase<double>& phase = contact.phase;
     Derivative derivative = Derivative::Constant(std::numeric_limits<double>::quiet_NaN());
-    if (!phase.resolved || phase.finish == ContactEvent::horizon || !contact.is(known)) return derivative;
-    const Scene<double>& s = map.map().scene();
-    const CollisionMap<J, Map::shape, Map::rule> jets(
-        {s.sides, J(s.alpha), J(s.beta), J(s.mu), J(s.restitution), s.law, J(s.inertia_factor)});
-    const ContactScene<J> scene = contact_scene(jets.body(), jets.scene().mu, jets.scene().restitution, Map::rule);
-    const ContactState<J> landing = contact.template landing<J, Map::shape>(scene);
+    if (!contact.is(known)) return derivative;
+    const Scene<double>& scene = map.map().scene();
     long steps = 0;
-    PostImpactState<J> end = contact_along(map.contact(), scene, phase, landing, &steps);
-    if (phase.finish == ContactEvent::release) end = detail::impact_after_release<Map>(jets, end, known, phase);
+    const auto next =
+        detail::return_in_jets(map, scene_in<J>(scene), seeded<J, Map::shape>(contact.base), contact, known, steps);
     if (series) *series += cost_in_jets * steps + contact_steps(known);
-    const auto next = coordinates<Map::shape>(section_point(end));
     for (int i = 0; i < dimension; ++i) derivative.row(i) = next[static_cast<std::size_t>(i)].v.transpose();
-    const double speed = s.beta + speed_of(map.map().body(), z.vn, z.vt, z.spin);
+    const double speed = scene.beta + speed_of(map.map().body(), z.vn, z.vt, z.spin);
     return Derivative(detail::without_rounding(derivative, speed));
+}
+
+/// ∂F/∂λ at z in the same way, λ a parameter of the scene.
+template <class Map>
+auto derivative_along_contact(const ReturnMap<Map>& map, Parameter parameter, const SectionPoint<double>& z,
+                              const ReturnStep<double>& known) {
+    constexpr int dimension = section_dimension<Map::shape>;
+    using J = ContactJet<1>;
+    using Column = Eigen::Matrix<double, dimension, 1>;
+    const detail::KnownContact contact(map, post_impact_state(z), known);
+    Column column = Column::Constant(std::numeric_limits<double>::quiet_NaN());
+    if (!contact.is(known)) return column;
+    Scene<J> along = scene_in<J>(map.map().scene());
+    number_of(along, parameter).v[0] = 1;
+    long steps = 0;
+    const auto next = detail::return_in_jets(map, along, state_in_jets<J>(contact.base), contact, known, steps);
+    for (int i = 0; i < dimension; ++i) column[i] = next[static_cast<std::size_t>(i)].v[0];
+    return column;
 }
 
 }  // namespace swirl

@@ -79,8 +79,11 @@ Vanishing<J> vanishing(const Problem<J>& problem, ContactEvent event, bool first
         }
         case ContactEvent::stick:
             return along(z.ut, t);
-        case ContactEvent::strike:
-            return along(z.chi, t);  // |χ| = χ_m
+        case ContactEvent::strike: {  // |χ| = χ_m
+            const Vanishing<J> chi = along(z.chi, t);
+            const J& widest = problem.scene.widest_chi;
+            return {chi.value.a > 0 ? J(chi.value - widest) : J(chi.value + widest), chi.rate};
+        }
         case ContactEvent::jam:
             return along(z.stiffness, t);
         case ContactEvent::horizon:

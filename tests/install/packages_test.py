@@ -1,7 +1,7 @@
-"""The Debian packages of a build: packages_test.py CPACK BUILD VERSION
+"""The Debian packages: packages_test.py ROOT VERSION
 
-They are made anew, looked at, unpacked into an empty root, and installed into and removed from another. As root; lintian is
-run where it is installed."""
+They are made of the committed files, looked at, unpacked into an empty root, and installed into and removed from another. As
+root; lintian is run where it is installed."""
 
 import gzip
 import os
@@ -13,12 +13,13 @@ import tempfile
 import unittest
 from pathlib import Path
 
-CPACK, BUILD, VERSION = sys.argv.pop(1), Path(sys.argv.pop(1)).resolve(), sys.argv.pop(1)
-NAMES = {"swirl", "swirl-figures", "libswirl-dev"}
+ROOT, VERSION = Path(sys.argv.pop(1)).resolve(), sys.argv.pop(1)
+FIGURES = "python3-swirl-figures"
+NAMES = {"swirl", FIGURES, "libswirl-dev"}
 
 
 def told(*command, **options):
-    result = subprocess.run(command, capture_output=True, text=True, timeout=600, **options)
+    result = subprocess.run(command, capture_output=True, text=True, timeout=3000, **options)
     assert result.returncode == 0, (command, result.stdout, result.stderr)
     return result.stdout
 
@@ -37,7 +38,11 @@ class Packages(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
-        told(CPACK, "--config", BUILD / "CPackConfig.cmake", "-B", cls.folder / "made", cwd=BUILD)
+        source = cls.folder / "made" / "swirl"
+        told("git", "clone", "--quiet", "--no-hardlinks", ROOT, source)
+        # No packages of symbols: they would double the time.
+        told("dpkg-buildpackage", "--build=binary", "--no-sign", cwd=source,
+             env={**os.environ, "DEB_BUILD_OPTIONS": f"noautodbgsym parallel={os.cpu_count()}"})
         cls.packages = {field(path, "Package"): path for path in (cls.folder / "made").glob("*.deb")}
 
     def unpacked(self, name):
@@ -49,37 +54,38 @@ class Packages(unittest.TestCase):
     def test_what_they_are(self):
         self.assertEqual(set(self.packages), NAMES)
         for name, path in self.packages.items():
-            self.assertEqual(field(path, "Version"), f"{VERSION}-1")
-            self.assertEqual(field(path, "Architecture"), "all" if name == "swirl-figures" else
+            self.assertEqual(field(path, "Version"), VERSION)
+            self.assertEqual(field(path, "Architecture"), "all" if name == FIGURES else
                              told("dpkg", "--print-architecture").strip())
         needed = field(self.packages["swirl"], "Depends")
         for library in ("libc6", "libhdf5", "libfftw3", "libgsl", "libtbb", "libfmt"):
             self.assertRegex(needed, rf"(^|, ){library}", needed)
         self.assertNotIn("-dev", needed)
-        self.assertIn("python3-matplotlib", field(self.packages["swirl-figures"], "Depends"))
+        self.assertIn("python3-matplotlib", field(self.packages[FIGURES], "Depends"))
         self.assertIn("libeigen3-dev", field(self.packages["libswirl-dev"], "Depends"))
 
     def test_what_is_in_them(self):
-        program, figures, library = (files_below(self.unpacked(name)) for name in ("swirl", "swirl-figures", "libswirl-dev"))
+        program, figures, library = (files_below(self.unpacked(name)) for name in ("swirl", FIGURES, "libswirl-dev"))
         commands = re.findall(r"^  ([a-z]+) ", told(self.unpacked("swirl") / "usr/bin/swirl", "--help").split("Subcommands:")[1],
                               re.M)
         pages = {f"usr/share/man/man1/swirl-{command}.1.gz" for command in commands} | {"usr/share/man/man1/swirl.1.gz"}
         self.assertLessEqual(pages | {"usr/bin/swirl", "usr/share/bash-completion/completions/swirl",
-                                      "usr/share/zsh/vendor-completions/_swirl", "usr/share/doc/swirl/docs/tutorial.md"}, program)
+                                      "usr/share/zsh/vendor-completions/_swirl", "usr/share/doc/swirl/tutorial.md"}, program)
         self.assertIn("usr/share/swirl/notebooks-export/plot_record.py", figures)
         self.assertFalse([name for name in program | figures | library if "__pycache__" in name])
-        self.assertLessEqual({"usr/lib/libswirl_map.a", "usr/lib/cmake/Swirl/SwirlConfig.cmake",
+        libraries = "usr/lib/" + told("dpkg-architecture", "-qDEB_HOST_MULTIARCH").strip()
+        self.assertLessEqual({f"{libraries}/libswirl_map.a", f"{libraries}/cmake/Swirl/SwirlConfig.cmake",
                               "usr/include/swirl/analysis/section_map.hpp"}, library)
         for name in NAMES:
             documents = self.unpacked(name) / "usr/share/doc" / name
             self.assertIn("Permission is hereby granted", (documents / "copyright").read_text())
-            changes = gzip.decompress((documents / "changelog.Debian.gz").read_bytes()).decode()
-            self.assertTrue(changes.startswith(f"{name} ({VERSION}-1) "))
+            changes = gzip.decompress((documents / "changelog.gz").read_bytes()).decode()
+            self.assertIn(VERSION, changes)
         self.assertFalse(program & figures | program & library | figures & library)
 
     def test_the_command_runs_from_an_empty_root(self):
         root = self.folder / "empty"
-        for name in ("swirl", "swirl-figures"):
+        for name in ("swirl", FIGURES):
             told("dpkg-deb", "-x", self.packages[name], root)
         swirl = root / "usr/bin/swirl"
         work = self.folder / "work"

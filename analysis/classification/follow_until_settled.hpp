@@ -103,6 +103,164 @@ FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, 
 
 }  // namespace classification_detail
 
+/// Steps that an orbit is to take before it is looked at again; none: it is over.
+struct WantedSteps {
+    std::int64_t count = 0;
+    bool kept = false;  ///< their states are kept in the tail
+};
+
+/// An orbit that is followed for as long as its verdict can change, in pieces that others may take for it
+/// (`follow_until_settled` takes them all): while `wanted()` has steps, take them from `state()` on and `look`.
+template <SectionMap M>
+class SettlingOrbit {
+public:
+    /// As `follow_until_settled`.
+    SettlingOrbit(const State<M>& start, std::int64_t transient, std::int64_t count, const PeriodOptions& options,
+                  bool settles)
+        : z_(start),
+          transient_(transient),
+          count_(count),
+          options_(options),
+          settles_(settles),
+          effort_{0, classification_detail::most_effort(transient)},
+          looks_{0, classification_detail::most_effort_of_looks(transient + count)} {
+        search_on();
+    }
+
+    WantedSteps wanted() const { return wanted_; }
+    /// Where they begin.
+    const State<M>& state() const { return z_; }
+    FollowedOrbit<M>& orbit() { return orbit_; }
+
+    /// Takes them.
+    void take(const M& map, const Stop& stop) {
+        if (!wanted_.kept) {
+            whole_ = skip_steps(map, z_, wanted_.count, orbit_.tail, stop, effort_);
+        } else {
+            const double most = stage_ == Stage::searching ? effort_.most - effort_.spent : most_kept();
+            whole_ = record_steps(map, z_, wanted_.count, keep(), orbit_.tail, stop, most);
+        }
+    }
+
+    /// Others have taken them, at the cost of an ordinary step each: those that are kept are in the tail.
+    void taken(const State<M>& end) {
+        z_ = end;
+        whole_ = true;
+        orbit_.tail.steps += wanted_.count;
+        const auto cost = static_cast<double>(wanted_.count);
+        (wanted_.kept ? orbit_.tail.effort : effort_.spent) += cost;
+        if (wanted_.kept) orbit_.tail.last = orbit_.tail.states.back();
+    }
+
+    /// May others keep its states? (A tail that is very long has room for points only.)
+    bool keeps_states() const { return keep() == Keep::states; }
+
+    /// What the steps that were taken show, and which are wanted next.
+    void look(const M& map) {
+        Tail<M>& tail = orbit_.tail;
+        if (tail.ended || tail.stopped) return end();
+        switch (stage_) {
+            case Stage::searching:
+                return look_in_search(map);
+            case Stage::transient:
+                tail.cut = !whole_;
+                return begin_to_keep();
+            case Stage::keeping:
+                return look_at_kept(map);
+        }
+    }
+
+private:
+    enum class Stage { searching, transient, keeping };
+
+    Keep keep() const {
+        constexpr std::int64_t longest_as_states = 1 << 20;  // a longer tail has no room for both states and points
+        return stage_ == Stage::keeping && count_ > longest_as_states ? Keep::points : Keep::states;
+    }
+    double most_kept() const { return classification_detail::most_effort(count_); }
+    void end() { wanted_ = {}; }
+
+    /// The next look within the transient, and the steps before its window; or what is left of the transient.
+    void search_on() {
+        Tail<M>& tail = orbit_.tail;
+        if (!settles_ || look_ > transient_ || tail.cut) {
+            stage_ = Stage::transient;
+            wanted_ = {tail.cut ? 0 : transient_ - tail.steps, false};
+            if (wanted_.count == 0) begin_to_keep();
+            return;
+        }
+        window_ = classification_detail::window_of(look_);
+        wanted_ = {look_ - window_ - tail.steps, false};
+        if (wanted_.count == 0) wanted_ = {window_, true};
+    }
+
+    void look_in_search(const M& map) {
+        namespace detail = classification_detail;
+        Tail<M>& tail = orbit_.tail;
+        tail.cut = !whole_;
+        if (tail.cut && !wanted_.kept) return search_on();
+        if (!wanted_.kept) {
+            wanted_ = {window_, true};
+            return;
+        }
+        if (!tail.cut) orbit_.cycle = detail::look_back(map, tail, window_, options_, looks_);
+        if (orbit_.cycle.period > 0) return end();
+        effort_.spent += tail.effort;
+        detail::forget_kept(tail);
+        look_ = detail::next_look(look_);
+        search_on();
+    }
+
+    void begin_to_keep() {
+        Tail<M>& tail = orbit_.tail;
+        stage_ = Stage::keeping;
+        reserve(tail, count_, keep());
+        tail.first = z_;
+        before_ = tail.steps;
+        keep_on();
+    }
+
+    void keep_on() {
+        const auto kept = static_cast<std::int64_t>(orbit_.tail.durations.size());
+        while (look_ <= before_) look_ = classification_detail::next_look(look_);
+        wanted_ = {(settles_ ? std::min(look_ - before_, count_) : count_) - kept, true};
+    }
+
+    void look_at_kept(const M& map) {
+        namespace detail = classification_detail;
+        Tail<M>& tail = orbit_.tail;
+        const auto kept = static_cast<std::int64_t>(tail.durations.size());
+        tail.cut |= !whole_;
+        if (!whole_) return end();
+        const std::int64_t window = detail::window_of(look_);
+        if (kept < count_ && window <= kept) orbit_.cycle = detail::look_back(map, tail, window, options_, looks_);
+        if (kept == count_ || orbit_.cycle.period > 0) return end();
+        look_ = detail::next_look(look_);
+        keep_on();
+    }
+
+    FollowedOrbit<M> orbit_;
+    State<M> z_;
+    std::int64_t transient_, count_;
+    PeriodOptions options_;
+    bool settles_;
+    Effort effort_, looks_;
+    WantedSteps wanted_;
+    Stage stage_ = Stage::searching;
+    std::int64_t look_ = classification_detail::first_look, window_ = 0, before_ = 0;
+    bool whole_ = true;  ///< of the last steps none was left out for what they cost
+};
+
+/// Takes all steps of an orbit that it wants.
+template <SectionMap M>
+FollowedOrbit<M> follow_to_end(SettlingOrbit<M> orbit, const M& map, const Stop& stop = {}) {
+    while (orbit.wanted().count > 0) {
+        orbit.take(map, stop);
+        orbit.look(map);
+    }
+    return std::move(orbit.orbit());
+}
+
 /// Follows an orbit from z through `transient` steps and `count` more that are kept, and ends as soon as it has settled
 /// on an attracting cycle (`settled_cycle`): looked for after 128, 192, 288, … steps.
 ///   settles  false where nothing can (a map that preserves volume): not looked for
@@ -111,49 +269,9 @@ FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, 
 /// looks have a limit of their own, beyond which nothing is looked for until the end.
 /// Cost: the steps; `settled_cycle` at each look.
 template <SectionMap M>
-FollowedOrbit<M> follow_until_settled(const M& map, State<M> z, std::int64_t transient, std::int64_t count,
+FollowedOrbit<M> follow_until_settled(const M& map, const State<M>& z, std::int64_t transient, std::int64_t count,
                                       const PeriodOptions& options, bool settles, const Stop& stop = {}) {
-    namespace detail = classification_detail;
-    constexpr std::int64_t longest_as_states = 1 << 20;  // a longer tail has no room for both states and points
-    FollowedOrbit<M> orbit;
-    Tail<M>& tail = orbit.tail;
-    Effort effort{0, detail::most_effort(transient)}, looks{0, detail::most_effort_of_looks(transient + count)};
-    std::int64_t look = detail::first_look;
-    for (; settles && look <= transient && !tail.cut; look = detail::next_look(look)) {
-        const std::int64_t window = detail::window_of(look);
-        tail.cut = !skip_steps(map, z, look - window - tail.steps, tail, stop, effort);
-        if (tail.ended || tail.stopped) return orbit;
-        if (tail.cut) break;
-        tail.cut = !record_steps(map, z, window, Keep::states, tail, stop, effort.most - effort.spent);
-        if (tail.ended || tail.stopped) return orbit;
-        if (!tail.cut) orbit.cycle = detail::look_back(map, tail, window, options, looks);
-        if (orbit.cycle.period > 0) return orbit;
-        effort.spent += tail.effort;
-        detail::forget_kept(tail);
-    }
-    if (!tail.cut) tail.cut = !skip_steps(map, z, transient - tail.steps, tail, stop, effort);
-    if (tail.ended || tail.stopped) return orbit;
-    const double most = detail::most_effort(count);
-    const std::int64_t before = tail.steps;  // `transient`, or where it was cut
-    const Keep keep = count > longest_as_states ? Keep::points : Keep::states;
-    reserve(tail, count, keep);
-    tail.first = z;
-    for (std::int64_t kept = 0; kept < count; look = detail::next_look(look)) {
-        while (look <= before) look = detail::next_look(look);
-        const std::int64_t until = settles ? std::min(look - before, count) : count;
-        const bool whole = record_steps(map, z, until - kept, keep, tail, stop, most);
-        if (tail.ended || tail.stopped) return orbit;
-        kept = static_cast<std::int64_t>(tail.durations.size());
-        if (!whole) {
-            tail.cut = true;
-            return orbit;
-        }
-        const std::int64_t window = detail::window_of(look);
-        if (kept == count || window > kept) continue;
-        orbit.cycle = detail::look_back(map, tail, window, options, looks);
-        if (orbit.cycle.period > 0) return orbit;
-    }
-    return orbit;
+    return follow_to_end(SettlingOrbit<M>(z, transient, count, options, settles), map, stop);
 }
 
 }  // namespace swirl::analysis

@@ -7,10 +7,7 @@ FollowedScene<D> followed(const SceneMap<D>& map, const PostImpactState<double>&
                           const analysis::ClassifyOptions& settings, bool dissipative, const analysis::Stop& stop) {
     if (settings.exhaustive || dissipative)
         return {analysis::follow_tail(map, first, before, settings.collisions, stop), {}};
-    // In 100 digits the eigenvalues of one cycle take as long as the orbit; double's are taken where they decide.
-    analysis::PeriodOptions period = settings.period;
-    period.exact_multipliers = false;
-    return analysis::follow_until_settled(map, first, before, settings.collisions, period, !settings.conserves, stop);
+    return analysis::follow_to_end(settling<D>(first, before, settings), map, stop);
 }
 
 template FollowedScene<disk_dimension> followed(const SceneMap<disk_dimension>&, const PostImpactState<double>&,

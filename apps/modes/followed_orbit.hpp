@@ -18,6 +18,16 @@ template <int D>
 FollowedScene<D> followed(const SceneMap<D>& map, const PostImpactState<double>& first, std::int64_t before,
                           const analysis::ClassifyOptions& settings, bool dissipative, const analysis::Stop& stop);
 
+/// The same in pieces, for an orbit that is neither followed exhaustively nor dissipative.
+template <int D>
+analysis::SettlingOrbit<SceneMap<D>> settling(const PostImpactState<double>& first, std::int64_t before,
+                                              const analysis::ClassifyOptions& settings) {
+    // In 100 digits the eigenvalues of one cycle take as long as the orbit; double's are taken where they decide.
+    analysis::PeriodOptions period = settings.period;
+    period.exact_multipliers = false;
+    return {first, before, settings.collisions, period, !settings.conserves};
+}
+
 /// Its verdict. Where that is known beforehand, derivatives and periods would cost much and tell nothing.
 template <int D>
 analysis::Classification judged(const SceneMap<D>& map, FollowedScene<D>& orbit,

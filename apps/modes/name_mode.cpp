@@ -1,9 +1,8 @@
 #include "apps/modes/name_mode.hpp"
 
 #include "apps/modes/contact_mode.hpp"
-#include "apps/modes/followed_orbit.hpp"
+#include "apps/modes/naming.hpp"
 #include "apps/system/chatter_once.hpp"
-#include "apps/system/orbit_ending.hpp"
 
 #include <fmt/format.h>
 
@@ -139,19 +138,33 @@ void keep_samples(const SceneMap<D>& map, const analysis::Tail<SceneMap<D>>& tai
 template <int D>
 NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const analysis::ClassifyOptions& settings,
                   bool dissipative, const analysis::Stop& stop, OrbitSamples* samples) {
-    NamedMode named;
     const OrbitBegin begin = begin_orbit(map, start);
+    if (begin.outcome != Outcome::completed) return named_without_orbit(begin);
+    auto orbit = followed(map, begin.state, steps_before(begin, settings), settings, dissipative, stop);
+    return named_from(map, begin, orbit, settings, dissipative, samples);
+}
+
+}  // namespace
+
+analysis::ClassifyOptions settings_for(const Scene<double>& scene, analysis::ClassifyOptions settings) {
+    settings.conserves = scene.mu == 0 && scene.restitution == 1;
+    return settings;
+}
+
+NamedMode named_without_orbit(const OrbitBegin& begin) {
+    NamedMode named;
     named.outcome = begin.outcome;
     named.impacts = begin.impacts;
-    if (begin.outcome != Outcome::completed) {
-        named.verdict.ended = true;
-        name_ending(named.outcome, named.impacts, named.verdict);
-        return named;
-    }
-    // A point of the section is no impact of the orbit: its first is one step on. So the tail begins after as many
-    // impacts as `simulate --skip` leaves out, whatever the start.
-    const std::int64_t before = settings.transient + 1 - begin.impacts;
-    auto orbit = followed(map, begin.state, before, settings, dissipative, stop);
+    named.verdict.ended = true;
+    name_ending(named.outcome, named.impacts, named.verdict);
+    return named;
+}
+
+template <int D>
+NamedMode named_from(const SceneMap<D>& map, const OrbitBegin& begin, FollowedScene<D>& orbit,
+                     const analysis::ClassifyOptions& settings, bool dissipative, OrbitSamples* samples) {
+    NamedMode named;
+    named.impacts = begin.impacts;
     const auto& tail = orbit.tail;
     named.finished = !tail.stopped;
     if (tail.stopped) return named;
@@ -168,12 +181,14 @@ NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const anal
     return named;
 }
 
-}  // namespace
+template NamedMode named_from(const SceneMap<disk_dimension>&, const OrbitBegin&, FollowedScene<disk_dimension>&,
+                              const analysis::ClassifyOptions&, bool, OrbitSamples*);
+template NamedMode named_from(const SceneMap<polygon_dimension>&, const OrbitBegin&, FollowedScene<polygon_dimension>&,
+                              const analysis::ClassifyOptions&, bool, OrbitSamples*);
 
 NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& options,
                     Accuracy accuracy, const analysis::Stop& stop, OrbitSamples* samples) {
-    analysis::ClassifyOptions settings = options;
-    settings.conserves = scene.mu == 0 && scene.restitution == 1;
+    const analysis::ClassifyOptions settings = settings_for(scene, options);
     const auto name = [&](const auto& map) {
         return name_in(map, start, settings, is_dissipative_without_drive(scene), stop, samples);
     };

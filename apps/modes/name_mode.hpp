@@ -7,6 +7,7 @@
 #include "map/orbit/outcome.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace swirl::apps {
@@ -36,5 +37,17 @@ struct OrbitSamples {
 NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& settings,
                     Accuracy accuracy = Accuracy::double_precision, const analysis::Stop& stop = {},
                     OrbitSamples* samples = nullptr);
+
+/// A start of a scene.
+struct SceneStart {
+    Scene<double> scene;
+    Start<double> start;
+};
+
+/// `name_mode` of each, the same to the bit. Orbits of one shape and impact rule take their steps together
+/// (apps/system/lanes.hpp) as long as these are ordinary flights. For that they are held all at once: some 70 bytes for
+/// each impact that is judged.
+std::vector<NamedMode> name_modes(std::span<const SceneStart> starts, const analysis::ClassifyOptions& settings,
+                                  Accuracy accuracy = Accuracy::double_precision, const analysis::Stop& stop = {});
 
 }  // namespace swirl::apps

@@ -6,6 +6,8 @@
 #include "apps/sweep/refine.hpp"
 #include "apps/sweep/starts.hpp"
 
+#include <tbb/info.h>
+
 #include <algorithm>
 #include <cstring>
 #include <functional>
@@ -39,19 +41,30 @@ std::string header_of(const Settings& settings) {
     return text;
 }
 
-/// Run `index` of the sweep; nothing if it was interrupted.
-std::optional<RunResult> run_of(const SweepOptions& options, const std::vector<GridAxis>& grid, std::size_t runs,
-                                std::size_t index) {
-    const Scene<double> scene = cell_scene(options.scene, grid, index / runs);
-    const LabStart<double> start = cell_start(options.start, scene, grid, index / runs, index % runs);
-    return sweep_run(scene, start, options.settings, options.output.accuracy());
+/// How many runs are one piece of work, which take their steps together and are kept together: fewer where every thread
+/// would otherwise have less than four pieces.
+std::size_t runs_together(std::size_t runs, int threads) {
+    constexpr std::size_t most = 32;
+    const int all = threads > 0 ? threads : tbb::info::default_concurrency();
+    return std::clamp<std::size_t>(runs / (4 * static_cast<std::size_t>(all)), 1, most);
+}
+
+/// Some runs of the sweep, by their indices; nothing of those that were interrupted.
+std::vector<std::optional<RunResult>> runs_of(const SweepOptions& options, const std::vector<GridAxis>& grid,
+                                              std::size_t runs, std::span<const std::size_t> indices) {
+    std::vector<SceneStart> starts;
+    for (const std::size_t index : indices) {
+        const Scene<double> scene = cell_scene(options.scene, grid, index / runs);
+        starts.push_back({scene, cell_start(options.start, scene, grid, index / runs, index % runs)});
+    }
+    return sweep_runs(starts, options.settings, options.output.accuracy());
 }
 
 /// The same as bytes, for other ranks. It holds what it uses: after an interruption it may outlive the sweep.
 NamedWork work_of(const SweepOptions& options, const Sweep& sweep) {
     const auto work = [&options, grid = sweep.grid, runs = static_cast<std::size_t>(sweep.runs)](
                           std::size_t index) -> std::optional<std::vector<std::byte>> {
-        const auto result = run_of(options, grid, runs, index);
+        const auto result = runs_of(options, grid, runs, std::span(&index, 1)).front();
         if (!result) return {};
         const auto bytes = std::as_bytes(std::span(&*result, 1));
         return std::vector<std::byte>(bytes.begin(), bytes.end());
@@ -77,7 +90,6 @@ bool run_cells(const SweepOptions& options, const std::vector<std::size_t>& cell
     for (const std::size_t cell : cells)
         for (std::size_t i = cell * runs; i < (cell + 1) * runs; ++i)
             if (!done[i]) left.push_back(i);
-    Progress progress(task, static_cast<double>(left.size()), options.output.quiet);
     const auto keep = [&sweep, &done, journal](std::size_t index, const RunResult& result) {
         sweep.results[index] = result;
         done[index] = 1;
@@ -85,12 +97,19 @@ bool run_cells(const SweepOptions& options, const std::vector<std::size_t>& cell
     };
     bool all = false;
     if (hand_out.is_alone()) {
-        all = run_pieces(left.size(), options.output.threads, progress, [&](std::size_t i) -> KeepResult {
-            const auto result = run_of(options, sweep.grid, runs, left[i]);
-            if (!result) return {};
-            return [keep, index = left[i], result] { keep(index, *result); };
+        const std::size_t together = runs_together(left.size(), options.output.threads);
+        const std::size_t pieces = (left.size() + together - 1) / together;
+        Progress progress(task, static_cast<double>(pieces), options.output.quiet);
+        all = run_pieces(pieces, options.output.threads, progress, [&](std::size_t i) -> KeepResult {
+            const auto some = std::span(left).subspan(i * together, std::min(together, left.size() - i * together));
+            const auto results = runs_of(options, sweep.grid, runs, some);
+            if (std::any_of(results.begin(), results.end(), [](const auto& result) { return !result; })) return {};
+            return [keep, some, results] {
+                for (std::size_t k = 0; k < some.size(); ++k) keep(some[k], *results[k]);
+            };
         });
     } else {
+        Progress progress(task, static_cast<double>(left.size()), options.output.quiet);
         all = hand_out.run(left, options.output.threads, work_of(options, sweep), progress,
                            [&](const auto& piece) { keep(piece.piece, result_in(piece)); });
     }

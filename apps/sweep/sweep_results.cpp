@@ -26,12 +26,7 @@ double mean_of(const std::vector<double>& values) {
     return values.empty() ? unknown : gsl_stats_mean(values.data(), 1, values.size());
 }
 
-}  // namespace
-
-std::optional<RunResult> sweep_run(const Scene<double>& scene, const LabStart<double>& start,
-                                   const analysis::ClassifyOptions& settings, Accuracy accuracy) {
-    const NamedMode named = name_mode(scene, start, settings, accuracy, is_interrupted);
-    if (!named.finished) return std::nullopt;
+RunResult result_of(const NamedMode& named) {
     const auto& v = named.verdict;
     return RunResult{static_cast<double>(v.mode),
                      static_cast<double>(v.kind),
@@ -42,6 +37,16 @@ std::optional<RunResult> sweep_run(const Scene<double>& scene, const LabStart<do
                      v.recurrence_rate,
                      v.largest_exponent,
                      static_cast<double>(named.impacts)};
+}
+
+}  // namespace
+
+std::vector<std::optional<RunResult>> sweep_runs(std::span<const SceneStart> starts,
+                                                 const analysis::ClassifyOptions& settings, Accuracy accuracy) {
+    std::vector<std::optional<RunResult>> results;
+    for (const NamedMode& named : name_modes(starts, settings, accuracy, is_interrupted))
+        results.push_back(named.finished ? std::optional(result_of(named)) : std::nullopt);
+    return results;
 }
 
 Interval wilson_interval(double share, double n) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace swirl::apps::sweep {
 
@@ -25,9 +26,9 @@ inline analysis::Kind kind_of(const RunResult& run) {
     return static_cast<analysis::Kind>(static_cast<int>(run.kind));
 }
 
-/// What an orbit from `start` comes to: a pure function of its arguments. Nothing if it is interrupted.
-std::optional<RunResult> sweep_run(const Scene<double>& scene, const LabStart<double>& start,
-                                   const analysis::ClassifyOptions& settings, Accuracy accuracy);
+/// What the orbit from each start comes to, whatever the others are. Nothing of those that an interruption ended.
+std::vector<std::optional<RunResult>> sweep_runs(std::span<const SceneStart> starts,
+                                                 const analysis::ClassifyOptions& settings, Accuracy accuracy);
 
 inline constexpr int mode_count = 4;
 inline constexpr std::array<analysis::Mode, mode_count> all_modes = {

@@ -93,8 +93,8 @@ struct RoundedScene {
         return in_double_functions().through_contact(of(scene).in_double.get(), z, known, series);
     }
 
-    static constexpr Functions functions{&make,   &body,           &contact, &first_impact,   &advance,
-                                         &follow, &through_flight, &along,   &through_contact};
+    static constexpr Functions functions{&make,   &body,   &contact,        &first_impact, &advance,
+                                         &follow, nullptr, &through_flight, &along,        &through_contact};
 };
 
 }  // namespace swirl::apps

@@ -3,6 +3,7 @@
 
 #include "apps/system/effort.hpp"
 #include "apps/system/exact_return.hpp"
+#include "apps/system/lanes.hpp"
 #include "apps/system/scene_map.hpp"
 #include "map/derivative/saltation.hpp"
 #include "map/orbit/return_derivative.hpp"
@@ -22,6 +23,7 @@ struct SceneFunctions {
     Outcome (*advance)(const void* map, Step& step, double horizon, const ContactSink& sink);
     std::int64_t (*follow)(const void* map, State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
                            analysis::Effort& effort);
+    void (*together)(std::span<LaneOrbit> orbits);  ///< in double only
     Derivative (*through_flight)(const void* map, const State& z, const Step& known);
     analysis::Vector<D> (*along)(const void* map, const State& z, const Step& known, Parameter parameter);
     Derivative (*through_contact)(const void* map, const SectionPoint<double>& z, const Step& known, long& series);
@@ -130,8 +132,9 @@ struct ConcreteScene {
         return derivative_through_contact(of(map).return_map, z, known, &series);
     }
 
-    static constexpr Functions functions{&make,   &body,           &contact, &first_impact,   &advance,
-                                         &follow, &through_flight, &along,   &through_contact};
+    static constexpr Functions functions{
+        &make,           &body,  &contact,        &first_impact, &advance, &follow, &follow_together<shape, rule>,
+        &through_flight, &along, &through_contact};
 };
 
 }  // namespace swirl::apps

@@ -113,6 +113,16 @@ std::int64_t SceneMap<D>::follow(State& z, std::int64_t steps, const analysis::S
 }
 
 template <int D>
+bool SceneMap<D>::goes_together_with(const SceneMap& other) const {
+    return functions_ == other.functions_ && functions_->together != nullptr;
+}
+
+template <int D>
+void SceneMap<D>::follow_together(std::span<LaneOrbit> orbits) const {
+    functions_->together(orbits);
+}
+
+template <int D>
 ReturnStep<double> SceneMap<D>::return_step(const State& z, double horizon, const ContactSink& sink) const {
     ReturnStep<double> step;
     step.collision.after = z;

@@ -3,6 +3,7 @@
 
 #include "analysis/section_map.hpp"
 #include "apps/command_line/accuracy.hpp"
+#include "apps/system/lanes.hpp"
 #include "apps/system/letter.hpp"
 #include "apps/system/section_coordinates.hpp"
 #include "map/derivative/parameter.hpp"
@@ -54,6 +55,13 @@ public:
     analysis::Linearised<D, State> linearise(const State& z) const;
     /// See analysis::follow. In place, and what repeats itself to the bit (ExactReturn) is not followed again.
     std::int64_t follow(State& z, std::int64_t steps, const analysis::Stop& stop, analysis::Effort& effort) const;
+
+    /// May this scene's orbits take their steps together with those of the other's? (Of one shape and impact rule.)
+    bool goes_together_with(const SceneMap& other) const;
+    /// Steps that an orbit is to take together with others …
+    LaneOrbit lane_orbit(const State& z, std::int64_t count) const { return {map_.get(), z, count, nullptr, false}; }
+    /// … and they do: scenes that go together, of which this is one.
+    void follow_together(std::span<LaneOrbit> orbits) const;
 
     static analysis::Vector<D> coordinates(const State& z) { return coordinates_of<D>(section_point(z)); }
     static double coordinate(const State& z, int i) {

@@ -5,6 +5,7 @@
 #include "map/orbit/return_map.hpp"
 #include "map/orbit/speed_limits.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <span>
@@ -21,6 +22,8 @@ struct BatchedOrbit {
     long long wanted = 0;             ///< impacts
     long long done = 0;
     Outcome outcome = Outcome::completed;  ///< else why there are fewer than `wanted`, as ReducedOrbit ends
+    bool through_contact = false;          ///< one of its steps led through contact
+    int most_looks = 0;  ///< moments at which a flight was evaluated, the most of those that left their lanes
 };
 
 /// An impact of one of them, as an observer sees it.
@@ -170,7 +173,9 @@ private:
         step.collision.after = from;
         orbit.outcome = orbit.map->advance(step);
         orbit.state = step.collision.after;
+        orbit.through_contact |= !step.contacts.empty();
         if (orbit.outcome != Outcome::completed) return false;
+        orbit.most_looks = std::max(orbit.most_looks, step.collision.steps);
         ++use_.impacts;
         ++orbit.done;
         if constexpr (!std::is_same_v<Observe, NoObserver>) {

@@ -1,0 +1,39 @@
+// Orbits of many scenes that advance together, one in each lane of a vector (map/batch/README.md).
+#pragma once
+
+#include "map/collision_map.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace swirl::apps {
+
+/// Where the steps of an orbit are kept: the state before each, its duration and ∫ S dt.
+struct KeptSteps {
+    std::vector<PostImpactState<double>>& states;
+    std::vector<double>&durations, &integrals;
+};
+
+/// Steps that an orbit is to take.
+struct LaneOrbit {
+    const void* map = nullptr;    ///< of a SceneMap in double
+    PostImpactState<double> z{};  ///< where they begin, and end if they are taken
+    std::int64_t count = 0;
+    KeptSteps* kept = nullptr;  ///< none: they are not
+    bool taken = false;         ///< all of them, each at the cost of an ordinary one; else nothing is changed
+};
+
+/// So few take longer together than one after the other.
+inline constexpr std::size_t fewest_together = 5;
+
+/// Lets orbits of one shape and impact rule take their steps together, bit for bit as `ReturnMap::advance` takes them
+/// alone. Not taken: steps that lead through contact, cost more than ordinary ones, or end the orbit; where there are
+/// no lanes (sanitizers), none.
+template <Shape shape, ImpactRule rule>
+void follow_together(std::span<LaneOrbit> orbits);
+
+// For SWIRL_EVERY_MAP in with_lanes.cpp and without_lanes.cpp.
+#define SWIRL_COMPILE_LANES(T, SHAPE, RULE) template void follow_together<SHAPE, RULE>(std::span<LaneOrbit>);
+
+}  // namespace swirl::apps

@@ -1,0 +1,10 @@
+#include "apps/system/lanes.hpp"
+
+namespace swirl::apps {
+
+template <Shape shape, ImpactRule rule>
+void follow_together(std::span<LaneOrbit>) {}
+
+SWIRL_EVERY_MAP(SWIRL_COMPILE_LANES, double)
+
+}  // namespace swirl::apps

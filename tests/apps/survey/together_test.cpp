@@ -1,0 +1,123 @@
+// Orbits that take their steps together against each of them alone: the same bits.
+#include "apps/modes/name_mode.hpp"
+#include "apps/system/orbit_ending.hpp"
+#include "tests/apps/survey/random_scene.hpp"
+#include "tests/apps/system/scene_of.hpp"
+#include "tests/sample_count.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace swirl::apps {
+namespace {
+
+std::vector<std::uint64_t> bits_of(const std::vector<double>& values) {
+    std::vector<std::uint64_t> bits;
+    for (const double x : values) bits.push_back(std::bit_cast<std::uint64_t>(x));
+    return bits;
+}
+
+std::vector<std::uint64_t> bits_of(const NamedMode& named) {
+    const auto& v = named.verdict;
+    std::vector<double> values{v.mean,
+                               v.mean_per_step,
+                               v.recurrence_rate,
+                               v.largest_exponent,
+                               v.largest_exponent_error,
+                               static_cast<double>(v.mode),
+                               static_cast<double>(v.kind),
+                               static_cast<double>(v.period),
+                               static_cast<double>(named.outcome),
+                               static_cast<double>(named.impacts)};
+    values.insert(values.end(), v.point.begin(), v.point.end());
+    for (const auto& m : v.multipliers) values.insert(values.end(), {m.real(), m.imag()});
+    return bits_of(values);
+}
+
+TEST(Together, NamesAreThoseOfOrbitsAlone) {
+    std::mt19937_64 random(20261123);
+    std::vector<SceneStart> starts;
+    const auto scenes = static_cast<std::uint64_t>(tests::sample_count(8));
+    for (std::uint64_t i = 0; i < scenes; ++i) {
+        Scene<double> scene = random_scene(random);
+        scene.law = static_cast<Law>(i % 3);
+        for (std::uint64_t run = 0; run < 6; ++run)
+            starts.push_back({scene, random_start(scene.beta, paper_speed, i + 1, run)});
+    }
+    analysis::ClassifyOptions settings;
+    settings.transient = settings.collisions = 2000;
+    const auto together = name_modes(starts, settings);
+    ASSERT_EQ(together.size(), starts.size());
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const NamedMode alone = name_mode(starts[i].scene, starts[i].start, settings);
+        EXPECT_EQ(bits_of(together[i]), bits_of(alone)) << "start " << i << ", N = " << starts[i].scene.sides;
+    }
+}
+
+TEST(Together, StoppedNamesAreNotFinished) {
+    const Scene<double> scene = tests::scene_of(6, 0.3, 0.5, 0.5, 1);
+    std::vector<SceneStart> starts;
+    for (std::uint64_t run = 0; run < 8; ++run)
+        starts.push_back({scene, random_start(scene.beta, paper_speed, 1, run)});
+    for (const NamedMode& named : name_modes(starts, {}, Accuracy::double_precision, [] { return true; }))
+        EXPECT_FALSE(named.finished);
+}
+
+/// Steps of a chaotic hexagon at e = 1, which are all flights: the lanes take them, and keep what steps alone give.
+TEST(Together, OrdinaryFlightsAreTaken) {
+    constexpr std::size_t orbits = 12;
+    constexpr std::int64_t count = 60;
+    using Map = SceneMap<polygon_dimension>;
+    const Map map(tests::scene_of(6, 0.3, 0.5, 0.5, 1));
+    std::vector<std::vector<PostImpactState<double>>> states(orbits);
+    std::vector<std::vector<double>> durations(orbits), integrals(orbits);
+    std::vector<KeptSteps> kept;
+    std::vector<LaneOrbit> lanes;
+    for (std::size_t i = 0; i < orbits; ++i) kept.push_back({states[i], durations[i], integrals[i]});
+    for (std::size_t i = 0; i < orbits; ++i) {
+        const OrbitBegin begin = begin_orbit(map, Start<double>(random_start(0.5, paper_speed, 3, i)));
+        ASSERT_EQ(begin.outcome, Outcome::completed);
+        lanes.push_back(map.lane_orbit(begin.state, count));
+        if (i % 2 == 0) lanes.back().kept = &kept[i];
+    }
+    const std::vector<LaneOrbit> before = lanes;
+    map.follow_together(lanes);
+    for (std::size_t i = 0; i < orbits; ++i) {
+        ASSERT_TRUE(lanes[i].taken) << i;
+        PostImpactState<double> z = before[i].z;
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto step = map.advance(z);
+            if (i % 2 == 0) {
+                EXPECT_EQ(states[i][k].vn, z.vn);
+                EXPECT_EQ(durations[i][k], step.duration);
+                EXPECT_EQ(integrals[i][k], step.integral);
+            }
+            z = step.state;
+        }
+        EXPECT_EQ(lanes[i].z.vn, z.vn);
+        EXPECT_EQ(lanes[i].z.psi.x, z.psi.x);
+        EXPECT_EQ(states[i].size(), i % 2 == 0 ? count : 0);
+    }
+}
+
+/// A body that comes to the wall: nothing of its steps is taken or kept.
+TEST(Together, StepsThroughContactAreLeft) {
+    const SceneMap<polygon_dimension> map(tests::scene_of(4, 0.5, 0.4, 0.3, 0.1));
+    std::vector<PostImpactState<double>> states;
+    std::vector<double> durations, integrals;
+    KeptSteps kept{states, durations, integrals};
+    const OrbitBegin begin = begin_orbit(map, Start<double>(random_start(0.4, paper_speed, 1, 0)));
+    LaneOrbit lane = map.lane_orbit(begin.state, 500);
+    lane.kept = &kept;
+    map.follow_together(std::span(&lane, 1));
+    EXPECT_FALSE(lane.taken);
+    EXPECT_TRUE(states.empty() && durations.empty() && integrals.empty());
+    EXPECT_EQ(lane.z.vn, begin.state.vn);
+}
+
+}  // namespace
+}  // namespace swirl::apps

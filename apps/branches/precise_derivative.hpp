@@ -1,4 +1,4 @@
-// D(Fᵏ) in 113 bits: a file for every two maps, since Jets of that precision take seconds to compile for each.
+// D(Fᵏ) in 113 bits: a file for every two maps, since the map in that precision takes seconds to compile for each.
 #pragma once
 
 #include "map/derivative/saltation.hpp"

@@ -99,7 +99,7 @@ struct ConcreteScene {
     ConcreteScene& operator=(const ConcreteScene&) = delete;
 
     Map collision_map;
-    ReturnMap<Map> return_map;  ///< refers to the map within the other
+    ReturnMap<Map> return_map;  ///< refers to it
 
     static const ConcreteScene& of(const void* map) { return *static_cast<const ConcreteScene*>(map); }
 

@@ -28,7 +28,7 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Accuracy accur
 analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter,
                                       Accuracy accuracy = Accuracy::double_precision);
 
-/// The same with two parameters, different ones. Cost of a step: a collision more than with one.
+/// The same with two parameters, different ones. Cost of a step: that with one, and ∂F/∂p once more.
 analysis::PlaneMap plane_map_of(const Scene<double>& scene, Parameter first, Parameter second);
 
 /// The scene's flights with the time of their impact as the last coordinate and the gap then as a constraint, for

@@ -168,6 +168,7 @@ ImpulseChange<T> impulse_change(const VariedKinematics<T>& a, const T& mu, const
     } else {
         // From rest the body slips the way B₃ pulls it, as in impulse().
         const T sign = (a.ut.value == T(0) ? a.b3.value : a.ut.value) > T(0) ? T(1) : T(-1);
+        if (!(a.un.value > T(0)) && a.ut.value == T(0)) return {};  // no impulse, nor for its neighbours of one side
         if (mode == ContactMode::sliding) return change_in_sliding(a, T(-sign * mu), restitution);
         const Varied<T> rate = rate_beyond_kink(a, mu, sign, mode);
         const VariedKink<T> kink = kink_of(a, mu, sign, slope_beyond_kink(a, rate, mode));

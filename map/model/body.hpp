@@ -95,10 +95,9 @@ inline std::shared_ptr<const VertexTable<T>> vertex_table(const Body<T>& body) {
     return std::make_shared<const VertexTable<T>>(std::move(table));
 }
 
-/// Cost: without `similar` the directions of N ≤ 1024 vertices, some 0.1 µs each.
-///   similar  a body whose table is taken, if it has the same N; Jets need none: one direction is dearer to
-///   differentiate
-///            than to work out
+/// Cost: without `similar` the directions of N ≤ 1024 vertices, some 0.1 µs each. Jets have no table: the one direction
+/// that they need costs less to work out than all to differentiate.
+///   similar  a body whose table is taken, if it has the same N
 template <class T>
 inline Body<T> make_body(const Scene<T>& scene, const Body<T>* similar = nullptr) {
     using std::sqrt;

@@ -61,6 +61,9 @@ struct KnownContact {
         return landed_like(scene, slipping<J>(), completion_in_jets<J>(completion), near);
     }
 
+    /// Of the vertex that the landing belongs to.
+    int vertex_step() const { return struck ? 0 : completion.vertex_step; }
+
     /// False on a border within the rounding of the state, and where contact was not followed to its end.
     bool is(const ReturnStep<double>& known) const {
         if (!phase.resolved || phase.finish == ContactEvent::horizon) return false;
@@ -107,7 +110,8 @@ auto return_in_jets(const ReturnMap<Map>& map, const Scene<J>& scene, const Post
     const CollisionMap<J, Map::shape, Map::rule> jets(scene);
     const ContactScene<J> in_contact = contact_scene(jets.body(), scene.mu, scene.restitution, Map::rule);
     const ContactPhase<double>& phase = contact.phase;
-    PostImpactState<J> end = contact_along(map.contact(), in_contact, phase, contact.landing(in_contact, near), &steps);
+    PostImpactState<J> end = contact_along(map.contact(), in_contact, phase, contact.landing(in_contact, near),
+                                           contact.vertex_step(), &steps);
     if (phase.finish == ContactEvent::release) end = impact_after_release<Map>(jets, end, known, phase);
     return coordinates<Map::shape>(section_point(end));
 }

@@ -191,7 +191,7 @@ ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<
     };
     if (completion.support == Support::edge) {
         ContactState<T> state = contact_state(scene, seen(near));
-        state.chi = completion.state.chi;
+        state.chi = -scene.widest_chi;
         state.spin = state.ut = rests_still(scene, completion) ? T(0) : edge_rate(scene, seen(near));
         return state;
     }

@@ -113,19 +113,21 @@ struct Follower {
     int vertex_step = 0;
     long steps = 0;
 
-    /// To the other vertex of the edge.
-    void change_vertex() {
-        z.psi += J(2) * scene.half_chord;
-        z.chi = scene.widest_chi;
-        ++vertex_step;
+    /// To the other vertex of the edge, where it is another: one number up or down.
+    void change_vertex(int to) {
+        if (to == vertex_step) return;
+        const J side(to > vertex_step ? 1 : -1);
+        z.psi += side * J(2) * scene.half_chord;
+        z.chi = side * scene.widest_chi;
+        vertex_step = to;
     }
 
     void put_neighbour_at_wall() { z.chi = z.chi.a > 0 ? scene.widest_chi : J(-scene.widest_chi); }
 
     /// A piece, with its last event; `next` is the piece after it, if there is one.
     void follow(const ContactSegment& piece, const ContactSegment* next) {
+        change_vertex(piece.vertex_step);
         z = with_values(z, piece.from);
-        vertex_step = piece.vertex_step;
         const Problem<J> problem{scene, piece.support, piece.motion};
         const double duration = piece.end - piece.start;
         if (duration > 0 && problem.sticks()) z = stopped(scene, piece.support, z);
@@ -139,20 +141,19 @@ struct Follower {
             z = with_values(last.step.at(passes ? J(t + event.shift()) : t).contact(), piece.to);
         }
         if (piece.finish == ContactEvent::stick) z.ut = J(0);
-        if (piece.finish == ContactEvent::lift && first_lifts) change_vertex();
         if (piece.finish == ContactEvent::strike && next) settle(*next);
     }
 
     /// The neighbour strikes and rests on the wall: the next piece begins on their edge.
     void settle(const ContactSegment& next) {
         const int struck = vertex_step + (z.chi.a > 0 ? -1 : 1);
+        vertex_step = next.vertex_step;
         put_neighbour_at_wall();
         const Strike<J> rest = strike_in_contact(scene, post_impact_state(scene, z), true);
         ChatterCompletion<J> on;
         on.support = Support::edge;
         on.vertex_step = next.vertex_step - struck;
         on.state = with_values(on.state, next.from);
-        on.state.chi = -scene.widest_chi;
         z = landed_like(scene, rest.after, on, rest.after);
     }
 
@@ -164,7 +165,7 @@ struct Follower {
             put_neighbour_at_wall();
             return strike_in_contact(scene, post_impact_state(scene, z), plastic).after;
         }
-        if (phase.vertex_step != vertex_step) change_vertex();
+        change_vertex(phase.vertex_step);
         PostImpactState<J> end = post_impact_state(scene, z);
         if (phase.finish == ContactEvent::jam) jam_once(scene, end, strike);
         return end;
@@ -175,9 +176,9 @@ struct Follower {
 
 template <class J>
 PostImpactState<J> contact_along(const ContactScene<double>& plain, const ContactScene<J>& scene,
-                                 const ContactPhase<double>& phase, const ContactState<J>& landing, long* steps) {
-    Follower<J> follower{scene, landing};
-    if (phase.segments.empty()) follower.vertex_step = phase.vertex_step;  // it ended at once
+                                 const ContactPhase<double>& phase, const ContactState<J>& landing, int vertex_step,
+                                 long* steps) {
+    Follower<J> follower{scene, landing, vertex_step};
     for (std::size_t i = 0; i < phase.segments.size(); ++i)
         follower.follow(phase.segments[i], i + 1 < phase.segments.size() ? &phase.segments[i + 1] : nullptr);
     if (steps) *steps += follower.steps;
@@ -186,7 +187,7 @@ PostImpactState<J> contact_along(const ContactScene<double>& plain, const Contac
 
 #define SWIRL_COMPILE_CONTACT_ALONG(J)                                                             \
     template PostImpactState<J> contact_along(const ContactScene<double>&, const ContactScene<J>&, \
-                                              const ContactPhase<double>&, const ContactState<J>&, long*);
+                                              const ContactPhase<double>&, const ContactState<J>&, int, long*);
 SWIRL_EVERY_CONTACT_JET(SWIRL_COMPILE_CONTACT_ALONG)
 
 }  // namespace swirl

@@ -13,10 +13,11 @@ namespace swirl {
 /// The post-impact state at the end of the phase: leaving, or just after the impact.
 ///   plain    the scene in plain numbers
 ///   landing  the state in contact where the phase begins, with its derivatives
+///   vertex_step  of the vertex that it belongs to, counted as the phase's are
 ///   steps    is added the number of power series, if it is given
 template <class J>
 PostImpactState<J> contact_along(const ContactScene<double>& plain, const ContactScene<J>& scene,
-                                 const ContactPhase<double>& phase, const ContactState<J>& landing,
+                                 const ContactPhase<double>& phase, const ContactState<J>& landing, int vertex_step,
                                  long* steps = nullptr);
 
 }  // namespace swirl

@@ -114,81 +114,129 @@ struct Kind {
     double worst = 0;
 };
 
+/// Columns of a derivative against one-sided differences.
+struct Differences {
+    long columns = 0, left_out = 0;
+    double split = 0;  ///< the largest between the two sides
+    double worst = 0;  ///< … and from their mean
+
+    template <class Side>
+    void add(const Side& below, const Side& above, const typename Side::value_type& found, double size) {
+        const typename Side::value_type expected = 0.5 * (*above + *below);
+        const double scale = std::max(size, expected.cwiseAbs().maxCoeff());
+        ++columns;
+        split = std::max(split, (*above - *below).cwiseAbs().maxCoeff() / scale);
+        worst = std::max(worst, (found - expected).cwiseAbs().maxCoeff() / scale);
+    }
+};
+
+constexpr double step = 1e-13;  // of differences, in 113 bits
+
+/// A landing whose way on is the same in 113 bits, and F and DF there.
+template <class Map>
+struct Compared {
+    using Wide = CollisionMap<Quad, Map::shape, Map::rule>;
+    static constexpr int dimension = section_dimension<Map::shape>, vn = dimension - 3;
+
+    const ReturnMap<Map>& returns;
+    const Wide& wide;
+    PostImpactState<Quad> from;
+    Passage<Quad> reference;
+    SectionPoint<double> z;
+    ReturnStep<double> known;
+    Eigen::Matrix<double, dimension, dimension> derivative;
+    bool stuck;  ///< the impact before stopped the slip
+
+    double size() const { return derivative.cwiseAbs().maxCoeff(); }
+};
+
+/// By the coordinates: v_n and v_t go along by −∂u_n/∂z and −∂u_t/∂z.
+template <class Map>
+void compare_columns(const Compared<Map>& c, Differences& differences) {
+    constexpr Shape shape = Map::shape;
+    constexpr int vn = c.vn;
+    const Body<double>& body = c.returns.map().body();
+    const SectionPoint<double>& z = c.z;
+    const auto vn_along = coordinates<shape>(SectionPoint<double>{
+        body.beta * std::cos(z.psi), body.alpha * z.spin * std::cos(z.chi), 0, 0, body.alpha * std::sin(z.chi)});
+    const auto vt_along = coordinates<shape>(SectionPoint<double>{
+        -body.beta * std::sin(z.psi), body.alpha * z.spin * std::sin(z.chi), 0, 0, -body.alpha * std::cos(z.chi)});
+    for (int j = 0; j < c.dimension; ++j) {
+        if (c.stuck && j == vn + 1) continue;
+        const auto below = derivative_along(c.wide, c.from, c.reference, j, Quad(-step));
+        const auto above = j == vn ? below : derivative_along(c.wide, c.from, c.reference, j, Quad(step));
+        if (!above || !below) {
+            ++differences.left_out;
+            continue;
+        }
+        Column<Compared<Map>::dimension> found = c.derivative.col(j);
+        const std::size_t k = static_cast<std::size_t>(j);
+        if (j != vn) found += c.derivative.col(vn) * vn_along[k];
+        if (c.stuck) found += c.derivative.col(vn + 1) * vt_along[k];
+        differences.add(below, above, found, c.size());
+    }
+}
+
+/// By the scene's parameters.
+template <class Map>
+void compare_along_parameters(const Compared<Map>& c, Differences& differences) {
+    constexpr int vn = c.vn;
+    Scene<double> scene = c.returns.map().scene();
+    for (const Parameter parameter : all_parameters) {
+        const double value = number_of(scene, parameter);
+        if (value - 2 * step < 0 || value + 2 * step > (parameter == Parameter::restitution ? 1 : 1e9)) continue;
+        if (parameter == Parameter::mu && value == 0) continue;
+        const auto along = [&](double h) {
+            return derivative_along_parameter<typename Compared<Map>::Wide>(c.wide.scene(), parameter, c.from,
+                                                                            c.reference, Quad(h));
+        };
+        const auto below = along(-step), above = along(step);
+        if (!above || !below) {
+            ++differences.left_out;
+            continue;
+        }
+        const Shift shift = shift_along(parameter, c.z);
+        Column<Compared<Map>::dimension> found =
+            derivative_along_contact(c.returns, parameter, c.z, c.known) + c.derivative.col(vn) * shift.vn;
+        if (c.stuck) found += c.derivative.col(vn + 1) * shift.vt;
+        differences.add(below, above, found, c.size());
+    }
+}
+
 void compare(const Landing& landing, std::map<std::string, Kind>& kinds) {
     with_collision_map(landing.scene, [&](const auto& map) {
         using Map = std::decay_t<decltype(map)>;
-        constexpr Shape shape = Map::shape;
-        constexpr int dimension = section_dimension<shape>, vn = dimension - 3;
         const ReturnMap returns(map);
-        Scene<double> scene = landing.scene;
         const SectionPoint<double> z = section_point(landing.from);
         const ReturnStep<double> known = returns.advance(post_impact_state(z));
         if (known.outcome != Outcome::completed || known.contacts.empty()) return;
-        const auto derivative = derivative_through_contact(returns, z, known);
-        const CollisionMap<Quad, shape, Map::rule> wide(tests::scene_in<Quad>(landing.scene));
+        const typename Compared<Map>::Wide wide(tests::scene_in<Quad>(landing.scene));
         const PostImpactState<Quad> from = widened(wide.body(), landing.from);
         const auto reference = passage(wide, from);
         const auto in_double = passage(map, landing.from);
         if (!reference || !in_double || reference->supports != in_double->supports) return;
+        const Compared<Map> compared{returns,
+                                     wide,
+                                     from,
+                                     *reference,
+                                     z,
+                                     known,
+                                     derivative_through_contact(returns, z, known),
+                                     sticks(contact_kinematics(map.body(), landing.from))};
+        Differences differences;
+        compare_columns(compared, differences);
+        compare_along_parameters(compared, differences);
         Kind& kind =
             kinds[reference->supports.substr(0, reference->supports.find(' ', reference->supports.find(' ') + 1))];
         ++kind.compared;
-        const double size = derivative.cwiseAbs().maxCoeff();
-        // By that v_n and v_t go along with each coordinate, −∂u_n/∂z and −∂u_t/∂z.
-        const Body<double>& body = map.body();
-        const auto vn_along = coordinates<shape>(SectionPoint<double>{
-            body.beta * std::cos(z.psi), body.alpha * z.spin * std::cos(z.chi), 0, 0, body.alpha * std::sin(z.chi)});
-        const auto vt_along = coordinates<shape>(SectionPoint<double>{
-            -body.beta * std::sin(z.psi), body.alpha * z.spin * std::sin(z.chi), 0, 0, -body.alpha * std::cos(z.chi)});
-        const bool stuck = sticks(contact_kinematics(body, landing.from));
-        double split = 0, worst = 0;
-        for (int j = 0; j < dimension; ++j) {
-            if (stuck && j == vn + 1) continue;
-            constexpr double h = 1e-13;
-            const auto below = derivative_along(wide, from, *reference, j, Quad(-h));
-            const auto above = j == vn ? below : derivative_along(wide, from, *reference, j, Quad(h));
-            if (!above || !below) {
-                ++kind.left_out;
-                continue;
-            }
-            const Column<dimension> expected = 0.5 * (*above + *below);
-            Column<dimension> found = derivative.col(j);
-            const std::size_t k = static_cast<std::size_t>(j);
-            if (j != vn) found += derivative.col(vn) * vn_along[k];
-            if (stuck) found += derivative.col(vn + 1) * vt_along[k];
-            ++kind.columns;
-            split = std::max(split, (*above - *below).cwiseAbs().maxCoeff() / size);
-            worst = std::max(worst, (found - expected).cwiseAbs().maxCoeff() / size);
-        }
-        for (const Parameter parameter : all_parameters) {
-            constexpr double h = 1e-13;
-            using Wide = CollisionMap<Quad, shape, Map::rule>;
-            const double value = number_of(scene, parameter);
-            if (value - 2 * h < 0 || value + 2 * h > (parameter == Parameter::restitution ? 1 : 1e9)) continue;
-            if (parameter == Parameter::mu && value == 0) continue;
-            const auto below = derivative_along_parameter<Wide>(wide.scene(), parameter, from, *reference, Quad(-h));
-            const auto above = derivative_along_parameter<Wide>(wide.scene(), parameter, from, *reference, Quad(h));
-            if (!above || !below) {
-                ++kind.left_out;
-                continue;
-            }
-            const Column<dimension> expected = 0.5 * (*above + *below);
-            const Shift shift = shift_along(parameter, z);
-            Column<dimension> found =
-                derivative_along_contact(returns, parameter, z, known) + derivative.col(vn) * shift.vn;
-            if (stuck) found += derivative.col(vn + 1) * shift.vt;
-            ++kind.columns;
-            const double scale = std::max(size, expected.cwiseAbs().maxCoeff());
-            split = std::max(split, (*above - *below).cwiseAbs().maxCoeff() / scale);
-            worst = std::max(worst, (found - expected).cwiseAbs().maxCoeff() / scale);
-        }
+        kind.columns += differences.columns;
+        kind.left_out += differences.left_out;
         // Chatter that sticks moves along the wall by O(T²), which its sum leaves out: by v an error of order T.
-        const double lasts = stuck ? chatter_lasts(returns.contact(), landing.from) : 0;
-        const double error = worst - 3 * lasts;
-        if (split > 1e-7)
+        const double lasts = compared.stuck ? chatter_lasts(returns.contact(), landing.from) : 0;
+        if (differences.split > 1e-7)
             ++kind.kinks;
         else
-            kind.worst = std::max(kind.worst, error);
+            kind.worst = std::max(kind.worst, differences.worst - 3 * lasts);
     });
 }
 

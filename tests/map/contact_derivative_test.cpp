@@ -154,7 +154,7 @@ struct Compared {
 template <class Map>
 void compare_columns(const Compared<Map>& c, Differences& differences) {
     constexpr Shape shape = Map::shape;
-    constexpr int vn = c.vn;
+    constexpr int vn = Compared<Map>::vn;
     const Body<double>& body = c.returns.map().body();
     const SectionPoint<double>& z = c.z;
     const auto vn_along = coordinates<shape>(SectionPoint<double>{
@@ -180,7 +180,7 @@ void compare_columns(const Compared<Map>& c, Differences& differences) {
 /// By the scene's parameters.
 template <class Map>
 void compare_along_parameters(const Compared<Map>& c, Differences& differences) {
-    constexpr int vn = c.vn;
+    constexpr int vn = Compared<Map>::vn;
     Scene<double> scene = c.returns.map().scene();
     for (const Parameter parameter : all_parameters) {
         const double value = number_of(scene, parameter);

@@ -5,6 +5,7 @@
 #include "apps/command_line/progress.hpp"
 #include "apps/sweep/refine.hpp"
 #include "apps/sweep/starts.hpp"
+#include "apps/system/lanes.hpp"
 
 #include <tbb/info.h>
 
@@ -44,7 +45,7 @@ std::string header_of(const Settings& settings) {
 /// How many runs are one piece of work, which take their steps together and are kept together: fewer where every thread
 /// would otherwise have less than four pieces.
 std::size_t runs_together(std::size_t runs, int threads) {
-    constexpr std::size_t most = 32;
+    const std::size_t most = has_lanes() ? 32 : 1;
     const int all = threads > 0 ? threads : tbb::info::default_concurrency();
     return std::clamp<std::size_t>(runs / (4 * static_cast<std::size_t>(all)), 1, most);
 }

@@ -24,6 +24,9 @@ struct LaneOrbit {
     bool taken = false;         ///< all of them, each at the cost of an ordinary one; else nothing is changed
 };
 
+/// Are there lanes in this build?
+bool has_lanes();
+
 /// So few take longer together than one after the other.
 inline constexpr std::size_t fewest_together = 5;
 

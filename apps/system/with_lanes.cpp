@@ -40,6 +40,10 @@ void forget(KeptSteps& kept, std::size_t size) {
 
 }  // namespace
 
+bool has_lanes() {
+    return true;
+}
+
 template <Shape shape, ImpactRule rule>
 void follow_together(std::span<LaneOrbit> orbits) {
     using Scenes = ConcreteScene<shape, rule>;

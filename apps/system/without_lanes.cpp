@@ -2,6 +2,10 @@
 
 namespace swirl::apps {
 
+bool has_lanes() {
+    return false;
+}
+
 template <Shape shape, ImpactRule rule>
 void follow_together(std::span<LaneOrbit>) {}
 

@@ -153,7 +153,10 @@ public:
     }
 
     /// May others keep its states? (A tail that is very long has room for points only.)
-    bool keeps_states() const { return keep() == Keep::states; }
+    bool keeps_states() const {
+        constexpr std::int64_t longest_as_states = 1 << 20;  // a longer tail has no room for both states and points
+        return count_ <= longest_as_states;
+    }
 
     /// What the steps that were taken show, and which are wanted next.
     void look(const M& map) {
@@ -173,10 +176,7 @@ public:
 private:
     enum class Stage { searching, transient, keeping };
 
-    Keep keep() const {
-        constexpr std::int64_t longest_as_states = 1 << 20;  // a longer tail has no room for both states and points
-        return stage_ == Stage::keeping && count_ > longest_as_states ? Keep::points : Keep::states;
-    }
+    Keep keep() const { return stage_ == Stage::keeping && !keeps_states() ? Keep::points : Keep::states; }
     double most_kept() const { return classification_detail::most_effort(count_); }
     void end() { wanted_ = {}; }
 

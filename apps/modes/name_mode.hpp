@@ -6,6 +6,7 @@
 #include "apps/command_line/start_options.hpp"
 #include "map/orbit/outcome.hpp"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,10 +45,16 @@ struct SceneStart {
     Start<double> start;
 };
 
-/// `name_mode` of each, the same to the bit. Orbits of one shape and impact rule take their steps together
-/// (apps/system/lanes.hpp) as long as these are ordinary flights. For that they are held all at once: some 70 bytes for
-/// each impact that is judged.
-std::vector<NamedMode> name_modes(std::span<const SceneStart> starts, const analysis::ClassifyOptions& settings,
-                                  Accuracy accuracy = Accuracy::double_precision, const analysis::Stop& stop = {});
+/// Takes what start number `place` comes to.
+using TakeNamed = std::function<void(std::size_t place, const NamedMode& named)>;
+
+/// `name_mode` of each, the same to the bit, given to `take` as soon as it is known; nothing of those that are stopped.
+/// Orbits of one shape and impact rule take their steps together (apps/system/lanes.hpp) as long as these are ordinary
+/// flights. For that they are held all at once: some 70 bytes for each impact that is judged.
+void name_modes(std::span<const SceneStart> starts, const analysis::ClassifyOptions& settings, Accuracy accuracy,
+                const analysis::Stop& stop, const TakeNamed& take);
+
+/// How many are well named together: with more, lanes are no fuller.
+std::size_t most_named_together();
 
 }  // namespace swirl::apps

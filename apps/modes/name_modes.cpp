@@ -93,19 +93,20 @@ bool go_on_together(std::vector<Naming<D>>& orbits, const analysis::Stop& stop) 
     return true;
 }
 
+void take_if_finished(std::size_t place, const NamedMode& named, const TakeNamed& take) {
+    if (named.finished) take(place, named);
+}
+
 /// Names orbits that may take their steps together.
 template <int D>
-void name_all(std::vector<Naming<D>>& orbits, const analysis::Stop& stop, std::vector<NamedMode>& named) {
+void name_all(std::vector<Naming<D>>& orbits, const analysis::Stop& stop, const TakeNamed& take) {
     while (!orbits.empty()) {
-        if (!go_on_together(orbits, stop)) {
-            for (const Naming<D>& naming : orbits) named[naming.place].finished = false;
-            return;
-        }
+        if (!go_on_together(orbits, stop)) return;
         for (Naming<D>& naming : orbits) {
             if (naming.waits && !naming.is_over()) naming.step_alone(stop);
             naming.waits = false;
             while (naming.goes_alone() && !naming.is_over()) naming.step_alone(stop);
-            if (naming.is_over()) named[naming.place] = naming.named();
+            if (naming.is_over()) take_if_finished(naming.place, naming.named(), take);
         }
         std::erase_if(orbits, [](const Naming<D>& naming) { return naming.is_over(); });
     }
@@ -126,9 +127,12 @@ std::optional<Naming<D>> naming_of(std::size_t place, const SceneStart& start,
 
 }  // namespace
 
-std::vector<NamedMode> name_modes(std::span<const SceneStart> starts, const analysis::ClassifyOptions& settings,
-                                  Accuracy accuracy, const analysis::Stop& stop) {
-    std::vector<NamedMode> named(starts.size());
+std::size_t most_named_together() {
+    return has_lanes() ? 32 : 1;
+}
+
+void name_modes(std::span<const SceneStart> starts, const analysis::ClassifyOptions& settings, Accuracy accuracy,
+                const analysis::Stop& stop, const TakeNamed& take) {
     std::vector<Naming<disk_dimension>> disks;
     std::vector<Naming<polygon_dimension>> polygons;
     for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -141,11 +145,11 @@ std::vector<NamedMode> name_modes(std::span<const SceneStart> starts, const anal
             if (together) orbits.push_back(std::move(*naming));
         };
         if (together) scene.is_disk() ? add(disks) : add(polygons);
-        if (!together) named[i] = name_mode(scene, starts[i].start, settings, accuracy, stop);
+        if (together) continue;
+        take_if_finished(i, name_mode(scene, starts[i].start, settings, accuracy, stop), take);
     }
-    name_all(disks, stop, named);
-    name_all(polygons, stop, named);
-    return named;
+    name_all(disks, stop, take);
+    name_all(polygons, stop, take);
 }
 
 }  // namespace swirl::apps

@@ -20,7 +20,7 @@ constexpr auto glance = 200us;  // between two looks for messages and results
 constexpr auto patience = 30s;  // a rank says once a second that it is there
 constexpr auto heartbeat = 1s;
 constexpr auto farewell = 10s;
-constexpr std::size_t most_at_once = 256;
+constexpr std::size_t most_at_once = 1024;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ std::vector<std::size_t> HandOut::take() {
 }
 
 void HandOut::hand_to_those_who_want(Workers& own) {
-    if (!left_.empty() && own.waiting() < static_cast<std::size_t>(own.threads())) own.add(take());
+    if (!left_.empty() && own.wants_more()) own.add(take());
     for (int to = 1; to < ranks_.count(); ++to) {
         Other& other = others_[static_cast<std::size_t>(to)];
         if (!other.wants_work || other.lost || left_.empty()) continue;
@@ -113,7 +113,7 @@ void HandOut::look_for_lost_ranks() {
 
 bool HandOut::run(std::span<const std::size_t> pieces, int threads, const NamedWork& work, Progress& progress,
                   const std::function<void(const PieceResult&)>& keep) {
-    Workers own(threads, work.work);
+    Workers own(threads, work.most_together, work.work);
     left_.assign(pieces.begin(), pieces.end());
     for (Other& other : others_) other.heard = Clock::now();
     std::vector<char> unfinished(pieces.empty() ? 0 : *std::max_element(pieces.begin(), pieces.end()) + 1, 0);
@@ -137,7 +137,7 @@ bool HandOut::run(std::span<const std::size_t> pieces, int threads, const NamedW
 }
 
 void serve(Ranks& ranks, int threads, const NamedWork& work) {
-    Workers workers(threads, work.work);
+    Workers workers(threads, work.most_together, work.work);
     bool asked = false;
     auto told = std::chrono::steady_clock::now() - heartbeat;
     const auto say = [&](const std::vector<std::byte>& message) {
@@ -151,7 +151,7 @@ void serve(Ranks& ranks, int threads, const NamedWork& work) {
             workers.add(pieces_in(message->bytes));
             asked = false;
         }
-        if (!asked && workers.waiting() < static_cast<std::size_t>(workers.threads())) {
+        if (!asked && workers.wants_more()) {
             say(message_of(MessageKind::wants_work, work.name));
             asked = true;
         }

@@ -17,10 +17,11 @@
 
 namespace swirl::apps {
 
-/// What is done with a piece, and a name for it that ranks have in common which do the same.
+/// What is done with pieces, and a name for it that ranks have in common which do the same.
 struct NamedWork {
     std::string name;
     PieceWork work;
+    std::size_t most_together = 1;  ///< so many pieces at most are worked at together
 };
 
 /// Rank 0's part, from its beginning to its end, when the other ranks end, too.
@@ -32,8 +33,6 @@ public:
     ~HandOut();
     HandOut(const HandOut&) = delete;
     HandOut& operator=(const HandOut&) = delete;
-
-    bool is_alone() const { return others_.size() == 1; }
 
     /// Has these pieces done, by the other ranks, which serve() with the same `work`, and on so many threads of this
     /// one (0: all); keeps each result once, in the order in which they come. A rank of which nothing is heard for half

@@ -1,13 +1,10 @@
 #include "apps/sweep/run_cells.hpp"
 
 #include "apps/command_line/documents.hpp"
-#include "apps/command_line/parallel_pieces.hpp"
+#include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/sweep/refine.hpp"
 #include "apps/sweep/starts.hpp"
-#include "apps/system/lanes.hpp"
-
-#include <tbb/info.h>
 
 #include <algorithm>
 #include <cstring>
@@ -42,36 +39,25 @@ std::string header_of(const Settings& settings) {
     return text;
 }
 
-/// How many runs are one piece of work, which take their steps together and are kept together: fewer where every thread
-/// would otherwise have less than four pieces.
-std::size_t runs_together(std::size_t runs, int threads) {
-    const std::size_t most = has_lanes() ? 32 : 1;
-    const int all = threads > 0 ? threads : tbb::info::default_concurrency();
-    return std::clamp<std::size_t>(runs / (4 * static_cast<std::size_t>(all)), 1, most);
-}
-
-/// Some runs of the sweep, by their indices; nothing of those that were interrupted.
-std::vector<std::optional<RunResult>> runs_of(const SweepOptions& options, const std::vector<GridAxis>& grid,
-                                              std::size_t runs, std::span<const std::size_t> indices) {
-    std::vector<SceneStart> starts;
-    for (const std::size_t index : indices) {
-        const Scene<double> scene = cell_scene(options.scene, grid, index / runs);
-        starts.push_back({scene, cell_start(options.start, scene, grid, index / runs, index % runs)});
-    }
-    return sweep_runs(starts, options.settings, options.output.accuracy());
-}
-
-/// The same as bytes, for other ranks. It holds what it uses: after an interruption it may outlive the sweep.
+/// The runs of a sweep, by their indices; a piece is one of them. It holds what it uses: after an interruption it may
+/// outlive the sweep.
 NamedWork work_of(const SweepOptions& options, const Sweep& sweep) {
     const auto work = [&options, grid = sweep.grid, runs = static_cast<std::size_t>(sweep.runs)](
-                          std::size_t index) -> std::optional<std::vector<std::byte>> {
-        const auto result = runs_of(options, grid, runs, std::span(&index, 1)).front();
-        if (!result) return {};
-        const auto bytes = std::as_bytes(std::span(&*result, 1));
-        return std::vector<std::byte>(bytes.begin(), bytes.end());
+                          std::span<const std::size_t> pieces, const KeepPiece& keep) {
+        std::vector<SceneStart> starts;
+        for (const std::size_t index : pieces) {
+            const Scene<double> scene = cell_scene(options.scene, grid, index / runs);
+            starts.push_back({scene, cell_start(options.start, scene, grid, index / runs, index % runs)});
+        }
+        const auto take = [pieces, &keep](std::size_t place, const NamedMode& named) {
+            const RunResult result = result_of(named);
+            const auto bytes = std::as_bytes(std::span(&result, 1));
+            keep({pieces[place], {bytes.begin(), bytes.end()}});
+        };
+        name_modes(starts, options.settings, options.output.accuracy(), is_interrupted, take);
     };
     const std::string all = fmt::format("{} ({})\n{}", version(), instruction_set(), header_of(sweep.settings));
-    return {fmt::format("{:016x}", std::hash<std::string>()(all)), work};
+    return {fmt::format("{:016x}", std::hash<std::string>()(all)), work, most_named_together()};
 }
 
 RunResult result_in(const PieceResult& piece) {
@@ -91,29 +77,13 @@ bool run_cells(const SweepOptions& options, const std::vector<std::size_t>& cell
     for (const std::size_t cell : cells)
         for (std::size_t i = cell * runs; i < (cell + 1) * runs; ++i)
             if (!done[i]) left.push_back(i);
-    const auto keep = [&sweep, &done, journal](std::size_t index, const RunResult& result) {
-        sweep.results[index] = result;
-        done[index] = 1;
-        if (journal != nullptr) journal->append(index, result);
+    const auto keep = [&sweep, &done, journal](const PieceResult& piece) {
+        sweep.results[piece.piece] = result_in(piece);
+        done[piece.piece] = 1;
+        if (journal != nullptr) journal->append(piece.piece, sweep.results[piece.piece]);
     };
-    bool all = false;
-    if (hand_out.is_alone()) {
-        const std::size_t together = runs_together(left.size(), options.output.threads);
-        const std::size_t pieces = (left.size() + together - 1) / together;
-        Progress progress(task, static_cast<double>(pieces), options.output.quiet);
-        all = run_pieces(pieces, options.output.threads, progress, [&](std::size_t i) -> KeepResult {
-            const auto some = std::span(left).subspan(i * together, std::min(together, left.size() - i * together));
-            const auto results = runs_of(options, sweep.grid, runs, some);
-            if (std::any_of(results.begin(), results.end(), [](const auto& result) { return !result; })) return {};
-            return [keep, some, results] {
-                for (std::size_t k = 0; k < some.size(); ++k) keep(some[k], *results[k]);
-            };
-        });
-    } else {
-        Progress progress(task, static_cast<double>(left.size()), options.output.quiet);
-        all = hand_out.run(left, options.output.threads, work_of(options, sweep), progress,
-                           [&](const auto& piece) { keep(piece.piece, result_in(piece)); });
-    }
+    Progress progress(task, static_cast<double>(left.size()), options.output.quiet);
+    const bool all = hand_out.run(left, options.output.threads, work_of(options, sweep), progress, keep);
     if (journal != nullptr) journal->flush();
     return all;
 }

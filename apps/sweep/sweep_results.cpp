@@ -1,7 +1,5 @@
 #include "apps/sweep/sweep_results.hpp"
 
-#include "apps/command_line/interruption.hpp"
-
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
@@ -26,6 +24,8 @@ double mean_of(const std::vector<double>& values) {
     return values.empty() ? unknown : gsl_stats_mean(values.data(), 1, values.size());
 }
 
+}  // namespace
+
 RunResult result_of(const NamedMode& named) {
     const auto& v = named.verdict;
     return RunResult{static_cast<double>(v.mode),
@@ -37,16 +37,6 @@ RunResult result_of(const NamedMode& named) {
                      v.recurrence_rate,
                      v.largest_exponent,
                      static_cast<double>(named.impacts)};
-}
-
-}  // namespace
-
-std::vector<std::optional<RunResult>> sweep_runs(std::span<const SceneStart> starts,
-                                                 const analysis::ClassifyOptions& settings, Accuracy accuracy) {
-    std::vector<std::optional<RunResult>> results;
-    for (const NamedMode& named : name_modes(starts, settings, accuracy, is_interrupted))
-        results.push_back(named.finished ? std::optional(result_of(named)) : std::nullopt);
-    return results;
 }
 
 Interval wilson_interval(double share, double n) {

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <map>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,9 +25,8 @@ inline analysis::Kind kind_of(const RunResult& run) {
     return static_cast<analysis::Kind>(static_cast<int>(run.kind));
 }
 
-/// What the orbit from each start comes to, whatever the others are. Nothing of those that an interruption ended.
-std::vector<std::optional<RunResult>> sweep_runs(std::span<const SceneStart> starts,
-                                                 const analysis::ClassifyOptions& settings, Accuracy accuracy);
+/// What is kept of a run.
+RunResult result_of(const NamedMode& named);
 
 inline constexpr int mode_count = 4;
 inline constexpr std::array<analysis::Mode, mode_count> all_modes = {

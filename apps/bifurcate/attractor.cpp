@@ -2,11 +2,12 @@
 
 #include "analysis/classification/tail.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/modes/name_mode.hpp"
 #include "apps/system/chatter_once.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace swirl::apps::bifurcate {
 
@@ -73,35 +74,33 @@ void take_cycle(const SceneMap<D>& map, const analysis::Classification& verdict,
     for (const auto& sample : on_it ? one_period(map, verdict.period, z) : cycle) attractor.states.emplace_back(sample);
 }
 
-/// What `classify` says of the start: from fewer impacts where they decide, from as many as it takes where they do not.
-NamedMode verdict_of(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings,
-                     OrbitSamples& samples) {
-    const bool dissipative = is_dissipative_without_drive(scene);
-    analysis::ClassifyOptions few, many;
-    few.transient = settings.transient + (dissipative ? longest_death : 0);
-    few.collisions = settings.collisions;
-    few.exhaustive = many.exhaustive = settings.exhaustive;
-    few.period.exact_multipliers = false;  // the same verdict, and nobody reads them
-    const NamedMode named = name_mode(scene, start, few, settings.accuracy, is_interrupted, &samples);
-    const bool decided = named.verdict.mode != analysis::Mode::undecided;
-    if (!named.finished || decided || dissipative || named.outcome != Outcome::completed) return named;
-    many.transient = std::max(many.transient, few.transient);
-    many.collisions = std::max(many.collisions, few.collisions);
-    many.period.exact_multipliers = false;
-    OrbitSamples longer;
-    const NamedMode again = name_mode(scene, start, many, settings.accuracy, is_interrupted, &longer);
-    samples.last = longer.last;
-    return again;
+/// As many impacts as the diagram wants. One that can only die away is waited for.
+analysis::ClassifyOptions first_settings(const SampleSettings& wanted, bool dissipative) {
+    analysis::ClassifyOptions settings;
+    settings.transient = wanted.transient + (dissipative ? longest_death : 0);
+    settings.collisions = wanted.collisions;
+    settings.exhaustive = wanted.exhaustive;
+    settings.period.exact_multipliers = false;  // the same verdict, and nobody reads them
+    return settings;
 }
 
-}  // namespace
+/// As many as `classify` follows, at least.
+analysis::ClassifyOptions further_settings(const SampleSettings& wanted) {
+    analysis::ClassifyOptions settings = first_settings(wanted, false);
+    const analysis::ClassifyOptions usual;
+    settings.transient = std::max(settings.transient, usual.transient);
+    settings.collisions = std::max(settings.collisions, usual.collisions);
+    return settings;
+}
 
-Attractor settle(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings) {
+bool is_decided(const NamedMode& named) {
+    return named.verdict.mode != analysis::Mode::undecided;
+}
+
+/// What is kept of a verdict and what it saw.
+Attractor attractor_from(const Scene<double>& scene, const NamedMode& named, OrbitSamples& samples, Accuracy accuracy) {
     Attractor attractor;
-    OrbitSamples samples;
-    const NamedMode named = verdict_of(scene, start, settings, samples);
-    attractor.finished = named.finished;
-    if (!named.finished) return attractor;
+    attractor.finished = true;
     attractor.outcome = named.outcome;
     attractor.mode = named.verdict.mode;
     attractor.kind = named.verdict.kind;
@@ -110,15 +109,64 @@ Attractor settle(const Scene<double>& scene, const Start<double>& start, const S
     attractor.mean_spin_per_impact = named.verdict.mean_per_step;
     attractor.last = samples.last;
     if (named.outcome != Outcome::completed || is_dissipative_without_drive(scene)) return attractor;
-    const bool decided = named.verdict.mode != analysis::Mode::undecided;
-    if (decided && named.verdict.period > 0)
+    if (is_decided(named) && named.verdict.period > 0)
         with_scene_map(
             scene,
             [&](const auto& map) { take_cycle(map, named.verdict, post_impact_state(*samples.last), attractor); },
-            contact_horizon, settings.accuracy);
+            contact_horizon, accuracy);
     else
         attractor.states = std::move(samples.points);
     return attractor;
+}
+
+/// Those that the diagram's counts leave undecided are followed on; the samples are those of the diagram.
+struct FollowedOn {
+    std::vector<std::size_t> places;
+    std::vector<SceneStart> starts;
+    std::vector<OrbitSamples> samples;
+};
+
+}  // namespace
+
+void settle_all(std::span<const SceneStart> starts, const SampleSettings& settings, const TakeAttractor& take) {
+    std::vector<std::size_t> places;
+    std::vector<SceneStart> driven;
+    FollowedOn further;
+    const auto options = [&](const analysis::ClassifyOptions& counts) {
+        return NamingOptions{counts, settings.accuracy, is_interrupted, true};
+    };
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        if (!is_dissipative_without_drive(starts[i].scene)) {
+            places.push_back(i);
+            driven.push_back(starts[i]);
+            continue;
+        }
+        name_modes(starts.subspan(i, 1), options(first_settings(settings, true)),
+                   [&](std::size_t, const NamedMode& named, OrbitSamples& samples) {
+                       take(i, attractor_from(starts[i].scene, named, samples, settings.accuracy));
+                   });
+    }
+    name_modes(driven, options(first_settings(settings, false)),
+               [&](std::size_t k, const NamedMode& named, OrbitSamples& samples) {
+                   if (is_decided(named) || named.outcome != Outcome::completed)
+                       return take(places[k], attractor_from(driven[k].scene, named, samples, settings.accuracy));
+                   further.places.push_back(places[k]);
+                   further.starts.push_back(driven[k]);
+                   further.samples.push_back(std::move(samples));
+               });
+    name_modes(further.starts, options(further_settings(settings)),
+               [&](std::size_t k, const NamedMode& named, OrbitSamples& longer) {
+                   OrbitSamples& samples = further.samples[k];
+                   samples.last = longer.last;
+                   take(further.places[k], attractor_from(further.starts[k].scene, named, samples, settings.accuracy));
+               });
+}
+
+Attractor settle(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings) {
+    const SceneStart one{scene, start};
+    Attractor settled;
+    settle_all({&one, 1}, settings, [&](std::size_t, const Attractor& attractor) { settled = attractor; });
+    return settled;
 }
 
 }  // namespace swirl::apps::bifurcate

@@ -4,12 +4,15 @@
 #include "analysis/classification/mode.hpp"
 #include "apps/command_line/accuracy.hpp"
 #include "apps/command_line/start_options.hpp"
+#include "apps/modes/name_mode.hpp"
 #include "map/orbit/outcome.hpp"
 
 #include <Eigen/Core>
 
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace swirl::apps::bifurcate {
@@ -41,6 +44,14 @@ struct Attractor {
     std::optional<SectionPoint<double>> last;  ///< the orbit's last state; none without impacts
 };
 
+/// Its parts (apps/ranks/packed.hpp).
+template <class Part>
+void for_each_part(Attractor& attractor, Part&& part) {
+    part(attractor.finished), part(attractor.origin), part(attractor.start), part(attractor.outcome);
+    part(attractor.mode), part(attractor.kind), part(attractor.period), part(attractor.distance);
+    part(attractor.mean_spin), part(attractor.mean_spin_per_impact), part(attractor.states), part(attractor.last);
+}
+
 /// Follows a start and names what it settles on: the verdict of `classify` (name_mode) with these counts of impacts; an
 /// orbit that they leave undecided is followed on for as long as `classify` does. One that can only die away is waited
 /// for. An interruption is named (`finished` false); apart from that a pure function of its arguments. Cost: one step
@@ -48,5 +59,12 @@ struct Attractor {
 /// 20,000 impacts more.
 /// @throws std::invalid_argument for a start out of range
 Attractor settle(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings);
+
+/// Takes what start number `place` settles on.
+using TakeAttractor = std::function<void(std::size_t place, const Attractor& attractor)>;
+
+/// `settle` of each, the same to the bit, given to `take` as soon as it is known; nothing of those that an interruption
+/// ended. Orbits take their steps together (name_modes).
+void settle_all(std::span<const SceneStart> starts, const SampleSettings& settings, const TakeAttractor& take);
 
 }  // namespace swirl::apps::bifurcate

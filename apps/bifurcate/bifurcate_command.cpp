@@ -93,9 +93,8 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
     }
 }
 
-}  // namespace
-
-int bifurcate(BifurcateOptions& options) {
+/// What is to be done; nothing is yet. @throws BadInput
+Diagram planned(BifurcateOptions& options) {
     options.scene.read_file();
     options.start.take_units(options.scene);
     options.settings.accuracy = options.output.accuracy();
@@ -103,12 +102,23 @@ int bifurcate(BifurcateOptions& options) {
     diagram.along = parameter_range_from(options.along, true, false);
     check(options, diagram.along);
     for (const double value : diagram.along.columns) diagram.columns.push_back({value, true, {}, {}});
+    return diagram;
+}
+
+}  // namespace
+
+int bifurcate(BifurcateOptions& options) {
+    Ranks ranks;
+    if (ranks.number() > 0)
+        return take_part(ranks, options.output.threads, [&] { return work_of(options, planned(options)); });
+    HandOut hand_out(ranks, options.output.quiet);
+    Diagram diagram = planned(options);
     std::optional<RecordWriter> record =
         open_record(options.output, "Attractors of a swirled polygon over one parameter", {options.scene.file()},
                     options.scene.units());
     note_interruptions();
     const auto begin = std::chrono::steady_clock::now();
-    sample_columns(options, diagram);
+    sample_columns(options, diagram, hand_out);
     if (options.follow) follow_columns(options, diagram);
     keep_finished(diagram);
     find_steady_modes(options, diagram);

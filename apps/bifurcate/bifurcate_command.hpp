@@ -5,6 +5,7 @@
 #include "apps/branches/branches.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/modes/steady_shares.hpp"
+#include "apps/ranks/hand_out.hpp"
 
 #include <string>
 #include <vector>
@@ -55,8 +56,10 @@ struct Diagram {
 /// The scene of a column. @throws std::invalid_argument out of range
 Scene<double> column_scene(const BifurcateOptions& options, const ParameterRange& along, double value);
 
+/// What other ranks do for `sample_columns`.
+NamedWork work_of(const BifurcateOptions& options, const Diagram& diagram);
 /// Samples every column from random starts; start r of every column is `classify --seed SEED + r`'s.
-void sample_columns(const BifurcateOptions& options, Diagram& diagram);
+void sample_columns(const BifurcateOptions& options, Diagram& diagram, HandOut& hand_out);
 /// Follows the attractor from column to column, upwards and downwards.
 void follow_columns(const BifurcateOptions& options, Diagram& diagram);
 /// The attracting steady modes of every column.

@@ -2,12 +2,16 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/progress.hpp"
+#include "apps/ranks/packed.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <array>
 #include <memory>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
 namespace swirl::apps::bifurcate {
 
@@ -49,18 +53,36 @@ std::vector<Attractor> follow_way(const BifurcateOptions& options, ParameterRang
 
 }  // namespace
 
-void sample_columns(const BifurcateOptions& options, Diagram& diagram) {
+/// Start r of column c is piece c R + r. It holds what it uses: after an interruption it may outlive the diagram.
+NamedWork work_of(const BifurcateOptions& options, const Diagram& diagram) {
+    std::vector<double> values;
+    for (const auto& column : diagram.columns) values.push_back(column.parameter);
+    const auto work = [&options, along = diagram.along, values](std::span<const std::size_t> pieces,
+                                                                const KeepPiece& keep) {
+        const auto runs = static_cast<std::size_t>(options.starts);
+        std::vector<SceneStart> starts;
+        for (const std::size_t piece : pieces) {
+            const Scene<double> scene = column_scene(options, along, values[piece / runs]);
+            starts.push_back({scene, start_of(options, scene, static_cast<std::int64_t>(piece % runs))});
+        }
+        settle_all(starts, options.settings, [pieces, runs, &keep](std::size_t place, Attractor attractor) {
+            attractor.start = static_cast<std::int64_t>(pieces[place] % runs);
+            keep({pieces[place], packed(std::move(attractor))});
+        });
+    };
+    Settings settings = diagram_scene(options, diagram);
+    for (const auto& setting : diagram_settings(options, diagram)) settings.push_back(setting);
+    return {name_of_work(settings), work, most_named_together()};
+}
+
+void sample_columns(const BifurcateOptions& options, Diagram& diagram, HandOut& hand_out) {
     const auto starts = static_cast<std::size_t>(options.starts);
-    const std::size_t total = diagram.columns.size() * starts;
     for (auto& column : diagram.columns) column.attractors.resize(starts);
-    Progress progress("bifurcate", static_cast<double>(total), options.output.quiet);
-    run_pieces(total, options.output.threads, progress, [&](std::size_t i) -> KeepResult {
-        const auto run = static_cast<std::int64_t>(i % starts);
-        const Scene<double> scene = column_scene(options, diagram.along, diagram.columns[i / starts].parameter);
-        const auto found = std::make_shared<Attractor>(settle(scene, start_of(options, scene, run), options.settings));
-        if (!found->finished) return {};
-        found->start = run;
-        return [&diagram, starts, i, found] { diagram.columns[i / starts].attractors[i % starts] = std::move(*found); };
+    std::vector<std::size_t> pieces(diagram.columns.size() * starts);
+    std::iota(pieces.begin(), pieces.end(), std::size_t{0});
+    Progress progress("bifurcate", static_cast<double>(pieces.size()), options.output.quiet);
+    hand_out.run(pieces, options.output.threads, work_of(options, diagram), progress, [&](const PieceResult& piece) {
+        diagram.columns[piece.piece / starts].attractors[piece.piece % starts] = unpacked<Attractor>(piece.bytes);
     });
 }
 

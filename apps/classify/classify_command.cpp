@@ -114,10 +114,7 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
 }  // namespace
 
 int classify_scene(ClassifyCommandOptions& options) {
-    const bool several = options.runs > 0;
-    if (several && !(options.input.record.empty() && options.input.series.file.empty()))
-        throw BadInput(
-            fmt::format("runs = {}: several runs are of a scene; a record or a series is one", options.runs));
+    if (options.runs > 0) return classify_runs(options);
     require_output(options.output, {options.scene.file(), options.input.record, options.input.series.file});
     if (options.input.is_series(options.scene, options.start))
         return classify_measured(options.input, options.scene, options.start, options.output, options.verbose);
@@ -131,7 +128,7 @@ int classify_scene(ClassifyCommandOptions& options) {
     options.start.take_units(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
     options.output.accuracy();  // a wrong name is told before any work
-    return several ? classify_runs(options, scene) : classify_one(options, scene, recorded);
+    return classify_one(options, scene, recorded);
 }
 
 }  // namespace swirl::apps::classify

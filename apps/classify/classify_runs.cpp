@@ -2,38 +2,21 @@
 
 #include "apps/classify/runs_document.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/modes/run_verdict.hpp"
+#include "apps/ranks/hand_out.hpp"
+#include "apps/ranks/packed.hpp"
 
+#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace swirl::apps::classify {
 
 namespace {
-
-/// The finished runs, by seed.
-std::vector<RunVerdict> follow_all(const ClassifyCommandOptions& options, const Scene<double>& scene) {
-    const auto count = static_cast<std::size_t>(options.runs);
-    const double speed = options.start.speed();
-    const std::uint64_t seed = options.start.seed();
-    const Accuracy accuracy = options.output.accuracy();
-    std::vector<std::optional<RunVerdict>> results(count);
-    Progress progress("classify", static_cast<double>(count), options.output.quiet);
-    run_pieces(count, options.output.threads, progress,
-               [&results, &options, scene, speed, seed, accuracy](std::size_t r) -> KeepResult {
-                   const auto verdict = classify_run(scene, speed, seed + r, options.settings, accuracy);
-                   if (!verdict) return {};
-                   return [&results, r, verdict] { results[r] = verdict; };
-               });
-    std::vector<RunVerdict> whole;
-    for (const auto& result : results)
-        if (result) whole.push_back(*result);
-    return whole;
-}
 
 void check(const ClassifyCommandOptions& options) {
     if (!options.start.is_random())
@@ -43,6 +26,60 @@ void check(const ClassifyCommandOptions& options) {
                         options.runs));
     options.start.require_one_way();
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
+}
+
+/// What is to be done; nothing is yet. @throws BadInput
+Scene<double> planned(ClassifyCommandOptions& options) {
+    if (!(options.input.record.empty() && options.input.series.file.empty()))
+        throw BadInput(
+            fmt::format("runs = {}: several runs are of a scene; a record or a series is one", options.runs));
+    options.input.is_series(options.scene, options.start);  // what is for a series alone is refused
+    options.scene.read_file();
+    options.start.take_units(options.scene);
+    const Scene<double> scene = options.scene.scene<double>();
+    options.output.accuracy();  // a wrong name is told before any work
+    check(options);
+    return scene;
+}
+
+/// Run number r is piece r. It holds what it uses: after an interruption it may outlive the command.
+NamedWork work_of(const ClassifyCommandOptions& options, const Scene<double>& scene) {
+    const double speed = options.start.speed();
+    const std::uint64_t seed = options.start.seed();
+    const NamingOptions naming{options.settings, options.output.accuracy(), is_interrupted};
+    const auto work = [scene, speed, seed, naming](std::span<const std::size_t> pieces, const KeepPiece& keep) {
+        std::vector<SceneStart> starts;
+        for (const std::size_t r : pieces) starts.push_back({scene, random_start(scene.beta, speed, seed + r, 0)});
+        name_modes(starts, naming,
+                   [pieces, seed, &keep](std::size_t place, const NamedMode& named, const OrbitSamples&) {
+                       keep({pieces[place], packed(run_verdict(seed + pieces[place], named))});
+                   });
+    };
+    Settings settings = scene_settings(scene);
+    settings.emplace_back("speed", speed);
+    settings.emplace_back("seed", seed);
+    settings.emplace_back("transient", naming.settings.transient);
+    settings.emplace_back("collisions", naming.settings.collisions);
+    settings.emplace_back("exhaustive", naming.settings.exhaustive);
+    settings.emplace_back("threshold", naming.settings.recurrence_threshold);
+    settings.emplace_back("max_period", naming.settings.period.max_period);
+    settings.emplace_back("accuracy", options.output.accuracy_name);
+    return {name_of_work(settings), work, most_named_together()};
+}
+
+/// The finished runs, by seed.
+std::vector<RunVerdict> follow_all(const ClassifyCommandOptions& options, const Scene<double>& scene,
+                                   HandOut& hand_out) {
+    std::vector<std::size_t> runs(static_cast<std::size_t>(options.runs));
+    std::iota(runs.begin(), runs.end(), std::size_t{0});
+    std::vector<std::optional<RunVerdict>> results(runs.size());
+    Progress progress("classify", static_cast<double>(runs.size()), options.output.quiet);
+    hand_out.run(runs, options.output.threads, work_of(options, scene), progress,
+                 [&](const PieceResult& piece) { results[piece.piece] = unpacked<RunVerdict>(piece.bytes); });
+    std::vector<RunVerdict> whole;
+    for (const auto& result : results)
+        if (result) whole.push_back(*result);
+    return whole;
 }
 
 /// What several runs tell together; after an interruption only which attractors they share.
@@ -67,22 +104,19 @@ void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
 
 }  // namespace
 
-std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
-                                       const analysis::ClassifyOptions& settings, Accuracy accuracy) {
-    const NamedMode named =
-        name_mode(scene, random_start(scene.beta, speed, seed, 0), settings, accuracy, is_interrupted);
-    if (!named.finished) return std::nullopt;
-    return run_verdict(seed, named);
-}
-
-int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene) {
-    check(options);
+int classify_runs(ClassifyCommandOptions& options) {
+    Ranks ranks;
+    if (ranks.number() > 0)
+        return take_part(ranks, options.output.threads, [&] { return work_of(options, planned(options)); });
+    HandOut hand_out(ranks, options.output.quiet);
+    require_output(options.output, {options.scene.file(), options.input.record, options.input.series.file});
+    const Scene<double> scene = planned(options);
     std::optional<RecordWriter> record =
         open_record(options.output, "Modes of a swirled polygon from several starts",
                     {options.scene.file(), options.input.record}, options.scene.units());
     note_interruptions();
     RunsFound found;
-    found.runs = follow_all(options, scene);
+    found.runs = follow_all(options, scene, hand_out);
     if (!found.runs.empty()) compare_runs(options, scene, found);
     const bool interrupted = is_interrupted();
     finish_up();

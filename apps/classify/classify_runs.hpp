@@ -20,13 +20,9 @@ struct RunsFound {
     std::optional<analysis::EscapeRate> escape;  ///< where some have left chaos and others have not
 };
 
-/// One run: what `swirl classify --seed` gives. A pure function of its arguments, unless it is interrupted: then
-/// nothing.
-std::optional<RunVerdict> classify_run(const Scene<double>& scene, double speed, std::uint64_t seed,
-                                       const analysis::ClassifyOptions& settings, Accuracy accuracy);
-
-/// Run r starts from seed + r. Equal arguments give equal results, whatever the number of threads.
+/// Run r starts from seed + r: what `swirl classify --seed` gives. Equal arguments give equal results, whatever the
+/// number of threads and ranks.
 /// @return the exit code @throws BadInput for a start that is given, not random
-int classify_runs(const ClassifyCommandOptions& options, const Scene<double>& scene);
+int classify_runs(ClassifyCommandOptions& options);
 
 }  // namespace swirl::apps::classify

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <type_traits>
+#include <variant>
+
 namespace swirl::apps {
 
 std::string version() {
@@ -54,6 +57,28 @@ Settings start_settings(const StartOptions& options, const Scene<double>& scene)
 
 Settings unit_settings(const Units& units) {
     return {{"length", units.length}, {"time", units.time}, {"mass", units.mass}};
+}
+
+std::string settings_text(const Settings& settings) {
+    std::string text;
+    for (const auto& [name, value] : settings) {
+        text += name + " =";
+        std::visit(
+            [&](const auto& v) {
+                using Content = std::decay_t<decltype(v)>;
+                if constexpr (std::is_same_v<Content, double>)
+                    text += fmt::format(" {:.17g}", v);
+                else if constexpr (std::is_arithmetic_v<Content>)
+                    text += fmt::format(" {}", v);
+                else if constexpr (std::is_same_v<Content, std::string>)
+                    text += " " + v;
+                else
+                    for (const auto& item : v) text += fmt::format(" {}", item);
+            },
+            value);
+        text += "\n";
+    }
+    return text;
 }
 
 void write_members(JsonWriter& json, const Settings& settings) {

@@ -25,6 +25,8 @@ Settings scene_settings(const Scene<double>& scene);
 /// A start in the laboratory, on the section, or at random (speed, seed).
 Settings start_settings(const StartOptions& options, const Scene<double>& scene);
 Settings unit_settings(const Units& units);
+/// `name = value`, a line each.
+std::string settings_text(const Settings& settings);
 
 void write_json(JsonWriter& json, std::string_view key, const Settings& settings);
 /// The same as members of an open object.

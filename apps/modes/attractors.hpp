@@ -27,6 +27,15 @@ struct RunVerdict {
     std::vector<double> point;   ///< of its cycle
 };
 
+/// Its parts (apps/ranks/packed.hpp).
+template <class Part>
+void for_each_part(RunVerdict& run, Part&& part) {
+    part(run.seed), part(run.mode), part(run.kind), part(run.outcome), part(run.impacts), part(run.period);
+    part(run.mean_spin), part(run.mean_spin_per_impact), part(run.recurrence_rate);
+    part(run.largest_exponent), part(run.largest_exponent_error), part(run.ln_multiplier), part(run.attractor);
+    part(run.point);
+}
+
 /// A set of runs with one verdict, and what they have in common.
 struct SharedAttractor {
     std::vector<std::size_t> runs;  ///< their places, in order; the first is the representative

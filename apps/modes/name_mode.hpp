@@ -45,14 +45,21 @@ struct SceneStart {
     Start<double> start;
 };
 
+/// What is asked of several orbits.
+struct NamingOptions {
+    analysis::ClassifyOptions settings;
+    Accuracy accuracy = Accuracy::double_precision;
+    analysis::Stop stop;
+    bool samples = false;  ///< what the verdict saw of each orbit is given, too
+};
+
 /// Takes what start number `place` comes to.
-using TakeNamed = std::function<void(std::size_t place, const NamedMode& named)>;
+using TakeNamed = std::function<void(std::size_t place, const NamedMode& named, OrbitSamples& samples)>;
 
 /// `name_mode` of each, the same to the bit, given to `take` as soon as it is known; nothing of those that are stopped.
 /// Orbits of one shape and impact rule take their steps together (apps/system/lanes.hpp) as long as these are ordinary
 /// flights. For that they are held all at once: some 70 bytes for each impact that is judged.
-void name_modes(std::span<const SceneStart> starts, const analysis::ClassifyOptions& settings, Accuracy accuracy,
-                const analysis::Stop& stop, const TakeNamed& take);
+void name_modes(std::span<const SceneStart> starts, const NamingOptions& options, const TakeNamed& take);
 
 /// How many are well named together: with more, lanes are no fuller.
 std::size_t most_named_together();

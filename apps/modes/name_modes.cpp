@@ -29,7 +29,7 @@ struct Naming {
         orbit.look(map);
     }
 
-    NamedMode named() { return named_from(map, begin, orbit.orbit(), settings, false); }
+    NamedMode named(OrbitSamples* samples) { return named_from(map, begin, orbit.orbit(), settings, false, samples); }
 };
 
 /// Those that take their next steps together, of one shape and impact rule.
@@ -93,20 +93,26 @@ bool go_on_together(std::vector<Naming<D>>& orbits, const analysis::Stop& stop) 
     return true;
 }
 
-void take_if_finished(std::size_t place, const NamedMode& named, const TakeNamed& take) {
-    if (named.finished) take(place, named);
+/// Gives what `name` says of a start, unless it was stopped.
+template <class Name>
+void give(std::size_t place, const NamingOptions& options, const TakeNamed& take, const Name& name) {
+    OrbitSamples samples;
+    const NamedMode named = name(options.samples ? &samples : nullptr);
+    if (named.finished) take(place, named, samples);
 }
 
 /// Names orbits that may take their steps together.
 template <int D>
-void name_all(std::vector<Naming<D>>& orbits, const analysis::Stop& stop, const TakeNamed& take) {
+void name_all(std::vector<Naming<D>>& orbits, const NamingOptions& options, const TakeNamed& take) {
+    const analysis::Stop& stop = options.stop;
     while (!orbits.empty()) {
         if (!go_on_together(orbits, stop)) return;
         for (Naming<D>& naming : orbits) {
             if (naming.waits && !naming.is_over()) naming.step_alone(stop);
             naming.waits = false;
             while (naming.goes_alone() && !naming.is_over()) naming.step_alone(stop);
-            if (naming.is_over()) take_if_finished(naming.place, naming.named(), take);
+            if (!naming.is_over()) continue;
+            give(naming.place, options, take, [&](OrbitSamples* samples) { return naming.named(samples); });
         }
         std::erase_if(orbits, [](const Naming<D>& naming) { return naming.is_over(); });
     }
@@ -131,14 +137,14 @@ std::size_t most_named_together() {
     return has_lanes() ? 32 : 1;
 }
 
-void name_modes(std::span<const SceneStart> starts, const analysis::ClassifyOptions& settings, Accuracy accuracy,
-                const analysis::Stop& stop, const TakeNamed& take) {
+void name_modes(std::span<const SceneStart> starts, const NamingOptions& options, const TakeNamed& take) {
+    const analysis::ClassifyOptions& settings = options.settings;
     std::vector<Naming<disk_dimension>> disks;
     std::vector<Naming<polygon_dimension>> polygons;
     for (std::size_t i = 0; i < starts.size(); ++i) {
         const Scene<double>& scene = starts[i].scene;
-        bool together =
-            accuracy == Accuracy::double_precision && !settings.exhaustive && !is_dissipative_without_drive(scene);
+        bool together = options.accuracy == Accuracy::double_precision && !settings.exhaustive &&
+                        !is_dissipative_without_drive(scene);
         const auto add = [&]<int D>(std::vector<Naming<D>>& orbits) {
             auto naming = naming_of<D>(i, starts[i], settings);
             together = naming.has_value();
@@ -146,10 +152,12 @@ void name_modes(std::span<const SceneStart> starts, const analysis::ClassifyOpti
         };
         if (together) scene.is_disk() ? add(disks) : add(polygons);
         if (together) continue;
-        take_if_finished(i, name_mode(scene, starts[i].start, settings, accuracy, stop), take);
+        give(i, options, take, [&](OrbitSamples* samples) {
+            return name_mode(scene, starts[i].start, settings, options.accuracy, options.stop, samples);
+        });
     }
-    name_all(disks, stop, take);
-    name_all(polygons, stop, take);
+    name_all(disks, options, take);
+    name_all(polygons, options, take);
 }
 
 }  // namespace swirl::apps

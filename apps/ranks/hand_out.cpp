@@ -1,5 +1,6 @@
 #include "apps/ranks/hand_out.hpp"
 
+#include "apps/command_line/errors.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/ranks/messages.hpp"
@@ -17,10 +18,47 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto glance = 200us;  // between two looks for messages and results
+constexpr auto pause = 2ms;     // between two looks of a process that has no messages to wait for
 constexpr auto patience = 30s;  // a rank says once a second that it is there
 constexpr auto heartbeat = 1s;
 constexpr auto farewell = 10s;
 constexpr std::size_t most_at_once = 1024;
+
+/// Works until rank 0 says that it is the end.
+void serve(Ranks& ranks, int threads, const NamedWork& work) {
+    Workers workers(threads, work.most_together, work.work);
+    bool asked = false;
+    auto told = std::chrono::steady_clock::now() - heartbeat;
+    const auto say = [&](const std::vector<std::byte>& message) {
+        ranks.send(0, message);
+        told = std::chrono::steady_clock::now();
+    };
+    while (!is_interrupted()) {
+        if (const auto results = workers.results(); !results.empty()) say(message_of(results));
+        while (const auto message = ranks.receive()) {
+            if (kind_of(message->bytes) == MessageKind::end) return ranks.send(0, message_of(MessageKind::gone));
+            workers.add(pieces_in(message->bytes));
+            asked = false;
+        }
+        if (!asked && workers.wants_more()) {
+            say(message_of(MessageKind::wants_work, work.name));
+            asked = true;
+        }
+        if (std::chrono::steady_clock::now() - told >= heartbeat) say(message_of(MessageKind::alive));
+        std::this_thread::sleep_for(glance);
+    }
+}
+
+/// Tells rank 0 why this rank can't work, and waits for its end.
+void refuse_to_serve(Ranks& ranks, const std::string& why) {
+    constexpr std::size_t longest = 1000;
+    ranks.send(0, message_of(MessageKind::refused, why.substr(0, longest)));
+    while (!is_interrupted()) {
+        if (const auto message = ranks.receive(); message && kind_of(message->bytes) == MessageKind::end)
+            return ranks.send(0, message_of(MessageKind::gone));
+        std::this_thread::sleep_for(glance);
+    }
+}
 
 }  // namespace
 
@@ -40,8 +78,12 @@ HandOut::~HandOut() {
     if (!std::all_of(others_.begin() + 1, others_.end(), went)) ranks_.lose();
 }
 
-/// The next pieces: few when few are left, so that all ranks end together.
+/// The next pieces: few when few are left, so that all ranks end together; all where there is one.
 std::vector<std::size_t> HandOut::take() {
+    if (others_.size() == 1) {
+        const auto all = std::exchange(left_, {});
+        return {all.begin(), all.end()};
+    }
     const std::size_t share = left_.size() / (4 * others_.size());
     const std::size_t count = std::min(left_.size(), std::clamp<std::size_t>(share, 1, most_at_once));
     const auto end = left_.begin() + static_cast<std::ptrdiff_t>(count);
@@ -131,43 +173,24 @@ bool HandOut::run(std::span<const std::size_t> pieces, int threads, const NamedW
             progress.at(static_cast<double>(++finished));
         }
         hand_to_those_who_want(own);
-        std::this_thread::sleep_for(glance);
+        std::this_thread::sleep_for(others_.size() == 1 ? pause : glance);
     }
     return true;
 }
 
-void serve(Ranks& ranks, int threads, const NamedWork& work) {
-    Workers workers(threads, work.most_together, work.work);
-    bool asked = false;
-    auto told = std::chrono::steady_clock::now() - heartbeat;
-    const auto say = [&](const std::vector<std::byte>& message) {
-        ranks.send(0, message);
-        told = std::chrono::steady_clock::now();
-    };
-    while (!is_interrupted()) {
-        if (const auto results = workers.results(); !results.empty()) say(message_of(results));
-        while (const auto message = ranks.receive()) {
-            if (kind_of(message->bytes) == MessageKind::end) return ranks.send(0, message_of(MessageKind::gone));
-            workers.add(pieces_in(message->bytes));
-            asked = false;
-        }
-        if (!asked && workers.wants_more()) {
-            say(message_of(MessageKind::wants_work, work.name));
-            asked = true;
-        }
-        if (std::chrono::steady_clock::now() - told >= heartbeat) say(message_of(MessageKind::alive));
-        std::this_thread::sleep_for(glance);
-    }
+std::string name_of_work(const Settings& settings) {
+    const std::string all = fmt::format("{} ({})\n{}", version(), instruction_set(), settings_text(settings));
+    return fmt::format("{:016x}", std::hash<std::string>()(all));
 }
 
-void refuse_to_serve(Ranks& ranks, const std::string& why) {
-    constexpr std::size_t longest = 1000;
-    ranks.send(0, message_of(MessageKind::refused, why.substr(0, longest)));
-    while (!is_interrupted()) {
-        if (const auto message = ranks.receive(); message && kind_of(message->bytes) == MessageKind::end)
-            return ranks.send(0, message_of(MessageKind::gone));
-        std::this_thread::sleep_for(glance);
+int take_part(Ranks& ranks, int threads, const std::function<NamedWork()>& plan) {
+    note_interruptions();
+    try {
+        serve(ranks, threads, plan());
+    } catch (const std::exception& error) {
+        refuse_to_serve(ranks, error.what());
     }
+    return is_interrupted() ? exit_interrupted : exit_done;
 }
 
 }  // namespace swirl::apps

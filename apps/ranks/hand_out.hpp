@@ -1,6 +1,7 @@
 // Pieces of work over all ranks: handed out as they are wanted, their results kept by rank 0.
 #pragma once
 
+#include "apps/command_line/documents.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/ranks/ranks.hpp"
 #include "apps/ranks/workers.hpp"
@@ -66,11 +67,12 @@ private:
     std::vector<PieceResult> results_;
 };
 
-/// The part of every other rank: works until rank 0 says that it is the end. (Where rank 0 dies, its launcher ends
-/// all.)
-void serve(Ranks& ranks, int threads, const NamedWork& work);
+/// A name of what these settings ask of this program.
+std::string name_of_work(const Settings& settings);
 
-/// Tells rank 0 why this rank can't work, and waits for its end.
-void refuse_to_serve(Ranks& ranks, const std::string& why);
+/// The part of every other rank: does the work that `plan` gives until rank 0 says that it is the end. (Where rank 0
+/// dies, its launcher ends all.) Where `plan` throws, rank 0 is told why this rank can't work.
+/// @return the exit code
+int take_part(Ranks& ranks, int threads, const std::function<NamedWork()>& plan);
 
 }  // namespace swirl::apps

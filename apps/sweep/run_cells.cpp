@@ -1,46 +1,16 @@
 #include "apps/sweep/run_cells.hpp"
 
-#include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
+#include "apps/ranks/packed.hpp"
 #include "apps/sweep/refine.hpp"
 #include "apps/sweep/starts.hpp"
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
-#include <stdexcept>
-#include <type_traits>
 
 namespace swirl::apps::sweep {
 
-namespace {
-
-/// The settings as the journal's header.
-std::string header_of(const Settings& settings) {
-    std::string text;
-    for (const auto& [name, value] : settings) {
-        text += name + " =";
-        std::visit(
-            [&](const auto& v) {
-                using Value = std::decay_t<decltype(v)>;
-                if constexpr (std::is_same_v<Value, double>)
-                    text += fmt::format(" {:.17g}", v);
-                else if constexpr (std::is_arithmetic_v<Value>)
-                    text += fmt::format(" {}", v);
-                else if constexpr (std::is_same_v<Value, std::string>)
-                    text += " " + v;
-                else
-                    for (const auto& item : v) text += fmt::format(" {}", item);
-            },
-            value);
-        text += "\n";
-    }
-    return text;
-}
-
-/// The runs of a sweep, by their indices; a piece is one of them. It holds what it uses: after an interruption it may
-/// outlive the sweep.
 NamedWork work_of(const SweepOptions& options, const Sweep& sweep) {
     const auto work = [&options, grid = sweep.grid, runs = static_cast<std::size_t>(sweep.runs)](
                           std::span<const std::size_t> pieces, const KeepPiece& keep) {
@@ -49,25 +19,15 @@ NamedWork work_of(const SweepOptions& options, const Sweep& sweep) {
             const Scene<double> scene = cell_scene(options.scene, grid, index / runs);
             starts.push_back({scene, cell_start(options.start, scene, grid, index / runs, index % runs)});
         }
-        const auto take = [pieces, &keep](std::size_t place, const NamedMode& named) {
-            const RunResult result = result_of(named);
-            const auto bytes = std::as_bytes(std::span(&result, 1));
-            keep({pieces[place], {bytes.begin(), bytes.end()}});
+        const auto take = [pieces, &keep](std::size_t place, const NamedMode& named, const OrbitSamples&) {
+            keep({pieces[place], packed(result_of(named))});
         };
-        name_modes(starts, options.settings, options.output.accuracy(), is_interrupted, take);
+        name_modes(starts, {options.settings, options.output.accuracy(), is_interrupted}, take);
     };
-    const std::string all = fmt::format("{} ({})\n{}", version(), instruction_set(), header_of(sweep.settings));
-    return {fmt::format("{:016x}", std::hash<std::string>()(all)), work, most_named_together()};
+    return {name_of_work(sweep.settings), work, most_named_together()};
 }
 
-RunResult result_in(const PieceResult& piece) {
-    RunResult result;
-    if (piece.bytes.size() != sizeof result)
-        throw std::runtime_error(
-            fmt::format("a run of another rank has {} bytes in place of {}", piece.bytes.size(), sizeof result));
-    std::memcpy(&result, piece.bytes.data(), sizeof result);
-    return result;
-}
+namespace {
 
 /// Runs what is not done of these cells. Results go to their own places, whatever thread or rank makes them.
 bool run_cells(const SweepOptions& options, const std::vector<std::size_t>& cells, const std::string& task,
@@ -78,7 +38,7 @@ bool run_cells(const SweepOptions& options, const std::vector<std::size_t>& cell
         for (std::size_t i = cell * runs; i < (cell + 1) * runs; ++i)
             if (!done[i]) left.push_back(i);
     const auto keep = [&sweep, &done, journal](const PieceResult& piece) {
-        sweep.results[piece.piece] = result_in(piece);
+        sweep.results[piece.piece] = unpacked<RunResult>(piece.bytes);
         done[piece.piece] = 1;
         if (journal != nullptr) journal->append(piece.piece, sweep.results[piece.piece]);
     };
@@ -142,7 +102,7 @@ bool run_tree(const SweepOptions& options, Sweep& sweep, std::vector<char>& done
 }  // namespace
 
 SweepJournal::SweepJournal(const std::string& record, Sweep& sweep, std::vector<char>& done) {
-    const std::string header = header_of(sweep.settings);
+    const std::string header = settings_text(sweep.settings);
     const auto bytes = std::as_bytes(std::span(header.data(), header.size()));
     const auto replay = [&](std::uint64_t index, std::span<const std::byte> payload) {
         if (index >= sweep.results.size() || payload.size() != sizeof(RunResult)) return;
@@ -166,10 +126,6 @@ void SweepJournal::append(std::size_t index, const RunResult& result) {
     if (now - flushed_ < std::chrono::milliseconds(500)) return;
     flushed_ = now;
     journal_->flush();
-}
-
-void serve_sweep(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
-    serve(ranks, options.output.threads, work_of(options, sweep));
 }
 
 bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal,

@@ -166,22 +166,12 @@ Sweep planned(SweepOptions& options) {
     return sweep;
 }
 
-/// What ranks other than 0 do: what they can't do is told by rank 0, once.
-int take_part(SweepOptions& options, Ranks& ranks) {
-    note_interruptions();
-    try {
-        serve_sweep(options, planned(options), ranks);
-    } catch (const std::exception& error) {
-        refuse_to_serve(ranks, error.what());
-    }
-    return is_interrupted() ? exit_interrupted : exit_done;
-}
-
 }  // namespace
 
 int sweep(SweepOptions& options) {
     Ranks ranks;
-    if (ranks.number() > 0) return take_part(options, ranks);
+    if (ranks.number() > 0)
+        return take_part(ranks, options.output.threads, [&] { return work_of(options, planned(options)); });
     HandOut hand_out(ranks, options.output.quiet);
     Sweep sweep = planned(options);
     sweep.results.resize(cell_count(sweep.grid) * static_cast<std::size_t>(sweep.runs));

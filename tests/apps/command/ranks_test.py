@@ -22,6 +22,10 @@ GRID = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:5 --gr
         "--collisions 500 --threads 1")
 TREE = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4 --refine 1 --transient 500 "
         "--collisions 500 --threads 1")
+#: Cycles and chaos; random starts of columns, orbits that are followed from column to column, branches.
+RUNS = "classify --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95 --runs 20 --collisions 1000 --threads 1"
+DIAGRAM = ("bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.36:0.42:7 --starts 3 --transient 500 "
+           "--follow --branches --threads 1")
 #: Seconds of one core, of some hundred runs, to be killed.
 LONG = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:9 --runs 4 --threads 1 "
         "--exhaustive --transient 1000 --collisions 2000 --quiet")
@@ -64,6 +68,17 @@ class Ranks(InFolder):
                 path = self.folder / f"{name}-{ranks}.h5"
                 result = over(ranks, f"{sweep} --quiet -o {path}")
                 self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+                self.assertEqual(path.read_bytes(), alone.read_bytes(), (name, ranks))
+
+    def test_runs_and_diagrams_are_those_of_one_process(self):
+        for name, command in (("runs", RUNS), ("diagram", DIAGRAM)):
+            alone = self.folder / f"{name}.h5"
+            self.assertEqual(run(f"{command} --quiet -o {alone}").returncode, 0)
+            document = run(f"{command} --json").stdout
+            for ranks in (2, 3):
+                path = self.folder / f"{name}-{ranks}.h5"
+                result = over(ranks, f"{command} --json -o {path}")
+                self.assertEqual((result.returncode, result.stdout), (0, document), result.stderr)
                 self.assertEqual(path.read_bytes(), alone.read_bytes(), (name, ranks))
 
     def test_one_rank_answers(self):
@@ -119,11 +134,13 @@ class Ranks(InFolder):
 
 class Wrong(InFolder):
     def test_bad_input_is_said_once(self):
-        result = over(2, GRID.replace("alpha=0.2:0.6:5", "alpha=0.2:1.6:5"))
-        self.assertEqual((result.returncode, result.stdout), (2, ""))
-        said = [line for line in result.stderr.splitlines() if line.startswith("swirl: ")]
-        self.assertEqual(len(said), 1, result.stderr)
-        self.assertIn("alpha", said[0])
+        for wrong in (GRID.replace("alpha=0.2:0.6:5", "alpha=0.2:1.6:5"), RUNS.replace("--alpha 0.635", "--alpha 1.6"),
+                      DIAGRAM.replace("alpha=0.36:0.42:7", "alpha=0.36:1.6:7")):
+            result = over(2, wrong)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), wrong)
+            said = [line for line in result.stderr.splitlines() if line.startswith("swirl: ")]
+            self.assertEqual(len(said), 1, result.stderr)
+            self.assertIn("alpha", said[0])
 
     def ranks_with(self, scenes):
         """Rank 0 and two more with scene files of their own: (MPMD, as mpirun calls it.)"""

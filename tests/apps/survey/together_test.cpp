@@ -52,11 +52,13 @@ TEST(Together, NamesAreThoseOfOrbitsAlone) {
     analysis::ClassifyOptions settings;
     settings.transient = settings.collisions = 2000;
     std::vector<std::optional<NamedMode>> together(starts.size());
-    const auto take = [&](std::size_t place, const NamedMode& named) {
+    const auto take = [&](std::size_t place, const NamedMode& named, const OrbitSamples&) {
         EXPECT_FALSE(together[place]) << "start " << place << " is given twice";
         together[place] = named;
     };
-    name_modes(starts, settings, Accuracy::double_precision, {}, take);
+    NamingOptions options;
+    options.settings = settings;
+    name_modes(starts, options, take);
     for (std::size_t i = 0; i < starts.size(); ++i) {
         const NamedMode alone = name_mode(starts[i].scene, starts[i].start, settings);
         ASSERT_TRUE(together[i]) << "start " << i;
@@ -69,9 +71,10 @@ TEST(Together, NothingIsGivenOfThoseThatAreStopped) {
     std::vector<SceneStart> starts;
     for (std::uint64_t run = 0; run < 8; ++run)
         starts.push_back({scene, random_start(scene.beta, paper_speed, 1, run)});
-    const auto take = [](std::size_t place, const NamedMode&) { ADD_FAILURE() << "start " << place; };
-    name_modes(
-        starts, {}, Accuracy::double_precision, [] { return true; }, take);
+    const auto take = [](std::size_t place, const NamedMode&, const OrbitSamples&) {
+        ADD_FAILURE() << "start " << place;
+    };
+    name_modes(starts, {{}, Accuracy::double_precision, [] { return true; }}, take);
 }
 
 /// What is known early is given early: of two orbits that settle within some 430 impacts and six that stay chaotic one
@@ -83,9 +86,8 @@ TEST(Together, NamesComeAsTheyAreKnown) {
         starts.push_back({scene, random_start(scene.beta, paper_speed, 1, run)});
     }
     int given = 0;
-    const auto take = [&](std::size_t, const NamedMode&) { ++given; };
-    name_modes(
-        starts, {}, Accuracy::double_precision, [&] { return given > 0; }, take);
+    const auto take = [&](std::size_t, const NamedMode&, const OrbitSamples&) { ++given; };
+    name_modes(starts, {{}, Accuracy::double_precision, [&] { return given > 0; }}, take);
     EXPECT_GE(given, 1);
     EXPECT_LE(given, 2);
 }

@@ -3,8 +3,11 @@
 set(SWIRL_PYTHON /usr/bin/python3 CACHE FILEPATH "The Python that the tests run")
 find_program(SWIRL_CMARK cmark-gfm)
 find_program(SWIRL_DOXYGEN doxygen)
+find_program(SWIRL_NODE node)
+# The folder is that of docs/site/formulas.py.
+find_file(SWIRL_KATEX katex.js PATHS /usr/share/javascript/katex NO_DEFAULT_PATH)
 set(swirl_site ${PROJECT_BINARY_DIR}/site)
-if(SWIRL_CMARK AND SWIRL_DOXYGEN)
+if(SWIRL_CMARK AND SWIRL_DOXYGEN AND SWIRL_NODE AND SWIRL_KATEX)
   add_custom_target(site
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${PROJECT_BINARY_DIR}/site-pages
     COMMAND swirl manual --format markdown -o ${PROJECT_BINARY_DIR}/site-pages
@@ -13,6 +16,6 @@ if(SWIRL_CMARK AND SWIRL_DOXYGEN)
     DEPENDS swirl VERBATIM COMMENT "The site")
 else()
   add_custom_target(site
-    COMMAND ${CMAKE_COMMAND} -E echo "The site needs cmark-gfm and doxygen: ./quickstart --packages docs/site/packages.txt, then configure again"
+    COMMAND ${CMAKE_COMMAND} -E echo "The site needs cmark-gfm, doxygen, nodejs and libjs-katex: ./quickstart --packages docs/site/packages.txt, then configure again"
     COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
 endif()

@@ -2,7 +2,8 @@
 
 ROOT's Markdown documents, the PAGES that `swirl manual --format markdown` wrote, and the headers' pages by Doxygen, whose
 warnings are errors, go to OUT, which is made anew; index.html is the first page. Files that documents link to are copied.
-Exits 1 if a link of the site leads nowhere. Needs cmark-gfm (packages.txt beside this); pages load nothing from elsewhere."""
+Exits 1 if a link of the site leads nowhere or a formula is none that KaTeX understands. Needs what packages.txt beside
+this lists; pages load nothing from elsewhere."""
 
 import argparse
 import html
@@ -14,6 +15,7 @@ import sys
 from pathlib import Path
 from urllib.parse import quote, unquote
 
+import formulas
 import markdown_links
 
 HERE = Path(__file__).resolve().parent
@@ -106,18 +108,20 @@ class Site:
         return place
 
     def write(self, source):
-        body = html_of(self.sources[source].read_text(encoding="utf-8"))
+        body = formulas.rendered(html_of(self.sources[source].read_text(encoding="utf-8")), source)
         body = LINKED.sub(lambda match: match[1] + html.escape(self.link(source, match[2])) + match[3], body)
         place = self.out / self.places[source]
         place.parent.mkdir(parents=True, exist_ok=True)
         title = self.title_of(source)
+        styles = ["style.css"] + (["katex/katex.css"] if 'class="katex"' in body else [])
+        styles = "\n".join(f'<link rel="stylesheet" href="{self.way(source, Path(style))}">' for style in styles)
         place.write_text(f"""<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{html.escape(title if title == "Swirl" else f"{title} – Swirl")}</title>
-<link rel="stylesheet" href="{self.way(source, Path('style.css'))}">
+{styles}
 </head>
 <body>
 <div class="page">
@@ -158,26 +162,45 @@ def write_api(root, out, doxygen):
     return subprocess.run([doxygen, "-"], input=settings, text=True, cwd=root, check=False).returncode == 0
 
 
+def write_pages(site):
+    """What is wrong with the formulas, a line for each."""
+    wrong = []
+    for source in site.sources:
+        try:
+            site.write(source)
+        except formulas.WrongFormula as error:
+            wrong.append(str(error))
+    return wrong
+
+
+def missing():
+    """What the site needs and is not installed."""
+    programs = [name for name in ("cmark-gfm", "node") if not shutil.which(name)]
+    return programs + ([] if (formulas.KATEX / "katex.js").is_file() else ["KaTeX"])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     for name in ("root", "pages", "out"):
         parser.add_argument(name, type=Path)
     parser.add_argument("--doxygen", help="the program; without it there are no pages of headers")
     arguments = parser.parse_args()
+    if missing():
+        print(f"the site needs {', '.join(missing())}: ./quickstart --packages docs/site/packages.txt")
+        return 1
     out = arguments.out.resolve()
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     shutil.copyfile(HERE / "style.css", out / "style.css")
+    formulas.copy_style(out)
     if arguments.doxygen and not write_api(arguments.root.resolve(), out, arguments.doxygen):
         print("doxygen warns of a header, or failed")
         return 1
     site = Site(arguments.root.resolve(), arguments.pages.resolve(), out)
-    for source in site.sources:
-        site.write(source)
-    dead = dead_links(out)
-    print("\n".join(dead) if dead else f"{len(site.sources)} pages, {len(list(out.rglob('*.html')))} with those of headers: "
-          f"{out / 'index.html'}")
-    return 1 if dead else 0
+    wrong = write_pages(site) or dead_links(out)
+    pages = len(list(out.rglob("*.html")))
+    print("\n".join(wrong) if wrong else f"{len(site.sources)} pages, {pages} with those of headers: {out / 'index.html'}")
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

@@ -11,12 +11,14 @@ namespace swirl::apps::completion {
 namespace {
 
 /// What does not depend on the commands. Bash breaks words at = and : (COMP_WORDBREAKS): `--law=st` is three words, of
-/// which the last is replaced, and `--grid alpha=0.2:` goes on with numbers that nobody can guess.
+/// which the last is replaced, and `--grid alpha=0.2:` goes on with numbers that nobody can guess. A word in a quote
+/// that is open begins with it, and what replaces it stands behind it as it is.
 const char* const common = R"sh(
 _swirl_words() {
     local candidate
     for candidate; do
-        [[ $candidate == "$word"* ]] && COMPREPLY+=("$(printf %q "$candidate")")
+        [[ $candidate == "$word"* ]] || continue
+        if [[ -n $quote ]]; then COMPREPLY+=("$candidate"); else COMPREPLY+=("$(printf %q "$candidate")"); fi
         if [[ $candidate == "$word"*[=:] ]]; then compopt -o nospace 2>/dev/null; fi
     done
 }
@@ -30,8 +32,9 @@ _swirl_files() {
 }
 
 _swirl() {
-    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}
+    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]} quote=
     COMPREPLY=()
+    if [[ $word == [\"\']* ]]; then quote=${word:0:1} word=${word:1}; fi
     if (( COMP_CWORD == 1 )); then
         _swirl_values '' commands
         return

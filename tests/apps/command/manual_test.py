@@ -31,8 +31,9 @@ def plain(page):
 
 
 def offered(line, environment=None):
-    """What bash completes of `line`, whose last word the cursor stands behind: words as bash itself splits them."""
-    words = [word for word in re.split(r"([=:])|\s+", line) if word]
+    """What bash completes of `line`, whose last word the cursor stands behind: words as bash itself splits them, the last
+    one in a quote that is open."""
+    words = [word for word in re.findall(r"[\"'].*|[=:]|[^\s=:]+", line) if word]
     if line.endswith(" "):
         words.append("")
     script = f"""eval "$("{SWIRL}" completion bash)" || exit 1
@@ -123,6 +124,13 @@ class Bash(InFolder):
         self.assertEqual(offered("swirl recurrence --convention CRP"), ["CRP\\ Toolbox"])
         self.assertEqual(offered("swirl manual sw"), ["sweep"])
         self.assertEqual(offered("swirl classify --alpha "), [])
+
+    def test_a_word_in_an_open_quote(self):
+        self.assertEqual(offered("swirl classify --law 'st"), ["stronge"])
+        self.assertEqual(offered('swirl classify --law="'), ["poisson", "newton", "stronge"])
+        self.assertEqual(offered("swirl recurrence --convention 'CRP T"), ["CRP Toolbox"])
+        self.file("two words.h5", "")
+        self.assertEqual(offered('swirl plot "two w', {"cwd": self.folder}), ["two words.h5"])
 
     def test_files_by_their_suffix(self):
         for name in ("a.h5", "two words.h5", "b.csv", "c.toml"):

@@ -3,6 +3,7 @@
 #include "analysis/cycles/cycle.hpp"
 #include "analysis/cycles/stability.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/modes/attractors.hpp"
 #include "apps/system/shooting_map.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace swirl::apps::boundaries {
 
 namespace {
 
-constexpr double same_cycle = 1e-6, same_spin = 1e-6;
+constexpr double same_cycle = 1e-6;
 
 struct AttractingCycle {
     analysis::CyclePoints points;
@@ -92,7 +93,7 @@ private:
 
 bool agrees(const MappedPlane::Run& run, const AttractingCycle& cycle) {
     return run.periodic && run.period == static_cast<std::int64_t>(cycle.points.size()) &&
-           std::abs(run.mean_spin - cycle.mean_spin) < same_spin;
+           means_agree(run.mean_spin, cycle.mean_spin);
 }
 
 void compare_cell(const MappedPlane& map, std::size_t cell, const std::vector<AttractingCycle>& cycles,
@@ -141,7 +142,7 @@ std::vector<MapRun> missing_runs(const Agreement& agreement) {
     for (const auto& entry : agreement.list) {
         if (entry.why != "curve-missing") continue;
         const bool again = last != nullptr && last->parameters == entry.parameters && last->period == entry.period &&
-                           std::abs(last->mean_spin - entry.mean_spin) < same_spin;
+                           means_agree(last->mean_spin, entry.mean_spin);
         if (!again) runs.push_back({entry.parameters, entry.run});
         last = &entry;
     }

@@ -8,7 +8,6 @@
 #include "apps/sweep/tracks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>

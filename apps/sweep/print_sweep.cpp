@@ -48,6 +48,17 @@ void print_basins(const Sweep& sweep) {
         fmt::print("  of {} of {} cells the verdict names no attractor\n", none, sweep.basins->of_cell.size());
 }
 
+void print_saddles(const Boundaries& boundaries) {
+    const auto count = [&](LeadsTo where) {
+        return std::count_if(boundaries.places.begin(), boundaries.places.end(),
+                             [&](const BoundaryPlace& place) { return place.leads_to == where; });
+    };
+    fmt::print("boundaries of basins at {} places: {} lead to a saddle, {} to a border, {} undecided, {} not found\n",
+               boundaries.places.size(), count(LeadsTo::saddle), count(LeadsTo::border), count(LeadsTo::undecided),
+               count(LeadsTo::ended) + count(LeadsTo::not_found));
+    if (!boundaries.saddles.empty()) print_table(saddle_table(), boundaries.saddles);
+}
+
 /// Those over most cells.
 void print_tracks(const Sweep& sweep) {
     constexpr std::size_t most = 20;
@@ -82,6 +93,7 @@ void print_sweep(const Sweep& sweep) {
     if (cells < cell_count(sweep.grid) && !sweep.shard)
         fmt::print("of a grid of {}; the others have the verdict of their neighbours\n", cell_count(sweep.grid));
     if (sweep.basins) print_basins(sweep);
+    if (sweep.boundaries) print_saddles(*sweep.boundaries);
     if (!sweep.attractors.empty()) print_tracks(sweep);
 }
 

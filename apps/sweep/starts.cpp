@@ -42,6 +42,11 @@ LabStart<double> cell_start(const StartOptions& options, const Scene<double>& sc
             speed == grid.end() ? options.speed() : point[static_cast<std::size_t>(speed - grid.begin())];
         return random_start(scene.beta, given, options.seed() + run, 0);
     }
+    return placed_start(options, scene, grid, point);
+}
+
+LabStart<double> placed_start(const StartOptions& options, const Scene<double>& scene,
+                              const std::vector<GridAxis>& grid, const std::vector<double>& point) {
     LabStart<double> start = placed_by_flags(options, scene);
     for (std::size_t k = 0; k < grid.size(); ++k)
         for (std::size_t i = 0; i < start_numbers.size(); ++i)

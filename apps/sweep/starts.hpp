@@ -21,6 +21,11 @@ bool are_all_of_the_start(const std::vector<GridAxis>& grid);
 LabStart<double> cell_start(const StartOptions& options, const Scene<double>& scene, const std::vector<GridAxis>& grid,
                             std::size_t cell, std::uint64_t run);
 
+/// The start whose numbers along the grid's axes are those of a point, in a cell or between; its other numbers are the
+/// flags'.
+LabStart<double> placed_start(const StartOptions& options, const Scene<double>& scene,
+                              const std::vector<GridAxis>& grid, const std::vector<double>& point);
+
 /// What the flags of the starts say, as settings by name, without those that are gridded.
 std::vector<std::pair<std::string, double>> start_settings(const StartOptions& options, const Scene<double>& scene,
                                                            const std::vector<GridAxis>& grid);

@@ -32,12 +32,16 @@ results. --sample takes points that fill the box in place of a grid: Sobol's seq
 --track follows each attractor over the grid: a cycle of up to 64 impacts is carried to the next cell by Newton's method and
 is the attractor there to which it comes, if that one leads back to it; chaos, tori and motions on the wall are one where
 each of the two cells has one of them. Attractors get a number, track, in document and record; `swirl plot` draws the shares by it.
+--saddles PLACES, of a map of basins: between neighbouring starts that came to different attractors, at so many places evenly
+spread, the boundary is found to rounding and followed to the unstable cycle whose stable set it is (or to a border, where the
+map jumps): saddles with their multipliers and how many places lead to each.
 --shard i/n does the i-th of n parts; `swirl join` makes the record of the whole of them.
 
 Examples:
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:5 --collisions 500
   swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.1:1:4 --runs 2 -o sweep.h5
   swirl sweep --sides 6 --alpha 0.5 --beta 0.5 --mu 0.5 --restitution 0.95 --grid vx=-1:1:9 --grid vy=-1:1:9 -o basins.h5
+  swirl sweep --sides 6 --alpha 0.5 --beta 0.5 --mu 0.5 --restitution 0.95 --grid vx=-1:1:9 --grid vy=-1:1:9 --saddles 4
   swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --grid law=poisson,newton,stronge --grid mu=0.1:1:4 --grid restitution=0.5:1:5
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4 --refine 2 --collisions 500
   swirl sweep --sides 6 --alpha 0.5 --mu 0.5 --restitution 0.95 --grid beta=0.45:0.55:11 --runs 20 --track)";
@@ -57,6 +61,9 @@ void SweepOptions::add_to(Flags& command) {
         ->type_name("")
         ->offer({"sobol:", "latin:"});
     command.add_flag("--track", track, "follow each attractor from cell to cell of a grid of random starts");
+    command.add_option("--saddles", saddles, "follow so many places on the boundaries of basins to their saddles")
+        ->type_name("PLACES")
+        ->transform(whole_number(1, 10'000));
     command.add_option("--shard", shard, "i/n: the i-th of n shards of the cells, for swirl join")->type_name("");
     command.add_option("--runs", runs, "random starts in each cell (default 1)")
         ->type_name("R")
@@ -112,12 +119,20 @@ void require_trackable(const SweepOptions& options, const std::vector<GridAxis>&
     if (starts_are_placed(grid)) refuse("a grid over the start", "its cells have one start each, and one attractor");
 }
 
+/// Boundaries of basins lie between neighbouring starts of one scene.
+void require_boundaries(const SweepOptions& options, const std::vector<GridAxis>& grid) {
+    const auto refuse = [&](const char* why) { throw BadInput(fmt::format("saddles = {}: {}", options.saddles, why)); };
+    if (!are_all_of_the_start(grid)) refuse("boundaries of basins are those of a grid over numbers of the start alone");
+    if (!options.sample.empty()) refuse("the starts of a sample have no neighbours");
+    if (!options.shard.empty()) refuse("neighbours of a shard's cells are in other shards");
+}
+
 /// What is found from the results of all runs. False if interrupted.
 bool look_into_results(const SweepOptions& options, Sweep& sweep) {
     if (!find_steady_modes(options, sweep)) return false;
     if (options.track && !track_attractors(options, sweep)) return false;
     find_basins(sweep);
-    return true;
+    return find_saddles(options, sweep);
 }
 
 /// What can be known of the record before any work.
@@ -156,6 +171,7 @@ Sweep planned(SweepOptions& options) {
     Sweep sweep;
     sweep.grid = grid_from(options.grid, form);
     if (options.track) require_trackable(options, sweep.grid);
+    if (options.saddles > 0) require_boundaries(options, sweep.grid);
     sweep.runs = options.runs;
     sweep.units = options.scene.units();
     check_all(options, sweep.grid);

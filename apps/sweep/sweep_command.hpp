@@ -7,6 +7,7 @@
 #include "apps/sweep/basins.hpp"
 #include "apps/sweep/cell_attractors.hpp"
 #include "apps/sweep/grid.hpp"
+#include "apps/sweep/saddles.hpp"
 #include "apps/sweep/sweep_results.hpp"
 
 #include <optional>
@@ -25,6 +26,7 @@ struct SweepOptions {
     int refine = 0;      ///< levels; 0: the grid
     bool track = false;  ///< attractors are followed from cell to cell
     std::int64_t runs = 1;
+    std::int64_t saddles = 0;  ///< so many places on the boundaries of basins are followed to their saddles
     analysis::ClassifyOptions settings;
 
     void add_to(Flags& command);
@@ -52,7 +54,8 @@ struct Sweep {
     std::optional<Basins> basins = {};                        ///< of a grid over numbers of the start
     std::vector<std::vector<CellAttractor>> attractors = {};  ///< of each cell, where they are tracked
     Tracking tracking = {};
-    std::optional<Shard> shard = {};  ///< whose cells they are
+    std::optional<Boundaries> boundaries = {};  ///< of basins, where they are asked for
+    std::optional<Shard> shard = {};            ///< whose cells they are
     std::optional<Units> units = {};
 
     std::span<const SteadyShare> steady_of(std::size_t cell) const {
@@ -76,6 +79,10 @@ bool find_steady_modes(const SweepOptions& options, Sweep& sweep);
 
 /// Of a grid over numbers of the start alone, which start came to what; else nothing.
 void find_basins(Sweep& sweep);
+
+/// The boundaries of the basins and the saddles that they lead to (`saddles` places). False if interrupted.
+/// Cost: of a place some 50 runs, and about one for each impact until its orbit is at the saddle.
+bool find_saddles(const SweepOptions& options, Sweep& sweep);
 
 /// A record of a finished sweep. @throws RecordError
 void write_sweep(const SweepOptions& options, const Sweep& sweep);

@@ -1,12 +1,12 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/record/record_reader.hpp"
 #include "apps/sweep/cell_attractors.hpp"
 #include "apps/sweep/run_columns.hpp"
 #include "apps/sweep/starts.hpp"
 #include "apps/sweep/sweep_command.hpp"
 #include "apps/sweep/tracks.hpp"
+#include "apps/system/section_coordinates.hpp"
 
 #include <algorithm>
 
@@ -199,12 +199,23 @@ void write_axis(const RecordGroup& group, const GridAxis& axis) {
     group.write_strings(dimension_of(axis), along, words, {"1", "parameter " + axis.name, {}});
 }
 
+void write_boundaries(const RecordGroup& root, const Sweep& sweep) {
+    const RecordGroup saddles = root.group("saddles");
+    saddles.dimension("coordinate", polygon_dimension);
+    write_record(saddles, saddle_table(), sweep.boundaries->saddles);
+    write_record(root.group("boundary"), place_table(sweep.grid), sweep.boundaries->places);
+}
+
 }  // namespace
 
 void write_sweep_document(const Sweep& sweep) {
     print_document([&](JsonWriter& json) {
         if (sweep.units) write_json(json, "units", unit_settings(*sweep.units));
         if (sweep.basins) write_json(json, "basins", basin_table(), sweep.basins->basins);
+        if (sweep.boundaries) {
+            write_json(json, "saddles", saddle_table(), sweep.boundaries->saddles);
+            write_json(json, "boundary", place_table(sweep.grid), sweep.boundaries->places);
+        }
         if (!sweep.attractors.empty()) {
             json.key("tracking");
             write_object(json, tracking_table(), sweep.tracking);
@@ -261,37 +272,9 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
                                   {"1", "place in the group basins; -1: none", {}});
         write_record(root.group("basins"), basin_table(), sweep.basins->basins);
     }
+    if (sweep.boundaries) write_boundaries(root, sweep);
     if (!sweep.attractors.empty()) write_attractors(root.group("attractors"), sweep);
     record.finish();
-}
-
-void read_sweep(const std::string& path, Sweep& sweep) {
-    const RecordReader record(path);
-    if (!record.contains("/sweep/run_mode"))
-        throw BadInput(
-            fmt::format("record '{}' is not a sweep's: name another file, or replace it with --force", path));
-    const auto differs = [&](const std::string& name) {
-        throw BadInput(fmt::format(
-            "record '{}' was made with another value of {}; give the same, or another file, or replace it with "
-            "--force",
-            path, name));
-    };
-    for (const auto& [name, value] : sweep.settings)
-        if (!record.has_attribute("/settings", name) || record.attribute("/settings", name) != value) differs(name);
-    for (const auto& name : record.attributes("/settings"))
-        if (name != "kinds" && name != "outcomes" &&
-            std::none_of(sweep.settings.begin(), sweep.settings.end(), [&](const auto& s) { return s.first == name; }))
-            differs(name);
-    auto results = read_run_columns(record, "/sweep");
-    if (results.size() != sweep.results.size())
-        throw BadInput(
-            fmt::format("record '{}' has another grid: name another file, or replace it with --force", path));
-    sweep.results = std::move(results);
-    if (!record.contains("/sweep/visited")) return;
-    for (const std::uint8_t seen : record.read<std::uint8_t>("/sweep/visited"))
-        sweep.visited.push_back(static_cast<char>(seen));
-    if (sweep.visited.size() != cell_count(sweep.grid))
-        throw BadInput(fmt::format("record '{}' is damaged: it does not say of each cell whether it was run", path));
 }
 
 }  // namespace swirl::apps::sweep

@@ -14,6 +14,7 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     if (!options.sample.empty()) settings.emplace_back("sample", options.sample);
     if (options.refine > 0) settings.emplace_back("refine", std::int64_t{options.refine});
     if (options.track) settings.emplace_back("track", true);
+    if (options.saddles > 0) settings.emplace_back("saddles", options.saddles);
     const auto gridded = [&](const std::string& name) { return has_axis(grid, name); };
     for (const auto& parameter : scene_settings(first)) {
         const bool inertia = parameter.first == "inertia_factor";

@@ -2,6 +2,7 @@
 
 import numpy
 from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from .look import LegendBelow
@@ -52,6 +53,29 @@ def _legend(record):
     return colours, handles
 
 
+def _saddle_words(record, saddle):
+    kind, period = record.names("saddles", "kind")[saddle], record.column("saddles", "period")[saddle]
+    if kind == "quasi-periodic":
+        return "stable set of an unstable torus"
+    return f"stable set of an unstable {period}-cycle" if period > 1 else "stable set of an unstable fixed point"
+
+
+def _places(record, grid):
+    """The places on boundaries that were followed: by saddle, and those that lead to none."""
+    if "boundary" not in record:
+        return
+    saddle, leads_to = record.column("boundary", "saddle"), record.column("boundary", "leads_to").astype(str)
+    at = [record.column("boundary", axis) for axis in grid.axes]
+    groups = [(saddle == number, mark, "w", _saddle_words(record, number))
+              for number, mark in zip(range(4), "os^D") if (saddle == number).any()]
+    groups.append((saddle >= 4, "P", "w", "other saddles"))
+    groups.append((leads_to == "border", "x", "k", "boundary on a border"))
+    groups.append(((saddle < 0) & (leads_to != "border"), "+", "k", "boundary, no saddle found"))
+    for chosen, mark, fill, words in groups:
+        if chosen.any():
+            yield {"at": [values[chosen] for values in at], "marker": mark, "mfc": fill, "label": words}
+
+
 def draw_into(figure, record, look):
     grid = record.derived(SweepGrid)
     colours, handles = _legend(record)
@@ -61,9 +85,13 @@ def draw_into(figure, record, look):
     if (basins < 0).any():
         handles.append(Patch(fc=NO_VALUE, ec="0.3", lw=0.5, label=f"no verdict ({100 * (basins < 0).mean():.3g} %)"))
     look.title(figure, f"{scene_title(grid.scene)}\nbasins of attraction, {grid.starts} in each cell")
+    handles += [Line2D([], [], ls="", ms=5, mec="k", mew=0.8, marker=place["marker"], mfc=place["mfc"], label=place["label"])
+                for place in _places(record, grid)]
     parts = LegendBelow(figure)
     parts.fill(handles, look)
     axes = parts.above.subplots()
     draw_cells(axes, grid, numpy.where(basins < 0, numpy.nan, basins), cmap=ListedColormap(colours or [NO_VALUE]),
                norm=BoundaryNorm(numpy.arange(max(len(colours), 1) + 1) - 0.5, max(len(colours), 1)))
+    for place in _places(record, grid):
+        axes.plot(*place.pop("at"), ls="", ms=5, mec="k", mew=0.8, zorder=5, clip_on=False, **place)
     return [axes]

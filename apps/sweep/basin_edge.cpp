@@ -1,0 +1,150 @@
+#include "apps/sweep/basin_edge.hpp"
+
+#include "analysis/classification/basin_boundary.hpp"
+#include "analysis/classification/classify.hpp"
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/sweep/basins.hpp"
+#include "apps/system/orbit_ending.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace swirl::apps::sweep {
+
+namespace {
+
+using analysis::CyclePoints;
+
+constexpr int longest_saddle = 32;        // impacts
+constexpr double comes_again = 1e-3;      // an orbit that does may be near a cycle
+constexpr double is_there = 1e-6;         // so near it has come to it
+constexpr double same_cycle = 1e-6;       // of their points
+constexpr double same_rotation = 1e-5;    // of a torus, in turns: it is known to 10⁻⁶
+constexpr std::size_t first_look = 2048;  // impacts after which a torus is looked for, and each time twice as many
+
+LeadsTo where(analysis::StraddleEnd end) {
+    using analysis::StraddleEnd;
+    switch (end) {
+        case StraddleEnd::found:
+            return LeadsTo::saddle;
+        case StraddleEnd::border:
+            return LeadsTo::border;
+        case StraddleEnd::undecided:
+            return LeadsTo::undecided;
+        case StraddleEnd::ended:
+            return LeadsTo::ended;
+        case StraddleEnd::not_found:
+            return LeadsTo::not_found;
+    }
+    return LeadsTo::not_found;
+}
+
+}  // namespace
+
+template <int D>
+BasinEdge<D>::BasinEdge(const Scene<double>& scene, const analysis::ClassifyOptions& settings, Accuracy accuracy,
+                        const RunResult& attractor)
+    : scene_(scene),
+      settings_(settings),
+      accuracy_(accuracy),
+      attractor_(attractor),
+      map_(scene, contact_horizon, accuracy),
+      shooting_(shooting_map_of(scene, accuracy)) {}
+
+template <int D>
+std::optional<bool> BasinEdge<D>::is_inside(const Start<double>& start) const {
+    try {
+        const NamedMode named = name_mode(scene_, start, settings_, accuracy_, is_interrupted);
+        const RunResult run = result_of(named);
+        if (!named.finished || !has_attractor(run)) return {};
+        return is_same_attractor(run, attractor_);
+    } catch (const std::invalid_argument&) {
+        return {};  // rounding has put another vertex outside, say
+    }
+}
+
+template <int D>
+LeadsTo BasinEdge<D>::follow(const LabStart<double>& in, const LabStart<double>& out, Saddle& saddle) const {
+    const OrbitBegin first = begin_orbit(map_, in), second = begin_orbit(map_, out);
+    if (first.outcome != Outcome::completed || second.outcome != Outcome::completed) return LeadsTo::ended;
+    const analysis::StraddleOptions options;
+    const double apart = analysis::distance(map_, map_.coordinates(first.state), map_.coordinates(second.state));
+    if (apart > options.jump) return LeadsTo::border;  // a vertex grazes on the flight of the start
+    std::size_t look = first_look;
+    const auto is_enough = [&](const Points& orbit) {
+        if (is_at_cycle(orbit, saddle)) return true;
+        if (orbit.size() < look) return false;
+        look *= 2;
+        return is_torus(orbit, saddle);
+    };
+    return where(analysis::follow_boundary(
+        map_, first.state, second.state, [&](const PostImpactState<double>& z) { return is_inside(section_point(z)); },
+        is_enough, options, is_interrupted));
+}
+
+/// Has the orbit come to an unstable cycle?
+template <int D>
+bool BasinEdge<D>::is_at_cycle(const Points& orbit, Saddle& saddle) const {
+    const auto n = static_cast<std::ptrdiff_t>(orbit.size());
+    for (std::ptrdiff_t k = 1; k <= std::min<std::ptrdiff_t>(longest_saddle, n - 1); ++k) {
+        if (analysis::distance(map_, orbit.back(), *(orbit.end() - 1 - k)) > comes_again) continue;
+        const CyclePoints guess(orbit.end() - k, orbit.end());
+        const auto shot = analysis::solve_shooting(shooting_, guess, 0, 1e-10);
+        if (!shot.converged || analysis::distance_between(shooting_, shot.points, guess) > is_there) return false;
+        return take_cycle(analysis::minimal_cycle(shooting_, shot.points, 1e-8), saddle);
+    }
+    return false;
+}
+
+/// False of one that attracts: no edge leads there.
+template <int D>
+bool BasinEdge<D>::take_cycle(const CyclePoints& cycle, Saddle& saddle) const {
+    const auto shooting = analysis::shooting_residual(shooting_, cycle, 0);
+    const auto multipliers = analysis::sorted_multipliers(analysis::monodromy(shooting));
+    if (multipliers.empty() || analysis::stability_of(multipliers) == analysis::Stability::stable) return false;
+    saddle.kind = cycle.size() == 1 ? analysis::Kind::fixed_point : analysis::Kind::cycle;
+    saddle.points = cycle;
+    saddle.period = static_cast<std::int64_t>(cycle.size());
+    saddle.mean_spin = shooting.integral / shooting.duration;
+    for (const auto& z : cycle) saddle.mean_spin_per_impact += z.tail(1)[0] / static_cast<double>(cycle.size());
+    saddle.multiplier = std::abs(multipliers.front());
+    saddle.index = std::count_if(multipliers.begin(), multipliers.end(), [](const auto& m) { return std::abs(m) > 1; });
+    return true;
+}
+
+/// Does the orbit's second half go round a torus?
+template <int D>
+bool BasinEdge<D>::is_torus(const Points& orbit, Saddle& saddle) const {
+    analysis::Tail<SceneMap<D>> tail;
+    tail.points.assign(orbit.begin() + static_cast<std::ptrdiff_t>(orbit.size() / 2), orbit.end());
+    const analysis::RotationNumber rotation = analysis::classification_detail::rotation_of(map_, tail);
+    if (rotation.outcome != analysis::RotationOutcome::quasi_periodic) return false;
+    saddle.kind = analysis::Kind::quasi_periodic;
+    saddle.points = {tail.points.front()};
+    saddle.rotation = rotation.rotation;
+    double time = 0, turned = 0, spins = 0;
+    for (const auto& point : tail.points) {
+        const auto step = map_.advance(map_.state_at(point));
+        time += step.duration;
+        turned += step.integral;
+        spins += point[SceneMap<D>::integrated];
+    }
+    saddle.mean_spin = turned / time;
+    saddle.mean_spin_per_impact = spins / static_cast<double>(tail.points.size());
+    return true;
+}
+
+template class BasinEdge<disk_dimension>;
+template class BasinEdge<polygon_dimension>;
+
+bool is_same_saddle(const analysis::ShootingMap& map, const Saddle& a, const Saddle& b) {
+    if (a.kind != b.kind) return false;
+    if (a.kind != analysis::Kind::quasi_periodic)
+        return analysis::distance_between(map, a.points, b.points) < same_cycle;
+    return std::abs(a.rotation - b.rotation) < same_rotation;
+}
+
+}  // namespace swirl::apps::sweep

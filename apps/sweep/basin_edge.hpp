@@ -1,0 +1,48 @@
+// The edge of an attractor's basin in one scene: which starts are inside, and where it leads.
+#pragma once
+
+#include "apps/modes/name_mode.hpp"
+#include "apps/sweep/saddles.hpp"
+#include "apps/system/scene_map.hpp"
+#include "apps/system/shooting_map.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace swirl::apps::sweep {
+
+template <int D>
+class BasinEdge {
+public:
+    /// Of what `attractor` came to, by verdicts with these settings.
+    BasinEdge(const Scene<double>& scene, const analysis::ClassifyOptions& settings, Accuracy accuracy,
+              const RunResult& attractor);
+
+    /// Does a start come to the attractor? Nothing: its verdict names none. Cost: a run.
+    std::optional<bool> is_inside(const Start<double>& start) const;
+
+    /// Where the edge leads from between two starts of which the first alone is inside: an unstable cycle of up to 32
+    /// impacts, polished, or an unstable torus fills `saddle`. Cost: about a run for each impact until it is there.
+    LeadsTo follow(const LabStart<double>& in, const LabStart<double>& out, Saddle& saddle) const;
+
+private:
+    using Points = std::vector<analysis::Vector<D>>;
+    bool is_at_cycle(const Points& orbit, Saddle& saddle) const;
+    bool take_cycle(const analysis::CyclePoints& cycle, Saddle& saddle) const;
+    bool is_torus(const Points& orbit, Saddle& saddle) const;
+
+    Scene<double> scene_;
+    analysis::ClassifyOptions settings_;
+    Accuracy accuracy_;
+    RunResult attractor_;
+    SceneMap<D> map_;
+    analysis::ShootingMap shooting_;
+};
+
+extern template class BasinEdge<disk_dimension>;
+extern template class BasinEdge<polygon_dimension>;
+
+/// Cycles by their points, tori by their rotation numbers: means along orbits that have just come there scatter.
+bool is_same_saddle(const analysis::ShootingMap& map, const Saddle& a, const Saddle& b);
+
+}  // namespace swirl::apps::sweep

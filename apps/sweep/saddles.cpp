@@ -1,0 +1,92 @@
+#include "apps/sweep/saddles.hpp"
+
+#include "apps/modes/mode_fields.hpp"
+#include "apps/sweep/starts.hpp"
+#include "apps/system/section_coordinates.hpp"
+
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace swirl::apps::sweep {
+
+std::string_view name_of(LeadsTo where) {
+    switch (where) {
+        case LeadsTo::saddle:
+            return "saddle";
+        case LeadsTo::border:
+            return "border";
+        case LeadsTo::undecided:
+            return "undecided";
+        case LeadsTo::ended:
+            return "ended";
+        case LeadsTo::not_found:
+            return "not-found";
+    }
+    return "";
+}
+
+Table<BoundaryPlace> place_table(const std::vector<GridAxis>& grid) {
+    using Place = BoundaryPlace;
+    using F = Field<Place>;
+    const auto parameters = [grid](JsonWriter& json, const Place& place) {
+        json.begin_object();
+        for (std::size_t k = 0; k < grid.size(); ++k) json.member(grid[k].name, place.point[k]);
+        json.end_object();
+    };
+    const auto saddle = [](const Place& place) {
+        return place.saddle == no_saddle ? std::nullopt : std::optional(place.saddle);
+    };
+    const auto leads_to = [](const Place& place) { return std::string(name_of(place.leads_to)); };
+    Table<Place> table{{"place"}, {{"parameters", parameters}}};
+    for (std::size_t k = 0; k < grid.size(); ++k) {
+        const auto at = [k](const Place& place) { return place.point[k]; };
+        table.fields.push_back(
+            F{grid[k].name, at, units_of_axis(grid[k].name), "of the start on the boundary"}.record_only());
+    }
+    table.fields.emplace_back("from", &Place::from, "1", "basin on one side: place in the group basins");
+    table.fields.emplace_back("to", &Place::to, "1", "basin on the other");
+    table.fields.emplace_back("leads_to", leads_to, "", "saddle, border, undecided, ended, not-found");
+    table.fields.push_back(F{"saddle", &Place::saddle, "1", "place in the group saddles; -1: none"}.json_as(saddle));
+    return table;
+}
+
+Table<Saddle> saddle_table() {
+    using F = Field<Saddle>;
+    const auto in_percent = [](const Value& value) {
+        return fmt::format("  {:>8.2f} %", 100 * std::get<double>(value));
+    };
+    const auto index = [](const Saddle& saddle) {
+        return saddle.period == 0 ? std::nullopt : std::optional(saddle.index);
+    };
+    const auto point = [](const Saddle& saddle) {
+        const auto& z = saddle.points.front();
+        return std::vector<double>(z.begin(), z.end());
+    };
+    const auto padded = [point](const Saddle& saddle) {
+        std::vector<double> z = point(saddle);
+        z.resize(polygon_dimension, std::numeric_limits<double>::quiet_NaN());
+        return z;
+    };
+    const auto low = [](const Saddle& saddle) { return saddle.interval.low; };
+    const auto high = [](const Saddle& saddle) { return saddle.interval.high; };
+    return {
+        {"saddle"},
+        {kind_field<Saddle>(&Saddle::kind).shown("kind", "  {:<15}"),
+         period_field<Saddle>(&Saddle::period).shown("period", dash_for_zero(" {:>6}")),
+         F{"mean_S", &Saddle::mean_spin, "omega_s", "time mean of S"}.shown("mean S", " {:>14.8g}"),
+         {"mean_S_per_impact", &Saddle::mean_spin_per_impact, "omega_s", "mean of S over its impacts"},
+         F{"index", &Saddle::index, "1", "of a cycle: multipliers outside the unit circle"}.json_as(index).shown(
+             "index", dash_for_zero(" {:>6}")),
+         F{"multiplier", &Saddle::multiplier, "1", "of a cycle: its largest |multiplier|"}.shown("|multiplier|",
+                                                                                                 " {:>12.6g}"),
+         F{"rotation_number", &Saddle::rotation, "1", "of a torus: turns per impact"}.shown("rotation", " {:>11.7g}"),
+         F{"places", &Saddle::places, "1", "on the boundaries that lead to it"}.shown("places", " {:>7}"),
+         F{"share", &Saddle::share, "1", "of all places"}.shown("share", {"  {:>10}", in_percent}),
+         {"share_low", low, "1", "from this share on, by Wilson's interval"},
+         {"share_high", high, "1", "up to this share"},
+         F{"point", padded, "", "its first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}.json_as(point).along(
+             {"coordinate"}, polygon_dimension)}};
+}
+
+}  // namespace swirl::apps::sweep

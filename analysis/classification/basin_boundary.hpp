@@ -25,6 +25,7 @@ struct StraddleOptions {
 enum class StraddleEnd {
     found,      ///< who looked at the orbit had seen enough
     border,     ///< a step parted the two: the map jumps there
+    rounding,   ///< the verdict on a state is another after a step: its basins are mixed down to rounding
     undecided,  ///< of a state in between nobody knows the attractor
     ended,      ///< the map has no next step
     not_found,  ///< most_steps or most_questions, or stopped
@@ -37,37 +38,62 @@ State<M> state_between(const M& map, const State<M>& a, const State<M>& b) {
     return state_at(map, Vector<M::dimension>(begin + difference(map, coordinates(map, b), begin) / 2));
 }
 
+/// Two states of which the first comes to the attractor and the second does not, and how often it was asked.
+template <SectionMap M>
+struct Straddle {
+    State<M> in, out;
+    std::int64_t asked = 0;
+
+    double width(const M& map) const { return distance(map, coordinates(map, in), coordinates(map, out)); }
+};
+
+/// Halves the way between them until they are `narrow` apart, or as near as rounding lets them be. Nothing: they are;
+/// else why not.
+template <SectionMap M, class IsInside>
+std::optional<StraddleEnd> narrowed(const M& map, Straddle<M>& two, const IsInside& is_inside,
+                                    const StraddleOptions& options, const Stop& stop) {
+    bool in_is_new = false, out_is_new = false;
+    for (double width = two.width(map); width > options.narrow;) {
+        if ((stop && stop()) || two.asked++ == options.most_questions) return StraddleEnd::not_found;
+        const State<M> middle = state_between(map, two.in, two.out);
+        const std::optional<bool> inside = is_inside(middle);
+        if (!inside) return StraddleEnd::undecided;
+        (*inside ? two.in : two.out) = middle;
+        (*inside ? in_is_new : out_is_new) = true;
+        const double left = two.width(map);
+        if (!(left < width)) break;
+        width = left;
+    }
+    // An end that no middle has replaced may have lost its side on its last steps.
+    for (const bool inside : {true, false}) {
+        if (inside ? in_is_new : out_is_new) continue;
+        ++two.asked;
+        const std::optional<bool> found = is_inside(inside ? two.in : two.out);
+        if (found != inside) return found ? StraddleEnd::rounding : StraddleEnd::undecided;
+    }
+    return {};
+}
+
 /// Follows the boundary from between two states.
-///   in, out     states of which the first comes to the attractor and the second does not
-///   is_inside   of a state: std::optional<bool>, whether it does; nothing where that is not known
-///   is_enough   asked of the orbit's points (those of `in`) each time the two have been halved: true to end
+///   is_inside  of a state: std::optional<bool>, whether it comes to the attractor; nothing where that is not known
+///   is_enough  asked of the orbit's points (those of `in`) each time the two have been halved: true to end
 /// Cost: a step of each, and some 13 questions `is_inside` for each 10⁴ that steps part the two.
 template <SectionMap M, class IsInside, class IsEnough>
-StraddleEnd follow_boundary(const M& map, State<M> in, State<M> out, const IsInside& is_inside,
+StraddleEnd follow_boundary(const M& map, const State<M>& in, const State<M>& out, const IsInside& is_inside,
                             const IsEnough& is_enough, const StraddleOptions& options = {}, const Stop& stop = {}) {
-    const auto apart = [&] { return distance(map, coordinates(map, in), coordinates(map, out)); };
+    Straddle<M> two{in, out};
     std::vector<Vector<M::dimension>> orbit{coordinates(map, in)};
-    for (std::int64_t n = 0, asked = 0; n < options.most_steps;) {
-        for (double gap = apart(); gap > options.narrow;) {
-            if ((stop && stop()) || asked++ == options.most_questions) return StraddleEnd::not_found;
-            const State<M> middle = state_between(map, in, out);
-            const std::optional<bool> inside = is_inside(middle);
-            if (!inside) return StraddleEnd::undecided;
-            (*inside ? in : out) = middle;
-            const double left = apart();
-            if (!(left < gap)) break;  // rounding
-            gap = left;
-        }
+    while (static_cast<std::int64_t>(orbit.size()) <= options.most_steps) {
+        if (const auto why = narrowed(map, two, is_inside, options, stop)) return *why;
         if (is_enough(orbit)) return StraddleEnd::found;
         do {
-            const auto next_in = map.advance(in), next_out = map.advance(out);
+            const auto next_in = map.advance(two.in), next_out = map.advance(two.out);
             if (!goes_on(map, next_in) || !goes_on(map, next_out)) return StraddleEnd::ended;
-            in = next_in.state;
-            out = next_out.state;
-            orbit.push_back(coordinates(map, in));
-            ++n;
-            if (apart() > options.jump) return StraddleEnd::border;
-        } while (apart() < options.wide && n < options.most_steps);
+            two.in = next_in.state;
+            two.out = next_out.state;
+            orbit.push_back(coordinates(map, two.in));
+            if (two.width(map) > options.jump) return StraddleEnd::border;
+        } while (two.width(map) < options.wide && static_cast<std::int64_t>(orbit.size()) <= options.most_steps);
     }
     return StraddleEnd::not_found;
 }

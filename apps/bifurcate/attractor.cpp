@@ -164,9 +164,9 @@ void settle_all(std::span<const SceneStart> starts, const SampleSettings& settin
 
 Attractor settle(const Scene<double>& scene, const Start<double>& start, const SampleSettings& settings) {
     const SceneStart one{scene, start};
-    Attractor settled;
-    settle_all({&one, 1}, settings, [&](std::size_t, const Attractor& attractor) { settled = attractor; });
-    return settled;
+    Attractor attractor;
+    settle_all({&one, 1}, settings, [&](std::size_t, const Attractor& found) { attractor = found; });
+    return attractor;
 }
 
 }  // namespace swirl::apps::bifurcate

@@ -113,9 +113,8 @@ int bifurcate(BifurcateOptions& options) {
         return take_part(ranks, options.output.threads, [&] { return work_of(options, planned(options)); });
     HandOut hand_out(ranks, options.output.quiet);
     Diagram diagram = planned(options);
-    std::optional<RecordWriter> record =
-        open_record(options.output, "Attractors of a swirled polygon over one parameter", {options.scene.file()},
-                    options.scene.units());
+    require_output(options.output, {options.scene.file()});
+    require_creatable(options.output);
     note_interruptions();
     const auto begin = std::chrono::steady_clock::now();
     sample_columns(options, diagram, hand_out);
@@ -125,7 +124,11 @@ int bifurcate(BifurcateOptions& options) {
     if (options.branches && !is_interrupted()) continue_attractors(options, diagram);
     diagram.interrupted = is_interrupted();
     finish_up();
-    if (record) write_diagram_record(*record, options, diagram);
+    if (!options.output.record.empty()) {
+        RecordWriter record =
+            create_record(options.output, "Attractors of a swirled polygon over one parameter", options.scene.units());
+        write_diagram_record(record, options, diagram);
+    }
     if (options.output.json)
         write_diagram_document(options, diagram);
     else if (!options.output.quiet)

@@ -111,18 +111,18 @@ int classify_runs(ClassifyCommandOptions& options) {
     HandOut hand_out(ranks, options.output.quiet);
     require_output(options.output, {options.scene.file(), options.input.record, options.input.series.file});
     const Scene<double> scene = planned(options);
-    std::optional<RecordWriter> record =
-        open_record(options.output, "Modes of a swirled polygon from several starts",
-                    {options.scene.file(), options.input.record}, options.scene.units());
+    require_creatable(options.output);
     note_interruptions();
     RunsFound found;
     found.runs = follow_all(options, scene, hand_out);
     if (!found.runs.empty()) compare_runs(options, scene, found);
     const bool interrupted = is_interrupted();
     finish_up();
-    if (record && !found.runs.empty()) {
-        write_runs(record->root(), options, scene, found);
-        record->finish();
+    if (!options.output.record.empty() && !found.runs.empty()) {
+        RecordWriter record =
+            create_record(options.output, "Modes of a swirled polygon from several starts", options.scene.units());
+        write_runs(record.root(), options, scene, found);
+        record.finish();
     }
     if (interrupted && !options.output.quiet)
         tell(fmt::format("swirl: interrupted; {} of {} runs were finished", found.runs.size(), options.runs));

@@ -61,6 +61,12 @@ void require_output(const OutputOptions& output, const std::vector<std::string>&
     require_replaceable(output);
 }
 
+void require_creatable(const OutputOptions& output) {
+    if (output.record.empty()) return;
+    if (const auto obstacle = obstacle_to_creating(output.record))
+        throw BadInput(fmt::format("cannot create record '{}': {}", output.record, *obstacle));
+}
+
 std::optional<RecordWriter> open_record(const OutputOptions& output, const std::string& title,
                                         const std::vector<std::string>& inputs, const std::optional<Units>& units) {
     if (output.record.empty()) return std::nullopt;

@@ -22,6 +22,9 @@ void require_replaceable(const OutputOptions& output);
 /// Both of these, before any work.
 void require_output(const OutputOptions& output, const std::vector<std::string>& inputs);
 
+/// Refuses an output that can't be created, for work that writes it at its end. @throws BadInput
+void require_creatable(const OutputOptions& output);
+
 /// The record of -o, opened before any work; none without -o.
 ///   inputs  all files that the command reads
 ///   units   of a scene in physical units: the record gets a group `units`, and its columns the attribute

@@ -23,6 +23,19 @@ constexpr auto patience = 30s;  // a rank says once a second that it is there
 constexpr auto heartbeat = 1s;
 constexpr auto farewell = 10s;
 constexpr std::size_t most_at_once = 1024;
+constexpr std::size_t longest_result = std::size_t{1} << 30;  // a message of MPI has up to 2³¹ − 1 bytes
+constexpr std::size_t most_bytes_at_once = std::size_t{1} << 20;
+
+/// Tells rank 0 why this rank can't work, and waits for its end.
+void refuse_to_serve(Ranks& ranks, const std::string& why) {
+    constexpr std::size_t longest = 1000;
+    ranks.send(0, message_of(MessageKind::refused, why.substr(0, longest)));
+    while (!is_interrupted()) {
+        if (const auto message = ranks.receive(); message && kind_of(message->bytes) == MessageKind::end)
+            return ranks.send(0, message_of(MessageKind::gone));
+        std::this_thread::sleep_for(glance);
+    }
+}
 
 /// Works until rank 0 says that it is the end.
 void serve(Ranks& ranks, int threads, const NamedWork& work) {
@@ -34,7 +47,19 @@ void serve(Ranks& ranks, int threads, const NamedWork& work) {
         told = std::chrono::steady_clock::now();
     };
     while (!is_interrupted()) {
-        if (const auto results = workers.results(); !results.empty()) say(message_of(results));
+        std::vector<PieceResult> some;
+        std::size_t bytes = 0;
+        for (PieceResult& result : workers.results()) {
+            if (result.bytes.size() > longest_result)
+                return refuse_to_serve(ranks, fmt::format("a result of {} bytes is outside its range: up to {}",
+                                                          result.bytes.size(), longest_result));
+            bytes += result.bytes.size();
+            some.push_back(std::move(result));
+            if (bytes < most_bytes_at_once) continue;
+            say(message_of(std::exchange(some, {})));
+            bytes = 0;
+        }
+        if (!some.empty()) say(message_of(some));
         while (const auto message = ranks.receive()) {
             if (kind_of(message->bytes) == MessageKind::end) return ranks.send(0, message_of(MessageKind::gone));
             workers.add(pieces_in(message->bytes));
@@ -45,17 +70,6 @@ void serve(Ranks& ranks, int threads, const NamedWork& work) {
             asked = true;
         }
         if (std::chrono::steady_clock::now() - told >= heartbeat) say(message_of(MessageKind::alive));
-        std::this_thread::sleep_for(glance);
-    }
-}
-
-/// Tells rank 0 why this rank can't work, and waits for its end.
-void refuse_to_serve(Ranks& ranks, const std::string& why) {
-    constexpr std::size_t longest = 1000;
-    ranks.send(0, message_of(MessageKind::refused, why.substr(0, longest)));
-    while (!is_interrupted()) {
-        if (const auto message = ranks.receive(); message && kind_of(message->bytes) == MessageKind::end)
-            return ranks.send(0, message_of(MessageKind::gone));
         std::this_thread::sleep_for(glance);
     }
 }

@@ -1,9 +1,10 @@
 #include "apps/sweep/basin_edge.hpp"
 
 #include "analysis/classification/basin_boundary.hpp"
-#include "analysis/classification/classify.hpp"
 #include "analysis/cycles/cycle.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
+#include "analysis/rotation/rotation_number.hpp"
+#include "analysis/rotation/weighted_birkhoff.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/sweep/basins.hpp"
 #include "apps/system/orbit_ending.hpp"
@@ -22,7 +23,7 @@ constexpr int longest_saddle = 32;        // impacts
 constexpr double comes_again = 1e-3;      // an orbit that does may be near a cycle
 constexpr double is_there = 1e-6;         // so near it has come to it
 constexpr double same_cycle = 1e-6;       // of their points
-constexpr double same_rotation = 1e-5;    // of a torus, in turns: it is known to 10⁻⁶
+constexpr double same_torus_mean = 2e-4;  // of S, relative to 1 or |S|: over few turns of its slowest angle
 constexpr std::size_t first_look = 2048;  // impacts after which a torus is looked for, and each time twice as many
 
 LeadsTo where(analysis::StraddleEnd end) {
@@ -32,6 +33,8 @@ LeadsTo where(analysis::StraddleEnd end) {
             return LeadsTo::saddle;
         case StraddleEnd::border:
             return LeadsTo::border;
+        case StraddleEnd::rounding:
+            return LeadsTo::rounding;
         case StraddleEnd::undecided:
             return LeadsTo::undecided;
         case StraddleEnd::ended:
@@ -99,41 +102,43 @@ bool BasinEdge<D>::is_at_cycle(const Points& orbit, Saddle& saddle) const {
     return false;
 }
 
-/// False of one that attracts: no edge leads there.
+/// False of one that attracts, or is neutral: no edge leads there.
 template <int D>
 bool BasinEdge<D>::take_cycle(const CyclePoints& cycle, Saddle& saddle) const {
     const auto shooting = analysis::shooting_residual(shooting_, cycle, 0);
     const auto multipliers = analysis::sorted_multipliers(analysis::monodromy(shooting));
-    if (multipliers.empty() || analysis::stability_of(multipliers) == analysis::Stability::stable) return false;
+    if (analysis::index_of(multipliers) == 0) return false;
     saddle.kind = cycle.size() == 1 ? analysis::Kind::fixed_point : analysis::Kind::cycle;
     saddle.points = cycle;
     saddle.period = static_cast<std::int64_t>(cycle.size());
     saddle.mean_spin = shooting.integral / shooting.duration;
     for (const auto& z : cycle) saddle.mean_spin_per_impact += z.tail(1)[0] / static_cast<double>(cycle.size());
     saddle.multiplier = std::abs(multipliers.front());
-    saddle.index = std::count_if(multipliers.begin(), multipliers.end(), [](const auto& m) { return std::abs(m) > 1; });
+    saddle.index = analysis::index_of(multipliers);
     return true;
 }
 
-/// Does the orbit's second half go round a torus?
+/// Does the orbit's second half go round a torus? Its means by weighted averages: those of both halves have to agree,
+/// or it is still on its way there.
 template <int D>
 bool BasinEdge<D>::is_torus(const Points& orbit, Saddle& saddle) const {
-    analysis::Tail<SceneMap<D>> tail;
-    tail.points.assign(orbit.begin() + static_cast<std::ptrdiff_t>(orbit.size() / 2), orbit.end());
-    const analysis::RotationNumber rotation = analysis::classification_detail::rotation_of(map_, tail);
-    if (rotation.outcome != analysis::RotationOutcome::quasi_periodic) return false;
-    saddle.kind = analysis::Kind::quasi_periodic;
-    saddle.points = {tail.points.front()};
-    saddle.rotation = rotation.rotation;
-    double time = 0, turned = 0, spins = 0;
-    for (const auto& point : tail.points) {
-        const auto step = map_.advance(map_.state_at(point));
-        time += step.duration;
-        turned += step.integral;
-        spins += point[SceneMap<D>::integrated];
+    std::vector<double> spins, times, turned;
+    for (auto point = orbit.begin() + static_cast<std::ptrdiff_t>(orbit.size() / 2); point != orbit.end(); ++point) {
+        const auto step = map_.advance(map_.state_at(*point));
+        spins.push_back((*point)[SceneMap<D>::integrated]);
+        times.push_back(step.duration);
+        turned.push_back(step.integral);
     }
-    saddle.mean_spin = turned / time;
-    saddle.mean_spin_per_impact = spins / static_cast<double>(tail.points.size());
+    const analysis::RotationNumber rotation = analysis::rotation_of_observable(spins);
+    if (rotation.outcome != analysis::RotationOutcome::quasi_periodic) return false;
+    const auto per_impact = analysis::weighted_birkhoff_average(spins);
+    if (!(per_impact.half_difference < same_torus_mean * std::max(1.0, std::abs(per_impact.average)))) return false;
+    saddle.kind = analysis::Kind::quasi_periodic;
+    saddle.points = {orbit.back()};
+    saddle.rotation = rotation.rotation;
+    saddle.mean_spin_per_impact = per_impact.average;
+    saddle.mean_spin =
+        analysis::weighted_birkhoff_average(turned).average / analysis::weighted_birkhoff_average(times).average;
     return true;
 }
 
@@ -144,7 +149,10 @@ bool is_same_saddle(const analysis::ShootingMap& map, const Saddle& a, const Sad
     if (a.kind != b.kind) return false;
     if (a.kind != analysis::Kind::quasi_periodic)
         return analysis::distance_between(map, a.points, b.points) < same_cycle;
-    return std::abs(a.rotation - b.rotation) < same_rotation;
+    const auto agree = [](double x, double y) {
+        return std::abs(x - y) < same_torus_mean * std::max(1.0, std::abs(x));
+    };
+    return agree(a.mean_spin, b.mean_spin) && agree(a.mean_spin_per_impact, b.mean_spin_per_impact);
 }
 
 }  // namespace swirl::apps::sweep

@@ -42,7 +42,7 @@ private:
 extern template class BasinEdge<disk_dimension>;
 extern template class BasinEdge<polygon_dimension>;
 
-/// Cycles by their points, tori by their rotation numbers: means along orbits that have just come there scatter.
+/// Cycles by their points, tori by their means of S: a rotation number is one up to m ρ + k.
 bool is_same_saddle(const analysis::ShootingMap& map, const Saddle& a, const Saddle& b);
 
 }  // namespace swirl::apps::sweep

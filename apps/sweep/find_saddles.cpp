@@ -17,7 +17,9 @@ namespace {
 
 /// Neighbours of the grid that came to different attractors.
 struct Neighbours {
-    std::size_t first, second;
+    std::size_t first = 0, second = 0;  ///< cells
+    std::int64_t from = 0, to = 0;      ///< their basins
+    RunResult attractor;                ///< of the first
 };
 
 std::vector<Neighbours> on_boundaries(const Sweep& sweep) {
@@ -31,7 +33,7 @@ std::vector<Neighbours> on_boundaries(const Sweep& sweep) {
             const std::size_t next = cell + stride;
             const bool known = basin[cell] != no_basin && basin[next] != no_basin;
             if (known && basin[cell] != basin[next] && sweep.is_visited(cell) && sweep.is_visited(next))
-                pairs.push_back({cell, next});
+                pairs.push_back({cell, next, basin[cell], basin[next], sweep.cell(cell).front()});
         }
     }
     return pairs;
@@ -52,28 +54,23 @@ struct Led {
 };
 
 template <int D>
-Led led_from(const SweepOptions& options, const Sweep& sweep, const Neighbours& between) {
-    constexpr int most_halvings = 60;  // of a step of the grid: to rounding
-    const std::vector<std::int64_t>& basin = sweep.basins->of_cell;
-    Led led{{cell_point(sweep.grid, between.first), basin[between.first], basin[between.second]}, {}};
-    const Scene<double> scene = cell_scene(options.scene, sweep.grid, between.first);
-    const BasinEdge<D> edge(scene, options.settings, options.output.accuracy(), sweep.cell(between.first).front());
-    std::vector<double> in = led.place.point, out = cell_point(sweep.grid, between.second);
+Led led_from(const SweepOptions& options, const std::vector<GridAxis>& grid, const Neighbours& between) {
+    constexpr int halvings = 40;  // of a step of the grid: to 10⁻¹², far above rounding
+    const Scene<double> scene = cell_scene(options.scene, grid, between.first);
+    const BasinEdge<D> edge(scene, options.settings, options.output.accuracy(), between.attractor);
+    std::vector<double> in = cell_point(grid, between.first), out = cell_point(grid, between.second);
     const auto start_at = [&](const std::vector<double>& point) {
-        return placed_start(options.start, scene, sweep.grid, point);
+        return placed_start(options.start, scene, grid, point);
     };
-    for (int i = 0; i < most_halvings; ++i) {
+    for (int i = 0; i < halvings; ++i) {
         std::vector<double> middle = in;
         for (std::size_t k = 0; k < in.size(); ++k) middle[k] += (out[k] - in[k]) / 2;
         if (middle == in || middle == out) break;
         const auto inside = edge.is_inside(start_at(middle));
-        if (!inside) {
-            led.place.leads_to = LeadsTo::undecided;
-            return led;
-        }
+        if (!inside) return {{middle, between.from, between.to, no_saddle, LeadsTo::undecided}, {}};
         (*inside ? in : out) = middle;
     }
-    led.place.point = in;
+    Led led{{in, between.from, between.to}, {}};
     led.place.leads_to = edge.follow(start_at(in), start_at(out), led.saddle);
     return led;
 }
@@ -117,9 +114,9 @@ bool find_saddles(const SweepOptions& options, Sweep& sweep) {
     const Scene<double> scene = cell_scene(options.scene, sweep.grid, 0);
     const auto led = std::make_shared<std::vector<Led>>(pairs.size());
     Progress progress("sweep: saddles", static_cast<double>(pairs.size()), options.output.quiet);
-    const auto look = [&options, &sweep, pairs, led, disk = scene.is_disk()](std::size_t i) -> KeepResult {
-        const auto found = std::make_shared<Led>(disk ? led_from<disk_dimension>(options, sweep, pairs[i])
-                                                      : led_from<polygon_dimension>(options, sweep, pairs[i]));
+    const auto look = [&options, grid = sweep.grid, pairs, led, disk = scene.is_disk()](std::size_t i) -> KeepResult {
+        const auto found = std::make_shared<Led>(disk ? led_from<disk_dimension>(options, grid, pairs[i])
+                                                      : led_from<polygon_dimension>(options, grid, pairs[i]));
         if (is_interrupted()) return {};
         return [led, i, found] { (*led)[i] = std::move(*found); };
     };

@@ -53,9 +53,11 @@ void print_saddles(const Boundaries& boundaries) {
         return std::count_if(boundaries.places.begin(), boundaries.places.end(),
                              [&](const BoundaryPlace& place) { return place.leads_to == where; });
     };
-    fmt::print("boundaries of basins at {} places: {} lead to a saddle, {} to a border, {} undecided, {} not found\n",
-               boundaries.places.size(), count(LeadsTo::saddle), count(LeadsTo::border), count(LeadsTo::undecided),
-               count(LeadsTo::ended) + count(LeadsTo::not_found));
+    fmt::print("boundaries of basins at {} places:", boundaries.places.size());
+    for (const LeadsTo where :
+         {LeadsTo::saddle, LeadsTo::border, LeadsTo::rounding, LeadsTo::undecided, LeadsTo::ended, LeadsTo::not_found})
+        if (count(where) > 0) fmt::print(" {} {}", name_of(where), count(where));
+    fmt::print("\n");
     if (!boundaries.saddles.empty()) print_table(saddle_table(), boundaries.saddles);
 }
 

@@ -16,6 +16,8 @@ std::string_view name_of(LeadsTo where) {
             return "saddle";
         case LeadsTo::border:
             return "border";
+        case LeadsTo::rounding:
+            return "rounding";
         case LeadsTo::undecided:
             return "undecided";
         case LeadsTo::ended:
@@ -46,7 +48,7 @@ Table<BoundaryPlace> place_table(const std::vector<GridAxis>& grid) {
     }
     table.fields.emplace_back("from", &Place::from, "1", "basin on one side: place in the group basins");
     table.fields.emplace_back("to", &Place::to, "1", "basin on the other");
-    table.fields.emplace_back("leads_to", leads_to, "", "saddle, border, undecided, ended, not-found");
+    table.fields.emplace_back("leads_to", leads_to, "", "saddle, border, rounding, undecided, ended, not-found");
     table.fields.push_back(F{"saddle", &Place::saddle, "1", "place in the group saddles; -1: none"}.json_as(saddle));
     return table;
 }
@@ -80,7 +82,8 @@ Table<Saddle> saddle_table() {
              "index", dash_for_zero(" {:>6}")),
          F{"multiplier", &Saddle::multiplier, "1", "of a cycle: its largest |multiplier|"}.shown("|multiplier|",
                                                                                                  " {:>12.6g}"),
-         F{"rotation_number", &Saddle::rotation, "1", "of a torus: turns per impact"}.shown("rotation", " {:>11.7g}"),
+         F{"rotation_number", &Saddle::rotation, "1", "of a torus: the strongest line of S, turns per impact"}.shown(
+             "rotation", " {:>11.7g}"),
          F{"places", &Saddle::places, "1", "on the boundaries that lead to it"}.shown("places", " {:>7}"),
          F{"share", &Saddle::share, "1", "of all places"}.shown("share", {"  {:>10}", in_percent}),
          {"share_low", low, "1", "from this share on, by Wilson's interval"},

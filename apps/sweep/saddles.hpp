@@ -21,6 +21,7 @@ inline constexpr std::int64_t no_saddle = -1;
 enum class LeadsTo {
     saddle,     ///< an unstable cycle or torus, whose stable set it is
     border,     ///< the map jumps there
+    rounding,   ///< the verdict on a start is another one step later: the basins are mixed down to rounding
     undecided,  ///< in between the verdict names no attractor
     ended,      ///< no next impact
     not_found,  ///< neither a cycle of up to 32 impacts nor a torus along 40,000, as on a chaotic saddle
@@ -29,7 +30,7 @@ std::string_view name_of(LeadsTo where);
 
 /// A place between two neighbouring starts that came to different attractors.
 struct BoundaryPlace {
-    std::vector<double> point;        ///< of the boundary there, by the grid's axes, to some 10⁻¹² of a step
+    std::vector<double> point;  ///< by the grid's axes: on the boundary to 10⁻¹² of a step; undecided: that start
     std::int64_t from = 0, to = 0;    ///< the basins of the two
     std::int64_t saddle = no_saddle;  ///< its place in the list, where one was found
     LeadsTo leads_to = LeadsTo::not_found;
@@ -40,14 +41,15 @@ struct Saddle {
     analysis::Kind kind = analysis::Kind::cycle;  ///< fixed_point, cycle or quasi_periodic
     std::vector<Eigen::VectorXd> points;          ///< of a cycle all, of a torus one
     std::int64_t period = 0;
-    double mean_spin = 0;                                          ///< over time; of a torus over 1,000 impacts or more
-    double mean_spin_per_impact = 0;                               ///< likewise
+    double mean_spin = 0;             ///< over time; of a torus a weighted average over 1,000 impacts or more
+    double mean_spin_per_impact = 0;  ///< likewise
     double multiplier = std::numeric_limits<double>::quiet_NaN();  ///< the largest |multiplier| of a cycle
     std::int64_t index = 0;  ///< how many of a cycle's multipliers lie outside the unit circle
-    double rotation = std::numeric_limits<double>::quiet_NaN();  ///< of a torus: turns per impact
-    std::int64_t places = 0;                                     ///< that lead to it
-    double share = 0;                                            ///< of all places
-    Interval interval = {};                                      ///< Wilson's
+    double rotation =
+        std::numeric_limits<double>::quiet_NaN();  ///< of a torus: the strongest line of S, in turns per impact
+    std::int64_t places = 0;                       ///< that lead to it
+    double share = 0;                              ///< of all places
+    Interval interval = {};                        ///< Wilson's
 };
 
 struct Boundaries {

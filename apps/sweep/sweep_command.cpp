@@ -5,7 +5,6 @@
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
-#include "apps/record/posix_file.hpp"
 #include "apps/sweep/run_cells.hpp"
 #include "apps/sweep/starts.hpp"
 #include "apps/sweep/tracks.hpp"
@@ -33,8 +32,8 @@ results. --sample takes points that fill the box in place of a grid: Sobol's seq
 is the attractor there to which it comes, if that one leads back to it; chaos, tori and motions on the wall are one where
 each of the two cells has one of them. Attractors get a number, track, in document and record; `swirl plot` draws the shares by it.
 --saddles PLACES, of a map of basins: between neighbouring starts that came to different attractors, at so many places evenly
-spread, the boundary is found to rounding and followed to the unstable cycle whose stable set it is (or to a border, where the
-map jumps): saddles with their multipliers and how many places lead to each.
+spread, the boundary is found to 1e-12 of a step and followed to the unstable cycle or torus whose stable set it is, or to a
+border, where the map jumps: saddles with their multipliers and how many places lead to each (the other endings: docs/command-line.md).
 --shard i/n does the i-th of n parts; `swirl join` makes the record of the whole of them.
 
 Examples:
@@ -137,11 +136,8 @@ bool look_into_results(const SweepOptions& options, Sweep& sweep) {
 
 /// What can be known of the record before any work.
 void check_output(const SweepOptions& options) {
-    const std::string& path = options.output.record;
-    if (path.empty()) return;
-    require_no_input(path, {options.scene.file()});
-    if (const auto obstacle = obstacle_to_creating(path))
-        throw BadInput(fmt::format("cannot create record '{}': {}", path, *obstacle));
+    require_no_input(options.output.record, {options.scene.file()});
+    require_creatable(options.output);
 }
 
 /// Writes the record of a finished sweep. What can't be written stays in the journal.

@@ -199,11 +199,15 @@ void write_axis(const RecordGroup& group, const GridAxis& axis) {
     group.write_strings(dimension_of(axis), along, words, {"1", "parameter " + axis.name, {}});
 }
 
+/// A group without rows is left out.
 void write_boundaries(const RecordGroup& root, const Sweep& sweep) {
-    const RecordGroup saddles = root.group("saddles");
-    saddles.dimension("coordinate", polygon_dimension);
-    write_record(saddles, saddle_table(), sweep.boundaries->saddles);
-    write_record(root.group("boundary"), place_table(sweep.grid), sweep.boundaries->places);
+    if (!sweep.boundaries->saddles.empty()) {
+        const RecordGroup saddles = root.group("saddles");
+        saddles.dimension("coordinate", polygon_dimension);
+        write_record(saddles, saddle_table(), sweep.boundaries->saddles);
+    }
+    if (!sweep.boundaries->places.empty())
+        write_record(root.group("boundary"), place_table(sweep.grid), sweep.boundaries->places);
 }
 
 }  // namespace

@@ -61,19 +61,20 @@ def _saddle_words(record, saddle):
 
 
 def _places(record, grid):
-    """The places on boundaries that were followed: by saddle, and those that lead to none."""
+    """The places on boundaries that were followed, by saddle, and those that lead to none: where, in words, its look."""
     if "boundary" not in record:
         return
-    saddle, leads_to = record.column("boundary", "saddle"), record.column("boundary", "leads_to").astype(str)
+    saddle, leads_to = record.column("boundary", "saddle"), record.names("boundary", "leads_to")
     at = [record.column("boundary", axis) for axis in grid.axes]
     groups = [(saddle == number, mark, "w", _saddle_words(record, number))
               for number, mark in zip(range(4), "os^D") if (saddle == number).any()]
     groups.append((saddle >= 4, "P", "w", "other saddles"))
     groups.append((leads_to == "border", "x", "k", "boundary on a border"))
-    groups.append(((saddle < 0) & (leads_to != "border"), "+", "k", "boundary, no saddle found"))
+    groups.append((leads_to == "rounding", "+", "k", "mixed down to rounding"))
+    groups.append(((saddle < 0) & (leads_to != "border") & (leads_to != "rounding"), "1", "k", "no saddle found"))
     for chosen, mark, fill, words in groups:
         if chosen.any():
-            yield {"at": [values[chosen] for values in at], "marker": mark, "mfc": fill, "label": words}
+            yield [values[chosen] for values in at], words, {"ls": "", "ms": 5, "mec": "k", "mew": 0.8, "marker": mark, "mfc": fill}
 
 
 def draw_into(figure, record, look):
@@ -85,13 +86,13 @@ def draw_into(figure, record, look):
     if (basins < 0).any():
         handles.append(Patch(fc=NO_VALUE, ec="0.3", lw=0.5, label=f"no verdict ({100 * (basins < 0).mean():.3g} %)"))
     look.title(figure, f"{scene_title(grid.scene)}\nbasins of attraction, {grid.starts} in each cell")
-    handles += [Line2D([], [], ls="", ms=5, mec="k", mew=0.8, marker=place["marker"], mfc=place["mfc"], label=place["label"])
-                for place in _places(record, grid)]
+    places = list(_places(record, grid))
+    handles += [Line2D([], [], label=label, **style) for _, label, style in places]
     parts = LegendBelow(figure)
     parts.fill(handles, look)
     axes = parts.above.subplots()
     draw_cells(axes, grid, numpy.where(basins < 0, numpy.nan, basins), cmap=ListedColormap(colours or [NO_VALUE]),
                norm=BoundaryNorm(numpy.arange(max(len(colours), 1) + 1) - 0.5, max(len(colours), 1)))
-    for place in _places(record, grid):
-        axes.plot(*place.pop("at"), ls="", ms=5, mec="k", mew=0.8, zorder=5, clip_on=False, **place)
+    for at, _, style in places:
+        axes.plot(*at, zorder=5, clip_on=False, **style)
     return [axes]

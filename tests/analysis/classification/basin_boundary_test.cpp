@@ -68,6 +68,10 @@ TEST(BasinBoundary, EndsWhereNobodyKnowsAndWhereItIsStopped) {
     EXPECT_EQ(follow_boundary(map, inside, outside, unknown, never), StraddleEnd::undecided);
     const auto known = [&](const Vector<2>& z) { return stays(map, z); };
     EXPECT_EQ(follow_boundary(map, inside, outside, known, never, {}, [] { return true; }), StraddleEnd::not_found);
+    // Inside is what it was for the first 60 questions only: the end that is asked for again has lost its side.
+    int asked = 0;
+    const auto forgets = [&](const Vector<2>& z) -> std::optional<bool> { return ++asked <= 60 && *stays(map, z); };
+    EXPECT_EQ(follow_boundary(map, inside, outside, forgets, never), StraddleEnd::rounding);
     StraddleOptions few;
     few.most_questions = 100;  // 43 halve the first time
     EXPECT_EQ(follow_boundary(map, inside, outside, known, never, few), StraddleEnd::not_found);

@@ -1,8 +1,6 @@
 """swirl sweep over numbers of the start: basins of attraction. basins_test.py SWIRL"""
 
-import cmath
 import json
-import math
 import unittest
 
 import h5py
@@ -53,46 +51,6 @@ class Basins(Refusing):
         for basin in found["basins"]:
             self.assertAlmostEqual(basin["share"], basin["starts"] / 625, delta=1e-15)
             self.assertTrue(basin["share_low"] < basin["share"] < basin["share_high"], basin)
-
-    def test_a_boundary_leads_to_the_torus_around_the_steady_mode(self):
-        """Around a stable fixed point whose pair of multipliers nears the unit circle: the torus turns about as the pair
-        does, and every place lies between starts that come to different attractors."""
-        scene = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"
-        steady, = (m for m in document(f"describe {scene}")["steady_modes"] if m["stability"] == "stable")
-        turns = abs(cmath.phase(complex(*steady["multipliers"][0]))) / (2 * math.pi)
-        grid = "--grid vx=-1:1:9 --grid vy=-1:1:9"
-        path = self.folder / "b.h5"
-        found = document(f"sweep {scene} {grid} --saddles 8 -o {path}")
-        torus, = found["saddles"]
-        self.assertEqual((torus["kind"], torus["period"], torus["index"], torus["multiplier"]),
-                         ("quasi-periodic", None, None, None))
-        self.assertAlmostEqual(torus["rotation_number"], turns, delta=0.005)
-        self.assertAlmostEqual(torus["mean_S"], steady["S"], delta=0.01)
-        self.assertEqual(len(found["boundary"]), 8)
-        self.assertEqual(torus["places"], sum(place["saddle"] == 0 for place in found["boundary"]))
-        self.assertGreaterEqual(torus["places"], 5)
-        for place in found["boundary"]:
-            self.assertEqual(place["leads_to"] == "saddle", place["saddle"] == 0)
-            here = {name: abs(value / 0.25 - round(value / 0.25)) > 1e-9 for name, value in place["parameters"].items()}
-            self.assertEqual(sum(here.values()), 1, place)  # between two neighbours, along one axis
-            along = next(name for name in here if here[name])
-            at = place["parameters"][along]
-            kinds = [document(f"classify {scene} " + " ".join(f"--{k}={v!r}" for k, v in {**place["parameters"], along: x}.items()))
-                     ["kind"] for x in (at, math.nextafter(at, -2), math.nextafter(at, 2))]
-            self.assertEqual(kinds[0], found["basins"][place["from"]]["kind"], place)
-            self.assertIn(found["basins"][place["to"]]["kind"], kinds[1:], place)  # the next double is outside
-        with h5py.File(path) as record:
-            self.assertEqual(list(record["boundary/saddle"][:] == 0), [place["saddle"] == 0 for place in found["boundary"]])
-            self.assertAlmostEqual(record["saddles/rotation_number"][0], torus["rotation_number"], delta=1e-15)
-        self.assertEqual(run(f"plot {path} -o {self.folder}/b.svg").returncode, 0)
-        self.assertIn("holds this sweep already", run(f"sweep {scene} {grid} --saddles 8 -o {path}").stderr)
-        self.assertIn("lead to a saddle", run(f"sweep {scene} {grid} --saddles 2").stdout)
-
-    def test_boundaries_are_those_of_one_scene(self):
-        self.refused(f"sweep {TWO} --grid beta=.4:.5:3 --saddles 4", "saddles = 4")
-        self.refused(f"sweep {TWO} --grid beta=.4:.5:3 --grid vx=0:1:3 --saddles 4", "saddles = 4")
-        self.refused(f"sweep {TWO} --grid vx=-.4:.4 --grid spin=-1:1 --sample sobol:9 --saddles 4", "saddles = 4")
-        self.refused(f"sweep {TWO} {PLANE} --saddles 0", "saddles")
 
     def test_what_keeps_the_spin_of_its_start_is_one(self):
         """Without friction a disk slides on with the spin it has: not one attractor for each spin."""

@@ -82,7 +82,7 @@ void require_all(const std::vector<ReadShard>& shards, const std::vector<std::st
         const std::string differs = different_setting(shards.front().settings, shards[i].settings);
         if (!differs.empty())
             throw BadInput(
-                fmt::format("record '{}' was made with another value of {} than in '{}'", paths[i], differs, paths[0]));
+                fmt::format("record '{}' was made with another {} than in '{}'", paths[i], differs, paths[0]));
         if (seen[static_cast<std::size_t>(shard.number - 1)]++)
             throw BadInput(fmt::format("shard {}/{} is given twice, last as '{}'", shard.number, of, paths[i]));
     }

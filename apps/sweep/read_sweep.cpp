@@ -12,10 +12,10 @@ void read_sweep(const std::string& path, Sweep& sweep) {
         throw BadInput(
             fmt::format("record '{}' is not a sweep's: name another file, or replace it with --force", path));
     const auto differs = [&](const std::string& name) {
-        throw BadInput(fmt::format(
-            "record '{}' was made with another value of {}; give the same, or another file, or replace it with "
-            "--force",
-            path, name));
+        throw BadInput(
+            fmt::format("record '{}' was made with another {}; give the same, or another file, or replace it with "
+                        "--force",
+                        path, name));
     };
     for (const auto& [name, value] : sweep.settings)
         if (!record.has_attribute("/settings", name) || record.attribute("/settings", name) != value) differs(name);

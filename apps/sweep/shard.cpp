@@ -119,10 +119,10 @@ void read_shard(const std::string& path, Sweep& sweep) {
     const bool same = read.shard.number == sweep.shard->number && read.shard.of == sweep.shard->of;
     const std::string differs = same ? different_setting(sweep.settings, read.settings) : "shard";
     if (!differs.empty())
-        throw BadInput(fmt::format(
-            "record '{}' was made with another value of {}; give the same, or another file, or replace it with "
-            "--force",
-            path, differs));
+        throw BadInput(
+            fmt::format("record '{}' was made with another {}; give the same, or another file, or replace it with "
+                        "--force",
+                        path, differs));
     put(path, read, sweep);
 }
 

@@ -169,7 +169,7 @@ std::map<std::string, Kind> compare_phases_along_parameters(int phases, std::uin
 }
 
 TEST(ContactPhaseDerivative, IsWhatDifferencesIn113BitsGive) {
-    const auto kinds = compare_phases(60, 3);
+    const auto kinds = compare_phases(45, 3);
     EXPECT_GE(kinds.size(), 5U);
     for (const auto& [name, kind] : kinds) {
         EXPECT_GE(kind.compared, 5) << name;

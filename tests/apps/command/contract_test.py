@@ -279,6 +279,15 @@ class Help(InFolder):
         self.check_examples(shown, "help")
         self.check_examples([one for one in readme if one not in shown or ".h5" in one], "readme")
 
+    def test_what_quickstart_says_to_try_next_runs(self):
+        script = (ROOT / "quickstart").read_text()
+        tried = re.findall(r"^\$build/apps/swirl (.*)$", script.split("try next")[1], re.M)
+        self.assertEqual(len(tried), 3)
+        self.assertEqual(run(f"tour --quiet -o {self.folder}/swirl-tour.h5").returncode, 0)
+        for command in tried:
+            result = run(command.replace("$record", "swirl-tour.h5"), cwd=self.folder)
+            self.assertEqual(result.returncode, 0, (command, result.stderr))
+
     def test_version(self):
         self.assertRegex(run("--version").stdout, r"^swirl \d+\.\d+\.\d+")
 

@@ -19,7 +19,8 @@
 namespace swirl {
 namespace {
 
-using tests::Landing, tests::most, tests::Passage, tests::passage, tests::random_landing, tests::usual, tests::widened;
+using tests::Landing, tests::most, tests::ContactReturn, tests::contact_return, tests::random_landing, tests::usual,
+    tests::widened;
 using Kind = tests::ComparedDerivatives;
 
 template <int D>
@@ -27,7 +28,8 @@ using Column = Eigen::Matrix<double, D, 1>;
 
 /// (to − from)/h, angles as angles.
 template <Shape shape>
-Column<section_dimension<shape>> quotient(const Passage<Quad>& to, const Passage<Quad>& from, const Quad& h) {
+Column<section_dimension<shape>> quotient(const ContactReturn<Quad>& to, const ContactReturn<Quad>& from,
+                                          const Quad& h) {
     const auto x = coordinates<shape>(section_point(to.after)), y = coordinates<shape>(section_point(from.after));
     Column<section_dimension<shape>> q;
     const int angles = shape == Shape::disk ? 1 : 2;
@@ -46,11 +48,11 @@ bool sticks(const ContactKinematics<T>& u) {
     return abs(u.ut) < T(1e-14);
 }
 
-/// The one-sided derivative of the passage along coordinate j, on the side of h: v_n goes along so that u_n stays what
+/// The one-sided derivative of the return along coordinate j, on the side of h: v_n goes along so that u_n stays what
 /// it is, and where the impact before sticks v_t so that u_t does. Nothing if a neighbour goes another way.
 template <class Map>
 std::optional<Column<section_dimension<Map::shape>>> derivative_along(const Map& map, const PostImpactState<Quad>& from,
-                                                                      const Passage<Quad>& known, int j,
+                                                                      const ContactReturn<Quad>& known, int j,
                                                                       const Quad& h) {
     constexpr Shape shape = Map::shape;
     constexpr int vn = section_dimension<shape> - 3;
@@ -61,7 +63,7 @@ std::optional<Column<section_dimension<Map::shape>>> derivative_along(const Map&
         PostImpactState<Quad> near = post_impact_state(section_point<shape>(c));
         if (sticks(u)) near.vt += u.ut - contact_kinematics(map.body(), near).ut;
         if (j != vn) near.vn += u.un - contact_kinematics(map.body(), near).un;
-        return passage(map, near);
+        return contact_return(map, near);
     };
     const auto near = at(h), beyond = at(2 * h);
     if (!near || !beyond || near->supports != known.supports || beyond->supports != known.supports) return {};
@@ -74,7 +76,7 @@ template <class Map>
 std::optional<Column<section_dimension<Map::shape>>> derivative_along_parameter(const Scene<Quad>& scene,
                                                                                 Parameter parameter,
                                                                                 const PostImpactState<Quad>& from,
-                                                                                const Passage<Quad>& known,
+                                                                                const ContactReturn<Quad>& known,
                                                                                 const Quad& h) {
     const ContactKinematics<Quad> u = contact_kinematics(make_body(scene), from);
     const auto at = [&](const Quad& step) {
@@ -85,7 +87,7 @@ std::optional<Column<section_dimension<Map::shape>>> derivative_along_parameter(
         const ContactKinematics<Quad> there = contact_kinematics(map.body(), near);
         if (sticks(u)) near.vt += u.ut - there.ut;
         near.vn += u.un - there.un;
-        return passage(map, near);
+        return contact_return(map, near);
     };
     const auto near = at(h), beyond = at(2 * h);
     if (!near || !beyond || near->supports != known.supports || beyond->supports != known.supports) return {};
@@ -138,7 +140,7 @@ struct Compared {
     const ReturnMap<Map>& returns;
     const Wide& wide;
     PostImpactState<Quad> from;
-    Passage<Quad> reference;
+    ContactReturn<Quad> reference;
     SectionPoint<double> z;
     ReturnStep<double> known;
     Eigen::Matrix<double, dimension, dimension> derivative;
@@ -209,8 +211,8 @@ void compare(const Landing& landing, std::map<std::string, Kind>& kinds) {
         if (known.outcome != Outcome::completed || known.contacts.empty()) return;
         const typename Compared<Map>::Wide wide(tests::scene_in<Quad>(landing.scene));
         const PostImpactState<Quad> from = widened(wide.body(), landing.from);
-        const auto reference = passage(wide, from);
-        const auto in_double = passage(map, landing.from);
+        const auto reference = contact_return(wide, from);
+        const auto in_double = contact_return(map, landing.from);
         if (!reference || !in_double || reference->supports != in_double->supports) return;
         const Compared<Map> compared{returns,
                                      wide,

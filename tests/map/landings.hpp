@@ -17,22 +17,23 @@ inline char digit(Support support) {
 
 /// A landing and the impact that ends the contact after it.
 template <class T>
-struct Passage {
+struct ContactReturn {
     PostImpactState<T> after;
     T time{}, turned{}, work{};  ///< from the start; `work` also by the impacts on the way
     T exchanged{};               ///< Σ of the magnitudes of J's changes
-    std::string way;             ///< the supports and how they ended: passages are compared where it is the same
+    std::string way;             ///< the supports and how they ended: returns are compared where it is the same
     std::string supports;        ///< the supports alone, the last event and the impact
     double landing_error = 0;
 };
 
 /// From just after an impact through chatter and the next contact, to the impact after it.
 template <class Map>
-std::optional<Passage<typename Map::Number>> passage(const Map& map, const PostImpactState<typename Map::Number>& z) {
+std::optional<ContactReturn<typename Map::Number>> contact_return(const Map& map,
+                                                                  const PostImpactState<typename Map::Number>& z) {
     using T = typename Map::Number;
     using std::abs;
     const ReturnMap<Map> returns(map);
-    Passage<T> p;
+    ContactReturn<T> p;
     PostImpactState<T> at = z;
     for (int i = 0; i < 1000; ++i) {
         const ReturnStep<T> step = returns.advance(at, 50);

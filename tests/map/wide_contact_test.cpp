@@ -13,11 +13,11 @@
 namespace swirl {
 namespace {
 
-using tests::Landing, tests::Passage, tests::passage, tests::random_landing, tests::widened;
+using tests::Landing, tests::ContactReturn, tests::contact_return, tests::random_landing, tests::widened;
 
 /// Differences of place, velocities and times.
 template <class T>
-std::array<double, 9> differences(const Passage<T>& a, const Passage<Quad>& b) {
+std::array<double, 9> differences(const ContactReturn<T>& a, const ContactReturn<Quad>& b) {
     const auto less = [](const T& x, const Quad& y) { return static_cast<double>(Quad(x) - y); };
     const PostImpactState<T>& z = a.after;
     const PostImpactState<Quad>& w = b.after;
@@ -32,9 +32,9 @@ double largest(const std::array<double, 9>& list) {
     return most;
 }
 
-/// By how much the end of a passage changes with its start, the largest of the directions.
+/// By how much the end of a return changes with its start, the largest of the directions.
 template <class Map>
-double condition_of(const Map& map, const PostImpactState<Quad>& from, const Passage<Quad>& known) {
+double condition_of(const Map& map, const PostImpactState<Quad>& from, const ContactReturn<Quad>& known) {
     const Quad h(1e-15);
     double condition = 1;
     for (int i = 0; i < 5; ++i) {
@@ -42,7 +42,7 @@ double condition_of(const Map& map, const PostImpactState<Quad>& from, const Pas
         Quad* const numbers[] = {&near.psi, &near.chi, &near.vn, &near.vt, &near.spin};
         if (i == 1 && Map::shape == Shape::disk) continue;
         *numbers[i] += i == 2 ? Quad(-h) : h;  // away from the wall
-        const auto beside = passage(map, post_impact_state(near));
+        const auto beside = contact_return(map, post_impact_state(near));
         if (beside && beside->way == known.way)
             condition = std::max(condition, largest(differences(*beside, known)) / static_cast<double>(h));
     }
@@ -60,7 +60,7 @@ template <class T>
 void compare(const Landing& landing, Tally& tally) {
     with_collision_map(tests::scene_in<Quad>(landing.scene), [&](const auto& wide_map) {
         const auto from = widened(wide_map.body(), landing.from);
-        const auto reference = passage(wide_map, from);
+        const auto reference = contact_return(wide_map, from);
         if (!reference) return;
         const Quad balance =
             jacobi_of(wide_map.body(), reference->after) - jacobi_of(wide_map.body(), from) - reference->work;
@@ -68,7 +68,7 @@ void compare(const Landing& landing, Tally& tally) {
             tally.balance, std::abs(static_cast<double>(balance)) / (1 + static_cast<double>(reference->exchanged)));
         EXPECT_LE(reference->landing_error, 16 * static_cast<double>(epsilon<Quad>()));
         with_collision_map(tests::scene_in<T>(landing.scene), [&](const auto& map) {
-            const auto found = passage(map, widened(map.body(), landing.from));
+            const auto found = contact_return(map, widened(map.body(), landing.from));
             if (!found || found->way != reference->way) return void(++tally.other_way);
             const double condition = condition_of(wide_map, from, *reference);
             const double difference = largest(differences(*found, *reference));

@@ -211,7 +211,7 @@ class InContact(unittest.TestCase):
             self.assertIn("every 4th", refused.stderr)
 
     def test_a_period_that_only_rounding_closes_is_none(self):
-        # Double returns after 48 impacts, 80 bits after 127: chaos between landings that forget everything.
+        # Double returns after 48 impacts, 80 bits after 127: chaos between superstable landings (DF nilpotent).
         found = document("classify --sides 3 --alpha 0.3259 --beta 0.2656 --mu 1 --restitution 0 --law newton --seed 150")
         self.assertEqual((found["mode"], found["kind"], found["period"]), ("undecided", None, None))
         self.assertIn("growth of rounding along the period", [e["name"] for e in found["evidence"]])

@@ -25,7 +25,7 @@ struct Truth {
 
 /// In this order: the smallest k ≤ tail/2 with |z_{i+k} − z_i| ≤ 10⁻⁹ all along the tail's last quarter (k = 1 steady,
 /// else quasi-steady; undecided if the orbit loses the period, to 10⁻⁷, when it is shaken by 10⁻¹³ at every impact:
-/// where chaos lies between landings that forget everything, it is an accident of rounding); a largest exponent over 5
+/// where chaos lies between superstable landings, it is an accident of rounding); a largest exponent over 5
 /// standard errors (and growth of e²⁰ at least, more than a bounded sum leaves), from a neighbour 10⁻⁸ away that is
 /// drawn back there after every impact, no derivative: chaotic; a rotation number and a size that lasts: quasi-steady.
 /// None of these: undecided.

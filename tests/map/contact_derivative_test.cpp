@@ -266,7 +266,7 @@ void expect_exact(const std::map<std::string, Kind>& kinds, double bound) {
 }
 
 TEST(ContactDerivative, IsWhatDifferencesIn113BitsGive) {
-    const auto kinds = compare_landings(6, 1);
+    const auto kinds = compare_landings(5, 1);
     EXPECT_GE(kinds.size(), 3U);  // a rim's release, a vertex's release and strike
     expect_exact(kinds, usual);   // measured: 9e-12
 }

@@ -53,7 +53,8 @@ std::vector<Attractor> follow_way(const BifurcateOptions& options, ParameterRang
 
 }  // namespace
 
-/// Start r of column c is piece c R + r. It holds what it uses: after an interruption it may outlive the diagram.
+/// Start r of column c is piece c R + r. It holds what it uses but the options, which live until the process ends:
+/// after an interruption it may outlive the diagram.
 NamedWork work_of(const BifurcateOptions& options, const Diagram& diagram) {
     std::vector<double> values;
     for (const auto& column : diagram.columns) values.push_back(column.parameter);

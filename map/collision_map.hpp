@@ -60,23 +60,33 @@ public:
     }
 
     /// The impact at a moment known to be the contact of the vertex at X + `arm`; fills all that depends on it.
+    ///   vertex  its number: what rounding left out of its tabled direction is made up for (0: nothing is)
     [[gnu::always_inline]] void strike(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm,
-                                       Collision<T>& collision) const {
-        const Vec2<T> x = shape == Shape::disk ? body_.per_inner * at.centre : at.centre + arm;
+                                       Collision<T>& collision, int vertex = 0) const {
+        const Vec2<T> x = shape == Shape::disk ? body_.spread_per_inner * at.centre : at.centre + arm;
+        const Vec2<T> seen = seen_from(x, flight.velocity);
         const T longer = missing_length(x);  // at a contact |x| = 1 but for rounding
-        const Vec2<T> velocity = seen_from(x, flight.velocity);
+        // ψ = arg n − arg w, χ = arg r − arg n
         PostImpactState<T>& after = collision.after;
-        after.psi = renormalised(seen_from(at.phase, x));  // ψ = arg n − arg w
-        if constexpr (shape == Shape::disk)
+        Vec2<T> velocity;
+        if constexpr (shape == Shape::disk) {
+            after.psi = renormalised(seen_from(at.phase, x));
             after.chi = {T(1), T(0)};
-        else
-            after.chi = renormalised(body_.per_alpha * seen_from(x, arm));
-        after.vn = velocity.x + longer * velocity.x;
-        after.vt = velocity.y + longer * velocity.y;
+            velocity = seen + longer * seen;
+            collision.normal = x + longer * x;
+        } else {
+            const T turn = cross(x, body_.rest_of_vertex(at.arm, vertex));  // from x to the true n
+            const Vec2<T> correction{longer, turn};
+            after.psi = renormalised(seen_from(at.phase, x), turn);
+            after.chi = renormalised(body_.spread_per_alpha * seen_from(x, arm), T(body_.rest_angle(vertex) - turn));
+            velocity = seen + seen_from(correction, seen);
+            collision.normal = x + times(correction, x);
+        }
+        after.vn = velocity.x;
+        after.vt = velocity.y;
         after.spin = flight.spin;
         collision.outcome = FirstContactOutcome::contact;
         collision.flight_time = at.time;
-        collision.normal = x + longer * x;
         apply_impact(collision);
     }
 
@@ -94,7 +104,7 @@ private:
 
     [[gnu::always_inline]] void arrive(const Flight<T>& flight, const FirstContact<T>& contact,
                                        Collision<T>& collision) const {
-        strike(flight, contact.at, contact.arm, collision);
+        strike(flight, contact.at, contact.arm, collision, contact.vertex);
         collision.steps = contact.steps;
         collision.vertex_step = contact.vertex;
         collision.simultaneous = contact.simultaneous;

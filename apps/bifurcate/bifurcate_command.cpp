@@ -105,13 +105,7 @@ Diagram planned(BifurcateOptions& options) {
     return diagram;
 }
 
-}  // namespace
-
-int bifurcate(BifurcateOptions& options) {
-    Ranks ranks;
-    if (ranks.number() > 0)
-        return take_part(ranks, options.output.threads, [&] { return work_of(options, planned(options)); });
-    HandOut hand_out(ranks, options.output.quiet);
+int draw_diagram(BifurcateOptions& options, HandOut& hand_out) {
     Diagram diagram = planned(options);
     require_output(options.output, {options.scene.file()});
     require_creatable(options.output);
@@ -137,6 +131,14 @@ int bifurcate(BifurcateOptions& options) {
         tell(fmt::format("swirl: {:.2f} s",
                          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
     return diagram.interrupted ? exit_interrupted : exit_done;
+}
+
+}  // namespace
+
+int bifurcate(BifurcateOptions& options) {
+    return on_all_ranks(
+        options.output.quiet, options.output.threads, [&] { return work_of(options, planned(options)); },
+        [&](HandOut& hand_out) { return draw_diagram(options, hand_out); });
 }
 
 }  // namespace swirl::apps::bifurcate

@@ -102,13 +102,7 @@ void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     found.first = std::move(first);
 }
 
-}  // namespace
-
-int classify_runs(ClassifyCommandOptions& options) {
-    Ranks ranks;
-    if (ranks.number() > 0)
-        return take_part(ranks, options.output.threads, [&] { return work_of(options, planned(options)); });
-    HandOut hand_out(ranks, options.output.quiet);
+int name_runs(ClassifyCommandOptions& options, HandOut& hand_out) {
     require_output(options.output, {options.scene.file(), options.input.record, options.input.series.file});
     const Scene<double> scene = planned(options);
     require_creatable(options.output);
@@ -132,6 +126,14 @@ int classify_runs(ClassifyCommandOptions& options) {
     else if (!options.output.quiet)
         print_runs(options, scene, found);
     return interrupted ? exit_interrupted : exit_done;
+}
+
+}  // namespace
+
+int classify_runs(ClassifyCommandOptions& options) {
+    return on_all_ranks(
+        options.output.quiet, options.output.threads, [&] { return work_of(options, planned(options)); },
+        [&](HandOut& hand_out) { return name_runs(options, hand_out); });
 }
 
 }  // namespace swirl::apps::classify

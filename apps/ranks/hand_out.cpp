@@ -197,6 +197,8 @@ std::string name_of_work(const Settings& settings) {
     return fmt::format("{:016x}", std::hash<std::string>()(all));
 }
 
+namespace {
+
 int take_part(Ranks& ranks, int threads, const std::function<NamedWork()>& plan) {
     note_interruptions();
     try {
@@ -205,6 +207,16 @@ int take_part(Ranks& ranks, int threads, const std::function<NamedWork()>& plan)
         refuse_to_serve(ranks, error.what());
     }
     return is_interrupted() ? exit_interrupted : exit_done;
+}
+
+}  // namespace
+
+int on_all_ranks(bool quiet, int threads, const std::function<NamedWork()>& plan,
+                 const std::function<int(HandOut&)>& lead) {
+    Ranks ranks;
+    if (ranks.number() > 0) return take_part(ranks, threads, plan);
+    HandOut hand_out(ranks, quiet);
+    return lead(hand_out);
 }
 
 }  // namespace swirl::apps

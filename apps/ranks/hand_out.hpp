@@ -70,9 +70,12 @@ private:
 /// A name of what these settings ask of this program.
 std::string name_of_work(const Settings& settings);
 
-/// The part of every other rank: does the work that `plan` gives until rank 0 says that it is the end. (Where rank 0
-/// dies, its launcher ends all.) Where `plan` throws, rank 0 is told why this rank can't work.
+/// A command on all ranks: rank 0 does what `lead` does, every other the work that `plan` gives, until rank 0 says that
+/// it is the end. (Where rank 0 dies, its launcher ends all.) Where `plan` throws, rank 0 is told why that rank can't
+/// work.
+///   threads  of this rank; 0: all
 /// @return the exit code
-int take_part(Ranks& ranks, int threads, const std::function<NamedWork()>& plan);
+int on_all_ranks(bool quiet, int threads, const std::function<NamedWork()>& plan,
+                 const std::function<int(HandOut&)>& lead);
 
 }  // namespace swirl::apps

@@ -17,7 +17,7 @@ namespace swirl::apps::sweep {
 
 namespace {
 
-using analysis::CyclePoints;
+using analysis::CyclePoints, analysis::StraddleEnd;
 
 constexpr int longest_saddle = 32;        // impacts
 constexpr double comes_again = 1e-3;      // an orbit that does may be near a cycle
@@ -25,25 +25,6 @@ constexpr double is_there = 1e-6;         // so near it has come to it
 constexpr double same_cycle = 1e-6;       // of their points
 constexpr double same_torus_mean = 2e-4;  // of S, relative to 1 or |S|: over few turns of its slowest angle
 constexpr std::size_t first_look = 2048;  // impacts after which a torus is looked for, and each time twice as many
-
-LeadsTo where(analysis::StraddleEnd end) {
-    using analysis::StraddleEnd;
-    switch (end) {
-        case StraddleEnd::found:
-            return LeadsTo::saddle;
-        case StraddleEnd::border:
-            return LeadsTo::border;
-        case StraddleEnd::rounding:
-            return LeadsTo::rounding;
-        case StraddleEnd::undecided:
-            return LeadsTo::undecided;
-        case StraddleEnd::ended:
-            return LeadsTo::ended;
-        case StraddleEnd::not_found:
-            return LeadsTo::not_found;
-    }
-    return LeadsTo::not_found;
-}
 
 }  // namespace
 
@@ -70,12 +51,13 @@ std::optional<bool> BasinEdge<D>::is_inside(const Start<double>& start) const {
 }
 
 template <int D>
-LeadsTo BasinEdge<D>::follow(const LabStart<double>& in, const LabStart<double>& out, Saddle& saddle) const {
+analysis::StraddleEnd BasinEdge<D>::follow(const LabStart<double>& in, const LabStart<double>& out,
+                                           Saddle& saddle) const {
     const OrbitBegin first = begin_orbit(map_, in), second = begin_orbit(map_, out);
-    if (first.outcome != Outcome::completed || second.outcome != Outcome::completed) return LeadsTo::ended;
+    if (first.outcome != Outcome::completed || second.outcome != Outcome::completed) return StraddleEnd::ended;
     const analysis::StraddleOptions options;
     const double apart = analysis::distance(map_, map_.coordinates(first.state), map_.coordinates(second.state));
-    if (apart > options.jump) return LeadsTo::border;  // a vertex grazes on the flight of the start
+    if (apart > options.jump) return StraddleEnd::border;  // a vertex grazes on the flight of the start
     std::size_t look = first_look;
     const auto is_enough = [&](const Points& orbit) {
         if (is_at_cycle(orbit, saddle)) return true;
@@ -83,9 +65,9 @@ LeadsTo BasinEdge<D>::follow(const LabStart<double>& in, const LabStart<double>&
         look *= 2;
         return is_torus(orbit, saddle);
     };
-    return where(analysis::follow_boundary(
+    return analysis::follow_boundary(
         map_, first.state, second.state, [&](const PostImpactState<double>& z) { return is_inside(section_point(z)); },
-        is_enough, options, is_interrupted));
+        is_enough, options, is_interrupted);
 }
 
 /// Has the orbit come to an unstable cycle?

@@ -23,7 +23,7 @@ public:
 
     /// Where the edge leads from between two starts of which the first alone is inside: an unstable cycle of up to 32
     /// impacts, polished, or an unstable torus fills `saddle`. Cost: about a run for each impact until it is there.
-    LeadsTo follow(const LabStart<double>& in, const LabStart<double>& out, Saddle& saddle) const;
+    analysis::StraddleEnd follow(const LabStart<double>& in, const LabStart<double>& out, Saddle& saddle) const;
 
 private:
     using Points = std::vector<analysis::Vector<D>>;

@@ -67,7 +67,7 @@ Led led_from(const SweepOptions& options, const std::vector<GridAxis>& grid, con
         for (std::size_t k = 0; k < in.size(); ++k) middle[k] += (out[k] - in[k]) / 2;
         if (middle == in || middle == out) break;
         const auto inside = edge.is_inside(start_at(middle));
-        if (!inside) return {{middle, between.from, between.to, no_saddle, LeadsTo::undecided}, {}};
+        if (!inside) return {{middle, between.from, between.to, no_saddle, analysis::StraddleEnd::undecided}, {}};
         (*inside ? in : out) = middle;
     }
     Led led{{in, between.from, between.to}, {}};
@@ -80,7 +80,7 @@ Boundaries put_together(const analysis::ShootingMap& map, const std::vector<Led>
     std::vector<Saddle> saddles;
     std::vector<std::size_t> of_place(led.size());
     for (std::size_t i = 0; i < led.size(); ++i) {
-        if (led[i].place.leads_to != LeadsTo::saddle) continue;
+        if (led[i].place.leads_to != analysis::StraddleEnd::found) continue;
         auto known = std::find_if(saddles.begin(), saddles.end(),
                                   [&](const Saddle& saddle) { return is_same_saddle(map, saddle, led[i].saddle); });
         if (known == saddles.end()) known = saddles.insert(known, led[i].saddle);
@@ -100,7 +100,7 @@ Boundaries put_together(const analysis::ShootingMap& map, const std::vector<Led>
     }
     for (std::size_t i = 0; i < led.size(); ++i) {
         all.places.push_back(led[i].place);
-        if (led[i].place.leads_to == LeadsTo::saddle)
+        if (led[i].place.leads_to == analysis::StraddleEnd::found)
             all.places.back().saddle = std::find(order.begin(), order.end(), of_place[i]) - order.begin();
     }
     return all;

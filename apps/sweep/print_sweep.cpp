@@ -49,13 +49,14 @@ void print_basins(const Sweep& sweep) {
 }
 
 void print_saddles(const Boundaries& boundaries) {
-    const auto count = [&](LeadsTo where) {
+    using analysis::StraddleEnd;
+    const auto count = [&](StraddleEnd where) {
         return std::count_if(boundaries.places.begin(), boundaries.places.end(),
                              [&](const BoundaryPlace& place) { return place.leads_to == where; });
     };
     fmt::print("boundaries of basins at {} places:", boundaries.places.size());
-    for (const LeadsTo where :
-         {LeadsTo::saddle, LeadsTo::border, LeadsTo::rounding, LeadsTo::undecided, LeadsTo::ended, LeadsTo::not_found})
+    for (const StraddleEnd where : {StraddleEnd::found, StraddleEnd::border, StraddleEnd::rounding,
+                                    StraddleEnd::undecided, StraddleEnd::ended, StraddleEnd::not_found})
         if (count(where) > 0) fmt::print(" {} {}", name_of(where), count(where));
     fmt::print("\n");
     if (!boundaries.saddles.empty()) print_table(saddle_table(), boundaries.saddles);

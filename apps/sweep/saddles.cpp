@@ -10,19 +10,20 @@
 
 namespace swirl::apps::sweep {
 
-std::string_view name_of(LeadsTo where) {
-    switch (where) {
-        case LeadsTo::saddle:
+std::string_view name_of(analysis::StraddleEnd end) {
+    using analysis::StraddleEnd;
+    switch (end) {
+        case StraddleEnd::found:
             return "saddle";
-        case LeadsTo::border:
+        case StraddleEnd::border:
             return "border";
-        case LeadsTo::rounding:
+        case StraddleEnd::rounding:
             return "rounding";
-        case LeadsTo::undecided:
+        case StraddleEnd::undecided:
             return "undecided";
-        case LeadsTo::ended:
+        case StraddleEnd::ended:
             return "ended";
-        case LeadsTo::not_found:
+        case StraddleEnd::not_found:
             return "not-found";
     }
     return "";

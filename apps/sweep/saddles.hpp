@@ -1,6 +1,7 @@
 // Boundaries of basins, and the saddles whose stable sets they are.
 #pragma once
 
+#include "analysis/classification/basin_boundary.hpp"
 #include "analysis/classification/mode.hpp"
 #include "apps/output/table.hpp"
 #include "apps/sweep/grid.hpp"
@@ -17,23 +18,16 @@ namespace swirl::apps::sweep {
 
 inline constexpr std::int64_t no_saddle = -1;
 
-/// Where the boundary of a basin leads.
-enum class LeadsTo {
-    saddle,     ///< an unstable cycle or torus, whose stable set it is
-    border,     ///< the map jumps there
-    rounding,   ///< the verdict on a start is another one step later: the basins are mixed down to rounding
-    undecided,  ///< in between the verdict names no attractor
-    ended,      ///< no next impact
-    not_found,  ///< neither a cycle of up to 32 impacts nor a torus along 40,000, as on a chaotic saddle
-};
-std::string_view name_of(LeadsTo where);
+/// What the record calls the end of a way along a boundary: found is "saddle", an unstable cycle or torus whose stable
+/// set it is; not_found neither a cycle of up to 32 impacts nor a torus along 40,000, as on a chaotic saddle.
+std::string_view name_of(analysis::StraddleEnd end);
 
 /// A place between two neighbouring starts that came to different attractors.
 struct BoundaryPlace {
     std::vector<double> point;  ///< by the grid's axes: on the boundary to 10⁻¹² of a step; undecided: that start
     std::int64_t from = 0, to = 0;    ///< the basins of the two
     std::int64_t saddle = no_saddle;  ///< its place in the list, where one was found
-    LeadsTo leads_to = LeadsTo::not_found;
+    analysis::StraddleEnd leads_to = analysis::StraddleEnd::not_found;
 };
 
 /// An unstable cycle or torus to which the boundary leads. NaN and 0: what the other alone has.

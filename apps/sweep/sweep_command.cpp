@@ -178,13 +178,7 @@ Sweep planned(SweepOptions& options) {
     return sweep;
 }
 
-}  // namespace
-
-int sweep(SweepOptions& options) {
-    Ranks ranks;
-    if (ranks.number() > 0)
-        return take_part(ranks, options.output.threads, [&] { return work_of(options, planned(options)); });
-    HandOut hand_out(ranks, options.output.quiet);
+int sweep_grid(SweepOptions& options, HandOut& hand_out) {
     Sweep sweep = planned(options);
     sweep.results.resize(cell_count(sweep.grid) * static_cast<std::size_t>(sweep.runs));
     const std::string& path = options.output.record;
@@ -227,6 +221,14 @@ int sweep(SweepOptions& options) {
         tell(fmt::format("swirl: {:.1f} s",
                          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
     return exit_done;
+}
+
+}  // namespace
+
+int sweep(SweepOptions& options) {
+    return on_all_ranks(
+        options.output.quiet, options.output.threads, [&] { return work_of(options, planned(options)); },
+        [&](HandOut& hand_out) { return sweep_grid(options, hand_out); });
 }
 
 }  // namespace swirl::apps::sweep

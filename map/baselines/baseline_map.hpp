@@ -42,7 +42,8 @@ public:
     }
     void advance(const Flight<double>& flight, Collision<double>& collision) const {
         const FirstContact<double> contact = baseline_contact(search_, body(), flight);
-        if (contact.outcome == FirstContactOutcome::contact) strike(flight, contact.at, contact.arm, collision);
+        if (contact.outcome == FirstContactOutcome::contact)
+            strike(flight, contact.at, contact.arm, collision, contact.vertex);
         collision.outcome = contact.outcome;
         collision.steps = contact.steps;
         collision.vertex_step = contact.vertex;
@@ -51,8 +52,8 @@ public:
 
     /// As CollisionMap::strike.
     void strike(const Flight<double>& flight, const Instant<double>& at, const Vec2<double>& arm,
-                Collision<double>& collision) const {
-        exact_.strike(flight, at, arm, collision);
+                Collision<double>& collision, int vertex = 0) const {
+        exact_.strike(flight, at, arm, collision, vertex);
     }
 
 private:

@@ -63,6 +63,17 @@ HWY_INLINE Mask leaves_the_wall(const LaneScenes& scenes, int i, const LaneState
     return leaves_quickly(un, load(scenes.chatter, i) * acceleration, z, alpha, beta);
 }
 
+/// `CollisionMap::strike`: ψ and the velocity in the axes of the contact at x.
+HWY_INLINE void meet_the_wall(Plane x, Plane phase, const LaneFlight& flight, LaneState& after) {
+    const Lane longer = missing_length(x);
+    const Plane velocity = seen_from(x, flight.velocity);
+    after.psi = renormalised(seen_from(phase, x));
+    after.chi = {Lane(1), Lane(0)};
+    after.vn = velocity.x + longer * velocity.x;
+    after.vt = velocity.y + longer * velocity.y;
+    after.spin = flight.spin;
+}
+
 /// The disk at its contact: centre and the swirl's direction.
 struct DiskAtWall {
     Lane time;
@@ -125,7 +136,7 @@ HWY_INLINE RoundResult look_at_disks(LaneBlock& block, int i) {
     flight.spin = z.spin;
     flight.swirl = flight.beta * flight.phase;
 
-    const LanePath path = circle_path(flight);
+    const LanePath path = circle_path_from_wall(load(scenes.spread_inner, i), flight);
     const LaneStart start = gap_at_start(path);
     const Lane speed = magnitude(z.vn) + magnitude(z.vt);
     Mask usual = start.rate < -rate_rounding(speed, flight.beta, z.spin, alpha);
@@ -148,8 +159,7 @@ HWY_INLINE RoundResult look_at_disks(LaneBlock& block, int i) {
 
     const DiskAtWall at = disk_at_wall(flight, near, root, time);
     LaneState after;
-    after.chi = {Lane(1), Lane(0)};
-    meet_the_wall(load(scenes.per_inner, i) * at.centre, at.phase, flight, after);
+    meet_the_wall(load(scenes.spread_per_inner, i) * at.centre, at.phase, flight, after);
     const LaneImpact impact = impact_of_disk<rule>(scenes, i, after);
 
     const Mask struck = all(usual, converged, clear, stays_in_range(after, flight.beta, alpha));

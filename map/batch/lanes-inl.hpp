@@ -150,6 +150,23 @@ HWY_INLINE Plane renormalised(Plane a) {
     const Lane missing = missing_length(a);
     return a + missing * a;
 }
+HWY_INLINE Plane renormalised(Plane a, Lane angle) {
+    return a + times(Plane{missing_length(a), angle}, a);
+}
+
+/// SpreadFactor.
+struct LaneFactor {
+    Lane first, second;
+};
+HWY_INLINE LaneFactor load(const LaneFactors& factors, int first) {
+    return {load(factors.first, first), load(factors.second, first)};
+}
+HWY_INLINE Lane operator*(LaneFactor c, Lane x) {
+    return c.first * x + c.second * x;
+}
+HWY_INLINE Plane operator*(LaneFactor c, Plane v) {
+    return {c * v.x, c * v.y};
+}
 HWY_INLINE Plane turned(Plane v, Plane turn) {
     return v + times(v, turn);
 }

@@ -43,6 +43,13 @@ HWY_INLINE LanePath circle_path(const LaneFlight& flight) {
             dot(flight.velocity, side)};
 }
 
+HWY_INLINE LanePath circle_path_from_wall(LaneFactor inner, const LaneFlight& flight) {
+    LanePath path = circle_path(flight);
+    path.slope = Lane(2) * (inner * flight.velocity.x);
+    path.b0 = -(inner * flight.swirl.y);
+    return path;
+}
+
 HWY_INLINE LaneStart gap_at_start(const LanePath& path) {
     LaneStart gap;
     gap.rate = path.slope - Lane(2) * path.b0;

@@ -23,9 +23,9 @@ HWY_INLINE Mask leaves_the_wall(const LaneScenes& scenes, int i, const LaneBody&
                from_edge > Lane(2 * neighbour_tolerance<double>()));
 }
 
-HWY_INLINE LaneFlight flight_from(const LaneBody& body, const LaneState& z) {
+HWY_INLINE LaneFlight flight_from(const LaneBody& body, LaneFactor alpha, const LaneState& z) {
     LaneFlight flight;
-    flight.arm = body.alpha * z.chi;
+    flight.arm = alpha * z.chi;
     flight.centre = {Lane(1) - flight.arm.x, -flight.arm.y};
     flight.velocity = {z.vn, z.vt};
     flight.phase = {z.psi.x, -z.psi.y};
@@ -89,6 +89,24 @@ HWY_INLINE Mask instant_of_return(const LaneFlight& flight, const LanePath& path
     return all(back.close, magnitude(spun) < Lane(32), magnitude(flight.spin * back.closer) < Lane(32));
 }
 
+/// `CollisionMap::strike`: the state in the axes of the contact, before the impact.
+HWY_INLINE LaneState state_at_wall(LaneFactor per_alpha, const LaneFlight& flight, const LaneInstant& at, Lane vertex,
+                                   const VertexRows& vertices) {
+    const Rows row = rows_of_vertex(vertices, vertex);
+    const Plane arm = turned_to(at.arm, vertex, row.value);
+    const Plane x = at.centre + arm;
+    const Plane seen = seen_from(x, flight.velocity);
+    const Lane turn = cross(x, times(at.arm, row.rest));
+    const Plane velocity = seen + seen_from(Plane{missing_length(x), turn}, seen);
+    LaneState after;
+    after.psi = renormalised(seen_from(at.phase, x), turn);
+    after.chi = renormalised(per_alpha * seen_from(x, arm), cross(row.value, row.rest) - turn);
+    after.vn = velocity.x;
+    after.vt = velocity.y;
+    after.spin = flight.spin;
+    return after;
+}
+
 /// Lanes `i` … of a block, as many as a vector has.
 template <ImpactRule rule, bool sums_chatter>
 HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
@@ -96,7 +114,7 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
     const LaneState z = load_state(block, i);
     ProofTask task;
     task.body = load_body(scenes, i);
-    task.flight = flight_from(task.body, z);
+    task.flight = flight_from(task.body, load(scenes.spread_alpha, i), z);
     task.vertices = {block.vertices, hn::Load(Whole(), scenes.first_vertex + i), load(scenes.sides, i),
                      load(scenes.per_spacing, i)};
     task.speed = magnitude(z.vn) + magnitude(z.vt);
@@ -121,12 +139,7 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
         clear = either(clear, by_others);
     }
 
-    const Plane arm =
-        turned_to(at.arm, search.nearest.number, rows_of_vertex(task.vertices, search.nearest.number).value);
-    const Plane x = at.centre + arm;
-    LaneState after;
-    after.chi = renormalised(load(scenes.per_alpha, i) * seen_from(x, arm));
-    meet_the_wall(x, at.phase, flight, after);
+    LaneState after = state_at_wall(load(scenes.spread_per_alpha, i), flight, at, search.nearest.number, task.vertices);
     const LaneImpact impact = impact_of_polygon<rule>(scenes, i, after);
 
     const Mask done = all(clear, stays_in_range(after, body.beta, body.alpha));

@@ -43,16 +43,6 @@ HWY_INLINE Mask leaves_quickly(Lane un, Lane chatter, const LaneState& z, Lane a
     return all(un * un > chatter, magnitude(un) > rounding);
 }
 
-/// `CollisionMap::strike`: ψ and the velocity in the axes of the contact at x; χ is the caller's.
-HWY_INLINE void meet_the_wall(Plane x, Plane phase, const LaneFlight& flight, LaneState& after) {
-    const Lane longer = missing_length(x);
-    const Plane velocity = seen_from(x, flight.velocity);
-    after.psi = renormalised(seen_from(phase, x));
-    after.vn = velocity.x + longer * velocity.x;
-    after.vt = velocity.y + longer * velocity.y;
-    after.spin = flight.spin;
-}
-
 /// Neither `has_diverged` nor `has_come_to_rest`, with room for rounding: the scalar code decides beyond.
 HWY_INLINE Mask stays_in_range(const LaneState& z, Lane beta, Lane alpha) {
     const Lane speed = larger(larger(magnitude(z.vn), magnitude(z.vt)), alpha * magnitude(z.spin));

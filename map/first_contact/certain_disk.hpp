@@ -22,7 +22,7 @@ template <class T>
 [[gnu::always_inline]] inline bool direct_contact_disk(const Body<T>& body, const Flight<T>& flight,
                                                        FirstContact<T>& contact) {
     using std::fabs;
-    const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase));
+    const CirclePath<T> path = circle_path_from_wall(body, flight, Vec2<T>(flight.beta * flight.phase));
     const CircleGap<T> start = gap_at_start(path);
     if (!(start.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
     const T eleventh = derivative_bounds<11, Shape::disk>(body, flight).centre;

@@ -37,6 +37,16 @@ template <class T>
             dot(flight.velocity, side)};
 }
 
+/// The disk's that begins on the wall, X₀ = (1 − α, 0).
+template <class T>
+[[gnu::always_inline]] inline CirclePath<T> circle_path_from_wall(const Body<T>& body, const Flight<T>& flight,
+                                                                  const Vec2<T>& swirl) {
+    CirclePath<T> path = circle_path(flight, swirl);
+    path.slope = T(2) * (body.spread_inner * flight.velocity.x);
+    path.b0 = -(body.spread_inner * swirl.y);
+    return path;
+}
+
 /// At the start, E = 0.
 template <class T>
 [[gnu::always_inline]] inline CircleGap<T> gap_at_start(const CirclePath<T>& path) {

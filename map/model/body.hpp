@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/model/scene.hpp"
+#include "map/numbers/spread_factor.hpp"
 #include "map/numbers/turn.hpp"
 #include "map/numbers/vec2.hpp"
 
@@ -29,11 +30,12 @@ template <class T>
 struct Body {
     int sides = disk_sides;
     T alpha{}, beta{};
-    T inertia{};        ///< I = κ α² (m = 1)
-    T per_inertia{};    ///< 1/I: what is divided by at every impact is kept as a reciprocal
-    T per_alpha{};      ///< 1/α
-    T per_inner{};      ///< 1/(1 − α)
-    T disk_grip{};      ///< 1/B₁ of the disk, I/(I + α²)
+    T inertia{};      ///< I = κ α² (m = 1)
+    T per_inertia{};  ///< 1/I: what is divided by at every impact is kept as a reciprocal
+    T per_inner{};    ///< 1/(1 − α)
+    T disk_grip{};    ///< 1/B₁ of the disk, I/(I + α²)
+    // α, 1/α, 1 − α and 1/(1 − α) for products that must not be biased.
+    SpreadFactor<T> spread_alpha, spread_per_alpha, spread_inner, spread_per_inner;
     T inner{};          ///< 1 − α: the centre's distance at which the circumscribed circle touches
     T outer{};          ///< the largest distance the centre can have (next to an edge's middle); inner for the disk
     T spacing{};        ///< 2π/N, the angle from a vertex to the next
@@ -54,10 +56,15 @@ struct Body {
         return times(v, vertices[static_cast<std::size_t>(k)]);
     }
     /// The rounding error of the tabled rotation, some 10⁻¹⁷ of v and the same for the same k. It is below the last
-    /// digit of the vector and is added to the vertex's gap, so that J does not drift.
+    /// digit of the vector: the vertex's gap and the angles of its impact are told of it, or J would drift.
     Vec2<T> rest_of_vertex(const Vec2<T>& v, int k) const {
         if (rests.empty()) return {T(0), T(0)};
         return times(v, rests[static_cast<std::size_t>(k)]);
+    }
+    /// The angle by which that rotation should have gone on.
+    T rest_angle(int k) const {
+        if (rests.empty()) return T(0);
+        return cross(vertices[static_cast<std::size_t>(k)], rests[static_cast<std::size_t>(k)]);
     }
     Vec2<T> direction_by_formula(int k) const {
         const int centred = 2 * k > sides ? k - sides : k;  // the shorter way round keeps the argument small
@@ -109,8 +116,11 @@ inline Body<T> make_body(const Scene<T>& scene, const Body<T>* similar = nullptr
     body.inertia = scene.inertia_factor * scene.alpha * scene.alpha;
     body.inner = T(1) - scene.alpha;
     body.per_inertia = T(1) / body.inertia;
-    body.per_alpha = T(1) / body.alpha;
     body.per_inner = T(1) / body.inner;
+    body.spread_alpha = spread(body.alpha);
+    body.spread_per_alpha = spread(T(T(1) / body.alpha));
+    body.spread_inner = spread(body.inner);
+    body.spread_per_inner = spread(body.per_inner);
     body.disk_grip = body.inertia / (body.inertia + body.alpha * body.alpha);
     body.outer = body.inner;
     if (scene.is_disk()) return body;

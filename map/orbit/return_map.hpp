@@ -185,7 +185,8 @@ auto ReturnMap<Map>::fly_off(const Flight<T>& flight) const -> Collision<T> {
     const auto contact = contact_after_release<shape>(map_.body(), flight);
     if (!contact) return map_.advance(flight);
     Collision<T> collision;
-    if (contact->outcome == FirstContactOutcome::contact) map_.strike(flight, contact->at, contact->arm, collision);
+    if (contact->outcome == FirstContactOutcome::contact)
+        map_.strike(flight, contact->at, contact->arm, collision, contact->vertex);
     collision.outcome = contact->outcome;
     collision.steps = contact->steps;
     collision.vertex_step = contact->vertex;

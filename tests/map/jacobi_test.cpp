@@ -58,7 +58,7 @@ Scene<double> elastic_scene(int sides, double alpha, double beta) {
     return {sides, alpha, beta, 0, 1, Law::poisson, uniform_inertia_factor<double>(sides)};
 }
 
-/// A bias of b per impact shows as b n, above a random walk's 6 s √n (s: rms step). It may be ε/40 in the scale of J.
+/// A bias of b per impact shows as b n, above a random walk's 6 s √n (s: rms step). It may be ε/1000 in the scale of J.
 void check_drift(int sides, double alpha, double beta, long full = 10'000'000) {
     const long impacts = sample_count(full);
     const SectionPoint<double> z{0.3, 0, -0.6 * (1 + beta), 0.4, 0.2};
@@ -71,7 +71,7 @@ void check_drift(int sides, double alpha, double beta, long full = 10'000'000) {
     const double scale = beta <= 1 ? 1 : (1 + beta) * (1 + beta);
     EXPECT_LE(drift.largest, 1e-10 * scale);
     const double walk = 6 * drift.rms_step * std::sqrt(static_cast<double>(impacts));
-    EXPECT_LE(std::fabs(drift.end), walk + static_cast<double>(impacts) * 0x1p-52 / 40 * scale);
+    EXPECT_LE(std::fabs(drift.end), walk + static_cast<double>(impacts) * 0x1p-52 / 1000 * scale);
 }
 
 TEST(Jacobi, IsConservedByTheFrictionlessElasticTriangle) {

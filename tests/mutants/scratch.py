@@ -29,11 +29,14 @@ COPIED = ("map", "tests/map", "tests/references", "tests/sample_count.hpp")
 NOT_OF_THE_MAP = re.compile(r"map/(batch|proof|proof_check|intervals)/")
 # Of tests: proofs and kernels as above, what is timed, and what needs analysis/ too.
 NOT_A_PROGRAM = re.compile(r"tests/map/(batch/|certainty/|intervals_test|proof_test|elastic_return_test|elastic_limit_test)")
+BY_JETS = ["tests/map/differentiated_disks.cpp", "tests/map/differentiated_polygons.cpp"]
 BESIDE = {  # a test program's other sources
+    "derivative_test": BY_JETS,
+    "steady_random_test": BY_JETS,
     "random_scenes_test": ["tests/map/follow_contact.cpp"],
     "sustained_contact_test": ["tests/map/follow_contact.cpp"],
     "trajectories_test": ["tests/references/reference_file.cpp"],
-    "cycles_test": ["tests/references/reference_file.cpp"],
+    "cycles_test": ["tests/references/reference_file.cpp", *BY_JETS],
     "steady_search_test": ["tests/references/reference_file.cpp"],
 }
 

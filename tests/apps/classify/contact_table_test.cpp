@@ -97,12 +97,11 @@ TEST(DiskTable, EndsOnItsPendulum) {
 }
 
 /// Slips of 1e-8 in some turns: no measure by their number.
-TEST(DiskTable, NamesADiskThatHardlySlipsByWhatItSettlesOn) {
-    const Scene<double> scene{
-        disk_sides, 0.1, 0.05, 0.4, 0.9, Law::poisson, uniform_inertia_factor<double>(disk_sides)};
-    const auto verdict = name_mode(scene, random_start(0.05, 1.0 / 7, 20, 0), {}).verdict;
-    EXPECT_EQ(verdict.kind, Kind::rolling_circulating) << name_of(verdict.kind);
-    EXPECT_NEAR(verdict.mean, -2.1446596606, 1e-6);
+TEST(DiskTable, NamesDisksThatHardlySlipByWhatTheySettleOn) {
+    const Row row = look_at(0.1, 0.05, 0.9, 20);
+    print(0.1, 0.05, 0.9, row);
+    EXPECT_GE(row.kinds.at("rolling-circulating"), 10);
+    EXPECT_GE(row.settling, 1);
 }
 
 TEST(DiskTableNightly, EndsOnItsPendulumFromTwentyStartsOfNinetySixScenes) {

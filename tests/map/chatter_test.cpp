@@ -147,6 +147,34 @@ std::vector<Draw> draws_with_large_friction() {
     return draws;
 }
 
+/// u_n of a vertex next to the one on the wall, `step` from it, that is on the wall, too.
+double approach_of_neighbour(const Scene<double>& scene, const SectionPoint<double>& z, int step) {
+    const Body<double> body = make_body(scene);
+    const Flight<double> flight = flight_from(body, post_impact_state(z));
+    const Vec2<double> arm = times(flight.arm, cis(step * 2 * M_PI / scene.sides));
+    const Vec2<double> x = flight.centre + arm;
+    const Vec2<double> drift = flight.velocity - flight.beta * quarter_turned(flight.phase);
+    return dot(x, drift + flight.spin * quarter_turned(arm));
+}
+
+/// A vertex rests on the wall and is about to leave it, the next one is on the wall, too, and moves outward.
+TEST(ChatterEnd, ANeighbourThatComesToTheWallStrikesAtOnce) {
+    const Scene<double> scene{6, 0.4, 0.5, 0.5, 0.5, Law::poisson, uniform_inertia_factor<double>(6)};
+    const ContactScene<double> contact =
+        contact_scene(make_body(scene), scene.mu, scene.restitution, ImpactRule::poisson);
+    for (const double side : {-1.0, 1.0})
+        for (const double spin : {-0.5, 0.5}) {
+            SectionPoint<double> z{M_PI - 0.1, side * contact.widest_chi, 0, 0, spin};
+            z.vn = scene.alpha * spin * std::sin(z.chi) + scene.beta * std::sin(z.psi);  // u_n = 0
+            z.vt = scene.beta * std::cos(z.psi);
+            const double approach = approach_of_neighbour(scene, z, side > 0 ? -1 : 1);
+            ASSERT_GT(std::fabs(approach), 0.05);
+            const auto completion = chatter_completion(contact, post_impact_state(z));
+            EXPECT_FALSE(completion.in_contact);
+            EXPECT_EQ(completion.struck, approach > 0) << "chi " << z.chi << " S " << spin;
+        }
+}
+
 TEST(ChatterEnd, IsReportedWithTheLanding) {
     const Scene<double> s = tests::uniform_scene(disk_sides, 0.4, 0.23, 0.4, 0.5);
     const CollisionMap<double, Shape::disk, ImpactRule::poisson> map(s);

@@ -19,8 +19,7 @@
 namespace swirl {
 namespace {
 
-using tests::Landing, tests::most, tests::ContactReturn, tests::contact_return, tests::random_landing, tests::usual,
-    tests::widened;
+using tests::Landing, tests::ContactReturn, tests::contact_return, tests::random_landing, tests::usual, tests::widened;
 using Kind = tests::ComparedDerivatives;
 
 template <int D>
@@ -111,6 +110,14 @@ double chatter_lasts(const ContactScene<double>& scene, const PostImpactState<do
     const double v = std::abs(contact_kinematics(scene.body, from).un);
     const double moved = v > 0 ? chatter_error(scene, from).moved : 0;
     return std::isfinite(moved) && moved > 0 ? moved / v : 0;
+}
+
+/// Chatter that sticks starts each flight at u_t = 0 and so moves along the wall by O(a_t T²), which its sum leaves out
+/// (map/sustained/README.md, "Limits"): by v that is O(T (1 + |a_t|/a_n)), the free accelerations along t and n.
+double left_out_by_sticking(const ContactScene<double>& scene, const PostImpactState<double>& from) {
+    const Flight<double> flight = flight_from(scene.body, from);
+    const Vec2<double> free = flight.beta * flight.phase - flight.spin * flight.spin * flight.arm;
+    return chatter_lasts(scene, from) * (1 + std::abs(free.y) / std::abs(free.x));
 }
 
 /// Columns of a derivative against one-sided differences.
@@ -230,12 +237,14 @@ void compare(const Landing& landing, std::map<std::string, Kind>& kinds) {
         ++kind.compared;
         kind.columns += differences.columns;
         kind.left_out += differences.left_out;
-        // Chatter that sticks moves along the wall by O(T²), which its sum leaves out: by v an error of order T.
-        const double lasts = compared.stuck ? chatter_lasts(returns.contact(), landing.from) : 0;
+        const double left_out = compared.stuck ? left_out_by_sticking(returns.contact(), landing.from) : 0;
         if (differences.split > 1e-7)
             ++kind.kinks;
-        else
-            kind.worst = std::max(kind.worst, differences.worst - 3 * lasts);
+        else if (left_out > 0.1 * usual) {
+            ++kind.sticking;
+            kind.sticking_worst = std::max(kind.sticking_worst, differences.worst / left_out);
+        } else
+            kind.worst = std::max(kind.worst, differences.worst);
     });
 }
 
@@ -249,8 +258,11 @@ std::map<std::string, Kind> compare_landings(int landings, std::uint64_t seed) {
                 ++i;
             }
     for (const auto& [name, kind] : kinds)
-        std::printf("%s: %ld landings, %ld columns, %ld left out, %ld landings at a kink, largest difference %.1e\n",
-                    name.c_str(), kind.compared, kind.columns, kind.left_out, kind.kinks, kind.worst);
+        std::printf(
+            "%s: %ld landings, %ld columns, %ld left out, %ld landings at a kink, largest difference %.1e; %ld "
+            "with chatter that sticks, at most %.2f of what that leaves out\n",
+            name.c_str(), kind.compared, kind.columns, kind.left_out, kind.kinks, kind.worst, kind.sticking,
+            kind.sticking_worst);
     return kinds;
 }
 
@@ -259,6 +271,7 @@ void expect_exact(const std::map<std::string, Kind>& kinds, double bound) {
     long columns = 0, without = 0;
     for (const auto& [name, kind] : kinds) {
         EXPECT_LE(kind.worst, bound) << name;
+        EXPECT_LE(kind.sticking_worst, 3) << name;  // 2 Σ eᵏ/(1 + e) and such: a number of order 1
         columns += kind.columns;
         without += kind.kinks + kind.left_out;
     }
@@ -271,7 +284,7 @@ TEST(ContactDerivative, IsWhatDifferencesIn113BitsGive) {
     expect_exact(kinds, usual);   // measured: 9e-12
 }
 TEST(ContactDerivativeNightly, IsWhatDifferencesIn113BitsGiveInAThousandLandings) {
-    expect_exact(compare_landings(1000, 2), most);
+    expect_exact(compare_landings(1000, 2), usual);
 }
 
 /// Contact takes directions from DF; how slow the body is takes none. In plain coordinates the third direction of a

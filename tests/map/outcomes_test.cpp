@@ -184,6 +184,19 @@ TEST(Outcome, AStateOfAnOrbitIsAStart) {
     EXPECT_GT(compared, 300);
 }
 
+/// χ beyond what the neighbour leaves room for: the vertex itself is on the wall, the neighbour outside.
+TEST(Outcome, AStateWithAnotherVertexOutsideIsNoStart) {
+    const Scene<double> scene = scene_of(6, 0.4, 0.5, 0.5, 0.9);
+    const double widest = tests::largest_chi(scene);
+    for (const double side : {-1.0, 1.0})
+        with_collision_map(scene, [&](const auto& map) {
+            SectionPoint<double> z{0.3, side * (widest - 1e-6), -2, 0.1, 0};
+            EXPECT_NO_THROW(ReducedOrbit(map, z));
+            z.chi = side * (widest + 1e-6);
+            EXPECT_THROW(ReducedOrbit(map, z), std::invalid_argument);
+        });
+}
+
 TEST(Outcome, AStateThatApproachesTheWallIsNoStart) {
     const Scene<double> scene = scene_of(6, 0.4, 0.5, 0.5, 0);
     const auto body = make_body(scene);

@@ -1,0 +1,119 @@
+// Gaps and their derivatives along a flight, and what a certificate says of a gap between two moments.
+#include "map/first_contact/certificate.hpp"
+#include "map/model/section.hpp"
+#include "tests/map/contact_scenes.hpp"
+#include "tests/map/random_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace swirl {
+namespace {
+
+using tests::Random;
+using tests::scene_in;
+
+/// g(τ + h), h = −2 … 2 steps, in 113 bits.
+template <class Value>
+Gap<double> by_differences(Value value) {
+    const Quad h = 1e-6;
+    const Quad below2 = value(Quad(-2 * h)), below = value(Quad(-h)), here = value(Quad(0)), above = value(h),
+               above2 = value(Quad(2 * h));
+    return {static_cast<double>(here), static_cast<double>((above - below) / (2 * h)),
+            static_cast<double>((above - 2 * here + below) / (h * h)),
+            static_cast<double>((above2 - 2 * above + 2 * below - below2) / (2 * h * h * h))};
+}
+
+/// The differences err by h² times two derivatives more, some 10⁻¹² of a gap's derivatives by turns of order `fast`.
+void expect_alike(const Gap<double>& gap, const Gap<double>& expected, double fast, const char* what) {
+    EXPECT_NEAR(gap.value, expected.value, 1e-13) << what;
+    EXPECT_NEAR(gap.rate, expected.rate, 1e-10 * fast) << what;
+    EXPECT_NEAR(gap.bend, expected.bend, 1e-10 * fast * fast) << what;
+    EXPECT_NEAR(gap.jerk, expected.jerk, 1e-10 * fast * fast * fast) << what;
+}
+
+/// |X|² − (1 − α)² and, of a vertex, |X + a|² − 1.
+template <Shape shape>
+Gap<double> gap_by_differences(const Body<Quad>& body, const Flight<Quad>& flight, double time) {
+    return by_differences([&](const Quad& h) {
+        const Instant<Quad> at = instant_at<shape>(flight, Quad(Quad(time) + h));
+        if constexpr (shape == Shape::disk) return Quad(dot(at.centre, at.centre) - body.inner * body.inner);
+        const Vec2<Quad> x = at.centre + at.arm;
+        return Quad(dot(x, x) - 1);
+    });
+}
+
+TEST(Gaps, AndTheirDerivativesAreThoseOfTheFlightIn113Bits) {
+    Random random(5);
+    for (int k = 0; k < 200; ++k) {
+        const Scene<double> scene = tests::uniform_scene(random.one_of({3, 4, 6, 50}), random.between(0.1, 0.8),
+                                                         random.between(0, 2), 0.5, 0.9);
+        const SectionPoint<double> z = tests::random_point(random, scene, 0.5);
+        const Body<double> body = make_body(scene);
+        const Body<Quad> wide = make_body(scene_in<Quad>(scene));
+        const PostImpactState<double> from = post_impact_state(z);
+        const Flight<double> flight = flight_from(body, from);
+        const Flight<Quad> in_quad =
+            flight_from(wide, post_impact_state(SectionPoint<Quad>{z.psi, z.chi, z.vn, z.vt, z.spin}));
+        const double time = random.between(0.1, 2), fast = 3 + std::fabs(z.spin) + std::fabs(z.vn) + std::fabs(z.vt);
+        const Instant<double> at = instant_at<Shape::polygon>(flight, time);
+        expect_alike(centre_gap(body, flight, at), gap_by_differences<Shape::disk>(wide, in_quad, time), fast,
+                     "centre");
+        const Gap<double> vertex = gap_by_differences<Shape::polygon>(wide, in_quad, time);
+        expect_alike(vertex_gap(flight, at, at.arm), vertex, fast, "vertex");
+        expect_alike(struck_gap(flight, at), vertex, fast, "the vertex that began the flight");
+        expect_alike(struck_gap_at_start(flight), gap_by_differences<Shape::polygon>(wide, in_quad, 0), fast,
+                     "that vertex at the start");
+    }
+}
+
+/// A quintic by its values and derivatives at 0: a gap whose sixth derivative is 0.
+struct Quintic {
+    std::array<double, 6> c;
+    Gap<double> at(double t) const {
+        Gap<double> g{0, 0, 0, 0};
+        for (int k = 5; k >= 0; --k) {
+            const double a = c[static_cast<std::size_t>(k)];
+            g.value += a * std::pow(t, k);
+            if (k > 0) g.rate += k * a * std::pow(t, k - 1);
+            if (k > 1) g.bend += k * (k - 1) * a * std::pow(t, k - 2);
+        }
+        return g;
+    }
+};
+
+TEST(ClosedBetween, IsTrueOfTheGapsThatItProves) {
+    Random random(6);
+    long proven = 0, later = 0;
+    for (int k = 0; k < 200'000; ++k) {
+        Quintic gap;
+        // Of both signs at the ends, mostly below 0 between them.
+        gap.c = {random.chance(0.5) ? 0 : random.between(-0.1, 0.3),
+                 random.between(-3, 1),
+                 random.between(-2, 4),
+                 random.between(-3, 3),
+                 random.between(-3, 3),
+                 random.between(-3, 3)};
+        const double h = random.between(0.2, 1.5);
+        const auto ring = detail::closed_between<double>(gap.at(0), gap.at(h), h, 0);
+        if (!ring.proven) continue;
+        ++proven;
+        later += ring.out > 0.01 * h;
+        ASSERT_GE(ring.out, 0);
+        ASSERT_GE(ring.in, 0);
+        for (int i = 0; i <= 50; ++i) {
+            const double t = ring.out + (h - ring.in - ring.out) * i / 50;
+            if (t <= ring.out || t >= h - ring.in) continue;
+            ASSERT_LE(gap.at(t).value, 1e-13) << "at " << t << " of " << h;
+        }
+    }
+    std::printf("%ld proven, %ld of them from later than the first end on\n", proven, later);
+    EXPECT_GE(proven, 10'000);
+    EXPECT_GE(later, 1000);
+}
+
+}  // namespace
+}  // namespace swirl

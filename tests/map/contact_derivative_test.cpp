@@ -128,6 +128,10 @@ struct Differences {
 
     template <class Side>
     void add(const Side& below, const Side& above, const typename Side::value_type& found, double size) {
+        if (!found.allFinite()) {  // not known on a border
+            ++left_out;
+            return;
+        }
         const typename Side::value_type expected = 0.5 * (*above + *below);
         const double scale = std::max(size, expected.cwiseAbs().maxCoeff());
         ++columns;

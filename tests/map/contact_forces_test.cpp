@@ -137,6 +137,20 @@ TEST(Jam, WhereTheNormalForceIsNotUniqueStopsTheSlip) {
     EXPECT_GE(after.un, -1e-8);  // u_n was 0, so that Newton's law gives 0; the border is taken 1e-9 early
 }
 
+TEST(Slip, IsShownAtFourPlacesOfEachStep) {
+    const auto scene = contact_of(scene_of(disk_sides, 0.4, 0.5, 0.2, 0.5));
+    long shown = 0;
+    double last = 0;
+    const ContactSink sink = [&](const ContactSums<double>& sums, Support, ContactMotion, const ContactState<double>&) {
+        ++shown;
+        last = sums.time;
+    };
+    const auto end = run_contact(scene, Support::rim, ContactMotion::sliding_forward, {0.2, 0, 1, 1}, 10.0, sink);
+    EXPECT_GE(end.steps, 3);
+    EXPECT_EQ(shown, 4 * end.steps);
+    EXPECT_EQ(last, end.sums.time);
+}
+
 TEST(Slip, ThatTurnsAgainstItsOwnDirectionEndsAtOnce) {
     // A slip set against the direction in which the forces drive it: found on the first part of a step, not at its end.
     const auto scene = contact_of(scene_of(disk_sides, 0.4, 0.5, 0.2, 0.5));

@@ -16,7 +16,7 @@
 namespace swirl {
 namespace {
 
-using tests::most, tests::usual;
+using tests::most, tests::usual, tests::worse;
 using Kind = tests::ComparedDerivatives;
 
 /// A motion in contact that can begin, on an edge, a vertex or a rim.
@@ -93,10 +93,10 @@ double error_along_parameters(const Start& start, const ContactPhase<double>& ph
         for (std::size_t k = 0; k < 5; ++k) {
             const double expected =
                 static_cast<double>((k < 2 ? wrapped_angle(Quad(x[k] - y[k])) : Quad(x[k] - y[k])) / (2 * h));
-            error = std::max(error, std::abs(found[k].v[0] - expected));
+            error = worse(error, std::abs(found[k].v[0] - expected));
             size = std::max(size, std::abs(expected));
         }
-        worst = std::max(worst, error / size);
+        worst = worse(worst, error / size);
     }
     return worst;
 }
@@ -127,7 +127,7 @@ void compare_phase(const Start& start, std::map<std::string, Kind>& kinds) {
         for (std::size_t k = 0; k < 5; ++k) {
             const double expected =
                 static_cast<double>((k < 2 ? wrapped_angle(Quad(x[k] - y[k])) : Quad(x[k] - y[k])) / (2 * h));
-            error = std::max(error, std::abs(found[k].v[i] - expected));
+            error = worse(error, std::abs(found[k].v[i] - expected));
             size = std::max(size, std::abs(expected));
         }
     }
@@ -135,7 +135,7 @@ void compare_phase(const Start& start, std::map<std::string, Kind>& kinds) {
     Kind& kind = kinds[std::string(begins[static_cast<int>(start.completion.support)]) + " to " +
                        std::string(name_of(phase.finish))];
     ++kind.compared;
-    kind.worst = std::max(kind.worst, error / size);
+    kind.worst = worse(kind.worst, error / size);
 }
 
 std::map<std::string, Kind> compare_phases(int phases, std::uint64_t seed) {
@@ -161,7 +161,7 @@ std::map<std::string, Kind> compare_phases_along_parameters(int phases, std::uin
             if (!phase.resolved || phase.finish == ContactEvent::horizon || !(phase.sums.time > 0)) continue;
             Kind& kind = kinds[events_of(phase)];
             ++kind.compared;
-            kind.worst = std::max(kind.worst, error_along_parameters(start, phase));
+            kind.worst = worse(kind.worst, error_along_parameters(start, phase));
         }
     for (const auto& [name, kind] : kinds)
         std::printf("%s: %ld phases, largest difference %.1e\n", name.c_str(), kind.compared, kind.worst);

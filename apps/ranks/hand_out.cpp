@@ -74,6 +74,16 @@ void serve(Ranks& ranks, int threads, const NamedWork& work) {
     }
 }
 
+int take_part(Ranks& ranks, int threads, const std::function<NamedWork()>& plan) {
+    note_interruptions();
+    try {
+        serve(ranks, threads, plan());
+    } catch (const std::exception& error) {
+        refuse_to_serve(ranks, error.what());
+    }
+    return is_interrupted() ? exit_interrupted : exit_done;
+}
+
 }  // namespace
 
 HandOut::~HandOut() {
@@ -196,20 +206,6 @@ std::string name_of_work(const Settings& settings) {
     const std::string all = fmt::format("{} ({})\n{}", version(), instruction_set(), settings_text(settings));
     return fmt::format("{:016x}", std::hash<std::string>()(all));
 }
-
-namespace {
-
-int take_part(Ranks& ranks, int threads, const std::function<NamedWork()>& plan) {
-    note_interruptions();
-    try {
-        serve(ranks, threads, plan());
-    } catch (const std::exception& error) {
-        refuse_to_serve(ranks, error.what());
-    }
-    return is_interrupted() ? exit_interrupted : exit_done;
-}
-
-}  // namespace
 
 int on_all_ranks(bool quiet, int threads, const std::function<NamedWork()>& plan,
                  const std::function<int(HandOut&)>& lead) {

@@ -19,7 +19,8 @@ namespace swirl::apps::sweep {
 inline constexpr std::int64_t no_saddle = -1;
 
 /// What the record calls the end of a way along a boundary: found is "saddle", an unstable cycle or torus whose stable
-/// set it is; not_found neither a cycle of up to 32 impacts nor a torus along 40,000, as on a chaotic saddle.
+/// set it is; not_found neither a cycle of up to 32 impacts nor a torus along 40,000, as on a chaotic saddle. The
+/// others: analysis/classification/basin_boundary.hpp.
 std::string_view name_of(analysis::StraddleEnd end);
 
 /// A place between two neighbouring starts that came to different attractors.

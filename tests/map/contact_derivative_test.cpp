@@ -113,11 +113,12 @@ double chatter_lasts(const ContactScene<double>& scene, const PostImpactState<do
 }
 
 /// Chatter that sticks starts each flight at u_t = 0 and so moves along the wall by O(a_t T²), which its sum leaves out
-/// (map/sustained/README.md, "Limits"): by v that is O(T (1 + |a_t|/a_n)), the free accelerations along t and n.
+/// (map/sustained/README.md, "Limits"): by v that is O(T (1 + |a_t|/a_n)), the free accelerations along t and n, and by
+/// as much over α of χ.
 double left_out_by_sticking(const ContactScene<double>& scene, const PostImpactState<double>& from) {
     const Flight<double> flight = flight_from(scene.body, from);
     const Vec2<double> free = flight.beta * flight.phase - flight.spin * flight.spin * flight.arm;
-    return chatter_lasts(scene, from) * (1 + std::abs(free.y) / std::abs(free.x));
+    return chatter_lasts(scene, from) * (1 + std::abs(free.y) / std::abs(free.x)) * (1 + 1 / scene.body.alpha);
 }
 
 /// Columns of a derivative against one-sided differences.
@@ -241,8 +242,11 @@ void compare(const Landing& landing, std::map<std::string, Kind>& kinds) {
         ++kind.compared;
         kind.columns += differences.columns;
         kind.left_out += differences.left_out;
-        const double left_out = compared.stuck ? left_out_by_sticking(returns.contact(), landing.from) : 0;
-        if (differences.split > 1e-7)
+        const ContactKinematics<double> slip = contact_kinematics(map.body(), landing.from);
+        // Impacts of v change u_t by some v: slips as slow as that are stopped on the way.
+        const bool may_stick = compared.stuck || std::abs(slip.ut) <= 10 * std::abs(slip.un);
+        const double left_out = may_stick ? left_out_by_sticking(returns.contact(), landing.from) : 0;
+        if (differences.split > 1e-7 || left_out > 1e-4)
             ++kind.kinks;
         else if (left_out > 0.1 * usual) {
             ++kind.sticking;
@@ -275,7 +279,8 @@ void expect_exact(const std::map<std::string, Kind>& kinds, double bound) {
     long columns = 0, without = 0;
     for (const auto& [name, kind] : kinds) {
         EXPECT_LE(kind.worst, bound) << name;
-        EXPECT_LE(kind.sticking_worst, 3) << name;  // 2 Σ eᵏ/(1 + e) and such: a number of order 1
+        EXPECT_LE(kind.sticking_worst, 3) << name;  // 2/(1 + e), and as much again
+        EXPECT_GE(kind.compared - kind.sticking, 0.5 * static_cast<double>(kind.compared)) << name;
         columns += kind.columns;
         without += kind.kinks + kind.left_out;
     }

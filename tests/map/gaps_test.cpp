@@ -1,5 +1,7 @@
 // Gaps and their derivatives along a flight, and what a certificate says of a gap between two moments.
+#include "map/first_contact/bounds.hpp"
 #include "map/first_contact/certificate.hpp"
+#include "map/first_contact/vertices.hpp"
 #include "map/model/section.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
@@ -37,45 +39,67 @@ void expect_alike(const Gap<double>& gap, const Gap<double>& expected, double fa
 
 /// |X|² − (1 − α)² and, of a vertex, |X + a|² − 1.
 template <Shape shape>
-Gap<double> gap_by_differences(const Body<Quad>& body, const Flight<Quad>& flight, double time) {
+Gap<double> gap_by_differences(const Body<Quad>& body, const Flight<Quad>& flight, double time, int vertex = 0) {
     return by_differences([&](const Quad& h) {
         const Instant<Quad> at = instant_at<shape>(flight, Quad(Quad(time) + h));
         if constexpr (shape == Shape::disk) return Quad(dot(at.centre, at.centre) - body.inner * body.inner);
-        const Vec2<Quad> x = at.centre + at.arm;
+        const Vec2<Quad> x = at.centre + body.turned_to_vertex(at.arm, vertex);
         return Quad(dot(x, x) - 1);
     });
 }
 
-TEST(Gaps, AndTheirDerivativesAreThoseOfTheFlightIn113Bits) {
+/// A scene and a flight from its wall.
+struct FromWall {
+    Scene<double> scene;
+    SectionPoint<double> z;
+    Body<double> body = make_body(scene);
+    Body<Quad> wide = make_body(scene_in<Quad>(scene));
+    Flight<double> flight = flight_from(body, post_impact_state(z));
+    Flight<Quad> in_quad = flight_from(wide, post_impact_state(SectionPoint<Quad>{z.psi, z.chi, z.vn, z.vt, z.spin}));
+    double fast = 3 + std::fabs(z.spin) + std::fabs(z.vn) + std::fabs(z.vt);
+};
+
+FromWall draw(Random& random, int sides) {
+    const Scene<double> scene = tests::uniform_scene(sides, random.between(0.1, 0.8), random.between(0, 2), 0.5, 0.9);
+    return {scene, tests::random_point(random, scene, 0.5)};
+}
+
+TEST(Gaps, OfPolygonsAndTheirDerivativesAreThoseOfTheFlightIn113Bits) {
     Random random(5);
     for (int k = 0; k < 200; ++k) {
-        const Scene<double> scene = tests::uniform_scene(random.one_of({3, 4, 6, 50}), random.between(0.1, 0.8),
-                                                         random.between(0, 2), 0.5, 0.9);
-        const SectionPoint<double> z = tests::random_point(random, scene, 0.5);
-        const Body<double> body = make_body(scene);
-        const Body<Quad> wide = make_body(scene_in<Quad>(scene));
-        const PostImpactState<double> from = post_impact_state(z);
-        const Flight<double> flight = flight_from(body, from);
-        const Flight<Quad> in_quad =
-            flight_from(wide, post_impact_state(SectionPoint<Quad>{z.psi, z.chi, z.vn, z.vt, z.spin}));
-        const double time = random.between(0.1, 2), fast = 3 + std::fabs(z.spin) + std::fabs(z.vn) + std::fabs(z.vt);
-        const Instant<double> at = instant_at<Shape::polygon>(flight, time);
-        expect_alike(centre_gap(body, flight, at), gap_by_differences<Shape::disk>(wide, in_quad, time), fast,
-                     "centre");
-        const Gap<double> vertex = gap_by_differences<Shape::polygon>(wide, in_quad, time);
-        expect_alike(vertex_gap(flight, at, at.arm), vertex, fast, "vertex");
-        expect_alike(struck_gap(flight, at), vertex, fast, "the vertex that began the flight");
-        expect_alike(struck_gap_at_start(flight), gap_by_differences<Shape::polygon>(wide, in_quad, 0), fast,
-                     "that vertex at the start");
+        const FromWall from = draw(random, random.one_of({3, 4, 6, 50}));
+        const double time = random.between(0.1, 2);
+        const Instant<double> at = instant_at<Shape::polygon>(from.flight, time);
+        expect_alike(centre_gap(from.body, from.flight, at),
+                     gap_by_differences<Shape::disk>(from.wide, from.in_quad, time), from.fast, "centre");
+        const Gap<double> vertex = gap_by_differences<Shape::polygon>(from.wide, from.in_quad, time);
+        expect_alike(vertex_gap(from.flight, at, at.arm), vertex, from.fast, "vertex");
+        expect_alike(struck_gap(from.flight, at), vertex, from.fast, "the vertex that began the flight");
+        expect_alike(struck_gap_at_start(from.flight), gap_by_differences<Shape::polygon>(from.wide, from.in_quad, 0),
+                     from.fast, "that vertex at the start");
+        const int other = 1 + k % (from.scene.sides - 1);
+        const Vec2<double> arm = from.body.turned_to_vertex(at.arm, other);
+        expect_alike(detail::gap_of(from.body, from.flight, at, {other, arm, {}}),
+                     gap_by_differences<Shape::polygon>(from.wide, from.in_quad, time, other), from.fast, "another");
     }
 }
 
-/// A quintic by its values and derivatives at 0: a gap whose sixth derivative is 0.
-struct Quintic {
-    std::array<double, 6> c;
+TEST(Gaps, OfDisksAndTheirDerivativesAreThoseOfTheFlightIn113Bits) {
+    Random random(7);
+    for (int k = 0; k < 200; ++k) {
+        const FromWall from = draw(random, disk_sides);
+        const double time = random.between(0.1, 2);
+        expect_alike(centre_gap(from.body, from.flight, instant_at<Shape::disk>(from.flight, time)),
+                     gap_by_differences<Shape::disk>(from.wide, from.in_quad, time), from.fast, "disk");
+    }
+}
+
+/// A gap whose sixth derivative is 720 c₆.
+struct Sextic {
+    std::array<double, 7> c;
     Gap<double> at(double t) const {
         Gap<double> g{0, 0, 0, 0};
-        for (int k = 5; k >= 0; --k) {
+        for (int k = 6; k >= 0; --k) {
             const double a = c[static_cast<std::size_t>(k)];
             g.value += a * std::pow(t, k);
             if (k > 0) g.rate += k * a * std::pow(t, k - 1);
@@ -89,16 +113,18 @@ TEST(ClosedBetween, IsTrueOfTheGapsThatItProves) {
     Random random(6);
     long proven = 0, later = 0;
     for (int k = 0; k < 200'000; ++k) {
-        Quintic gap;
-        // Of both signs at the ends, mostly below 0 between them.
+        const double h = random.between(0.2, 1.5);
+        // Of both signs at the ends, mostly below 0 between them, and what the ends do not tell: b t³ (h − t)³.
+        const double b = random.between(0, 60) / std::pow(h, 6), h2 = h * h;
+        Sextic gap;
         gap.c = {random.chance(0.5) ? 0 : random.between(-0.1, 0.3),
                  random.between(-3, 1),
                  random.between(-2, 4),
-                 random.between(-3, 3),
-                 random.between(-3, 3),
-                 random.between(-3, 3)};
-        const double h = random.between(0.2, 1.5);
-        const auto ring = detail::closed_between<double>(gap.at(0), gap.at(h), h, 0);
+                 random.between(-3, 3) + b * h2 * h,
+                 random.between(-3, 3) - 3 * b * h2,
+                 random.between(-3, 3) + 3 * b * h,
+                 -b};
+        const auto ring = detail::closed_between<double>(gap.at(0), gap.at(h), h, 720 * std::fabs(gap.c[6]));
         if (!ring.proven) continue;
         ++proven;
         later += ring.out > 0.01 * h;
@@ -113,6 +139,18 @@ TEST(ClosedBetween, IsTrueOfTheGapsThatItProves) {
     std::printf("%ld proven, %ld of them from later than the first end on\n", proven, later);
     EXPECT_GE(proven, 10'000);
     EXPECT_GE(later, 1000);
+}
+
+/// At the wall by what the gap's rounding leaves open, 4 ε of its size, or the time's; never beyond 16 ε of the size.
+TEST(IsAtWall, ByTheRoundingOfTheGapOrOfTheTime) {
+    constexpr double eps = 0x1p-52;
+    const double slow = 1e-12, fast = 10;
+    EXPECT_TRUE(detail::is_at_wall<double>(-3 * eps, slow, 1, 1));
+    EXPECT_FALSE(detail::is_at_wall<double>(-5 * eps, slow, 1, 1));
+    EXPECT_TRUE(detail::is_at_wall<double>(-15 * eps, fast, 10, 1));
+    EXPECT_FALSE(detail::is_at_wall<double>(-17 * eps, fast, 10, 1));
+    EXPECT_TRUE(detail::is_at_wall<double>(-11 * eps, slow, 1, 3));
+    EXPECT_FALSE(detail::is_at_wall<double>(-3 * eps, -slow, 1, 1)) << "it recedes";
 }
 
 }  // namespace

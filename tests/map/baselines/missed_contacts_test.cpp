@@ -24,7 +24,7 @@ constexpr double same_time = 1e-6;
 struct Counts {
     long flights = 0;
     long missed = 0;      ///< later than the exact one, or not found at all
-    long misordered = 0;  ///< at the same time, another vertex
+    long misordered = 0;  ///< at the same time, another vertex; ties are the certainty tests' to decide
     long early = 0;       ///< earlier: not a contact, or the exact search has passed one
 };
 

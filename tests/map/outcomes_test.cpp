@@ -184,6 +184,13 @@ TEST(Outcome, AStateOfAnOrbitIsAStart) {
     EXPECT_GT(compared, 300);
 }
 
+TEST(Outcome, OnTheWallAreThoseInContactAndCutShort) {
+    using enum Outcome;
+    for (const Outcome outcome : {in_contact, contact_cut}) EXPECT_TRUE(ends_in_contact(outcome));
+    for (const Outcome outcome : {completed, no_contact, resting, diverged, unresolved})
+        EXPECT_FALSE(ends_in_contact(outcome)) << name_of(outcome);
+}
+
 /// χ beyond what the neighbour leaves room for: the vertex itself is on the wall, the neighbour outside.
 TEST(Outcome, AStateWithAnotherVertexOutsideIsNoStart) {
     const Scene<double> scene = scene_of(6, 0.4, 0.5, 0.5, 0.9);

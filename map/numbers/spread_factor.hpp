@@ -9,9 +9,9 @@ namespace swirl {
 ///
 /// A constant of few digits rounds more to one side than to the other. The product with 1/(1 − 0.4) = 5/3 ends in
 /// multiples of a sixth of its last place, ties among them, and which way a tie goes is decided by how 5/3 was rounded:
-/// always the same way, and J drifts by some ε/70 per impact (map/README.md, "Energy in the swirling frame"). c₁ has no
+/// always the same way, and J drifts by some ε/70 per impact (map/README.md, "Section coordinates"). c₁ has no
 /// such structure: c₁x is rounded up as often as down, its error is spread evenly over the last place, and so the sum
-/// c₁x + c₂x is rounded without bias, too. Its error is at most 1½ ulp (a product's ½). Cost: a product and a sum.
+/// c₁x + c₂x is rounded without bias, too. Its error is some 1½ ulp at most (a product's ½). Cost: a product and a sum.
 template <class T>
 struct SpreadFactor {
     T first{}, second{};

@@ -1,17 +1,14 @@
 // How often the paper's solver misses or misorders a contact, on flights of scenes' own orbits; and that where it finds
 // a contact the exact search has found one no later.
+#include "analysis/classification/rate_interval.hpp"
 #include "map/baselines/baseline_map.hpp"
-#include "map/orbit/laboratory.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"
 
 #include <gtest/gtest.h>
-#include <boost/math/distributions/binomial.hpp>
 
-#include <cmath>
 #include <cstdio>
-#include <string>
 
 namespace swirl {
 namespace {
@@ -58,17 +55,6 @@ Counts follow(const Map& map, long flights) {
     return counts;
 }
 
-struct Interval {
-    double low, high;
-};
-
-/// Clopper and Pearson's, 95 %.
-Interval interval_of(long found, long of) {
-    using Binomial = boost::math::binomial_distribution<double>;
-    const double n = static_cast<double>(of), k = static_cast<double>(found);
-    return {Binomial::find_lower_bound_on_p(n, k, 0.025), Binomial::find_upper_bound_on_p(n, k, 0.025)};
-}
-
 void compare_in_scenes(long flights) {
     struct Named {
         const char* name;
@@ -92,10 +78,10 @@ void compare_in_scenes(long flights) {
         all.missed += counts.missed;
         all.misordered += counts.misordered;
     }
-    const Interval rate = interval_of(all.missed + all.misordered, all.flights);
+    const analysis::RateInterval rate = analysis::rate_interval(all.missed + all.misordered, all.flights);
     std::printf("all: %ld of %ld, %.2f %% to %.2f %% (95 %%)\n", all.missed + all.misordered, all.flights,
-                100 * rate.low, 100 * rate.high);
-    EXPECT_GT(rate.low, 0.001);  // measured: some per cent of the chaotic hexagon's
+                100 * rate.least, 100 * rate.most);
+    EXPECT_GT(rate.least, 0.001);  // measured: some per cent of the chaotic hexagon's
 }
 
 TEST(MissedContacts, OfThePapersSolver) {

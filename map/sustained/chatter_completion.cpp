@@ -3,6 +3,7 @@
 #include "map/map_list.hpp"
 #include "map/sustained/contact_jets.hpp"
 #include "map/sustained/reaction.hpp"
+#include "map/sustained/sticking_chatter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,11 @@ ContactState<T> landed(const ContactScene<T>& scene, const PostImpactState<T>& p
     const Slip<T> slip = slip_of(scene, post_impact);
     ContactState<T> state = without_normal_velocity(scene, post_impact, slip, jacobi);
     if (scene.mu > 0 && (!slip.slides || state.ut * slip.sign <= 0)) state.ut = 0;
+    if (scene.mu > 0 && !slip.slides) {
+        const T before = jacobi_of(scene.body, post_impact_state(scene, state));
+        move_along_wall(scene, post_impact, T(free_acceleration(scene, post_impact, T(0))), state);
+        jacobi += jacobi_of(scene.body, post_impact_state(scene, state)) - before;
+    }
     return state;
 }
 
@@ -196,7 +202,11 @@ ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<
         return state;
     }
     T jacobi(0);
-    return without_normal_velocity(scene, seen(near), slip_of(scene, seen(base)), jacobi);
+    const Slip<T> slip = slip_of(scene, seen(base));
+    ContactState<T> state = without_normal_velocity(scene, seen(near), slip, jacobi);
+    if (scene.mu > 0 && !slip.slides)
+        move_along_wall(scene, seen(near), T(free_acceleration(scene, seen(near), T(0))), state);
+    return state;
 }
 
 template <class T>

@@ -3,6 +3,7 @@
 #include "map/map_list.hpp"
 #include "map/sustained/chatter_completion.hpp"
 #include "map/sustained/contact_jets.hpp"
+#include "map/sustained/impulse_by_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,21 +16,6 @@ namespace {
 using std::abs;
 
 constexpr int most_impulses = 100'000;
-
-template <class T>
-Impulse<T> impulse_by(const ContactScene<T>& scene, const ContactKinematics<T>& approach, const T& restitution) {
-    switch (scene.rule) {
-        case ImpactRule::frictionless:
-            return impulse<ImpactRule::frictionless>(approach, scene.mu, restitution);
-        case ImpactRule::poisson:
-            return impulse<ImpactRule::poisson>(approach, scene.mu, restitution);
-        case ImpactRule::newton:
-            return impulse<ImpactRule::newton>(approach, scene.mu, restitution);
-        case ImpactRule::stronge:
-            return impulse<ImpactRule::stronge>(approach, scene.mu, restitution);
-    }
-    return {};
-}
 
 template <class T>
 void receive(const ContactScene<T>& scene, const ContactKinematics<T>& before, const Impulse<T>& j,
@@ -48,7 +34,7 @@ template <class T>
 Impulse<T> strike_once(const ContactScene<T>& scene, PostImpactState<T>& post_impact, const T& restitution,
                        Strike<T>& strike) {
     const ContactKinematics<T> before = contact_kinematics(scene.body, post_impact);
-    const Impulse<T> j = impulse_by(scene, before, restitution);
+    const Impulse<T> j = impulse_by_law(scene, before, restitution);
     receive(scene, before, j, post_impact, strike);
     return j;
 }
@@ -61,7 +47,7 @@ Impulse<T> jam_once(const ContactScene<T>& scene, PostImpactState<T>& post_impac
     const T stop = abs(before.ut) / (scene.mu * before.b1() - sign * before.b3());  // p where slip ends
     ContactKinematics<T> pressed = before;
     pressed.un = std::max(T(T(2) * stiffness * stop), T(0));
-    const Impulse<T> j = impulse_by(scene, pressed, scene.restitution);
+    const Impulse<T> j = impulse_by_law(scene, pressed, scene.restitution);
     receive(scene, before, j, post_impact, strike);
     return j;
 }

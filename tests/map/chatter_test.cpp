@@ -1,8 +1,5 @@
 // The chatter completion against the sequence of impacts, followed one by one in 113 bits.
-#include "map/orbit/orbit.hpp"
-#include "map/sustained/chatter_completion.hpp"
-#include "map/sustained/motion_choice.hpp"
-#include "tests/map/contact_scenes.hpp"
+#include "tests/map/chatter_sequences.hpp"
 #include "tests/map/random_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -18,54 +15,7 @@
 namespace swirl {
 namespace {
 
-/// The limit of a sequence of impacts, followed until its remainder is below 10⁻²⁰ (10⁻²⁹ for a comparison in 113
-/// bits).
-struct Accumulation {
-    bool found = false;
-    Quad time{}, psi{}, chi{}, ut{}, spin{};
-};
-
-template <class T>
-Accumulation impact_by_impact(const Scene<double>& s, const SectionPoint<double>& z) {
-    const Quad least = std::is_same_v<T, Quad> ? Quad(1e-29) : Quad(1e-20);
-    return with_collision_map(tests::scene_in<Quad>(s), [&](const auto& map) {
-        PostImpactState<Quad> post_impact = post_impact_state(SectionPoint<Quad>{z.psi, z.chi, z.vn, z.vt, z.spin});
-        Quad time = 0;
-        for (int i = 0; i < 1000; ++i) {
-            const Quad ut = contact_kinematics(map.body(), post_impact).ut;
-            if (-contact_kinematics(map.body(), post_impact).un < least) {
-                const SectionPoint<Quad> end = section_point(post_impact);
-                return Accumulation{true, time, end.psi, end.chi, ut, post_impact.spin};
-            }
-            const Collision<Quad> next = map.advance(post_impact);
-            if (next.outcome != FirstContactOutcome::contact || next.vertex_step != 0) return Accumulation{};
-            time += next.flight_time;
-            post_impact = next.after;
-        }
-        return Accumulation{};
-    });
-}
-
-/// The largest difference of place and velocities from `end` if chatter is replaced by contact at once; negative if the
-/// contact changes its kind on the way.
-template <class T>
-double difference_from(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const Accumulation& end) {
-    using std::abs;
-    const Support support = scene.is_disk() ? Support::rim : Support::vertex;
-    const ChatterCompletion<T> completion{true, support, {}, 0, T(0), T(0)};
-    const ContactState<T> landed = landed_like(scene, post_impact, completion, post_impact);
-    const MotionChoice<T> choice = choose_motion(scene, support, landed, 0);
-    if (!choice.stays) return -1;
-    const ContactEnd<T> contact = run_contact(scene, support, choice.motion, landed, T(end.time));
-    if (contact.event != ContactEvent::horizon) return -1;
-    const Vec2<T> n = cis(contact.state.psi), exact = cis(T(end.psi));
-    const T velocity =
-        std::max(T(abs(contact.state.ut - T(end.ut))), T(scene.body.alpha * abs(contact.state.spin - T(end.spin))));
-    if (scene.is_disk())
-        return static_cast<double>(std::max(velocity, T(scene.body.inner * detail::magnitude(n - exact))));
-    const Vec2<T> arm = cis(T(contact.state.psi + contact.state.chi)) - cis(T(end.psi + end.chi));
-    return static_cast<double>(std::max(velocity, detail::magnitude(n - exact - scene.body.alpha * arm)));
-}
+using tests::Accumulation, tests::difference_from, tests::impact_by_impact;
 
 /// A draw of scenes and impacts that begin chattering.
 struct Draw {
@@ -95,7 +45,9 @@ std::vector<double> shares_of_estimate(const Draw& draw, std::uint64_t seed, int
         const double ut = static_cast<double>(contact_kinematics(scene.body, post_impact).ut);
         // Left out: chatter that is not short against the swirl, and slips that stop during it (not smooth).
         if (!(error.moved <= 0.01 * draw.leaving) || std::abs(ut) < 0.05) continue;
-        const Accumulation end = impact_by_impact<T>(s, z);
+        // The remainder: below 10⁻²⁰, in 113 bits below 10⁻²⁹.
+        const PostImpactState<Quad> wide = post_impact_state(SectionPoint<Quad>{z.psi, z.chi, z.vn, z.vt, z.spin});
+        const Accumulation end = impact_by_impact(s, wide, Quad(std::is_same_v<T, Quad> ? 1e-29 : 1e-20));
         if (!end.found) continue;
         // Velocities are known to some ε of themselves; in 113 bits the reference's last impact left 10⁻²⁹.
         const double rounding =

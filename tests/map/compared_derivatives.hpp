@@ -10,9 +10,7 @@ namespace swirl::tests {
 /// Landings or phases of one kind.
 struct ComparedDerivatives {
     long compared = 0, columns = 0, left_out = 0, kinks = 0;
-    double worst = 0;           ///< difference, of the derivative's largest entry
-    long sticking = 0;          ///< landings whose chatter sticks …
-    double sticking_worst = 0;  ///< … and their largest difference, in units of what its sum leaves out
+    double worst = 0;  ///< difference, of the derivative's largest entry
 };
 
 /// Of the largest entry. An event whose rate is small (a release, a grazing λ) is known to ε by that rate: 1 in 700.

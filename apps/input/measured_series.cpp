@@ -68,8 +68,8 @@ void require_not_too_large(const DelimitedFile& file, const std::vector<double>&
                                                detail::largest_magnitude, detail::largest_magnitude)));
 }
 
-/// Counts what is missing and looks at the times. @throws BadInput with fewer than two values, or none whose square can
-/// be held
+/// Counts what is missing and looks at the times. @throws BadInput with fewer than two values, none whose square can be
+/// held, or times that rounding makes one (of an angle they lie halfway between those of the file)
 void describe(MeasuredSeries& series) {
     series.missing = 0;
     series.gaps = count_gaps(series.values);
@@ -88,6 +88,9 @@ void describe(MeasuredSeries& series) {
                                    series.values.size() - series.missing));
     const auto& t = series.times;
     series.spacing = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+    if (!(series.spacing > 0))
+        throw BadInput(fmt::format("series: the times, {} to {}, are too close to each other to be told apart",
+                                   t.front(), t.back()));
     series.largest_step = series.largest_deviation = 0;
     for (std::size_t i = 0; i < t.size(); ++i) {
         const double deviation = t[i] - (t.front() + static_cast<double>(i) * series.spacing);

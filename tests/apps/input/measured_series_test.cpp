@@ -162,6 +162,16 @@ TEST(MeasuredSeries, TimesMustRise) {
     EXPECT_EQ(read("t,S\n0,1\n0,2\n", "", "none").values, (Numbers{1, 2}));
 }
 
+// S of an angle lies halfway between its times; halves of the last digit are rounded to the same time.
+TEST(MeasuredSeries, TimesOfAnAngleMustBeToldApart) {
+    const WrittenFile file("t,angle\n1.0000000000000007,3\n1.0000000000000009,4\n1.0000000000000011,5\n");
+    SeriesChoice choice;
+    choice.file = file.path();
+    choice.angle = "angle";
+    EXPECT_THAT([&] { read_series(choice); },
+                testing::ThrowsMessage<BadInput>(HasSubstr("too close to each other to be told apart")));
+}
+
 TEST(MeasuredSeries, ValuesAreOfASizeThatCanBeReckonedWith) {
     EXPECT_THAT(refusal("t,S\n0,1\n1,-1e308\n2,1\n"), HasSubstr("line 3: -1e+308 in column S is outside its range: "
                                                                 "-1e+75 to 1e+75; the line reads '1,-1e308'"));

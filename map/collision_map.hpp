@@ -59,10 +59,13 @@ public:
             advance_with_certainty(flight, collision);
     }
 
+    /// The same as `advance` where the direct search is known to find nothing: by conservative advancement alone.
+    [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const;
+
     /// The impact at a moment known to be the contact of the vertex at X + `arm`; fills all that depends on it.
     ///   vertex  its number: what rounding left out of its tabled direction is made up for (0: nothing is)
-    [[gnu::always_inline]] void strike(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm,
-                                       Collision<T>& collision, int vertex = 0) const {
+    [[gnu::always_inline]] void strike(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm, int vertex,
+                                       Collision<T>& collision) const {
         const Vec2<T> x = shape == Shape::disk ? body_.spread_per_inner * at.centre : at.centre + arm;
         const Vec2<T> seen = seen_from(x, flight.velocity);
         const T longer = missing_length(x);  // at a contact |x| = 1 but for rounding
@@ -99,12 +102,9 @@ public:
     }
 
 private:
-    /// For the flights that the direct search leaves undecided: conservative advancement.
-    [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const;
-
     [[gnu::always_inline]] void arrive(const Flight<T>& flight, const FirstContact<T>& contact,
                                        Collision<T>& collision) const {
-        strike(flight, contact.at, contact.arm, collision, contact.vertex);
+        strike(flight, contact.at, contact.arm, contact.vertex, collision);
         collision.steps = contact.steps;
         collision.vertex_step = contact.vertex;
         collision.simultaneous = contact.simultaneous;

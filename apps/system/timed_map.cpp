@@ -51,7 +51,7 @@ double time_between(const CollisionMap<double, shape, rule>& map, const analysis
         const auto nearest = detail::nearest_to_wall<shape>(map.body(), flight, at);
         if (!(nearest.gap.rate > 0 && std::abs(nearest.gap.value) < best)) continue;
         Collision<double> collision;
-        map.strike(flight, at, nearest.arm, collision);
+        map.strike(flight, at, nearest.arm, nearest.vertex, collision);
         const Eigen::VectorXd after = coordinates_of<section_dimension<shape>>(section_point(collision.after));
         const double away = plain.difference(after, next).norm() + std::abs(nearest.gap.value);
         if (!(away < best)) continue;

@@ -43,7 +43,7 @@ public:
     void advance(const Flight<double>& flight, Collision<double>& collision) const {
         const FirstContact<double> contact = baseline_contact(search_, body(), flight);
         if (contact.outcome == FirstContactOutcome::contact)
-            strike(flight, contact.at, contact.arm, collision, contact.vertex);
+            strike(flight, contact.at, contact.arm, contact.vertex, collision);
         collision.outcome = contact.outcome;
         collision.steps = contact.steps;
         collision.vertex_step = contact.vertex;
@@ -51,9 +51,9 @@ public:
     }
 
     /// As CollisionMap::strike.
-    void strike(const Flight<double>& flight, const Instant<double>& at, const Vec2<double>& arm,
-                Collision<double>& collision, int vertex = 0) const {
-        exact_.strike(flight, at, arm, collision, vertex);
+    void strike(const Flight<double>& flight, const Instant<double>& at, const Vec2<double>& arm, int vertex,
+                Collision<double>& collision) const {
+        exact_.strike(flight, at, arm, vertex, collision);
     }
 
 private:

@@ -149,9 +149,11 @@ HWY_INLINE RoundResult look_at_disks(LaneBlock& block, int i) {
     const LaneSeries gap = series_along<11>(path, near);
     const LaneRoot root = root_of(gap);
     const Lane time = near.time + (root.first + root.second);
-    usual = all(usual, is_tabled_moment(guess), looks <= Lane(correction_limit), root.rate > Lane(0),
-                magnitude(root.first) + magnitude(root.second) <= Lane(longest_correction), is_small(root.first),
-                time > Lane(0));
+    const Mask leads_on =
+        all(root.rate > Lane(0), magnitude(root.first) + magnitude(root.second) <= Lane(longest_correction));
+    const Mask looked = all(usual, is_tabled_moment(guess), looks <= Lane(correction_limit));
+    const Mask near_enough = all(leads_on, is_small(root.first));
+    usual = all(looked, near_enough, time > Lane(0));
     const Lane outer = load(scenes.outer, i);
     const Mask converged = is_converged(root, time, centre_bound(11, flight.beta, outer, speed));
     const Mask clear = clear_between({Lane(0), start.rate, start.bend, start.jerk}, gap_at(gap, root), time,
@@ -164,10 +166,11 @@ HWY_INLINE RoundResult look_at_disks(LaneBlock& block, int i) {
 
     const Mask struck = all(usual, converged, clear, stays_in_range(after, flight.beta, alpha));
     const Mask again = all(usual, no(converged));
+    const Mask vain = all(looked, either(no(leads_on), all(near_enough, converged, no(all(clear, time > Lane(0))))));
     keep_impact(struck, after, time, looks, impact, Lane(0), block, i);
     store(choose(again, time, Lane(0)), block.guess, i);
     store(choose(again, looks, Lane(0)), block.looks, i);
-    return {bits_of(struck), bits_of(no(either(struck, again)))};
+    return {bits_of(struck), bits_of(no(either(struck, again))), bits_of(vain)};
 }
 
 }  // namespace swirl::detail::HWY_NAMESPACE

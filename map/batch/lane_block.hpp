@@ -52,7 +52,8 @@ struct LaneBlock {
 /// What a round did, a bit for each lane. A lane in neither is looked at again in the next round.
 struct RoundResult {
     std::uint32_t struck = 0;  ///< went on to its next impact
-    std::uint32_t left = 0;    ///< is unchanged: the scalar code decides its step
+    std::uint32_t left = 0;    ///< is unchanged: the scalar code decides its step …
+    std::uint32_t vain = 0;    ///< … and its direct search would find nothing, as the lane's did
 };
 
 /// Another search, another impact: the kernels that are compiled.

@@ -93,7 +93,7 @@ public:
             ++use_.rounds;
             use_.filled += std::popcount(filled_);
             each(result.struck & filled_, [&](int lane) { strike(lane); });
-            each(result.left & filled_, [&](int lane) { leave(lane); });
+            each(result.left & filled_, [&](int lane) { leave(lane, (result.vain >> lane & 1u) != 0); });
             each(result.left & ~filled_ & ((1u << block_lanes) - 1), [&](int lane) { idle(lane); });
         }
         return use_;
@@ -117,7 +117,7 @@ private:
             if (orbit.done >= orbit.wanted || orbit.outcome != Outcome::completed) continue;
             const Map& map = orbit.map->map();
             if (Map::shape == Shape::polygon && map.body().vertices.empty()) {  // too many for a table
-                while (step_alone(orbit, orbit.state) && orbit.done < orbit.wanted) {
+                while (step_alone(orbit, orbit.state, false) && orbit.done < orbit.wanted) {
                 }
                 continue;
             }
@@ -160,18 +160,19 @@ private:
     }
 
     /// A step that the lanes did not decide.
-    void leave(int lane) {
+    ///   vain  nor would the scalar code's direct search
+    void leave(int lane, bool vain) {
         Orbit& orbit = orbit_in(lane);
-        if (!step_alone(orbit, state_of(block_, lane)) || orbit.done >= orbit.wanted) return refill(lane);
+        if (!step_alone(orbit, state_of(block_, lane), vain) || orbit.done >= orbit.wanted) return refill(lane);
         fill_state(orbit.state, lane, block_);
     }
 
     /// By the scalar code. @return the orbit goes on
-    bool step_alone(Orbit& orbit, const PostImpactState<double>& from) {
+    bool step_alone(Orbit& orbit, const PostImpactState<double>& from, bool vain) {
         ++use_.left;
         ReturnStep<double> step;
         step.collision.after = from;
-        orbit.outcome = orbit.map->advance(step);
+        orbit.outcome = vain ? orbit.map->advance_undecided(step) : orbit.map->advance(step);
         orbit.state = step.collision.after;
         orbit.through_contact |= !step.contacts.empty();
         if (orbit.outcome != Outcome::completed) return false;

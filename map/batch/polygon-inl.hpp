@@ -70,15 +70,24 @@ HWY_INLINE LaneReturn return_near(const LanePath& path, Lane guess) {
     return back;
 }
 
-/// instant_of_return. @return the lanes in which it does; guesses between 7.99 and 16 leave
-HWY_INLINE Mask instant_of_return(const LaneFlight& flight, const LanePath& path, const LaneStart& start,
-                                  LaneInstant& at) {
+/// Lanes in which something is found, and those in which the scalar code does not find it either.
+struct Found {
+    Mask found, vain;
+};
+
+/// instant_of_return; guesses between 7.99 and 16 leave.
+HWY_INLINE Found instant_of_return(const LaneFlight& flight, const LanePath& path, const LaneStart& start,
+                                   LaneInstant& at) {
     const Lane guess = return_guess(start);
     LaneReturn back = return_near(path, guess);
     const Mask sampled =
         hn::AndNot(either(back.close, all(guess >= Lane(7.99), guess <= Lane(longest_guess))), Lane(0) < Lane(1));
+    Mask vain = Lane(1) < Lane(0);
     if (any(sampled)) {
-        const LaneReturn other = return_near(path, sampled_guess(path, sampled));
+        const Lane other_guess = sampled_guess(path, sampled);
+        const LaneReturn other = return_near(path, other_guess);
+        const Mask far = all(is_tabled_moment(other_guess), no(magnitude(other.closer) <= Lane(longest_step)));
+        vain = hn::And(sampled, either(other_guess <= Lane(0), far));
         back.near = {choose(sampled, other.near.time, back.near.time), choose(sampled, other.near.turn, back.near.turn),
                      choose(sampled, other.near.rest, back.near.rest)};
         back.closer = choose(sampled, other.closer, back.closer);
@@ -86,7 +95,7 @@ HWY_INLINE Mask instant_of_return(const LaneFlight& flight, const LanePath& path
     }
     const Lane spun = flight.spin * back.near.time;
     at = instant_after(flight, back.near, turn_minus_one(spun), back.closer);
-    return all(back.close, magnitude(spun) < Lane(32), magnitude(flight.spin * back.closer) < Lane(32));
+    return {all(back.close, magnitude(spun) < Lane(32), magnitude(flight.spin * back.closer) < Lane(32)), vain};
 }
 
 /// `CollisionMap::strike`: the state in the axes of the contact, before the impact.
@@ -124,10 +133,11 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
     const LanePath path = circle_path(flight);
     task.start = gap_at_start(path);
     task.struck = struck_gap_at_start(flight);
-    Mask usual = instant_of_return(flight, path, task.start, search.at);
-    usual = all(usual, task.struck.rate < -rate_rounding(task.speed, body.beta, z.spin, body.alpha));
+    const Found back = instant_of_return(flight, path, task.start, search.at);
+    Mask usual = all(back.found, task.struck.rate < -rate_rounding(task.speed, body.beta, z.spin, body.alpha));
     if constexpr (sums_chatter) usual = all(usual, leaves_the_wall(scenes, i, body, z));
     seek_vertex(task.vertices, flight, fourth_bound(body, flight, task.speed), usual, search);
+    Mask vain = either(back.vain, search.vain);
     usual = all(search.found, search.at.time + search.correction > Lane(0),
                 magnitude(flight.spin * search.correction) < Lane(32));
     const LaneInstant at = advanced(flight, search.at, search.correction);
@@ -137,6 +147,8 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
         Mask by_others;
         clear_by_derivatives(task, at, unproven, by_others);
         clear = either(clear, by_others);
+        // Where the body has turned by less, every moment between is one that the proofs here can look at, too.
+        vain = either(vain, all(unproven, no(by_others), magnitude(flight.spin * at.time) < Lane(32)));
     }
 
     LaneState after = state_at_wall(load(scenes.spread_per_alpha, i), flight, at, search.nearest.number, task.vertices);
@@ -144,7 +156,7 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
 
     const Mask done = all(clear, stays_in_range(after, body.beta, body.alpha));
     keep_impact(done, after, at.time, search.looks, impact, search.nearest.number, block, i);
-    return {bits_of(done), bits_of(no(done))};
+    return {bits_of(done), bits_of(no(done)), bits_of(vain)};
 }
 
 }  // namespace swirl::detail::HWY_NAMESPACE

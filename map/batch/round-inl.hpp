@@ -24,6 +24,7 @@ HWY_INLINE RoundResult look_at_all(LaneBlock& block) {
             some = look_at_polygons<rule, sums_chatter>(block, i);
         all_lanes.struck |= some.struck << i;
         all_lanes.left |= some.left << i;
+        all_lanes.vain |= some.vain << i;
     }
     return all_lanes;
 }

@@ -158,6 +158,7 @@ struct LaneSearch {
     LaneVertex nearest;
     Lane correction, looks;
     Mask found;
+    Mask vain;  ///< the scalar search gives up, too
 };
 
 /// Lanes that need more looks than this leave: they are few, and all the others wait for them.
@@ -167,14 +168,17 @@ inline constexpr int most_looks = 4;
 HWY_INLINE void seek_vertex(const VertexRows& vertices, const LaneFlight& flight, Lane fourth, Mask open,
                             LaneSearch& search) {
     search.found = Lane(1) < Lane(0);
+    search.vain = search.found;
     search.looks = Lane(0);
     for (int look = 1;; ++look) {
         // Lanes that have found theirs see the same once more.
         search.nearest = nearest_vertex(vertices, flight, search.at);
         const LaneGap& g = search.nearest.gap;
         search.correction = correction_of(g);
-        open =
-            all(open, search.nearest.known, g.rate > Lane(0), magnitude(search.correction) <= Lane(longest_correction));
+        open = all(open, search.nearest.known);
+        const Mask leads_on = all(open, g.rate > Lane(0), magnitude(search.correction) <= Lane(longest_correction));
+        search.vain = either(search.vain, hn::AndNot(leads_on, open));
+        open = leads_on;
         const Mask now = all(open, is_converged(g, search.correction, search.at.time, fourth));
         search.looks = choose(now, Lane(look), search.looks);
         search.found = either(search.found, now);

@@ -35,7 +35,7 @@ Collision<J> strike_along(const CollisionMap<J, shape, rule>& map, const Flight<
     shift.a = Plain<J>(0);  // the value of the time is exact to rounding: only its derivative is used
     const Instant<J> at = instant_at<shape>(flight, J(time) + shift);
     Collision<J> collision;
-    map.strike(flight, at, arm_at(at), collision);
+    map.strike(flight, at, arm_at(at), 0, collision);
     return collision;
 }
 

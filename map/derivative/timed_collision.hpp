@@ -63,12 +63,12 @@ TimedCollision<T, shape> collide_at(const CollisionMap<T, shape, rule>& in, cons
     Jet gap;
     if constexpr (shape == Shape::disk) {
         gap = dot(at.centre, at.centre) - map.body().inner * map.body().inner;
-        map.strike(flight, at, at.centre, collision);  // a disk's strike takes no arm
+        map.strike(flight, at, at.centre, 0, collision);  // a disk's strike takes no arm
     } else {
         const Vec2<Jet> arm = map.body().turned_to_vertex(at.arm, nearest.vertex);
         const Vec2<Jet> x = at.centre + arm;
         gap = dot(x, x) - Jet(1);
-        map.strike(flight, at, arm, collision);
+        map.strike(flight, at, arm, 0, collision);
     }
     const auto next = coordinates<shape>(section_point(collision.after));
     const auto take = [&](int row, const Jet& value) { result.derivative.row(row) = value.v.transpose(); };

@@ -134,7 +134,7 @@ WordCollision<T, shape> collide_by_word(const Scene<T>& scene, Parameter first, 
     using Seeded = detail::SeededFlight<T, shape, rule>;
     const Seeded seeded(scene, first, second, z, time, vertex);
     Collision<typename Seeded::Jet> collision;
-    seeded.map.strike(seeded.flight, seeded.at, shape == Shape::disk ? seeded.at.centre : seeded.arm, collision);
+    seeded.map.strike(seeded.flight, seeded.at, shape == Shape::disk ? seeded.at.centre : seeded.arm, 0, collision);
     WordCollision<T, shape> result;
     result.touch = seeded.touch();
     const auto next = coordinates<shape>(section_point(collision.after));

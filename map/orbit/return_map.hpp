@@ -33,6 +33,13 @@ long contact_steps(const ReturnStep<T>& step) {
 /// fast in contact that it is not followed so long (`most_contact_steps`) ends as `contact_cut`.
 inline constexpr double contact_horizon = 1000;
 
+/// A map whose certain search can be asked for by itself (those of `map/baselines` have none).
+template <class Map>
+concept HasCertainSearch = requires(const Map& map, const Flight<typename Map::Number>& flight,
+                                    Collision<typename Map::Number>& collision) {
+    map.advance_with_certainty(flight, collision);
+};
+
 /// F with sustained contact. For e = 1 it is the collision map itself, with one exception: where friction holds a
 /// polygon's vertex its normal velocity may fall with every impact (Poisson, Stronge: B₃ couples it to friction), and
 /// once it is below rounding the orbit goes on in contact. For a disk or a frictionless body |u_n| is conserved at e =
@@ -66,7 +73,18 @@ public:
 
     /// The same from the end of a return step, in place: for long orbits, without a copy per impact. If the outcome is
     /// not `completed`, only `contacts` changes, to those after its impact.
-    Outcome advance(ReturnStep<T>& return_step, double horizon = contact_horizon, const ContactSink& sink = {}) const;
+    Outcome advance(ReturnStep<T>& return_step, double horizon = contact_horizon, const ContactSink& sink = {}) const {
+        return advance_by(return_step, horizon, sink,
+                          [this](Collision<T>& collision) { map_.advance(collision.after, collision); });
+    }
+
+    /// The same, bit for bit, of a step whose direct search is known to find nothing (`map/batch`): without that
+    /// search.
+    Outcome advance_undecided(ReturnStep<T>& return_step) const requires HasCertainSearch<Map> {
+        return advance_by(return_step, contact_horizon, {}, [this](Collision<T>& collision) {
+            map_.advance_with_certainty(flight_from(map_.body(), collision.after), collision);
+        });
+    }
 
     /// The chatter completion (support and state) just after an impact from which `advance` led through contact.
     ChatterCompletion<T> completion(const PostImpactState<T>& post_impact) const;
@@ -77,6 +95,11 @@ public:
                                      long most_steps = most_contact_steps) const;
 
 private:
+    /// In place; `fly` makes the collision after `collision.after`.
+    template <class Fly>
+    [[gnu::always_inline]] inline Outcome advance_by(ReturnStep<T>& return_step, double horizon,
+                                                     const ContactSink& sink, const Fly& fly) const;
+
     /// A step of no duration and no impulse: iterating F would repeat it without end.
     bool changes_nothing(const Collision<T>& c) const {
         return contact_ && c.flight_time == T(0) && c.impulse.normal == T(0);
@@ -140,11 +163,13 @@ auto ReturnMap<Map>::advance(const PostImpactState<T>& post_impact, double horiz
 }
 
 template <class Map>
-auto ReturnMap<Map>::advance(ReturnStep<T>& return_step, double horizon, const ContactSink& sink) const -> Outcome {
+template <class Fly>
+auto ReturnMap<Map>::advance_by(ReturnStep<T>& return_step, double horizon, const ContactSink& sink,
+                                const Fly& fly) const -> Outcome {
     Collision<T>& collision = return_step.collision;
     if (!sums_chatter_ || !may_chatter(*contact_, collision.after)) [[likely]] {
         const T spin = collision.after.spin;
-        map_.advance(collision.after, collision);
+        fly(collision);
         if (collision.outcome == FirstContactOutcome::contact && !changes_nothing(collision)) [[likely]] {
             return_step.turned = spin * collision.flight_time;
             return_step.contact_work = T(0);
@@ -152,7 +177,7 @@ auto ReturnMap<Map>::advance(ReturnStep<T>& return_step, double horizon, const C
             return return_step.outcome = Outcome::completed;
         }
     }
-    const PostImpactState<T> post_impact = collision.after;  // unchanged by map_.advance if it found no contact
+    const PostImpactState<T> post_impact = collision.after;  // unchanged where none was found
     ReturnStep<T> next = advance(post_impact, horizon, sink);
     if (next.outcome != Outcome::completed) {
         return_step.contacts = std::move(next.contacts);
@@ -186,7 +211,7 @@ auto ReturnMap<Map>::fly_off(const Flight<T>& flight) const -> Collision<T> {
     if (!contact) return map_.advance(flight);
     Collision<T> collision;
     if (contact->outcome == FirstContactOutcome::contact)
-        map_.strike(flight, contact->at, contact->arm, collision, contact->vertex);
+        map_.strike(flight, contact->at, contact->arm, contact->vertex, collision);
     collision.outcome = contact->outcome;
     collision.steps = contact->steps;
     collision.vertex_step = contact->vertex;

@@ -24,23 +24,39 @@ bool is_beside(const AugmentedSystem& like, const ArcPoint& on_curve, const Eige
     return std::sqrt(arc.product(at.y - y, at.y - y)) < same;
 }
 
-}  // namespace
-
-bool follow_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, const Eigen::Vector2d& p,
-                     std::complex<double> multiplier, const BoundaryOptions& options, Boundary& boundary) {
-    AugmentedSystem system;
+/// The point of the curve near a rough cycle, and its equations; false if there is none within the plane.
+bool begin(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, const Eigen::Vector2d& p,
+           std::complex<double> multiplier, const BoundaryOptions& options, AugmentedSystem& system, ArcPoint& start) {
     Eigen::VectorXd y;
     if (outside_plane(options.low, options.high, p) > 0 ||
         !augmented_system_at(map, kind, points, p, multiplier, options.high - options.low, system, y))
         return false;
-    ArcPoint start;
     Eigen::VectorXd along = Eigen::VectorXd::Zero(y.size());
     along[system.coordinates()] = 1;   // the first parameter grows
     constexpr double farthest = 0.02;  // a rough cycle
     if (!begin_arc(equations_of(system), y, along, farthest, start) ||
         outside_plane(options.low, options.high, start.y.segment<2>(system.coordinates())) > 0)
         return false;
-    if (kind == BoundaryKind::neimark_sacker && !(std::abs(start.y[system.coordinates() + 2]) < 1)) return false;
+    return kind != BoundaryKind::neimark_sacker || std::abs(start.y[system.coordinates() + 2]) < 1;
+}
+
+}  // namespace
+
+std::optional<CriticalCycle> critical_cycle_near(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points,
+                                                 const Eigen::Vector2d& p, std::complex<double> multiplier,
+                                                 const BoundaryOptions& options) {
+    AugmentedSystem system;
+    ArcPoint start;
+    if (!begin(map, kind, points, p, multiplier, options, system, start)) return std::nullopt;
+    const Eigen::Index n = system.coordinates();
+    return CriticalCycle{unstacked(start.y.head(n), map.dimension), start.y.segment<2>(n), system.multiplier(start.y)};
+}
+
+bool follow_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, const Eigen::Vector2d& p,
+                     std::complex<double> multiplier, const BoundaryOptions& options, Boundary& boundary) {
+    AugmentedSystem system;
+    ArcPoint start;
+    if (!begin(map, kind, points, p, multiplier, options, system, start)) return false;
     start.y.head(system.coordinates()) = normalised(system, start.y).head(system.coordinates());
     renew_borders(system, start.y);
     boundary = {};

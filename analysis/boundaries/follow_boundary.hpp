@@ -18,6 +18,19 @@ namespace swirl::analysis {
 bool follow_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, const Eigen::Vector2d& p,
                      std::complex<double> multiplier, const BoundaryOptions& options, Boundary& boundary);
 
+/// A cycle on such a curve, and its critical multiplier.
+struct CriticalCycle {
+    CyclePoints points;
+    Eigen::Vector2d p{0, 0};
+    std::complex<double> multiplier;
+};
+
+/// The one near a rough cycle, by Newton's method with steps of least length. Empty if none is near it within the
+/// plane.
+std::optional<CriticalCycle> critical_cycle_near(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points,
+                                                 const Eigen::Vector2d& p, std::complex<double> multiplier,
+                                                 const BoundaryOptions& options);
+
 /// Is the cycle, cyclic shifts included, on one of the curves? To 10⁻⁶ in points and parameters.
 bool is_on_boundary(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, const Eigen::Vector2d& p,
                     std::complex<double> multiplier, const BoundaryOptions& options, std::span<const Boundary> known);

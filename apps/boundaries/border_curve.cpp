@@ -38,11 +38,6 @@ std::vector<analysis::ArcTest> tests_of(const WordMap& map, const BorderCycle& l
     return tests;
 }
 
-bool has_pair_on_circle(const std::vector<std::complex<double>>& multipliers) {
-    return std::any_of(multipliers.begin(), multipliers.end(),
-                       [](const auto& m) { return m.imag() > 1e-6 && std::abs(std::abs(m) - 1) < 1e-6; });
-}
-
 /// b's unknowns with whole turns added to its angles, so that they lie nearest to a's.
 Eigen::VectorXd turned_to(const WordMap& map, const Eigen::VectorXd& a, Eigen::VectorXd b, Eigen::Index coordinates) {
     for (Eigen::Index i = 0; i < coordinates; ++i)
@@ -112,6 +107,11 @@ CurveCycle cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::Ve
 }
 
 }  // namespace
+
+bool has_pair_on_circle(const std::vector<std::complex<double>>& multipliers) {
+    return std::any_of(multipliers.begin(), multipliers.end(),
+                       [](const auto& m) { return m.imag() > 1e-6 && std::abs(std::abs(m) - 1) < 1e-6; });
+}
 
 std::optional<BorderCurve> follow_border(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
                                          const BorderOptions& options) {

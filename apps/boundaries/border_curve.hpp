@@ -27,6 +27,9 @@ struct BorderOptions {
 std::optional<BorderCurve> follow_border(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
                                          const BorderOptions& options);
 
+/// A pair on the unit circle to 10⁻⁶, as a Neimark–Sacker point has (and a neutral saddle has not).
+bool has_pair_on_circle(const std::vector<std::complex<double>>& multipliers);
+
 /// Is the cycle on the curve?
 bool is_on(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const BorderOptions& options,
            const BorderCurve& curve);

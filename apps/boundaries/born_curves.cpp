@@ -1,8 +1,11 @@
 #include "apps/boundaries/born_curves.hpp"
 
-#include "analysis/linear_algebra/dense.hpp"
+#include "analysis/boundaries/follow_boundary.hpp"
+#include "analysis/cycles/stability.hpp"
 #include "apps/boundaries/border_system.hpp"
 #include "apps/boundaries/critical_word.hpp"
+#include "apps/boundaries/doubled_border.hpp"
+#include "apps/boundaries/square_system.hpp"
 
 #include <cmath>
 
@@ -10,17 +13,19 @@ namespace swirl::apps::boundaries {
 
 namespace {
 
-/// As many equations as unknowns: the cycle of a word, how far it is from the border, and its multiplier.
+/// As many equations as unknowns: the cycle of a word, how far it is from the border, and its multiplier 1 or −1; where
+/// a pair is on the circle, that it lies beside the special point (the curve is then sought from there).
 struct BornSystem {
     const WordMap& map;
     const Plane& plane;
     BorderCycle like;
-    bool strikes;       ///< with the impact that vanishes on the border, the first of the cycle
-    double multiplier;  ///< 1 or −1
-    double off;         ///< what touches, off the border
+    bool strikes;                     ///< with the impact that vanishes on the border, the first of the cycle
+    std::complex<double> multiplier;  ///< 1, −1 or one of the pair
+    Eigen::VectorXd along;            ///< the border curve's direction at the special point
+    double off;                       ///< what touches, off the border
 
     double determinant(const Eigen::VectorXd& y) const {
-        return word_determinant(map, border_cycle_at(map, like, y), multiplier);
+        return word_determinant(map, border_cycle_at(map, like, y), multiplier.real());
     }
 
     bool equations(const Eigen::VectorXd& y, analysis::ArcEquations& at) const {
@@ -35,6 +40,19 @@ struct BornSystem {
         else
             add_touch(map, like, layout, y, at);
         at.residual[row] -= off;
+        if (multiplier.imag() == 0)
+            add_multiplier(layout, y, at);
+        else
+            add_place(y, at);
+        return at.residual.allFinite() && at.jacobian.allFinite();
+    }
+
+    void add_place(const Eigen::VectorXd& y, analysis::ArcEquations& at) const {
+        at.residual[y.size() - 1] = along.dot(y - unknowns_of(map, like));
+        at.jacobian.row(y.size() - 1) = along.transpose();
+    }
+
+    void add_multiplier(const BorderLayout& layout, const Eigen::VectorXd& y, analysis::ArcEquations& at) const {
         const Eigen::Index last = y.size() - 1;
         at.residual[last] = determinant(y);
         constexpr double h = 1e-6;  // steers only
@@ -50,28 +68,15 @@ struct BornSystem {
         const double size = at.jacobian.row(last).norm();
         at.residual[last] /= size;
         at.jacobian.row(last) /= size;
-        return at.residual.allFinite() && at.jacobian.allFinite();
     }
 
-    /// By Newton's method from the cycle on the border; it stays near that.
+    /// By Newton's method from the cycle on the border.
     std::optional<BorderCycle> solve() const {
-        constexpr double rounding = 1e-12, most_rounding = 1e-9, farthest = 0.1;
-        const Eigen::VectorXd start = unknowns_of(map, like);
-        Eigen::VectorXd y = strikes ? Eigen::VectorXd(start.head(layout_of(map, like).touch_time())) : start;
-        const Eigen::VectorXd first = y;
-        double before = std::numeric_limits<double>::infinity();
-        for (int i = 0; i < 20; ++i) {
-            analysis::ArcEquations at;
-            if (!equations(y, at)) return std::nullopt;
-            const Eigen::VectorXd step = analysis::solve_by_qr(at.jacobian, -at.residual);
-            const double size = step.norm();
-            if (!std::isfinite(size) || !((y - first).norm() < farthest)) return std::nullopt;
-            if (size <= rounding || (size >= 0.5 * before && size <= most_rounding))
-                return border_cycle_at(map, like, y);
-            before = size;
-            y += step;
-        }
-        return std::nullopt;
+        const Eigen::VectorXd all = unknowns_of(map, like);
+        const auto y = solve_square_system(
+            [this](const Eigen::VectorXd& at_y, analysis::ArcEquations& at) { return equations(at_y, at); },
+            strikes ? Eigen::VectorXd(all.head(layout_of(map, like).touch_time())) : all);
+        return y ? std::optional(border_cycle_at(map, like, *y)) : std::nullopt;
     }
 };
 
@@ -83,30 +88,60 @@ std::vector<double> signs_of(Touch touch, bool strikes) {
     return {1, -1};
 }
 
-std::optional<Seed> seed_of(const BornSystem& system, const analysis::PlaneMap& map) {
+std::optional<Seed> seed_of(const BornSystem& system, const analysis::PlaneMap& map,
+                            const analysis::BoundaryOptions& options) {
     const auto cycle = system.solve();
     if (!cycle) return std::nullopt;
     const auto shooting = analysis::plane_shooting(map, analysis::stacked(cycle->points), cycle->p);
     constexpr double closes = 1e-7;
     if (!shooting.alive || !(shooting.gap.lpNorm<Eigen::Infinity>() < closes)) return std::nullopt;
-    return Seed{system.multiplier > 0 ? "fold" : "flip", cycle->points, cycle->p, system.multiplier};
+    if (system.multiplier.imag() == 0)
+        return Seed{system.multiplier.real() > 0 ? "fold" : "flip", cycle->points, cycle->p, system.multiplier};
+    const auto on_curve = analysis::critical_cycle_near(map, analysis::BoundaryKind::neimark_sacker, cycle->points,
+                                                        cycle->p, system.multiplier, options);
+    if (!on_curve) return std::nullopt;
+    return Seed{"neimark-sacker", on_curve->points, on_curve->p, on_curve->multiplier};
+}
+
+Seed seed_on_border(const BorderCycle& cycle) {
+    Seed seed{std::string(name_of(cycle.touch)), cycle.points, cycle.p, -1};
+    seed.border = cycle;
+    return seed;
+}
+
+/// The critical multiplier at a special point of a border curve; none if it is a neutral saddle's.
+std::optional<std::complex<double>> multiplier_at(const WordMap& words, const BorderCurve& curve,
+                                                  const analysis::ArcSpecial& special) {
+    if (special.kind.rfind("fold", 0) == 0) return 1;
+    if (special.kind.rfind("flip", 0) == 0) return -1;
+    const auto multipliers = analysis::sorted_multipliers(monodromy_of(words, curve.like, special.at.y));
+    if (!has_pair_on_circle(multipliers)) return std::nullopt;
+    return critical_pair(multipliers);
 }
 
 }  // namespace
 
 BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
-                        const BorderCurve& curve) {
+                        const analysis::BoundaryOptions& options, const BorderCurve& curve) {
     BornSeeds born;
     for (const auto& special : curve.arc.special) {
-        const bool folds = special.kind.rfind("fold", 0) == 0;
-        if (!folds && special.kind.rfind("flip", 0) != 0) continue;
+        const auto multiplier = multiplier_at(words, curve, special);
+        if (!multiplier) continue;
         const bool strikes = special.kind == fold_of_impact || special.kind == flip_of_impact;
         BorderCycle cycle = border_cycle_at(words, curve.like, special.at.y);
+        if (*multiplier == -1.0 && !strikes) {
+            if (const auto doubled = doubled_on_border(words, plane, cycle))
+                born.seeds.push_back(seed_on_border(*doubled));
+            else
+                ++born.not_found;
+        }
         if (strikes) cycle = with_impact(words, cycle, 0);
         for (const double sign : signs_of(cycle.touch, strikes)) {
             std::optional<Seed> seed;
             for (const double off : {1e-3, 1e-4, 1e-5})
-                if (!seed) seed = seed_of({words, plane, cycle, strikes, folds ? 1.0 : -1.0, sign * off}, map);
+                if (!seed)
+                    seed = seed_of({words, plane, cycle, strikes, *multiplier, special.at.tangent, sign * off}, map,
+                                   options);
             if (seed)
                 born.seeds.push_back(std::move(*seed));
             else

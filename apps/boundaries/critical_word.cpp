@@ -4,7 +4,7 @@
 
 namespace swirl::apps::boundaries {
 
-double word_determinant(const WordMap& map, const BorderCycle& cycle, double multiplier) {
+Eigen::MatrixXd word_matrix(const WordMap& map, const BorderCycle& cycle, double multiplier) {
     const Eigen::Index d = map.dimension, k = static_cast<Eigen::Index>(cycle.points.size());
     Eigen::MatrixXd m = Eigen::MatrixXd::Zero(k * (d + 1), k * (d + 1));
     for (Eigen::Index i = 0; i < k; ++i) {
@@ -17,7 +17,11 @@ double word_determinant(const WordMap& map, const BorderCycle& cycle, double mul
         m.block(k * d + i, i * d, 1, d) = step.touch.gap_by.head(d);
         m(k * d + i, k * d + i) = step.touch.gap_by[d];
     }
-    return analysis::determinant_of(m);
+    return m;
+}
+
+double word_determinant(const WordMap& map, const BorderCycle& cycle, double multiplier) {
+    return analysis::determinant_of(word_matrix(map, cycle, multiplier));
 }
 
 BorderCycle with_impact(const WordMap& map, const BorderCycle& grazing, double earlier) {

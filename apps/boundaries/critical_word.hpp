@@ -5,9 +5,12 @@
 
 namespace swirl::apps::boundaries {
 
-/// det ∂(z⁺(z_i, τ_i) − z_{i+1}, g(z_i, τ_i))/∂(Z, τ), the closing block times λ: up to sign det(DFᵏ − λI) Π g′(τ_i),
-/// which is bounded and smooth where an impact vanishes and DFᵏ is not. What touches is left out. Cost: k steps and an
-/// LU of k(D + 1) unknowns.
+/// ∂(z⁺(z_i, τ_i) − z_{i+1}, g(z_i, τ_i))/∂(Z, τ), the closing block times λ; what touches is left out. At a multiplier
+/// λ its null vector is the cycle's eigenvector, with the changes of the flights' times. Cost: k steps.
+Eigen::MatrixXd word_matrix(const WordMap& map, const BorderCycle& cycle, double multiplier);
+
+/// Its determinant: up to sign det(DFᵏ − λI) Π g′(τ_i), which is bounded and smooth where an impact vanishes and DFᵏ is
+/// not. Cost: k steps and an LU of k(D + 1) unknowns.
 double word_determinant(const WordMap& map, const BorderCycle& cycle, double multiplier);
 
 /// The cycle with one more impact, which vanishes: that of the vertex that grazes, `earlier` before it does (so that it

@@ -10,7 +10,9 @@ namespace swirl::tests {
 /// Landings or phases of one kind.
 struct ComparedDerivatives {
     long compared = 0, columns = 0, left_out = 0, kinks = 0;
-    double worst = 0;  ///< difference, of the derivative's largest entry
+    double worst = 0;           ///< difference, of the derivative's largest entry
+    long stopping = 0;          ///< landings whose slip stops in the rest of chatter …
+    double stopping_worst = 0;  ///< … and their largest difference
 };
 
 /// Of the largest entry. An event whose rate is small (a release, a grazing λ) is known to ε by that rate: 1 in 700.

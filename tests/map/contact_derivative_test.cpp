@@ -226,9 +226,15 @@ void compare(const Landing& landing, std::map<std::string, Kind>& kinds) {
         ++kind.compared;
         kind.columns += differences.columns;
         kind.left_out += differences.left_out;
+        const ContactKinematics<double> slip = contact_kinematics(map.body(), landing.from);
+        // Impacts of v change u_t by some v.
+        const bool stops = !compared.stuck && std::abs(slip.ut) <= 10 * std::abs(slip.un);
         if (differences.split > 1e-7)
             ++kind.kinks;
-        else
+        else if (stops) {
+            ++kind.stopping;
+            kind.stopping_worst = std::max(kind.stopping_worst, differences.worst);
+        } else
             kind.worst = std::max(kind.worst, differences.worst);
     });
 }
@@ -243,8 +249,11 @@ std::map<std::string, Kind> compare_landings(int landings, std::uint64_t seed) {
                 ++i;
             }
     for (const auto& [name, kind] : kinds)
-        std::printf("%s: %ld landings, %ld columns, %ld left out, %ld landings at a kink, largest difference %.1e\n",
-                    name.c_str(), kind.compared, kind.columns, kind.left_out, kind.kinks, kind.worst);
+        std::printf(
+            "%s: %ld landings, %ld columns, %ld left out, %ld landings at a kink, largest difference %.1e; %ld whose "
+            "slip stops in the rest of chatter: %.1e\n",
+            name.c_str(), kind.compared, kind.columns, kind.left_out, kind.kinks, kind.worst, kind.stopping,
+            kind.stopping_worst);
     return kinds;
 }
 
@@ -253,6 +262,8 @@ void expect_exact(const std::map<std::string, Kind>& kinds, double bound) {
     long columns = 0, without = 0;
     for (const auto& [name, kind] : kinds) {
         EXPECT_LE(kind.worst, bound) << name;
+        EXPECT_LE(kind.stopping_worst, 1e-6) << name;  // of the order of how long chatter lasts
+        EXPECT_LE(kind.stopping, 0.01 * static_cast<double>(kind.compared)) << name;
         columns += kind.columns;
         without += kind.kinks + kind.left_out;
     }

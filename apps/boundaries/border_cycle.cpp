@@ -132,6 +132,29 @@ bool find_slip(const Seed& seed, BorderCycle& cycle) {
     return false;
 }
 
+/// The impact nearest to a change of its contact mode, and what changes there: where the seed names no modes.
+bool find_nearest_slip(const WordMap& map, BorderCycle& cycle) {
+    double least = nearly;
+    std::optional<std::size_t> impact;
+    for (std::size_t i = 0; i < cycle.points.size(); ++i) {
+        const WordStep step = map.step(cycle.points[i], cycle.times[i], cycle.p, cycle.vertices[i]);
+        const auto look_at = [&](Touch touch, const ModeMargin& margin) {
+            const double away = std::abs(margin.value) / margin.by.norm();
+            if (!(away < least)) return;
+            least = away;
+            impact = i;
+            cycle.touch = touch;
+        };
+        if (!step.stops) continue;
+        look_at(Touch::slip_ends, step.slip);
+        if (!(step.slip.value < 0)) continue;  // it does not stop before the impact ends
+        look_at(Touch::slip_late, step.late);
+        look_at(Touch::slip_held, step.held);
+    }
+    if (impact) rotate(cycle, *impact);
+    return impact.has_value();
+}
+
 }  // namespace
 
 std::optional<BorderCycle> border_cycle_of(const WordMap& map, const Seed& seed) {
@@ -147,7 +170,7 @@ std::optional<BorderCycle> border_cycle_of(const WordMap& map, const Seed& seed)
         return cycle;
     }
     if (seed.kind == "stick-slip") {
-        if (!find_slip(seed, cycle)) return std::nullopt;
+        if (!(seed.modes_before.empty() ? find_nearest_slip(map, cycle) : find_slip(seed, cycle))) return std::nullopt;
         return cycle;
     }
     if (const auto impact = vanishing_impact(map, cycle)) {

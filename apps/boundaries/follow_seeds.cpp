@@ -77,7 +77,7 @@ private:
 
     /// A smooth curve that ends on a border is a place to begin at on that border.
     void keep_end(const CurveCycle& last, const std::string& why) {
-        if (why != "grazing" && why != "two-vertices") return;
+        if (!is_on_border(why)) return;
         Seed seed{why, last.points, last.parameters, 1};
         const auto shooting =
             analysis::shooting_residual(shooting_map_of(scene_at(scene_, plane_, last.parameters)), last.points, 0);

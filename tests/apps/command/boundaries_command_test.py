@@ -189,6 +189,17 @@ class Boundaries(InFolder):
                   for i in (0, -1)]
         self.assertEqual(len(set(places)), len(places))
 
+    def test_a_curve_that_ends_at_stick_slip_leads_to_that_border(self):
+        width = numpy.array([0.2, 0.2])
+        ends = [curve for curve in self.borders["curves"] if "stick-slip" in curve["ends"]]
+        self.assertGreaterEqual(len(ends), 1)
+        for curve in ends:
+            last = numpy.array(place(curve["points"][-1 if curve["ends"][1] == "stick-slip" else 0]))
+            met = [special for border in self.borders["curves"] if border["kind"] == "stick-slip"
+                   for special in border["special"]
+                   if numpy.linalg.norm((numpy.array(place(special)) - last) / width) < 1e-5]
+            self.assertEqual([special["kind"] for special in met], [f"{curve['kind']}-stick-slip"])
+
     @staticmethod
     def ends_at(answer, kind, period, centre, width):
         """The points, from there on, of a curve that ends at a place; none if there is none."""

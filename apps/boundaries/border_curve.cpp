@@ -76,7 +76,20 @@ bool begin(const WordMap& map, const Plane& plane, const BorderCycle& cycle, con
     return refusal_of(map, cycle, start.y).empty();
 }
 
-std::string ending_of(analysis::ArcEnd end, const std::string& why) {
+/// Are the two turns of the cycle the same, but for the way that a step leads beyond? There its curve ends at a flip.
+bool is_halved(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
+    constexpr double same = 1e-3;
+    const BorderLayout layout = layout_of(map, like);
+    if (layout.period % 2 != 0) return false;
+    const Eigen::Index half = layout.parameters() / 2, turn = layout.period / 2;
+    const Eigen::VectorXd first = y.head(half);
+    const Eigen::VectorXd second = turned_to(map, first, y.segment(half, half), half);
+    const Eigen::VectorXd times = y.segment(layout.time(0), turn) - y.segment(layout.time(turn), turn);
+    return (second - first).lpNorm<Eigen::Infinity>() < same && times.lpNorm<Eigen::Infinity>() < same;
+}
+
+std::string ending_of(analysis::ArcEnd end, const std::string& why, bool halved) {
+    if (halved && (end == analysis::ArcEnd::refused || end == analysis::ArcEnd::failed)) return "halved";
     switch (end) {
         case analysis::ArcEnd::plane:
             return "plane";
@@ -142,13 +155,14 @@ bool is_on(const WordMap& map, const Plane& plane, const BorderCycle& cycle, con
 
 Curve curve_of(const WordMap& map, const BorderCurve& border) {
     const BorderCycle& like = border.like;
+    const auto& points = border.arc.points;
     Curve curve{std::string(name_of(like.touch)),
                 like.points.size(),
                 {},
                 {},
-                ending_of(border.arc.begin, border.arc.begin_why),
-                ending_of(border.arc.end, border.arc.end_why)};
-    for (const auto& point : border.arc.points) curve.points.push_back(cycle_at(map, like, point.y));
+                ending_of(border.arc.begin, border.arc.begin_why, is_halved(map, like, points.front().y)),
+                ending_of(border.arc.end, border.arc.end_why, is_halved(map, like, points.back().y))};
+    for (const auto& point : points) curve.points.push_back(cycle_at(map, like, point.y));
     for (const auto& special : border.arc.special) {
         CurveSpecial found{special.kind, cycle_at(map, like, special.at.y), special.after};
         const bool pair = special.kind.rfind("neimark-sacker", 0) == 0;

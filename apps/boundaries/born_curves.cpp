@@ -122,19 +122,22 @@ std::optional<std::complex<double>> multiplier_at(const WordMap& words, const Bo
 }  // namespace
 
 BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
-                        const analysis::BoundaryOptions& options, const BorderCurve& curve) {
+                        const analysis::BoundaryOptions& options, std::size_t longest_period,
+                        const BorderCurve& curve) {
     BornSeeds born;
     for (const auto& special : curve.arc.special) {
         const auto multiplier = multiplier_at(words, curve, special);
         if (!multiplier) continue;
         const bool strikes = special.kind == fold_of_impact || special.kind == flip_of_impact;
         BorderCycle cycle = border_cycle_at(words, curve.like, special.at.y);
-        if (*multiplier == -1.0 && !strikes) {
+        const std::size_t period = curve.like.points.size() + (strikes ? 1 : 0);
+        if (*multiplier == -1.0 && !strikes && 2 * period <= longest_period) {
             if (const auto doubled = doubled_on_border(words, plane, cycle))
                 born.seeds.push_back(seed_on_border(*doubled));
             else
                 ++born.not_found;
         }
+        if (period > longest_period) continue;
         if (strikes) cycle = with_impact(words, cycle, 0);
         for (const double sign : signs_of(cycle.touch, strikes)) {
             std::optional<Seed> seed;

@@ -17,9 +17,9 @@ struct BornSeeds {
 /// off it: by Newton's method on the equations of the word with det = 0 (critical_word.hpp; of a Neimark–Sacker curve
 /// beside the special point), where what touches is 10⁻³ (if that fails, down to 10⁻⁵) inside, or the impact that
 /// vanished has such a rate. Those that the map itself closes to 10⁻⁷. At a multiplier −1 also the doubled cycle on the
-/// same border (doubled_border.hpp).
+/// same border (doubled_border.hpp). Of periods up to `longest_period`.
 /// Cost: some 10 k(D + 1) steps of the map for each.
 BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
-                        const analysis::BoundaryOptions& options, const BorderCurve& curve);
+                        const analysis::BoundaryOptions& options, std::size_t longest_period, const BorderCurve& curve);
 
 }  // namespace swirl::apps::boundaries

@@ -29,8 +29,8 @@ these is seen; not-converged; most-points (5000 each way).
 Borders: grazing (a vertex touches within a flight; so does one whose impact vanishes), two-vertices (another vertex is on
 the wall as one strikes) and stick-slip (the contact mode of an impact changes), with the times of impacts as unknowns; their
 special points fold-grazing, flip-two-vertices ... are where a curve of that kind ends on them, fold- and
-flip-vanishing-impact where one of the cycle with the vanishing impact does. These fold and flip curves are followed, too,
-and what they lead to. Landing is not followed.
+flip-vanishing-impact where one of the cycle with the vanishing impact does. These curves are followed, too, at a flip also
+the doubled cycle's on that border, and what they lead to. Landing is not followed.
 --against MAP.h5, a sweep over the same two parameters: which attracting cycles, by the curves, no run came to
 (too-few-starts, or transient: a run has no verdict), and which a run came to and no curve leads to (curve-missing), after
 curves were sought from these, too. Members of families are compared with nothing.

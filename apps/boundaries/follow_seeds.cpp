@@ -68,10 +68,10 @@ private:
         }
         if (is_interrupted()) return;
         result_.curves.push_back(curve_of(words_, *curve));
-        BornSeeds born = seeds_born_on(words_, map_, plane_, options_, *curve);
+        BornSeeds born = seeds_born_on(words_, map_, plane_, options_, follow_.longest_period, *curve);
+        result_.seeds += born.not_found;
         result_.without += born.not_found;
-        for (Seed& seed_there : born.seeds)
-            if (seed_there.points.size() <= follow_.longest_period) ends_.push_back(std::move(seed_there));
+        for (Seed& seed_there : born.seeds) ends_.push_back(std::move(seed_there));
         borders_.push_back(std::move(*curve));
     }
 

@@ -69,7 +69,7 @@ void require_not_too_large(const DelimitedFile& file, const std::vector<double>&
 }
 
 /// Counts what is missing and looks at the times. @throws BadInput with fewer than two values, none whose square can be
-/// held, or times that rounding makes one (of an angle they lie halfway between those of the file)
+/// held, or times that are equal after rounding (of an angle they lie halfway between those of the file)
 void describe(MeasuredSeries& series) {
     series.missing = 0;
     series.gaps = count_gaps(series.values);
@@ -88,14 +88,17 @@ void describe(MeasuredSeries& series) {
                                    series.values.size() - series.missing));
     const auto& t = series.times;
     series.spacing = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
-    if (!(series.spacing > 0))
-        throw BadInput(fmt::format("series: the times, {} to {}, are too close to each other to be told apart",
-                                   t.front(), t.back()));
     series.largest_step = series.largest_deviation = 0;
     for (std::size_t i = 0; i < t.size(); ++i) {
         const double deviation = t[i] - (t.front() + static_cast<double>(i) * series.spacing);
         series.largest_deviation = std::max(series.largest_deviation, std::abs(deviation) / series.spacing);
-        if (i > 0) series.largest_step = std::max(series.largest_step, t[i] - t[i - 1]);
+        if (i == 0) continue;
+        if (!(t[i] > t[i - 1]))
+            throw BadInput(fmt::format(
+                "series: samples {} and {} of column {} have the same time after rounding, {:.17g}; the times "
+                "of an angle's S lie halfway between its own",
+                i, i + 1, series.column, t[i]));
+        series.largest_step = std::max(series.largest_step, t[i] - t[i - 1]);
     }
     series.even = series.largest_deviation <= even_within;
 }

@@ -50,6 +50,11 @@ public:
         collision.simultaneous = contact.simultaneous;
     }
 
+    /// As CollisionMap's; here there is one search alone.
+    void advance_with_certainty(const Flight<double>& flight, Collision<double>& collision) const {
+        advance(flight, collision);
+    }
+
     /// As CollisionMap::strike.
     void strike(const Flight<double>& flight, const Instant<double>& at, const Vec2<double>& arm, int vertex,
                 Collision<double>& collision) const {

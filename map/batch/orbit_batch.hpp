@@ -38,7 +38,8 @@ struct BatchedImpact {
 /// How a batch went.
 struct BatchUse {
     long long impacts = 0;
-    long long left = 0;    ///< steps that the lanes left to the scalar code
+    long long left = 0;    ///< steps that the lanes left to the scalar code …
+    long long vain = 0;    ///< … of these, without the direct search that the lane had made in vain
     long long rounds = 0;  ///< looks at all lanes
     long long filled = 0;  ///< lanes with an orbit, summed over the rounds
 
@@ -170,6 +171,7 @@ private:
     /// By the scalar code. @return the orbit goes on
     bool step_alone(Orbit& orbit, const PostImpactState<double>& from, bool vain) {
         ++use_.left;
+        use_.vain += vain ? 1 : 0;
         ReturnStep<double> step;
         step.collision.after = from;
         orbit.outcome = vain ? orbit.map->advance_undecided(step) : orbit.map->advance(step);

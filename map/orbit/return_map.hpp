@@ -33,13 +33,6 @@ long contact_steps(const ReturnStep<T>& step) {
 /// fast in contact that it is not followed so long (`most_contact_steps`) ends as `contact_cut`.
 inline constexpr double contact_horizon = 1000;
 
-/// A map whose certain search can be asked for by itself (those of `map/baselines` have none).
-template <class Map>
-concept HasCertainSearch = requires(const Map& map, const Flight<typename Map::Number>& flight,
-                                    Collision<typename Map::Number>& collision) {
-    map.advance_with_certainty(flight, collision);
-};
-
 /// F with sustained contact. For e = 1 it is the collision map itself, with one exception: where friction holds a
 /// polygon's vertex its normal velocity may fall with every impact (Poisson, Stronge: B₃ couples it to friction), and
 /// once it is below rounding the orbit goes on in contact. For a disk or a frictionless body |u_n| is conserved at e =
@@ -80,7 +73,7 @@ public:
 
     /// The same, bit for bit, of a step whose direct search is known to find nothing (`map/batch`): without that
     /// search.
-    Outcome advance_undecided(ReturnStep<T>& return_step) const requires HasCertainSearch<Map> {
+    Outcome advance_undecided(ReturnStep<T>& return_step) const {
         return advance_by(return_step, contact_horizon, {}, [this](Collision<T>& collision) {
             map_.advance_with_certainty(flight_from(map_.body(), collision.after), collision);
         });

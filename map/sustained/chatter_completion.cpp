@@ -75,16 +75,22 @@ ContactState<T> without_normal_velocity(const ContactScene<T>& scene, const Post
     return state;
 }
 
+/// Where the impacts of the rest stick the body moves along the wall.
+template <class T>
+void move_if_stuck(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const Slip<T>& slip,
+                   ContactState<T>& state) {
+    if (!(scene.mu > 0) || slip.slides) return;
+    move_along_wall(scene, post_impact, T(free_acceleration(scene, post_impact, T(0))), state);
+}
+
 template <class T>
 ContactState<T> landed(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, T& jacobi) {
     const Slip<T> slip = slip_of(scene, post_impact);
     ContactState<T> state = without_normal_velocity(scene, post_impact, slip, jacobi);
     if (scene.mu > 0 && (!slip.slides || state.ut * slip.sign <= 0)) state.ut = 0;
-    if (scene.mu > 0 && !slip.slides) {
-        const T before = jacobi_of(scene.body, post_impact_state(scene, state));
-        move_along_wall(scene, post_impact, T(free_acceleration(scene, post_impact, T(0))), state);
-        jacobi += jacobi_of(scene.body, post_impact_state(scene, state)) - before;
-    }
+    const T before = jacobi_of(scene.body, post_impact_state(scene, state));
+    move_if_stuck(scene, post_impact, slip, state);
+    jacobi += jacobi_of(scene.body, post_impact_state(scene, state)) - before;
     return state;
 }
 
@@ -204,8 +210,7 @@ ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<
     T jacobi(0);
     const Slip<T> slip = slip_of(scene, seen(base));
     ContactState<T> state = without_normal_velocity(scene, seen(near), slip, jacobi);
-    if (scene.mu > 0 && !slip.slides)
-        move_along_wall(scene, seen(near), T(free_acceleration(scene, seen(near), T(0))), state);
+    move_if_stuck(scene, seen(near), slip, state);
     return state;
 }
 

@@ -6,38 +6,46 @@
 //
 //     d = 2 a_t (v/a)²/(1 − e′²)                                                                         (order T²).
 //
-// With A and B the differences in ∫p dt and ∫q dt between chatter and contact, B₂A + B₃B = 0 (both end at the wall) and
-// B₃A + B₁B = d. So a polygon has turned by (r_n B + r_t A)/I = d r_n/(I + α²), and a disk's centre has run d/B₁ along
-// the wall. About the place of contact both motions have the same angular momentum up to T³: of a polygon, with u = 0
-// at either end, that is (I + α²)S, less d S r_t for the vertex that has moved by d; a rolling disk's S goes with its
-// ν′.
+// (By e′ chatter lasts 2v/(a(1 − e′)): where e′ is close to 1 or beyond the sum does not hold.) With A and B the
+// differences in ∫p dt and ∫q dt between chatter and contact, B₂A + B₃B = 0 (both end at the wall) and B₃A + B₁B = d.
+// So a polygon has turned by (r_n B + r_t A)/I = d r_n/(I + α²), and a disk's centre has run d/B₁ along the wall. About
+// the place of contact both motions have the same angular momentum up to T³: of a polygon, with u = 0 at either end,
+// that is (I + α²)S, less d S r_t for the vertex that has moved by d; a rolling disk's S goes with its ν′.
 #pragma once
 
+#include "map/sustained/chatter_completion.hpp"
 #include "map/sustained/impulse_by_law.hpp"
 
 #include <cmath>
 
 namespace swirl {
 
+/// Up to so many times `chatter_tolerance` chatter's bound of place, vT by e′, may be for its sum to hold.
+inline constexpr int most_tolerances = 64;
+
 /// Moves a landing by what the rest of chatter that sticks does.
 ///   post_impact   the impact before: it stopped the slip
 ///   acceleration  a > 0
 ///   state         in contact, u_n removed
-/// No move where e′ ≥ 1 or where friction does not stop the slip of each impact.
+/// No move where v is rounding, where friction does not stop the slip of each impact, and where e′ ≥ 1 or is so close
+/// to 1 that vT exceeds `most_tolerances`.
 template <class T>
 void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const T& acceleration,
                      ContactState<T>& state) {
-    using std::sin;
+    using std::abs, std::sin;
     const Body<T>& body = scene.body;
     ContactKinematics<T> u = contact_kinematics(body, post_impact);
     const T along = -body.beta * sin(state.psi) - (scene.is_disk() ? T(0) : T(state.spin * state.spin * u.rt));
-    const T flight = u.un / acceleration;  // half of the first one's duration
+    const T v = -u.un;
+    const T flight = v / acceleration;  // half of the first one's duration
+    if (!(plain(v) > plain(velocity_rounding(scene, post_impact)))) return;
     u.un = T(1);
     u.ut = T(2) * along / acceleration;
     const Impulse<T> next = impulse_by_law(scene, u, scene.restitution);
     const bool stops = next.mode == ContactMode::c_sticking || next.mode == ContactMode::r_sticking;
     const T rebound = u.b2() * next.normal + u.b3() * next.tangential - T(1);  // e′
-    if (!(stops && plain(rebound) < 1)) return;
+    const auto most_moved = most_tolerances * chatter_tolerance<T>();
+    if (!(stops && plain(T(T(2) * v * flight)) <= most_moved * plain(T(T(1) - rebound)))) return;
     const T d = T(2) * along * flight * flight / (T(1) - rebound * rebound);
     if (scene.is_disk()) {
         state.psi += d / (body.inner * u.b1());

@@ -57,16 +57,37 @@ std::vector<double> falls(int sides, Law law, int count, std::uint64_t seed) {
     return ratios;
 }
 
+/// Just after an impact that stopped the slip, of a triangle: e′ is 1 at this ψ and smaller, or larger, beside it.
+SectionPoint<double> with_rebound_of_one(double beside) {
+    const double psi = 0.8810859458072339 + beside;
+    return {psi, -0.5, 0.5 * std::sin(psi) - 1e-8, 0.5 * std::cos(psi), 0};
+}
+
+// Where the rebound e′ of impacts that stick comes up to 1 their sum has no meaning; the body stays where it landed.
+TEST(StickingChatter, DoesNotMoveTheBodyFarWhereItsReboundComesUpToOne) {
+    const Scene<double> scene = tests::uniform_scene(3, 0.5, 0.5, 1, 0.5);
+    const ContactScene<double> contact = tests::contact_of(scene);
+    for (const double beside : {-1e-2, -1e-4, -1e-6, -1e-10, -1e-14, 0.0, 1e-10, 1e-3}) {
+        const SectionPoint<double> z = with_rebound_of_one(beside);
+        const auto landing = chatter_completion(contact, post_impact_state(z));
+        ASSERT_TRUE(landing.in_contact) << beside;
+        EXPECT_NEAR(landing.state.psi, z.psi, 1e-12) << beside;  // 64 tolerances, and a_t/a some 20
+        EXPECT_NEAR(landing.state.chi, z.chi, 1e-12) << beside;
+        EXPECT_NEAR(landing.jacobi, 0, 1e-8) << beside;  // of the order of v: u_n is removed
+    }
+}
+
 // T falls by 10 with v. Without the motion along the wall the error is of second order, and falls by 100.
 TEST(StickingChatter, LeavesAnErrorOfThirdOrder) {
     for (const int sides : {disk_sides, 3, 4, 12})
         for (const Law law : {Law::poisson, Law::newton, Law::stronge}) {
             if (sides == disk_sides && law != Law::poisson) continue;  // the disk's laws coincide
             const auto ratios = falls(sides, law, sides == disk_sides ? 40 : 400, 7);
-            EXPECT_GE(ratios.size(), 5U) << sides;
+            ASSERT_GE(ratios.size(), 5U) << sides;
             std::printf("%2d sides, %s: %zu sequences, error(v/10)/error(v) median %.3g, largest %.3g\n", sides,
                         std::string(name_of(law)).c_str(), ratios.size(), ratios[ratios.size() / 2], ratios.back());
-            EXPECT_NEAR(ratios[ratios.size() / 2], 1e-3, 1e-4) << sides;
+            // 10⁻³ but for the fourth order, T < 10⁻³ of the third; of single sequences a third order may be small.
+            EXPECT_NEAR(ratios[ratios.size() / 2], 1e-3, 1e-5) << sides;
             EXPECT_LE(ratios.back(), 2e-3) << sides;
         }
 }

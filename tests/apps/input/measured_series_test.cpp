@@ -164,12 +164,15 @@ TEST(MeasuredSeries, TimesMustRise) {
 
 // S of an angle lies halfway between its times; halves of the last digit are rounded to the same time.
 TEST(MeasuredSeries, TimesOfAnAngleMustBeToldApart) {
-    const WrittenFile file("t,angle\n1.0000000000000007,3\n1.0000000000000009,4\n1.0000000000000011,5\n");
-    SeriesChoice choice;
-    choice.file = file.path();
-    choice.angle = "angle";
-    EXPECT_THAT([&] { read_series(choice); },
-                testing::ThrowsMessage<BadInput>(HasSubstr("too close to each other to be told apart")));
+    for (const std::string end : {"1.0000000000000011,5", "1.0000000000000011,5\n2,5.5"}) {
+        const WrittenFile file("t,angle\n1.0000000000000007,3\n1.0000000000000009,4\n" + end + "\n");
+        SeriesChoice choice;
+        choice.file = file.path();
+        choice.angle = "angle";
+        EXPECT_THAT(
+            [&] { read_series(choice); },
+            testing::ThrowsMessage<BadInput>(HasSubstr("have the same time after rounding, 1.0000000000000009")));
+    }
 }
 
 TEST(MeasuredSeries, ValuesAreOfASizeThatCanBeReckonedWith) {

@@ -115,8 +115,8 @@ std::vector<Disc> multipliers_of(const CycleSystem& system, const BallVector& cy
     if (system.form != FamilyForm::isolated) set_exact(discs, 1);
     // A frictionless disk's S never changes.
     if (system.active.size() == 3) discs.push_back({1, 0, 0});
-    // Room for another program's enclosure: other equations widen a box otherwise (of a multiplier −1.4·10⁵ six times as
-    // much), those of a family by more.
+    // Room for another program's enclosure: other equations widen a box otherwise (of a multiplier −1.4·10⁵ six times
+    // as much), those of a family by more.
     const double room = system.form == FamilyForm::isolated ? 32 : 1024;
     constexpr double slack = 1e-14;  // of the modulus
     for (Disc& disc : discs)

@@ -15,15 +15,18 @@ namespace swirl::apps::certify {
 
 namespace {
 
-Scene<double> scene_of(const RecordReader& record) {
+/// A diagram's record does not say the parameter that it moves along: there the scene has the first cycle's.
+Scene<double> scene_of(const RecordReader& record, const std::optional<Parameter>& moved,
+                       const std::vector<double>& values) {
     Scene<double> scene;
     scene.sides = sides_from(flag_text_of(record.attribute("/scene", "sides")).value_or(""));
-    scene.alpha = record.attribute<double>("/scene", "alpha");
-    scene.beta = record.attribute<double>("/scene", "beta");
-    scene.mu = record.attribute<double>("/scene", "mu");
-    scene.restitution = record.attribute<double>("/scene", "restitution");
+    for (const Parameter parameter : all_parameters) {
+        std::string name(name_of(parameter));
+        std::replace(name.begin(), name.end(), '-', '_');
+        const bool is_told = record.has_attribute("/scene", name) || parameter != moved || values.empty();
+        number_of(scene, parameter) = is_told ? record.attribute<double>("/scene", name) : values.front();
+    }
     scene.law = law_from(record.attribute<std::string>("/scene", "law"));
-    scene.inertia_factor = record.attribute<double>("/scene", "inertia_factor");
     return validated(scene);
 }
 
@@ -79,7 +82,6 @@ RecordCycles cycles_in(const RecordReader& record, const std::string& file) {
                         "branches, is needed",
                         file));
     RecordCycles result;
-    result.scene = scene_of(record);
     const auto shape = record.info(group + "/points").shape;
     const auto points = record.read<double>(group + "/points");
     const auto periods = record.read<std::int64_t>(group + "/period");
@@ -91,6 +93,7 @@ RecordCycles cycles_in(const RecordReader& record, const std::string& file) {
         if (parameter) values = record.read<double>("/branches/parameter");
         if (!parameter) result.along.clear();
     }
+    result.scene = scene_of(record, parameter, values);
     const std::size_t dimension = result.scene.is_disk() ? disk_dimension : polygon_dimension;
     const auto fits = [&](std::int64_t period) {
         return period >= 1 && static_cast<std::uint64_t>(period) <= shape[1];

@@ -117,6 +117,15 @@ class Certify(InFolder):
         values = {o["parameters"]["alpha"] for o in found["orbits"]}
         self.assertEqual(len(values), len(found["orbits"]))
 
+    def test_the_branches_of_a_diagram(self):
+        record = self.folder / "diagram.h5"
+        run("bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.9 --along alpha=0.39:0.41:3 --starts 2 --branches "
+            f"--longest-branch 1 --quiet -o {record}")
+        found = json.loads(run(f"certify {record} --json").stdout)
+        self.assertGreaterEqual(len(found["orbits"]), 3)
+        self.assertGreaterEqual(found["proven"], 0.9 * len(found["orbits"]))
+        self.assertTrue(all(0.39 <= o["parameters"]["alpha"] <= 0.41 for o in found["orbits"]))
+
     def test_bad_input(self):
         other = self.file("other.txt", "mine\n")
         for flags in ("", f"{HEXAGON}", f"{HEXAGON} {STABLE} --all", f"{HEXAGON} --all --period 2",

@@ -7,8 +7,6 @@
 #include "apps/boundaries/doubled_border.hpp"
 #include "apps/boundaries/square_system.hpp"
 
-#include <cmath>
-
 namespace swirl::apps::boundaries {
 
 namespace {

@@ -1,5 +1,6 @@
 #include "apps/boundaries/against.hpp"
 #include "apps/boundaries/record_scene.hpp"
+#include "apps/record/flag_text.hpp"
 
 #include <algorithm>
 #include <string>
@@ -22,8 +23,7 @@ MappedPlane read_plane(const RecordReader& record, const std::string& file, cons
     if (!record.contains("/sweep/run_period"))
         throw BadInput(fmt::format("--against '{}' is no record of swirl sweep over a grid", file));
     const auto dimensions = record.info("/sweep/run_period").dimensions;
-    std::string names[] = {plane.axes[0].name, plane.axes[1].name};
-    for (auto& name : names) std::replace(name.begin(), name.end(), '-', '_');  // as records have it
+    const std::string names[] = {record_name(plane.axes[0].name), record_name(plane.axes[1].name)};
     const bool straight = dimensions.size() == 3 && dimensions[0] == names[0] && dimensions[1] == names[1];
     const bool turned = dimensions.size() == 3 && dimensions[0] == names[1] && dimensions[1] == names[0];
     if (!straight && !turned)

@@ -2,6 +2,7 @@
 #include "apps/boundaries/record_scene.hpp"
 #include "apps/boundaries/seeds.hpp"
 #include "apps/command_line/record_input.hpp"
+#include "apps/record/flag_text.hpp"
 #include "apps/system/section_coordinates.hpp"
 #include "apps/system/shooting_map.hpp"
 
@@ -59,8 +60,7 @@ std::vector<Seed> seeds_of_branches(const RecordReader& record, const std::strin
     const ParameterRange& other = plane.axes[static_cast<std::size_t>(1 - axis)];
     if (along != plane.axes[static_cast<std::size_t>(axis)].name)
         throw BadInput(fmt::format("record '{}' is along {}, which is no parameter of the plane", file, along));
-    std::string other_name = other.name, own_name = along;
-    for (std::string* name : {&other_name, &own_name}) std::replace(name->begin(), name->end(), '-', '_');
+    const std::string other_name = record_name(other.name), own_name = record_name(along);
     require_same_scene(record, fmt::format("record '{}'", file), "/scene", scene_settings(scene),
                        {own_name, other_name});
     const auto value = record.attribute<double>("/scene", other_name);

@@ -21,8 +21,7 @@ Scene<double> scene_of(const RecordReader& record, const std::optional<Parameter
     Scene<double> scene;
     scene.sides = sides_from(flag_text_of(record.attribute("/scene", "sides")).value_or(""));
     for (const Parameter parameter : all_parameters) {
-        std::string name(name_of(parameter));
-        std::replace(name.begin(), name.end(), '-', '_');
+        const std::string name = record_name(name_of(parameter));
         const bool is_told = record.has_attribute("/scene", name) || parameter != moved || values.empty();
         number_of(scene, parameter) = is_told ? record.attribute<double>("/scene", name) : values.front();
     }

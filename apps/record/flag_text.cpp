@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace swirl::apps {
 
 std::optional<std::string> flag_text_of(const AttributeValue& value) {
@@ -10,6 +12,12 @@ std::optional<std::string> flag_text_of(const AttributeValue& value) {
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
     if (const auto* natural = std::get_if<std::uint64_t>(&value)) return fmt::format("{}", *natural);
     return std::nullopt;
+}
+
+std::string record_name(std::string_view flag) {
+    std::string name(flag);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
 }
 
 }  // namespace swirl::apps

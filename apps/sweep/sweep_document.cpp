@@ -1,6 +1,7 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
+#include "apps/record/flag_text.hpp"
 #include "apps/sweep/cell_attractors.hpp"
 #include "apps/sweep/run_columns.hpp"
 #include "apps/sweep/starts.hpp"
@@ -13,12 +14,6 @@
 namespace swirl::apps::sweep {
 
 namespace {
-
-std::string dimension_of(const GridAxis& axis) {
-    std::string name = axis.name;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-}
 
 struct Cell {
     std::size_t index;
@@ -187,16 +182,16 @@ std::vector<Cell> visited_cells(const Sweep& sweep) {
 
 /// The axis' points, as its coordinate or along the cells of a sample.
 void write_axis(const RecordGroup& group, const GridAxis& axis) {
-    const std::vector<std::string> along = {axis.sampled ? "cell" : dimension_of(axis)};
+    const std::vector<std::string> along = {axis.sampled ? "cell" : record_name(axis.name)};
     if (!axis.has_words()) {
-        group.write<double>(dimension_of(axis), along, axis.points,
+        group.write<double>(record_name(axis.name), along, axis.points,
                             {units_of_axis(axis.name), "parameter " + axis.name, {}});
         return;
     }
     std::vector<std::string> words;
     words.reserve(axis.points.size());
     for (const double point : axis.points) words.push_back(axis.word_at(point));
-    group.write_strings(dimension_of(axis), along, words, {"1", "parameter " + axis.name, {}});
+    group.write_strings(record_name(axis.name), along, words, {"1", "parameter " + axis.name, {}});
 }
 
 /// A group without rows is left out.
@@ -244,7 +239,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     }
     for (const auto& axis : sweep.grid) {
         if (!axis.sampled) {
-            axes.push_back(dimension_of(axis));
+            axes.push_back(record_name(axis.name));
             group.dimension(axes.back(), axis.points.size());
         }
         write_axis(group, axis);

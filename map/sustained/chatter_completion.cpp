@@ -58,6 +58,11 @@ Slip<T> slip_of(const ContactScene<T>& scene, const PostImpactState<T>& post_imp
     return {scene.mu > T(0) && abs(ut) > velocity_rounding(scene, post_impact), ut > T(0) ? T(1) : T(-1)};
 }
 
+template <class T>
+bool sticks(const ContactScene<T>& scene, const Slip<T>& slip) {
+    return scene.mu > T(0) && !slip.slides;
+}
+
 /// Removes v by the normal impulse p = u_n/c < 0, the difference of chatter's from contact's, with the friction that
 /// goes with it.
 template <class T>
@@ -75,11 +80,9 @@ ContactState<T> without_normal_velocity(const ContactScene<T>& scene, const Post
     return state;
 }
 
-/// Where the impacts of the rest stick the body moves along the wall.
+/// Where the impacts of the rest stick, which bring u_t to zero.
 template <class T>
-void move_if_stuck(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const Slip<T>& slip,
-                   ContactState<T>& state) {
-    if (!(scene.mu > 0) || slip.slides) return;
+void move_stuck(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, ContactState<T>& state) {
     move_along_wall(scene, post_impact, T(free_acceleration(scene, post_impact, T(0))), state);
 }
 
@@ -88,8 +91,9 @@ ContactState<T> landed(const ContactScene<T>& scene, const PostImpactState<T>& p
     const Slip<T> slip = slip_of(scene, post_impact);
     ContactState<T> state = without_normal_velocity(scene, post_impact, slip, jacobi);
     if (scene.mu > 0 && (!slip.slides || state.ut * slip.sign <= 0)) state.ut = 0;
+    if (!sticks(scene, slip)) return state;
     const T before = jacobi_of(scene.body, post_impact_state(scene, state));
-    move_if_stuck(scene, post_impact, slip, state);
+    move_stuck(scene, post_impact, state);
     jacobi += jacobi_of(scene.body, post_impact_state(scene, state)) - before;
     return state;
 }
@@ -99,7 +103,7 @@ ContactState<T> landed(const ContactScene<T>& scene, const PostImpactState<T>& p
 template <class T>
 T impulse_change(const ContactScene<T>& scene, const Slip<T>& slip, const T& chi) {
     const T kappa = scene.inertia_factor(), c = cos(chi), s = sin(chi);
-    if (scene.mu > 0 && !slip.slides) return abs(2 * s * c) / (kappa + c * c);
+    if (sticks(scene, slip)) return abs(2 * s * c) / (kappa + c * c);
     return (abs(2 * s * c) + scene.mu * abs(c * c - s * s)) / abs(kappa + s * (s - scene.mu * slip.sign * c));
 }
 
@@ -110,7 +114,7 @@ template <class T>
 T second_order(const ContactScene<T>& scene, const Slip<T>& slip, const ContactState<T>& before,
                const ContactState<T>& contact) {
     const Body<T>& body = scene.body;
-    const ContactMotion motion = scene.mu > 0 && !slip.slides    ? ContactMotion::sticking
+    const ContactMotion motion = sticks(scene, slip)             ? ContactMotion::sticking
                                  : scene.mu > 0 && slip.sign < 0 ? ContactMotion::sliding_backward
                                                                  : ContactMotion::sliding_forward;
     const Support support = scene.is_disk() ? Support::rim : Support::vertex;
@@ -210,7 +214,7 @@ ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<
     T jacobi(0);
     const Slip<T> slip = slip_of(scene, seen(base));
     ContactState<T> state = without_normal_velocity(scene, seen(near), slip, jacobi);
-    move_if_stuck(scene, seen(near), slip, state);
+    if (sticks(scene, slip)) move_stuck(scene, seen(near), state);
     return state;
 }
 

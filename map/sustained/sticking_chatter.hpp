@@ -20,15 +20,15 @@
 
 namespace swirl {
 
-/// Up to so many times `chatter_tolerance` chatter's bound of place, vT by e′, may be for its sum to hold.
-inline constexpr int most_tolerances = 64;
+/// Chatter may last so many times what it would by e for its sum to hold.
+inline constexpr int most_longer = 64;
 
 /// Moves a landing by what the rest of chatter that sticks does.
 ///   post_impact   the impact before: it stopped the slip
 ///   acceleration  a > 0
 ///   state         in contact, u_n removed
 /// No move where v is rounding, where friction does not stop the slip of each impact, and where e′ ≥ 1 or is so close
-/// to 1 that vT exceeds `most_tolerances`.
+/// to 1 that 1 − e > `most_longer` (1 − e′).
 template <class T>
 void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const T& acceleration,
                      ContactState<T>& state) {
@@ -44,8 +44,8 @@ void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& pos
     const Impulse<T> next = impulse_by_law(scene, u, scene.restitution);
     const bool stops = next.mode == ContactMode::c_sticking || next.mode == ContactMode::r_sticking;
     const T rebound = u.b2() * next.normal + u.b3() * next.tangential - T(1);  // e′
-    const auto most_moved = most_tolerances * chatter_tolerance<T>();
-    if (!(stops && plain(T(T(2) * v * flight)) <= most_moved * plain(T(T(1) - rebound)))) return;
+    const bool accumulates = plain(T(T(1) - scene.restitution)) <= most_longer * plain(T(T(1) - rebound));
+    if (!(stops && accumulates)) return;
     const T d = T(2) * along * flight * flight / (T(1) - rebound * rebound);
     if (scene.is_disk()) {
         state.psi += d / (body.inner * u.b1());

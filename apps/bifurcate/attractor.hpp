@@ -38,11 +38,17 @@ struct Attractor {
     double distance = 0;              ///< of the orbit's last state from the cycle, where there is one
     double mean_spin = std::nan("");  ///< time mean of S over the kept impacts, or over the period; NaN without
     double mean_spin_per_impact = std::nan("");
-    /// Coordinates: the kept states; where there is a cycle one period of the orbit once it is on it, or of the
+    /// Coordinates: the kept states; on a cycle (`is_on_cycle`) one period of the orbit once it is on it, or of the
     /// polished cycle where it comes nearer so slowly that it is not on it after some 20,000 impacts.
     std::vector<Eigen::VectorXd> states;
     std::optional<SectionPoint<double>> last;  ///< the orbit's last state; none without impacts
 };
+
+/// True if the states are one period of a cycle. An orbit that stays undecided may have a period all the same: its states
+/// are all of its samples, tens of thousands.
+inline bool is_on_cycle(const Attractor& attractor) {
+    return attractor.mode != analysis::Mode::undecided && attractor.period > 0 && !attractor.states.empty();
+}
 
 /// Its parts (apps/ranks/packed.hpp).
 template <class Part>

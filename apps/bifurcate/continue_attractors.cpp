@@ -35,8 +35,7 @@ public:
                                 options.settings.accuracy)) {}
 
     void look_at(double p, const Attractor& attractor) {
-        if (attractor.mode == analysis::Mode::undecided) return;
-        if (attractor.period == 0 || attractor.period > options_.longest_branch) return;
+        if (!is_on_cycle(attractor) || attractor.period > options_.longest_branch) return;
         for (const auto& branch : diagram_.branches)
             if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, attractor.states))
                 return compare(*cycle, attractor);

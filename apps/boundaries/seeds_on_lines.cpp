@@ -80,7 +80,7 @@ private:
     void look_from(double value, const Start<double>& start, const bifurcate::SampleSettings& settings) {
         const Scene<double> scene = with_parameter(scene_, *range_.parameter, value);
         const auto attractor = bifurcate::settle(scene, start, settings);
-        if (!attractor.finished || attractor.period == 0 || attractor.period > options_.max_period) return;
+        if (!attractor.finished || !bifurcate::is_on_cycle(attractor) || attractor.period > options_.max_period) return;
         follow(attractor.states, value);
     }
 

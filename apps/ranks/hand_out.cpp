@@ -17,8 +17,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto glance = 200us;  // between two looks for messages and results
-constexpr auto pause = 2ms;     // between two looks of a process that has no messages to wait for
+// Between two looks for messages and results. Work is asked for while there still is some, so that nobody waits for a
+// look; a look of MPI itself takes some 30 µs.
+constexpr auto glance = 2ms;
 constexpr auto patience = 30s;  // a rank says once a second that it is there
 constexpr auto heartbeat = 1s;
 constexpr auto farewell = 10s;
@@ -102,13 +103,15 @@ HandOut::~HandOut() {
     if (!std::all_of(others_.begin() + 1, others_.end(), went)) ranks_.lose();
 }
 
-/// The next pieces: few when few are left, so that all ranks end together; all where there is one.
-std::vector<std::size_t> HandOut::take() {
+/// The next pieces: few when few are left, so that all ranks end together, but as many as go together while there are
+/// as many for every rank; all where there is one.
+std::vector<std::size_t> HandOut::take(std::size_t most_together) {
     if (others_.size() == 1) {
         const auto all = std::exchange(left_, {});
         return {all.begin(), all.end()};
     }
-    const std::size_t share = left_.size() / (4 * others_.size());
+    const std::size_t each = left_.size() / others_.size();
+    const std::size_t share = std::max(each / 4, std::min(each, most_together));
     const std::size_t count = std::min(left_.size(), std::clamp<std::size_t>(share, 1, most_at_once));
     const auto end = left_.begin() + static_cast<std::ptrdiff_t>(count);
     std::vector<std::size_t> taken(left_.begin(), end);
@@ -116,12 +119,12 @@ std::vector<std::size_t> HandOut::take() {
     return taken;
 }
 
-void HandOut::hand_to_those_who_want(Workers& own) {
-    if (!left_.empty() && own.wants_more()) own.add(take());
+void HandOut::hand_to_those_who_want(Workers& own, std::size_t most_together) {
+    if (!left_.empty() && own.wants_more()) own.add(take(most_together));
     for (int to = 1; to < ranks_.count(); ++to) {
         Other& other = others_[static_cast<std::size_t>(to)];
         if (!other.wants_work || other.lost || left_.empty()) continue;
-        const auto pieces = take();
+        const auto pieces = take(most_together);
         other.wants_work = false;
         other.has.insert(pieces.begin(), pieces.end());
         ranks_.send(to, message_of(pieces));
@@ -196,8 +199,8 @@ bool HandOut::run(std::span<const std::size_t> pieces, int threads, const NamedW
             keep(result);
             progress.at(static_cast<double>(++finished));
         }
-        hand_to_those_who_want(own);
-        std::this_thread::sleep_for(others_.size() == 1 ? pause : glance);
+        hand_to_those_who_want(own, work.most_together);
+        std::this_thread::sleep_for(glance);
     }
     return true;
 }

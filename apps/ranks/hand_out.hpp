@@ -54,8 +54,8 @@ private:
         Clock::time_point heard = Clock::now();
     };
 
-    std::vector<std::size_t> take();
-    void hand_to_those_who_want(Workers& own);
+    std::vector<std::size_t> take(std::size_t most_together);
+    void hand_to_those_who_want(Workers& own, std::size_t most_together);
     void read(const Message& message, std::string_view name);
     void leave_out(int rank, std::string_view why);
     void look_for_lost_ranks();

@@ -15,10 +15,16 @@
 namespace swirl::analysis::recurrence {
 namespace {
 
+/// Below this many values a sort takes less than handing it to threads gains; those of a sweep have their own to do.
+constexpr std::size_t worth_threads = 1 << 16;
+
 std::vector<double> sorted_values(const Points& points) {
     const double* x = points.coordinate(0);
     std::vector<double> values(x, x + points.count);
-    tbb::parallel_sort(values.begin(), values.end());
+    if (values.size() < worth_threads)
+        std::sort(values.begin(), values.end());
+    else
+        tbb::parallel_sort(values.begin(), values.end());
     return values;
 }
 

@@ -2,6 +2,8 @@
 #include "analysis/rotation/weighted_birkhoff.hpp"
 #include "analysis/spectrum/fft.hpp"
 
+#include <Eigen/Core>
+
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -37,23 +39,46 @@ struct FourierSum {
     Complex slope;  ///< Σ (j − n/2) x_j e^{−2πi f j}: i/2π dA/df up to a turn of the phase of A
 };
 
-/// The phasor is advanced by multiplication and set anew every 64 samples, so that its rounding error stays below 64 ε.
+constexpr std::size_t together = 8;  // samples, each with a phasor of its own, so that none waits for another
+using Eight = Eigen::Array<double, together, 1>;
+
+/// The samples from `first` on, 0 beyond the last.
+Eight samples_from(std::span<const double> samples, std::size_t first) {
+    Eight some = Eight::Zero();
+    const auto here = samples.subspan(first).first(std::min(together, samples.size() - first));
+    std::copy(here.begin(), here.end(), some.begin());
+    return some;
+}
+
+/// Phasors are advanced by multiplication and set anew after 64 times, so that their rounding error stays below 64 ε.
 FourierSum fourier_sum(std::span<const double> samples, double frequency) {
-    constexpr std::size_t renewal = 64;
-    const Complex step = unit_phasor(-frequency);
+    constexpr std::size_t renewal = 64 * together;
+    const Complex step = unit_phasor(-frequency * static_cast<double>(together));
     const double middle = static_cast<double>(samples.size()) / 2;
-    FourierSum sum;
+    Eight real = Eight::Zero(), imaginary = Eight::Zero(), real_slope = Eight::Zero(), imaginary_slope = Eight::Zero();
     for (std::size_t start = 0; start < samples.size(); start += renewal) {
-        Complex phasor = unit_phasor(-frequency * static_cast<double>(start));
+        Eight cosine, sine;
+        for (std::size_t k = 0; k < together; ++k) {
+            const Complex phasor = unit_phasor(-frequency * static_cast<double>(start + k));
+            cosine[static_cast<Eigen::Index>(k)] = phasor.real();
+            sine[static_cast<Eigen::Index>(k)] = phasor.imag();
+        }
+        Eight place = Eight::LinSpaced(0, together - 1) + (static_cast<double>(start) - middle);
         const std::size_t end = std::min(start + renewal, samples.size());
-        for (std::size_t j = start; j < end; ++j) {
-            const Complex term = samples[j] * phasor;
-            sum.value += term;
-            sum.slope += (static_cast<double>(j) - middle) * term;
-            phasor *= step;
+        for (std::size_t j = start; j < end; j += together) {
+            const Eight x = samples_from(samples, j);
+            const Eight along = x * cosine, across = x * sine;
+            real += along;
+            imaginary += across;
+            real_slope += place * along;
+            imaginary_slope += place * across;
+            place += static_cast<double>(together);
+            const Eight turned = cosine * step.real() - sine * step.imag();
+            sine = cosine * step.imag() + sine * step.real();
+            cosine = turned;
         }
     }
-    return sum;
+    return {{real.sum(), imaginary.sum()}, {real_slope.sum(), imaginary_slope.sum()}};
 }
 
 /// The frequency within `reach` of `guess` at which the weighted Fourier sum is largest.

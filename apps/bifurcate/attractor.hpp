@@ -44,10 +44,11 @@ struct Attractor {
     std::optional<SectionPoint<double>> last;  ///< the orbit's last state; none without impacts
 };
 
-/// True if the states are one period of a cycle. An orbit that stays undecided may have a period all the same: its states
-/// are all of its samples, tens of thousands.
+/// True if the states are one period of a cycle. An orbit that stays undecided may have a period all the same: its
+/// states are all of its samples, tens of thousands; where the map ends on the way round they are fewer.
 inline bool is_on_cycle(const Attractor& attractor) {
-    return attractor.mode != analysis::Mode::undecided && attractor.period > 0 && !attractor.states.empty();
+    return attractor.mode != analysis::Mode::undecided && attractor.period > 0 &&
+           attractor.states.size() == static_cast<std::size_t>(attractor.period);
 }
 
 /// Its parts (apps/ranks/packed.hpp).

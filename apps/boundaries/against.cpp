@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 namespace swirl::apps::boundaries {
 
@@ -29,8 +30,10 @@ public:
 
     void spread_from(const std::vector<Curve>& curves) {
         for (const auto& curve : curves)
-            for (const auto& point : curve.points)
-                if (is_edge_of_stability(point)) push(nearest_cell(point.parameters), point.points, true);
+            for (std::size_t i = 0; i < curve.points.size(); ++i) {
+                if (is_edge_of_stability(curve.points[i])) push_at(curve.points[i].parameters, curve.points[i].points);
+                if (i > 0) push_between(curve.points[i - 1], curve.points[i]);
+            }
         while (!waiting_.empty() && !is_interrupted()) {
             const auto [cell, guess] = std::move(waiting_.front());
             waiting_.pop_front();
@@ -55,6 +58,35 @@ private:
                 static_cast<std::size_t>(std::min_element(values.begin(), values.end(), nearer) - values.begin());
         }
         return place[0] * map_.values[1].size() + place[1];
+    }
+
+    void push_at(const Eigen::Vector2d& p, const analysis::CyclePoints& guess) { push(nearest_cell(p), guess, true); }
+
+    /// In every cell that a curve crosses from one of its points to the next: a region may be narrower than they are
+    /// apart.
+    void push_between(const CurveCycle& first, const CurveCycle& second) {
+        if (!is_edge_of_stability(first) && !is_edge_of_stability(second)) return;
+        if (first.points.size() != second.points.size()) return;
+        double cells = 0;
+        for (int axis = 0; axis < 2; ++axis)
+            cells = std::max(cells, std::abs(second.parameters[axis] - first.parameters[axis]) / spacing(axis));
+        const int parts = static_cast<int>(std::ceil(2 * cells));
+        if (parts < 2) return;
+        const analysis::ShootingMap map = shooting_map_of(scene_at(scene_, plane_, first.parameters));
+        for (int i = 1; i < parts; ++i) {
+            const double t = static_cast<double>(i) / parts;
+            analysis::CyclePoints guess = first.points;
+            for (std::size_t k = 0; k < guess.size(); ++k)
+                guess[k] += t * map.difference(second.points[k], first.points[k]);
+            push_at(first.parameters + t * (second.parameters - first.parameters), guess);
+        }
+    }
+
+    /// Of the cells; infinite where there is one.
+    double spacing(int axis) const {
+        const auto& values = map_.values[static_cast<std::size_t>(axis)];
+        return values.size() < 2 ? std::numeric_limits<double>::infinity()
+                                 : std::abs(values.back() - values.front()) / static_cast<double>(values.size() - 1);
     }
 
     /// The cell and those beside it.
@@ -96,6 +128,12 @@ bool agrees(const MappedPlane::Run& run, const AttractingCycle& cycle) {
            means_agree(run.mean_spin, cycle.mean_spin);
 }
 
+/// Within the plane, or on its edge but for rounding.
+bool is_within(const Plane& plane, const Eigen::Vector2d& p) {
+    const Eigen::Array2d room = 1e-9 * (plane.high() - plane.low()).array();
+    return (p.array() >= plane.low().array() - room).all() && (p.array() <= plane.high().array() + room).all();
+}
+
 void compare_cell(const MappedPlane& map, std::size_t cell, const std::vector<AttractingCycle>& cycles,
                   std::int64_t longest, Agreement& agreement) {
     const auto begin = map.all.begin() + static_cast<std::ptrdiff_t>(cell * map.runs);
@@ -124,15 +162,18 @@ void compare_cell(const MappedPlane& map, std::size_t cell, const std::vector<At
 }  // namespace
 
 Agreement compare(const Scene<double>& scene, const Plane& plane, const std::vector<Curve>& curves,
-                  const MappedPlane& map) {
+                  const MappedPlane& map, std::int64_t longest) {
     CellCycles cycles(scene, plane, map);
     cycles.spread_from(curves);
-    std::int64_t longest = 0;
-    for (const auto& curve : curves) longest = std::max(longest, static_cast<std::int64_t>(curve.period));
     Agreement agreement;
-    agreement.cells = map.cells();
-    for (std::size_t cell = 0; cell < map.cells() && !is_interrupted(); ++cell)
+    for (std::size_t cell = 0; cell < map.cells() && !is_interrupted(); ++cell) {
+        if (!is_within(plane, map.place(cell))) {
+            ++agreement.outside_cells;
+            continue;
+        }
+        ++agreement.cells;
         compare_cell(map, cell, cycles.of(cell), longest, agreement);
+    }
     return agreement;
 }
 
@@ -158,6 +199,7 @@ void write_agreement(JsonWriter& json, const Plane& plane, const Agreement& agre
     json.member("missing_cells", agreement.missing_cells);
     json.member("led_by_runs", agreement.led_by_runs);
     json.member("family_cells", agreement.family_cells);
+    json.member("outside_cells", agreement.outside_cells);
     json.key("disagreements");
     json.begin_array(JsonLayout::rows);
     for (const auto& entry : agreement.list) {
@@ -178,7 +220,7 @@ void write_agreement(JsonWriter& json, const Plane& plane, const Agreement& agre
 
 void print_agreement(const Plane& plane, const Agreement& agreement) {
     const auto share = [&](std::size_t count) {
-        return 100.0 * static_cast<double>(count) / static_cast<double>(agreement.cells);
+        return agreement.cells == 0 ? 0 : 100.0 * static_cast<double>(count) / static_cast<double>(agreement.cells);
     };
     fmt::print("against the map: {} cells, {} with an attracting cycle by the curves\n", agreement.cells,
                agreement.with_cycle);
@@ -190,6 +232,8 @@ void print_agreement(const Plane& plane, const Agreement& agreement) {
     if (agreement.family_cells > 0)
         fmt::print("  a run came to a member of a family, not compared: {} cells, {:.2f} %\n", agreement.family_cells,
                    share(agreement.family_cells));
+    if (agreement.outside_cells > 0)
+        fmt::print("  cells outside of the plane, not compared:     {}\n", agreement.outside_cells);
     for (const auto& entry : agreement.list)
         fmt::print("  {} = {:<10.6g} {} = {:<10.6g} period {:<3} mean S {:>13.9f}  {}\n", plane.axes[0].name,
                    entry.parameters[0], plane.axes[1].name, entry.parameters[1], entry.period, entry.mean_spin,

@@ -40,7 +40,8 @@ struct Disagreement {
 };
 
 struct Agreement {
-    std::size_t cells = 0;
+    std::size_t cells = 0;          ///< of the map within the plane
+    std::size_t outside_cells = 0;  ///< its others, which are compared with nothing
     std::size_t with_cycle = 0;     ///< cells with an attracting cycle by the curves
     std::size_t unseen_cells = 0;   ///< cells with an attracting cycle that no run came to
     std::size_t missing_cells = 0;  ///< cells where a run came to a cycle that no curve leads to
@@ -52,10 +53,10 @@ struct Agreement {
 /// Attracting cycles by the curves: those that lose their stability on one of them, carried from its points to the
 /// cells beside it and on from cell to cell by Newton's method, as long as they attract (by more than
 /// `analysis::neutral_margin`: what attracts by less, as a family does along itself, is not compared). A run agrees
-/// with one of the same period whose mean S is the same to 10⁻⁶. Cycles of longer periods than any curve's are not
+/// with one of the same period whose mean S is the same to 10⁻⁶. Cycles of periods above `longest` are not
 /// compared. Cost: some 0.1 ms a cycle and cell.
 Agreement compare(const Scene<double>& scene, const Plane& plane, const std::vector<Curve>& curves,
-                  const MappedPlane& map);
+                  const MappedPlane& map, std::int64_t longest);
 
 /// The runs that came to cycles that no curve leads to, one of a cell and period.
 std::vector<MapRun> missing_runs(const Agreement& agreement);

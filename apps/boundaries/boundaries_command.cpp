@@ -89,11 +89,11 @@ LineOptions lines_of(const BoundariesOptions& options, std::size_t longest) {
 /// lie between all lines.
 Agreement search_and_compare(CurveSearch& search, const Scene<double>& scene, const Plane& plane,
                              const MappedPlane& map, const LineOptions& options) {
-    Agreement first = compare(scene, plane, search.found().curves, map);
+    Agreement first = compare(scene, plane, search.found().curves, map, options.max_period);
     const auto runs = missing_runs(first);
     if (runs.empty() || is_interrupted()) return first;
     search.follow(seeds_of_runs(scene, plane, runs, map.starts, options));
-    Agreement agreement = compare(scene, plane, search.found().curves, map);
+    Agreement agreement = compare(scene, plane, search.found().curves, map, options.max_period);
     agreement.led_by_runs = first.missing_cells - std::min(agreement.missing_cells, first.missing_cells);
     return agreement;
 }
@@ -137,7 +137,11 @@ int boundaries(BoundariesOptions& options) {
     CurveSearch search(scene, plane, {options.longest_step, longest, options.output.quiet});
     search.follow(seeds);
     std::optional<Agreement> agreement;
-    if (map) agreement = search_and_compare(search, scene, plane, *map, lines_of(options, longest));
+    if (map) {
+        if (options.from.empty())
+            longest = std::max(longest, static_cast<std::size_t>(options.max_period.value_or(default_max_period)));
+        agreement = search_and_compare(search, scene, plane, *map, lines_of(options, longest));
+    }
     PlaneCurves found = search.found();
     found.whole = !is_interrupted();
     if (is_interrupted()) agreement.reset();  // of some cells only

@@ -57,7 +57,7 @@ public:
     /// The curve through every seed, and the curves that these lead to: borders that smooth curves end on, fold and
     /// flip curves that end on borders. What an interruption leaves is what was finished.
     void follow(const std::vector<Seed>& seeds);
-    const PlaneCurves& found() const;
+    PlaneCurves found() const;
 
 private:
     class Walk;

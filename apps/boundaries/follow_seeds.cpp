@@ -1,4 +1,5 @@
 #include "analysis/boundaries/follow_boundary.hpp"
+#include "apps/boundaries/border_system.hpp"
 #include "apps/boundaries/born_curves.hpp"
 #include "apps/boundaries/smooth_curve.hpp"
 #include "apps/command_line/interruption.hpp"
@@ -6,6 +7,8 @@
 #include "apps/system/shooting_map.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
 namespace swirl::apps::boundaries {
@@ -34,23 +37,105 @@ public:
 
     /// Where curves that were followed since lead to others.
     std::vector<Seed> take_ends() { return std::exchange(ends_, {}); }
-    const PlaneCurves& result() const { return result_; }
+    PlaneCurves result() const {
+        PlaneCurves found = result_;
+        std::erase_if(found.curves, [](const Curve& curve) { return curve.points.empty(); });
+        return found;
+    }
     bool is_quiet() const { return follow_.quiet; }
 
 private:
+    /// A curve, and its place among the result's.
+    template <class Followed>
+    struct Known {
+        Followed curve;
+        std::size_t place = 0;
+    };
+
     void follow_smooth(const Seed& seed, analysis::BoundaryKind kind) {
-        if (analysis::is_on_boundary(map_, kind, seed.points, seed.p, seed.multiplier, options_, known_)) return;
+        for (const auto& known : known_)
+            if (analysis::is_on_boundary(map_, kind, seed.points, seed.p, seed.multiplier, options_, {&known.curve, 1}))
+                return;
         Boundary boundary;
         if (!analysis::follow_boundary(map_, kind, seed.points, seed.p, seed.multiplier, options_, boundary)) {
             ++result_.without;
             return;
         }
         if (is_interrupted()) return;  // cut short: not finished
+        const auto lies_on = [this](const Boundary& part, const Boundary& whole) { return is_part(part, whole); };
+        if (any_holds(known_, boundary, lies_on)) return;
+        leave_out_parts(known_, boundary, lies_on);
         const analysis::ShootingMap coordinates = analysis::on_line(map_, 0, plane_.low());
-        result_.curves.push_back(curve_of(boundary, coordinates));
-        keep_end(result_.curves.back().points.front(), result_.curves.back().begins);
-        keep_end(result_.curves.back().points.back(), result_.curves.back().ends);
-        known_.push_back(std::move(boundary));
+        const Curve curve = curve_of(boundary, coordinates);
+        keep_end(curve.points.front(), curve.begins);
+        keep_end(curve.points.back(), curve.ends);
+        for (const CurveSpecial& special : curve.special) keep_crossing(curve, special);
+        known_.push_back({std::move(boundary), result_.curves.size()});
+        result_.curves.push_back(curve);
+    }
+
+    /// A curve on which Newton's method failed is met again from beyond, and then followed back over itself.
+    template <class Followed, class LiesOn>
+    static bool any_holds(const std::vector<Known<Followed>>& known, const Followed& part, const LiesOn& lies_on) {
+        return std::any_of(known.begin(), known.end(), [&](const auto& other) { return lies_on(part, other.curve); });
+    }
+    template <class Followed, class LiesOn>
+    void leave_out_parts(std::vector<Known<Followed>>& known, const Followed& whole, const LiesOn& lies_on) {
+        std::erase_if(known, [&](const Known<Followed>& other) {
+            if (!lies_on(other.curve, whole)) return false;
+            result_.curves[other.place].points.clear();  // dropped by `result`
+            return true;
+        });
+    }
+
+    /// Not at its ends, where Newton's method fails and nothing can be told.
+    static std::array<std::size_t, 3> places_of(std::size_t points) {
+        const std::size_t last = points - 1;
+        return {last / 4, last / 2, last - last / 4};
+    }
+
+    bool is_part(const Boundary& part, const Boundary& whole) const {
+        if (part.kind != whole.kind || part.period != whole.period) return false;
+        const auto places = places_of(part.points.size());
+        return std::all_of(places.begin(), places.end(), [&](std::size_t i) {
+            const Eigen::VectorXd& y = part.points[i].at.y;
+            const double cosine = part.kind == analysis::BoundaryKind::neimark_sacker ? y[y.size() - 1] : 1;
+            const std::complex<double> multiplier(cosine, std::sqrt(std::max(0.0, 1 - cosine * cosine)));
+            return analysis::is_on_boundary(map_, part.kind, analysis::points_of(part, y),
+                                            analysis::parameters_of(part, y), multiplier, options_, {&whole, 1});
+        });
+    }
+
+    bool is_part(const BorderCurve& part, const BorderCurve& whole) const {
+        const auto places = places_of(part.arc.points.size());
+        return std::all_of(places.begin(), places.end(), [&](std::size_t i) {
+            return is_on(words_, plane_, border_cycle_at(words_, part.like, part.arc.points[i].y), border_options_,
+                         whole);
+        });
+    }
+
+    /// Where a curve meets one of another kind. At 1:1 and 1:2 a Neimark–Sacker curve begins, which branches through
+    /// the curve's points beside them cross; at the others it is the cycle itself that has both multipliers.
+    void keep_crossing(const Curve& curve, const CurveSpecial& special) {
+        if (special.kind == "1:1" || special.kind == "1:2") {
+            LineOptions lines;
+            lines.max_period = static_cast<int>(std::max(follow_.longest_period, curve.period));
+            for (const std::size_t i : {special.after, special.after + 1}) {
+                if (i >= curve.points.size()) continue;
+                const CurveCycle& beside = curve.points[i];
+                for (Seed& seed : seeds_about(scene_, plane_, beside.points, beside.parameters, lines))
+                    ends_.push_back(std::move(seed));
+            }
+            return;
+        }
+        const auto meets = [&](const std::string& kind, std::complex<double> multiplier) {
+            if (kind != curve.kind) ends_.push_back({kind, special.cycle.points, special.cycle.parameters, multiplier});
+        };
+        const auto has = [&](const char* word) { return special.kind.find(word) != std::string::npos; };
+        if (!has("fold-") && !has("flip-")) return;
+        if (has("fold")) meets("fold", 1);
+        if (has("flip") && !has("generalised")) meets("flip", -1);
+        if (has("neimark-sacker")) meets("neimark-sacker", critical_pair(special.cycle.multipliers));
     }
 
     void follow_touch(const Seed& seed) {
@@ -60,19 +145,23 @@ private:
             return;
         }
         for (const auto& known : borders_)
-            if (is_on(words_, plane_, *cycle, border_options_, known)) return;
+            if (is_on(words_, plane_, *cycle, border_options_, known.curve)) return;
         auto curve = follow_border(words_, plane_, *cycle, border_options_);
         if (!curve) {
             ++result_.without;
             return;
         }
         if (is_interrupted()) return;
-        result_.curves.push_back(curve_of(words_, *curve));
+        const auto lies_on = [this](const BorderCurve& part, const BorderCurve& whole) { return is_part(part, whole); };
+        if (any_holds(borders_, *curve, lies_on)) return;
+        leave_out_parts(borders_, *curve, lies_on);
         BornSeeds born = seeds_born_on(words_, map_, plane_, options_, follow_.longest_period, *curve);
         result_.seeds += born.not_found;
         result_.without += born.not_found;
         for (Seed& seed_there : born.seeds) ends_.push_back(std::move(seed_there));
-        borders_.push_back(std::move(*curve));
+        const Curve listed = curve_of(words_, *curve);
+        borders_.push_back({std::move(*curve), result_.curves.size()});
+        result_.curves.push_back(listed);
     }
 
     /// A smooth curve that ends on a border is a place to begin at on that border.
@@ -94,8 +183,8 @@ private:
     BorderOptions border_options_;
     FollowOptions follow_;
     PlaneCurves result_;
-    std::vector<Boundary> known_;
-    std::vector<BorderCurve> borders_;
+    std::vector<Known<Boundary>> known_;
+    std::vector<Known<BorderCurve>> borders_;
     std::vector<Seed> ends_;
 };
 
@@ -117,7 +206,7 @@ void CurveSearch::follow(const std::vector<Seed>& seeds) {
             if (!is_interrupted()) walk_->follow(seed);
 }
 
-const PlaneCurves& CurveSearch::found() const {
+PlaneCurves CurveSearch::found() const {
     return walk_->result();
 }
 

@@ -46,6 +46,10 @@ struct LineOptions {
 /// is that of `swirl classify --seed 1+r`. Cost: some 0.5 s a line.
 std::vector<Seed> seeds_on_lines(const Scene<double>& scene, const Plane& plane, const LineOptions& options);
 
+/// The same from a cycle at p, followed along both lines through it for a tenth of the plane.
+std::vector<Seed> seeds_about(const Scene<double>& scene, const Plane& plane, const analysis::CyclePoints& cycle,
+                              const Eigen::Vector2d& p, const LineOptions& options);
+
 /// A run of a map: start `run` of the scene at p, with the sweep's seed and speed.
 struct MapRun {
     Eigen::Vector2d p{0, 0};

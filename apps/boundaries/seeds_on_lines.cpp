@@ -61,6 +61,12 @@ public:
         return finish();
     }
 
+    /// Those of one cycle.
+    std::vector<Branch> find_from(double value, const analysis::CyclePoints& cycle) {
+        follow(cycle, value);
+        return finish();
+    }
+
     std::vector<Branch> find() {
         for (int i = 0; i < options_.columns; ++i) {
             const double value = range_.low + (i + offset_) / options_.columns * (range_.high - range_.low);
@@ -159,6 +165,23 @@ std::vector<Seed> seeds_of_runs(const Scene<double>& scene, const Plane& plane, 
     });
     std::vector<Seed> seeds;
     for (auto& of_run : of_runs) seeds.insert(seeds.end(), of_run.begin(), of_run.end());
+    return seeds;
+}
+
+std::vector<Seed> seeds_about(const Scene<double>& scene, const Plane& plane, const analysis::CyclePoints& cycle,
+                              const Eigen::Vector2d& p, const LineOptions& options) {
+    constexpr double reach = 0.1;
+    std::vector<Seed> seeds;
+    for (int axis = 0; axis < 2 && !is_interrupted(); ++axis) {
+        const Line line{axis, p};
+        Plane near = plane;
+        auto& range = near.axes[static_cast<std::size_t>(axis)];
+        const double width = range.high - range.low;
+        range.low = std::max(range.low, p[axis] - reach * width);
+        range.high = std::min(range.high, p[axis] + reach * width);
+        const auto found = seeds_of(LineSearch(scene, near, line, options).find_from(p[axis], cycle), line);
+        seeds.insert(seeds.end(), found.begin(), found.end());
+    }
     return seeds;
 }
 

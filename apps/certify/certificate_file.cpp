@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <boost/crc.hpp>
 #include <cstdint>
+#include <set>
 
 namespace swirl::apps::certify {
 
@@ -30,6 +31,12 @@ std::string tail_of(std::string_view document) {
     return fmt::format("{}{:016x}\"\n}}\n", before_checksum, crc_of(document));
 }
 
+/// A whole number. (The library's conversion would cut off what follows the point.)
+int whole(const Json& number) {
+    if (!number.is_number_integer()) throw BadInput(fmt::format("{} is no whole number", number.dump()));
+    return number.get<int>();
+}
+
 std::array<double, 5> coordinates_in(const Json& z) {
     const auto at = [&z](const char* name) { return z.at(name).get<double>(); };
     return {at("psi"), z.contains("chi") ? at("chi") : 0.0, at("vn"), at("vt"), at("S")};
@@ -37,7 +44,7 @@ std::array<double, 5> coordinates_in(const Json& z) {
 
 void read_scene(const Json& scene, StatedCycle& cycle) {
     const Json& sides = scene.at("sides");
-    cycle.sides = sides.is_string() ? (sides.get<std::string>() == "disk" ? 0 : -1) : sides.get<int>();
+    cycle.sides = sides.is_string() ? (sides.get<std::string>() == "disk" ? 0 : -1) : whole(sides);
     cycle.alpha = scene.at("alpha").get<double>();
     cycle.beta = scene.at("beta").get<double>();
     cycle.mu = scene.at("mu").get<double>();
@@ -63,7 +70,10 @@ void read_parameters(const Json& parameters, StatedCycle& cycle) {
 StatedCycle cycle_in(const Json& document, const Json& orbit) {
     StatedCycle cycle;
     read_scene(document.at("scene"), cycle);
-    cycle.uniform_lamina = orbit.at("inertia").get<std::string>() == "uniform lamina";
+    const auto inertia = orbit.at("inertia").get<std::string>();
+    if (inertia != "uniform lamina" && inertia != "as given")
+        throw BadInput(fmt::format("inertia '{}' is neither 'uniform lamina' nor 'as given'", inertia));
+    cycle.uniform_lamina = inertia == "uniform lamina";
     read_parameters(orbit.at("parameters"), cycle);
     for (const Json& step : orbit.at("steps")) {
         StatedStep stated;
@@ -71,9 +81,9 @@ StatedCycle cycle_in(const Json& document, const Json& orbit) {
         stated.radius = coordinates_in(step.at("half_widths"));
         stated.time = step.at("flight_time").get<double>();
         stated.time_radius = step.at("flight_time_half_width").get<double>();
-        stated.vertex_step = step.at("vertex_step").get<int>();
+        stated.vertex_step = whole(step.at("vertex_step"));
         stated.contact_mode = step.at("contact_mode").get<std::string>();
-        stated.slip = step.at("slip").get<int>();
+        stated.slip = whole(step.at("slip"));
         cycle.steps.push_back(stated);
     }
     for (const Json& disc : orbit.at("multipliers"))
@@ -84,7 +94,7 @@ StatedCycle cycle_in(const Json& document, const Json& orbit) {
         const bool by_time = phase.contains("tau");
         cycle.phase = StatedCycle::Phase{by_time, phase.at(by_time ? "tau" : "S").get<double>()};
     }
-    if (orbit.at("period").get<std::size_t>() != cycle.steps.size())
+    if (whole(orbit.at("period")) != static_cast<int>(cycle.steps.size()))
         throw BadInput(
             fmt::format("its period is {}, but it has {} steps", orbit.at("period").dump(), cycle.steps.size()));
     // What is said twice is said alike.
@@ -97,6 +107,19 @@ StatedCycle cycle_in(const Json& document, const Json& orbit) {
         (orbit.at("radius").get<double>() != widest || coordinates_in(orbit.at("point")) != cycle.steps[0].point))
         throw BadInput("its point and radius are not those of its steps");
     return cycle;
+}
+
+/// A document in which no object has a name twice, of which the library would keep the last.
+Json parsed(const std::string& text) {
+    std::vector<std::set<std::string>> names;
+    const auto look = [&names](int, Json::parse_event_t event, const Json& value) {
+        if (event == Json::parse_event_t::object_start) names.emplace_back();
+        if (event == Json::parse_event_t::object_end) names.pop_back();
+        if (event == Json::parse_event_t::key && !names.back().insert(value.get<std::string>()).second)
+            throw BadInput(fmt::format("'{}' stands twice in one object", value.get<std::string>()));
+        return true;
+    };
+    return Json::parse(text, look);
 }
 
 }  // namespace
@@ -121,7 +144,7 @@ StatedCertificate read_certificate(const std::string& file) {
         throw refuse("it was changed after it was written: its checksum is another");
     StatedCertificate stated;
     try {
-        const Json document = Json::parse(text);
+        const Json document = parsed(text);
         stated.all = document.contains("all") && !document.at("all").is_null();
         for (const Json& orbit : document.at("orbits")) {
             ++stated.orbits;

@@ -36,6 +36,7 @@ struct Certified {
     std::vector<CertifiedOrbit> orbits;
     std::optional<proof::AllFixedPoints> all;  ///< with --all: how the plane was covered
     bool found = true;                         ///< false: --near led to no cycle
+    bool whole = true;                         ///< false: an interruption left cycles out, or parts of the plane
 
     std::size_t proven() const {
         std::size_t count = 0;

@@ -215,10 +215,10 @@ int certify(CertifyOptions& options) {
     const Scene<double> scene = needs_scene ? options.scene.scene<double>() : Scene<double>{};
     const std::unique_ptr<OutputFile> file = opened(options);
     note_interruptions();
-    const Certified certified = !needs_scene  ? certified_record(options)
-                                : options.all ? certified_all(options, scene)
-                                              : certified_near(options, scene);
-    if (is_interrupted()) return exit_interrupted;
+    Certified certified = !needs_scene  ? certified_record(options)
+                          : options.all ? certified_all(options, scene)
+                                        : certified_near(options, scene);
+    certified.whole = !is_interrupted();
     finish_up();
     const std::string text = with_checksum(certificate_text(options, certified));
     if (file) write_and_commit(*file, text);
@@ -226,6 +226,7 @@ int certify(CertifyOptions& options) {
         fmt::print("{}", text);
     else if (!options.output.quiet)
         print_certified(options, certified);
+    if (!certified.whole) return exit_interrupted;
     const bool as_asked = certified.found && certified.proven() == certified.orbits.size() &&
                           (!certified.all || certified.all->complete());
     return as_asked ? exit_done : exit_numerical_ending;

@@ -134,6 +134,7 @@ std::string certificate_text(const CertifyOptions& options, const Certified& cer
     write_scene(json, certified.scene, options.scene);
     write_json(json, "orbits", orbit_table(certified.along), certified.orbits);
     json.member("proven", static_cast<std::int64_t>(certified.proven()));
+    json.member("outcome", certified.whole ? "completed" : "interrupted");
     json.key("all");
     if (certified.all)
         write_all(json, *certified.all);
@@ -158,6 +159,7 @@ void print_certified(const CertifyOptions& options, const Certified& certified) 
             fmt::print("  undecided: tau {:.9g} to {:.9g}, phi {:.9g} to {:.9g}: {}\n", cell.tau_low, cell.tau_high,
                        cell.phi_low, cell.phi_high, cell.reason);
     }
+    if (!certified.whole) fmt::print("  interrupted: not all were looked at\n");
     if (!certified.found) fmt::print("  no cycle found\n");
     if (certified.orbits.empty()) return;
     if (!certified.all) fmt::print("  {} of {} proven\n", certified.proven(), certified.orbits.size());

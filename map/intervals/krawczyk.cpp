@@ -3,6 +3,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 namespace swirl::intervals {
 
@@ -56,7 +59,48 @@ bool lies_inside(const BallVector& inner, const BallVector& outer) {
     return true;
 }
 
-BallVector narrowed(const BallSystem& system, BallVector box) {
+namespace {
+
+/// Newton's method from a box's middle. @return where it ends; nothing if it leaves numbers
+std::optional<BallVector> zero_near(const BallSystem& system, BallVector middle) {
+    constexpr int most = 30;
+    for (int k = 0; k < most; ++k) {
+        const Linearisation at = system(middle);
+        const Eigen::MatrixXd inverse = approximate_inverse(at);
+        if (!inverse.allFinite()) return {};
+        double longest = 0;
+        for (std::size_t i = 0; i < middle.size(); ++i) {
+            double change = 0;
+            for (std::size_t j = 0; j < middle.size(); ++j)
+                change += inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) *
+                          intervals::middle(at.values[j]);
+            if (!std::isfinite(change)) return {};
+            longest = std::max(longest, std::abs(change));
+            middle[i] = Ball(intervals::middle(middle[i]) - change);
+        }
+        if (longest < 1e-15) break;
+    }
+    return middle;
+}
+
+/// A small box within `box` that holds a zero: the one of `box`.
+std::optional<BallVector> small_box(const BallSystem& system, const BallVector& box) {
+    const auto zero = zero_near(system, middles(box));
+    if (!zero) return {};
+    const Eigen::MatrixXd inverse = approximate_inverse(system(*zero));
+    if (!inverse.allFinite()) return {};
+    for (const double radius : {1e-6, 1e-9, 1e-12}) {
+        std::vector<double> radii;
+        for (const Ball& x : *zero) radii.push_back(radius * std::max(1.0, std::abs(intervals::middle(x))));
+        const BallVector small = boxes(*zero, radii);
+        if (!lies_inside(small, box)) continue;
+        if (lies_inside(krawczyk_image(system, *zero, small, inverse), small)) return small;
+    }
+    return {};
+}
+
+/// K again and again.
+BallVector narrowed_by_itself(const BallSystem& system, BallVector box) {
     constexpr int most = 20;  // near the end each takes off 10⁻⁷ or better
     for (int i = 0; i < most; ++i) {
         const BallVector middle = middles(box);
@@ -73,6 +117,17 @@ BallVector narrowed(const BallSystem& system, BallVector box) {
         if (narrowest > 0.9) break;
     }
     return box;
+}
+
+}  // namespace
+
+BallVector narrowed(const BallSystem& system, BallVector box) {
+    constexpr double wide = 1e-6;
+    const BallVector near = narrowed_by_itself(system, std::move(box));
+    const bool is_wide = std::any_of(near.begin(), near.end(), [](const Ball& x) { return !(radius(x) < wide); });
+    if (!is_wide) return near;
+    const auto small = small_box(system, near);
+    return small ? narrowed_by_itself(system, *small) : near;
 }
 
 }  // namespace swirl::intervals

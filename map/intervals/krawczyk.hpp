@@ -45,7 +45,8 @@ BallVector krawczyk_image(const BallSystem& system, const BallVector& middle, co
 /// True if each entry lies in the interior of the box's.
 bool lies_inside(const BallVector& inner, const BallVector& outer);
 
-/// The zero that a box was proven to hold, enclosed ever closer: K again and again, until it no longer narrows.
+/// The zero that a box was proven to hold, alone, enclosed ever closer: K again and again, until it no longer narrows;
+/// where it does so too early, a small box about the end of Newton's method, if K maps that into itself.
 BallVector narrowed(const BallSystem& system, BallVector box);
 
 }  // namespace swirl::intervals

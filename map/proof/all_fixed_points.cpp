@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace swirl::proof {
@@ -53,8 +54,26 @@ CycleProof judged(const Scene<double>& scene, const BallPoint<Ball>& z, const Ba
     return last;
 }
 
-OpenCell open_cell(const Cell& cell, std::string reason) {
-    return {cell.low[0], cell.high[0], cell.low[1], cell.high[1], std::move(reason)};
+OpenCell open_cell(const FixedPointSet& set, const Cell& cell, std::string reason) {
+    if (set.problem.unknowns == 2) return {cell.low[0], cell.high[0], cell.low[1], cell.high[1], std::move(reason)};
+    const Ball phi = phi_on_line(set);
+    return {cell.low[0], cell.high[0], intervals::lower(phi), intervals::upper(phi), std::move(reason)};
+}
+
+/// Refuted where friction would act along the slip, and not against it: the equations of a line don't know.
+std::optional<CycleProof> refuted_by_slip(const BallScene& balls, const FixedPointSet& set, const BallPoint<Ball>& z,
+                                          const Ball& tau, int step) {
+    if (set.kind != FixedPointSet::Kind::sliding) return {};
+    const Ball slip = slip_along(balls, set, z);
+    if (!intervals::is_negative(slip)) return {};
+    CycleProof proof;
+    proof.verdict = Verdict::refuted;
+    proof.points = {middle_of(z)};
+    proof.times = {middle(tau)};
+    proof.word = {{step, ContactMode::sliding, intervals::is_positive(set.sine) ? 1 : -1}};
+    proof.reason = words("impact 1, sliding: s u_t after > 0 fails, it lies in %.3g ... %.3g", intervals::lower(slip),
+                         intervals::upper(slip));
+    return proof;
 }
 
 /// The solutions of one set of equations, each judged.
@@ -73,20 +92,24 @@ void look_at(const Scene<double>& scene, const BallScene& balls, const FixedPoin
     PlaneResult result;
     for (const Cell& start : set.start) solve(set.problem, start, stop, result);
     all.cells += result.cells;
-    for (const Cell& cell : result.open) all.open.push_back(open_cell(cell, "neither excluded nor closed"));
+    for (const Cell& cell : result.open) all.open.push_back(open_cell(set, cell, "neither excluded nor closed"));
     JudgedSet judged_here;
     for (const PlaneSolution& solution : result.solutions) {
         if (intervals::lower(solution.tau) > all.max_time) continue;
         if (!(intervals::upper(solution.tau) <= all.max_time)) {
-            all.open.push_back(open_cell(solution.cell, "its flight's time is within rounding of the longest"));
+            all.open.push_back(open_cell(set, solution.cell, "its flight's time is within rounding of the longest"));
             continue;
         }
         const BallPoint<Ball> z = fixed_point_of(balls, set, solution);
         if (judged_here.holds(z, solution.tau)) continue;
         const int step = static_cast<int>(((solution.j % scene.sides) + scene.sides) % scene.sides);
+        if (auto refuted = refuted_by_slip(balls, set, z, solution.tau, step)) {
+            judged_here.refuted.push_back(std::move(*refuted));
+            continue;
+        }
         CycleProof proof = judged(scene, z, solution.tau, step, modes_of(balls, set, solution));
         if (proof.verdict == Verdict::undecided)
-            all.open.push_back(open_cell(solution.cell, "one solution, undecided: " + proof.reason));
+            all.open.push_back(open_cell(set, solution.cell, "one solution, undecided: " + proof.reason));
         else
             (proof.proven() ? judged_here.proven : judged_here.refuted).push_back(std::move(proof));
     }

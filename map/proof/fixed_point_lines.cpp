@@ -103,6 +103,11 @@ FixedPointSet line(const BallScene& scene, FixedPointSet::Kind kind, const Ball&
     return set;
 }
 
+/// β cis φ = w − i s; on the other side of the cut of the arc tangent where w < 0.
+Ball phi_from(const Ball& s, const Ball& w) {
+    return is_positive(w) ? atan2(-s, w) : intervals::pi_ball() - atan2(-s, -w);
+}
+
 }  // namespace
 
 std::vector<FixedPointSet> fixed_point_sets(const BallScene& scene, double max_time) {
@@ -121,6 +126,15 @@ std::vector<FixedPointSet> fixed_point_sets(const BallScene& scene, double max_t
     return sets;
 }
 
+Ball slip_along(const BallScene& scene, const FixedPointSet& set, const BallPoint<Ball>& z) {
+    const Ball ut = kinematics(scene, z).ut;
+    return is_positive(set.sine) ? ut : -ut;
+}
+
+Ball phi_on_line(const FixedPointSet& line) {
+    return phi_from(line.sine, line.width);
+}
+
 BallPoint<Ball> fixed_point_of(const BallScene& scene, const FixedPointSet& set, const PlaneSolution& solution) {
     Ball s = set.sine, w = set.width;
     if (set.kind == FixedPointSet::Kind::sticking) {
@@ -131,8 +145,7 @@ BallPoint<Ball> fixed_point_of(const BallScene& scene, const FixedPointSet& set,
     const Ball chi = asin(s), c = sqrt(Ball(1) - square(s)), radius = c - scene.alpha + w;
     const Ball half = Ball(0.5) * solution.tau, speed = radius * intervals::sinc(half);
     const auto along = sine_cosine(chi + half);
-    // β cis φ = w − i s; on the other side of the cut of the arc tangent where w < 0
-    const Ball phi = is_positive(w) ? atan2(-s, w) : intervals::pi_ball() - atan2(-s, -w);
+    const Ball phi = phi_from(s, w);
     const Ball spin = Ball(1) - scene.spacing * Ball(static_cast<double>(solution.j)) / solution.tau;
     return {phi - chi, chi, -(speed * along.sine), speed * along.cosine, spin};
 }

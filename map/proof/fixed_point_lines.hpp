@@ -22,6 +22,12 @@ std::vector<FixedPointSet> fixed_point_sets(const BallScene& scene, double max_t
 /// The section point of a solution, of vertex step j.
 BallPoint<Ball> fixed_point_of(const BallScene& scene, const FixedPointSet& set, const PlaneSolution& solution);
 
+/// Of a set that slides: u_t after the impact in the direction that its friction is for, which an orbit needs > 0.
+Ball slip_along(const BallScene& scene, const FixedPointSet& set, const BallPoint<Ball>& z);
+
+/// φ = ψ + χ on a line.
+Ball phi_on_line(const FixedPointSet& line);
+
 /// The contact mode there: slip of a sticking contact stops early or late; both where that is not certain.
 std::vector<ContactMode> modes_of(const BallScene& scene, const FixedPointSet& set, const PlaneSolution& solution);
 

@@ -162,12 +162,16 @@ KrawczykBox krawczyk_box(const PreparedSystem& prepared) {
         const BallVector image = intervals::krawczyk_image(system, prepared.middle, box, prepared.inverse);
         if (intervals::lies_inside(image, box)) return {std::move(box), {}};
         double farthest = 0;
-        for (std::size_t i = 0; i < image.size(); ++i)
-            farthest = std::max(farthest, intervals::upper(abs(image[i] - prepared.middle[i])) / radii[i]);
+        for (std::size_t i = 0; i < image.size(); ++i) {
+            const double reach = intervals::upper(abs(image[i] - prepared.middle[i])) / radii[i];
+            farthest = std::isnan(reach) ? std::numeric_limits<double>::infinity() : std::max(farthest, reach);
+        }
         if (!(farthest < excess)) continue;
         excess = farthest;
         tried = radius;
     }
+    if (!(excess < std::numeric_limits<double>::infinity()))
+        return {{}, "Krawczyk's operator maps no box into itself: the image of each is without bounds"};
     return {{},
             words("Krawczyk's operator maps no box into itself: best is one of half-width %.0e, whose image reaches "
                   "%.3g times as far",

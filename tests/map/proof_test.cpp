@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <complex>
@@ -264,6 +265,7 @@ TEST(Proof, AThousandFalseClaimsAreRefusedOverTenScenes) {
         std::printf("N = %d, e = %g, %s: %zu fixed points, %zu refuted, %zu open, %zu cells, %.2f s\n", scene.sides,
                     scene.restitution, std::string(name_of(scene.law)).c_str(), all.proven.size(), all.refuted.size(),
                     all.open.size(), all.cells, seconds_since(begin));
+        EXPECT_TRUE(all.complete());
         for (const CycleProof& proof : all.proven) {
             EXPECT_EQ(proof_check::what_fails(stated(scene, proof)), "");
             for (const CycleClaim& claim : false_claims(scene, {proof.points, proof.times, proof.word})) {

@@ -195,6 +195,17 @@ class Boundaries(InFolder):
                              for point in other["points"]) for end in (0, len(curve["points"]) // 2, -1)]
                 self.assertGreater(max(apart), 1e-3, (curve["kind"], curve["period"], i))
 
+    def test_a_neimark_sacker_curve_ends_at_every_1_1_and_1_2(self):
+        # No branch along the three lines each way meets the one that ends at this flip curve's 1:2.
+        curves = document(f"boundaries {HEXAGON} --plane alpha=0.2:0.3 --plane beta=0.6:0.9 --max-period 2 --lines 3")["curves"]
+        ends = [(why, place(point)) for curve in curves if curve["kind"] == "neimark-sacker"
+                for why, point in zip(curve["ends"], (curve["points"][0], curve["points"][-1]))]
+        begun = [(special["kind"], place(special)) for curve in curves if curve["kind"] in ("fold", "flip")
+                 for special in curve["special"] if special["kind"] in ("1:1", "1:2")]
+        self.assertGreater(len(begun), 0)
+        for kind, here in begun:
+            self.assertTrue(any(kind == why and math.dist(here, end) < 1e-6 for why, end in ends), (kind, here, ends))
+
     def test_a_curve_that_ends_at_stick_slip_leads_to_that_border(self):
         width = numpy.array([0.2, 0.2])
         ends = [curve for curve in self.borders["curves"] if "stick-slip" in curve["ends"]]
@@ -368,41 +379,6 @@ class Boundaries(InFolder):
             self.assertIn("damaged", result.stderr)
             with h5py.File(path, "r+") as record:
                 record[column][0] = right
-
-    def test_against_a_map_over_the_inertia_factor(self):
-        path, plane = self.folder / "map.h5", "--plane alpha=0.5:0.6 --plane inertia-factor=0.3:0.5"
-        scene = f"{HEXAGON} --beta 0.3"
-        run(f"sweep {scene} --grid alpha=0.5:0.6:2 --grid inertia-factor=0.3:0.5:2 --runs 1 --collisions 300 --quiet -o {path}")
-        against = document(f"boundaries {scene} {plane} --max-period 1 --lines 1 --against {path}")["against"]
-        self.assertEqual(against["cells"], 4)
-
-    def test_members_of_families_are_compared_with_nothing(self):
-        # A disk that loses nothing: every cycle is a member of a family, with a multiplier 1 but for rounding.
-        path, scene = self.folder / "map.h5", "--sides disk --mu 0.3 --restitution 1"
-        plane = "--plane alpha=0.3:0.5 --plane beta=0.3:0.5"
-        run(f"sweep {scene} --grid alpha=0.3:0.5:3 --grid beta=0.3:0.5:3 --runs 1 --quiet -o {path}")
-        against = document(f"boundaries {scene} {plane} --max-period 1 --lines 1 --against {path}")["against"]
-        self.assertEqual((against["with_cycle"], against["disagreements"]), (0, []))
-        self.assertEqual(against["family_cells"], 9)
-
-    def test_curves_that_lie_between_lines_are_sought_from_the_maps_own_runs(self):
-        # A band of cycles of period 2, 0.008 wide in alpha, that every second start or so comes to.
-        path, scene = self.folder / "map.h5", HEXAGON
-        run(f"sweep {scene} --grid alpha=0.47966101694915253:0.4932:2 --grid beta=0.6940677966101695:0.7110169491525423:2 "
-            f"--runs 8 --quiet -o {path}")
-        against = document(f"boundaries {scene} --plane alpha=0.4:0.6 --plane beta=0.6:0.8 --max-period 2 --lines 1 "
-                           f"--against {path}")["against"]
-        self.assertEqual((against["missing_cells"], against["led_by_runs"]), (0, 2))
-
-    def test_against_a_map(self):
-        path = self.folder / "map.h5"
-        run(f"sweep {HEXAGON} --grid alpha=0.5:0.59:6 --grid beta=0.26:0.35:6 --runs 1 --quiet -o {path}")
-        against = document(f"boundaries {SMALL} --against {path}")["against"]
-        self.assertEqual(against["cells"], 36)
-        self.assertGreater(against["with_cycle"], 10)
-        self.assertLess(against["missing_cells"], 5)  # of cycles of period 1
-        for entry in against["disagreements"]:
-            self.assertIn(entry["why"], ("too-few-starts", "transient", "curve-missing"))
 
 
 class Wrong(Refusing):

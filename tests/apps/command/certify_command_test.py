@@ -3,11 +3,14 @@
 import json
 import random
 import re
+import signal
+import subprocess
 import sys
+import time
 import unittest
 from pathlib import Path
 
-from driving import InFolder, document, run
+from driving import SWIRL, InFolder, document, run
 
 REFERENCES = Path(sys.argv.pop(1))
 EDITS = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 40
@@ -89,6 +92,17 @@ class Certify(InFolder):
             value = orbit["point"][key]
             self.refused(with_new_checksum(text.replace(json.dumps(value), json.dumps(value + 1e-6))), (3,))
 
+    def test_what_its_reader_would_cut_off_or_leave_out_is_no_certificate(self):
+        text = run(f"certify {HEXAGON} {STABLE} --json").stdout
+        path = self.folder / "c.json"
+        for old, new in (('"sides": 6', '"sides": 6.9'), ('"vertex_step": 2', '"vertex_step": 2.7'),
+                         ('"period": 1', '"period": 1.5'), ('"uniform lamina"', '"banana"'),
+                         ('"alpha": 0.4', '"alpha": 0.7, "alpha": 0.4')):
+            self.assertIn(old, text)
+            path.write_text(with_new_checksum(text.replace(old, new, 1)))
+            result = run(f"certify --check {path}")
+            self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), (new, result.stderr))
+
     def test_a_file_that_is_no_certificate_is_bad_input(self):
         for content in ("", "{}", "no json", '{"certificate": "swirl"}', json.dumps({"orbits": []})):
             result = run(f"certify --check {self.file('x.json', content)}")
@@ -125,6 +139,18 @@ class Certify(InFolder):
         self.assertGreaterEqual(len(found["orbits"]), 3)
         self.assertGreaterEqual(found["proven"], 0.9 * len(found["orbits"]))
         self.assertTrue(all(0.39 <= o["parameters"]["alpha"] <= 0.41 for o in found["orbits"]))
+
+    def test_what_an_interruption_leaves_is_a_certificate(self):
+        record, certificate = self.folder / "diagram.h5", self.folder / "c.json"
+        run("bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.3:0.7:100 --starts 2 --branches "
+            f"--quiet -o {record}")
+        process = subprocess.Popen([SWIRL, "certify", str(record), "-o", str(certificate), "--quiet", "--threads", "1"])
+        time.sleep(2)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(60), 130)
+        found = json.loads(certificate.read_text())
+        self.assertEqual((found["outcome"], found["proven"] > 0), ("interrupted", True))
+        self.assertEqual(run(f"certify --check {certificate}").returncode, 0)
 
     def test_bad_input(self):
         other = self.file("other.txt", "mine\n")

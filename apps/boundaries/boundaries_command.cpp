@@ -22,7 +22,8 @@ branches of cycles of period <= --max-period along --lines lines through the pla
 bifurcate`, every branch followed stable or not), or at those of a record (--from: of continue, bifurcate --branches or
 boundaries). Along them the coefficient of the normal form (`swirl continue --help`).
 Points of codimension 2: cusp, generalised-flip, chenciner, 1:1, 1:2, 1:3, 1:4, fold-flip, fold-neimark-sacker,
-flip-neimark-sacker, double-neimark-sacker.
+flip-neimark-sacker, double-neimark-sacker. The curves that cross there are followed, too, and the neimark-sacker curves
+that end at a 1:1 or 1:2.
 Why a curve ends: plane (it leaves it); closed; 1:1, 1:2 (neimark-sacker: the pair is real from there on); halved (the cycle
 becomes one of half its period); a border of the map: grazing, two-vertices, stick-slip, landing, or border where none of
 these is seen; not-converged; most-points (5000 each way).
@@ -33,7 +34,7 @@ flip-vanishing-impact where one of the cycle with the vanishing impact does. The
 the doubled cycle's on that border, and what they lead to. Landing is not followed.
 --against MAP.h5, a sweep over the same two parameters: which attracting cycles, by the curves, no run came to
 (too-few-starts, or transient: a run has no verdict), and which a run came to and no curve leads to (curve-missing), after
-curves were sought from these, too. Members of families are compared with nothing.
+curves were sought from these, too. Members of families, and cells outside of the plane, are compared with nothing.
 `swirl plot` draws the record, alone or over the record of a sweep.
 
 Examples:

@@ -22,8 +22,8 @@ branches of cycles of period <= --max-period along --lines lines through the pla
 bifurcate`, every branch followed stable or not), or at those of a record (--from: of continue, bifurcate --branches or
 boundaries). Along them the coefficient of the normal form (`swirl continue --help`).
 Points of codimension 2: cusp, generalised-flip, chenciner, 1:1, 1:2, 1:3, 1:4, fold-flip, fold-neimark-sacker,
-flip-neimark-sacker, double-neimark-sacker. The curves that cross there are followed, too, and the neimark-sacker curves
-that end at a 1:1 or 1:2.
+flip-neimark-sacker, double-neimark-sacker. A curve of another kind that crosses there is followed, too, and the
+neimark-sacker curve that ends at a 1:1 or 1:2.
 Why a curve ends: plane (it leaves it); closed; 1:1, 1:2 (neimark-sacker: the pair is real from there on); halved (the cycle
 becomes one of half its period); a border of the map: grazing, two-vertices, stick-slip, landing, or border where none of
 these is seen; not-converged; most-points (5000 each way).
@@ -135,14 +135,12 @@ int boundaries(BoundariesOptions& options) {
             scene, plane, lines_of(options, static_cast<std::size_t>(options.max_period.value_or(default_max_period))));
     std::size_t longest = 1;
     for (const Seed& seed : seeds) longest = std::max(longest, seed.points.size());
+    if (map && options.from.empty())  // the map's runs have cycles that no line has met
+        longest = std::max(longest, static_cast<std::size_t>(options.max_period.value_or(default_max_period)));
     CurveSearch search(scene, plane, {options.longest_step, longest, options.output.quiet});
     search.follow(seeds);
     std::optional<Agreement> agreement;
-    if (map) {
-        if (options.from.empty())
-            longest = std::max(longest, static_cast<std::size_t>(options.max_period.value_or(default_max_period)));
-        agreement = search_and_compare(search, scene, plane, *map, lines_of(options, longest));
-    }
+    if (map) agreement = search_and_compare(search, scene, plane, *map, lines_of(options, longest));
     PlaneCurves found = search.found();
     found.whole = !is_interrupted();
     if (is_interrupted()) agreement.reset();  // of some cells only

@@ -7,7 +7,6 @@
 #include "apps/system/shooting_map.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -88,16 +87,20 @@ private:
         });
     }
 
-    /// Not at its ends, where Newton's method fails and nothing can be told.
-    static std::array<std::size_t, 3> places_of(std::size_t points) {
-        const std::size_t last = points - 1;
-        return {last / 4, last / 2, last - last / 4};
+    /// Is a curve part of another? At ten of eleven places along it or more: near an end where Newton's method fails
+    /// nothing can be told.
+    template <class IsThere>
+    static bool is_nearly_everywhere(std::size_t points, const IsThere& is_there) {
+        constexpr std::size_t places = 11;
+        std::size_t elsewhere = 0;
+        for (std::size_t k = 1; k <= places && elsewhere < 2; ++k)
+            elsewhere += is_there(k * (points - 1) / (places + 1)) ? 0 : 1;
+        return elsewhere < 2;
     }
 
     bool is_part(const Boundary& part, const Boundary& whole) const {
         if (part.kind != whole.kind || part.period != whole.period) return false;
-        const auto places = places_of(part.points.size());
-        return std::all_of(places.begin(), places.end(), [&](std::size_t i) {
+        return is_nearly_everywhere(part.points.size(), [&](std::size_t i) {
             const Eigen::VectorXd& y = part.points[i].at.y;
             const double cosine = part.kind == analysis::BoundaryKind::neimark_sacker ? y[y.size() - 1] : 1;
             const std::complex<double> multiplier(cosine, std::sqrt(std::max(0.0, 1 - cosine * cosine)));
@@ -107,8 +110,7 @@ private:
     }
 
     bool is_part(const BorderCurve& part, const BorderCurve& whole) const {
-        const auto places = places_of(part.arc.points.size());
-        return std::all_of(places.begin(), places.end(), [&](std::size_t i) {
+        return is_nearly_everywhere(part.arc.points.size(), [&](std::size_t i) {
             return is_on(words_, plane_, border_cycle_at(words_, part.like, part.arc.points[i].y), border_options_,
                          whole);
         });

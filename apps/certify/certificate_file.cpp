@@ -33,8 +33,11 @@ std::string tail_of(std::string_view document) {
 
 /// A whole number. (The library's conversion would cut off what follows the point.)
 int whole(const Json& number) {
-    if (!number.is_number_integer()) throw BadInput(fmt::format("{} is no whole number", number.dump()));
-    return number.get<int>();
+    if (number.is_number_integer()) {
+        const int value = number.get<int>();
+        if (number == value) return value;
+    }
+    throw BadInput(fmt::format("{} is no whole number, or far too large", number.dump()));
 }
 
 std::array<double, 5> coordinates_in(const Json& z) {
@@ -145,6 +148,7 @@ StatedCertificate read_certificate(const std::string& file) {
     StatedCertificate stated;
     try {
         const Json document = parsed(text);
+        stated.interrupted = document.value("outcome", "completed") == "interrupted";
         stated.all = document.contains("all") && !document.at("all").is_null();
         for (const Json& orbit : document.at("orbits")) {
             ++stated.orbits;

@@ -24,6 +24,7 @@ struct StatedOrbit {
 struct StatedCertificate {
     std::size_t orbits = 0;           ///< listed, those not proven included
     std::vector<StatedOrbit> proven;  ///< of them
+    bool interrupted = false;         ///< its cycles are a part of those that were asked for
     bool all = false;                 ///< it also states that these are all fixed points, which is not checked
 };
 

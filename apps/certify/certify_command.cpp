@@ -146,7 +146,10 @@ std::vector<CertifiedOrbit> certified_of(const CertifyOptions& options, std::vec
 Certified certified_record(const CertifyOptions& options) {
     const RecordCycles cycles = cycles_of_record(options.record);
     warn_without_checksum(options.record, options.output.quiet);
-    return {cycles.scene, cycles.along, certified_of(options, cycles.places), {}, true};
+    const std::size_t asked = cycles.places.size();
+    Certified certified{cycles.scene, cycles.along, certified_of(options, cycles.places), {}, true};
+    certified.whole = certified.orbits.size() == asked;
+    return certified;
 }
 
 Certified certified_near(const CertifyOptions& options, const Scene<double>& scene) {
@@ -155,7 +158,7 @@ Certified certified_near(const CertifyOptions& options, const Scene<double>& sce
     const auto map = shooting_map_of(scene);
     const auto found = orbits::find_near(scene, map, Accuracy::double_precision, z, options.period(), options.period(),
                                          is_interrupted);
-    Certified certified{scene, {}, {}, {}, !found.cycles.empty()};
+    Certified certified{scene, {}, {}, {}, !found.cycles.empty(), !is_interrupted()};
     for (const analysis::Cycle& cycle : found.cycles) {
         CyclePlace place{scene, {}};
         for (const auto& point : cycle.points) place.points.push_back(section_point_of(point));
@@ -166,6 +169,7 @@ Certified certified_near(const CertifyOptions& options, const Scene<double>& sce
 
 Certified certified_all(const CertifyOptions& options, const Scene<double>& scene) {
     Certified certified{scene, {}, {}, proof::all_fixed_points(scene, options.max_time(), is_interrupted), true};
+    certified.whole = certified.all->complete() || !is_interrupted();
     for (const proof::CycleProof& proof : certified.all->proven)
         certified.orbits.push_back({scene, 1, proof.points.front(), proof});
     return certified;
@@ -195,12 +199,14 @@ int check_certificate(const CertifyOptions& options) {
             json.member("orbits", stated.orbits);
             json.member("stated", stated.proven.size());
             json.member("proven", holds);
+            json.member("outcome", stated.interrupted ? "interrupted" : "completed");
             json.key("reason");
             refused.empty() ? json.null() : json.value(refused);
         });
     } else if (!options.output.quiet) {
         fmt::print("{} of {} cycles that it states as proven are proven again\n", holds, stated.proven.size());
         if (!refused.empty()) fmt::print("  {}\n", refused);
+        if (stated.interrupted) fmt::print("  it was interrupted: cycles may be missing from it\n");
         if (stated.all) fmt::print("  that these are all fixed points is not checked\n");
     }
     return good ? exit_done : exit_numerical_ending;
@@ -218,7 +224,6 @@ int certify(CertifyOptions& options) {
     Certified certified = !needs_scene  ? certified_record(options)
                           : options.all ? certified_all(options, scene)
                                         : certified_near(options, scene);
-    certified.whole = !is_interrupted();
     finish_up();
     const std::string text = with_checksum(certificate_text(options, certified));
     if (file) write_and_commit(*file, text);

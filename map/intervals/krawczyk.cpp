@@ -123,11 +123,11 @@ BallVector narrowed_by_itself(const BallSystem& system, BallVector box) {
 
 BallVector narrowed(const BallSystem& system, BallVector box) {
     constexpr double wide = 1e-6;
-    const BallVector near = narrowed_by_itself(system, std::move(box));
+    const BallVector near = narrowed_by_itself(system, box);
     const bool is_wide = std::any_of(near.begin(), near.end(), [](const Ball& x) { return !(radius(x) < wide); });
     if (!is_wide) return near;
     const auto small = small_box(system, near);
-    return small ? narrowed_by_itself(system, *small) : near;
+    return small && lies_inside(*small, box) ? narrowed_by_itself(system, *small) : near;
 }
 
 }  // namespace swirl::intervals

@@ -90,7 +90,15 @@ struct JudgedSet {
 void look_at(const Scene<double>& scene, const BallScene& balls, const FixedPointSet& set,
              const std::function<bool()>& stop, AllFixedPoints& all) {
     PlaneResult result;
-    for (const Cell& start : set.start) solve(set.problem, start, stop, result);
+    for (const Cell& start : set.start) {
+        if (stop()) {
+            all.open.push_back(open_cell(set, start, "not looked at"));
+        } else if (set.kind == FixedPointSet::Kind::sliding && intervals::contains_zero(set.width)) {
+            all.open.push_back(open_cell(set, start, "the two branches that slip meet: beta is mu/sqrt(1 + mu^2)"));
+        } else {
+            solve(set.problem, start, stop, result);
+        }
+    }
     all.cells += result.cells;
     for (const Cell& cell : result.open) all.open.push_back(open_cell(set, cell, "neither excluded nor closed"));
     JudgedSet judged_here;
@@ -98,6 +106,10 @@ void look_at(const Scene<double>& scene, const BallScene& balls, const FixedPoin
         if (intervals::lower(solution.tau) > all.max_time) continue;
         if (!(intervals::upper(solution.tau) <= all.max_time)) {
             all.open.push_back(open_cell(set, solution.cell, "its flight's time is within rounding of the longest"));
+            continue;
+        }
+        if (stop()) {
+            all.open.push_back(open_cell(set, solution.cell, "one solution, not looked at"));
             continue;
         }
         const BallPoint<Ball> z = fixed_point_of(balls, set, solution);

@@ -120,6 +120,12 @@ std::vector<FixedPointSet> fixed_point_sets(const BallScene& scene, double max_t
     const Ball steep = scene.mu / sqrt(Ball(1) + square(scene.mu));
     const Ball left = square(scene.beta) - square(steep);
     if (is_positive(steep - largest_sine(scene)) || is_negative(left)) return sets;
+    if (intervals::contains_zero(left)) {
+        const double most = upper(sqrt(Ball(upper(left))));
+        for (const int sign : {1, -1})
+            sets.push_back(line(scene, Kind::sliding, Ball(sign) * steep, intervals::between(-most, most), max_time));
+        return sets;
+    }
     for (const int sign : {1, -1})
         for (const int branch : {1, -1})
             sets.push_back(line(scene, Kind::sliding, Ball(sign) * steep, Ball(branch) * sqrt(left), max_time));

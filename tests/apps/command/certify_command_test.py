@@ -96,7 +96,8 @@ class Certify(InFolder):
         text = run(f"certify {HEXAGON} {STABLE} --json").stdout
         path = self.folder / "c.json"
         for old, new in (('"sides": 6', '"sides": 6.9'), ('"vertex_step": 2', '"vertex_step": 2.7'),
-                         ('"period": 1', '"period": 1.5'), ('"uniform lamina"', '"banana"'),
+                         ('"period": 1', '"period": 1.5'), ('"period": 1', '"period": 4294967297'),
+                         ('"sides": 6', '"sides": 4294967302'), ('"uniform lamina"', '"banana"'),
                          ('"alpha": 0.4', '"alpha": 0.7, "alpha": 0.4')):
             self.assertIn(old, text)
             path.write_text(with_new_checksum(text.replace(old, new, 1)))
@@ -150,7 +151,24 @@ class Certify(InFolder):
         self.assertEqual(process.wait(60), 130)
         found = json.loads(certificate.read_text())
         self.assertEqual((found["outcome"], found["proven"] > 0), ("interrupted", True))
-        self.assertEqual(run(f"certify --check {certificate}").returncode, 0)
+        self.assertEqual(document(f"certify --check {certificate}")["outcome"], "interrupted")
+        # --all, too, and in time, in whatever part of it.
+        for after in (0.3, 0.8, 1.5):
+            process = subprocess.Popen([SWIRL, "certify", *HEXAGON.split(), "--all", "--max-time", "200", "-o", str(certificate),
+                                        "--quiet"])
+            time.sleep(after)
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(60), 130)
+            found = json.loads(certificate.read_text())
+            self.assertEqual((found["outcome"], found["all"]["complete"]), ("interrupted", False), after)
+            certificate.unlink()
+
+    def test_where_the_two_branches_that_slip_meet_their_lines_stay_open(self):
+        found = document("certify --sides 3 --alpha 0.3 --beta 0.6 --mu 0.75 --restitution 0.9 --all --max-time 1", 3)
+        lines = [part for part in found["all"]["open"] if "branches" in part["reason"]]
+        self.assertEqual(len(lines), 2)
+        for part in lines:
+            self.assertLess(part["phi"][0], part["phi"][1])
 
     def test_bad_input(self):
         other = self.file("other.txt", "mine\n")

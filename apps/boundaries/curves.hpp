@@ -55,7 +55,8 @@ public:
     ~CurveSearch();
 
     /// The curve through every seed, and the curves that these lead to: borders that smooth curves end on, fold and
-    /// flip curves that end on borders, curves that cross others or end on them at their points of codimension 2. What an interruption leaves is what was finished.
+    /// flip curves that end on borders, curves that cross others or end on them at their points of codimension 2. What
+    /// an interruption leaves is what was finished.
     void follow(const std::vector<Seed>& seeds);
     PlaneCurves found() const;
 

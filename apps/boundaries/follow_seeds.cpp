@@ -1,4 +1,5 @@
 #include "analysis/boundaries/follow_boundary.hpp"
+#include "analysis/cycles/cycle.hpp"
 #include "apps/boundaries/border_system.hpp"
 #include "apps/boundaries/born_curves.hpp"
 #include "apps/boundaries/smooth_curve.hpp"
@@ -21,6 +22,7 @@ public:
         : scene_(scene),
           plane_(plane),
           map_(plane_map_of(scene, plane.parameter(0), plane.parameter(1))),
+          coordinates_(analysis::on_line(map_, 0, plane.low())),
           words_(word_map_of(scene, plane.parameter(0), plane.parameter(1))),
           options_(smooth_options(scene, plane, follow.longest_step)),
           border_options_{follow.longest_step, is_interrupted},
@@ -61,11 +63,9 @@ private:
             return;
         }
         if (is_interrupted()) return;  // cut short: not finished
-        const auto lies_on = [this](const Boundary& part, const Boundary& whole) { return is_part(part, whole); };
-        if (any_holds(known_, boundary, lies_on)) return;
-        leave_out_parts(known_, boundary, lies_on);
-        const analysis::ShootingMap coordinates = analysis::on_line(map_, 0, plane_.low());
-        const Curve curve = curve_of(boundary, coordinates);
+        const Curve curve = curve_of(boundary, coordinates_);
+        if (any_holds(known_, boundary, curve)) return;
+        leave_out_parts(known_, boundary, curve);
         keep_end(curve.points.front(), curve.begins);
         keep_end(curve.points.back(), curve.ends);
         for (const CurveSpecial& special : curve.special) keep_crossing(curve, special);
@@ -74,46 +74,61 @@ private:
     }
 
     /// A curve on which Newton's method failed is met again from beyond, and then followed back over itself.
-    template <class Followed, class LiesOn>
-    static bool any_holds(const std::vector<Known<Followed>>& known, const Followed& part, const LiesOn& lies_on) {
-        return std::any_of(known.begin(), known.end(), [&](const auto& other) { return lies_on(part, other.curve); });
+    template <class Followed>
+    bool any_holds(const std::vector<Known<Followed>>& known, const Followed& part, const Curve& listed) const {
+        return std::any_of(known.begin(), known.end(), [&](const Known<Followed>& other) {
+            return is_part(part, listed, other.curve, result_.curves[other.place]);
+        });
     }
-    template <class Followed, class LiesOn>
-    void leave_out_parts(std::vector<Known<Followed>>& known, const Followed& whole, const LiesOn& lies_on) {
+    template <class Followed>
+    void leave_out_parts(std::vector<Known<Followed>>& known, const Followed& whole, const Curve& listed) {
         std::erase_if(known, [&](const Known<Followed>& other) {
-            if (!lies_on(other.curve, whole)) return false;
+            if (!is_part(other.curve, result_.curves[other.place], whole, listed)) return false;
             result_.curves[other.place].points.clear();  // dropped by `result`
             return true;
         });
     }
 
-    /// Is a curve part of another? At ten of eleven places along it or more: near an end where Newton's method fails
-    /// nothing can be told.
-    template <class IsThere>
-    static bool is_nearly_everywhere(std::size_t points, const IsThere& is_there) {
+    /// At ten of eleven places along it, or all.
+    template <class Followed>
+    bool is_part(const Followed& part, const Curve& listed, const Followed& whole, const Curve& whole_listed) const {
+        if (listed.kind != whole_listed.kind || listed.period != whole_listed.period) return false;
         constexpr std::size_t places = 11;
         std::size_t elsewhere = 0;
-        for (std::size_t k = 1; k <= places && elsewhere < 2; ++k)
-            elsewhere += is_there(k * (points - 1) / (places + 1)) ? 0 : 1;
+        for (std::size_t k = 1; k <= places && elsewhere < 2; ++k) {
+            const std::size_t i = k * (listed.points.size() - 1) / (places + 1);
+            if (!runs_along(listed.points[i], whole_listed) && !is_at(part, i, whole)) ++elsewhere;
+        }
         return elsewhere < 2;
     }
 
-    bool is_part(const Boundary& part, const Boundary& whole) const {
-        if (part.kind != whole.kind || part.period != whole.period) return false;
-        return is_nearly_everywhere(part.points.size(), [&](std::size_t i) {
-            const Eigen::VectorXd& y = part.points[i].at.y;
-            const double cosine = part.kind == analysis::BoundaryKind::neimark_sacker ? y[y.size() - 1] : 1;
-            const std::complex<double> multiplier(cosine, std::sqrt(std::max(0.0, 1 - cosine * cosine)));
-            return analysis::is_on_boundary(map_, part.kind, analysis::points_of(part, y),
-                                            analysis::parameters_of(part, y), multiplier, options_, {&whole, 1});
-        });
+    /// Between two neighbours of a curve's points, where these are so dense that a straight line tells. (Near the place
+    /// where Newton's method fails it is no judge.)
+    bool runs_along(const CurveCycle& at, const Curve& curve) const {
+        constexpr double beside = 1e-6;  // of the plane
+        const Eigen::Vector2d width = plane_.high() - plane_.low();
+        const auto place = [&](std::size_t i) -> Eigen::Vector2d {
+            return (curve.points[i].parameters - at.parameters).cwiseQuotient(width);
+        };
+        for (std::size_t i = 1; i < curve.points.size(); ++i) {
+            const Eigen::Vector2d from = place(i - 1), step = place(i) - from;
+            const double share = std::clamp(-from.dot(step) / std::max(step.squaredNorm(), 1e-300), 0.0, 1.0);
+            if ((from + share * step).norm() > beside) continue;
+            const auto& near = curve.points[share < 0.5 ? i - 1 : i].points;
+            if (analysis::distance_between(coordinates_, near, at.points) < follow_.longest_step) return true;
+        }
+        return false;
     }
 
-    bool is_part(const BorderCurve& part, const BorderCurve& whole) const {
-        return is_nearly_everywhere(part.arc.points.size(), [&](std::size_t i) {
-            return is_on(words_, plane_, border_cycle_at(words_, part.like, part.arc.points[i].y), border_options_,
-                         whole);
-        });
+    bool is_at(const Boundary& part, std::size_t i, const Boundary& whole) const {
+        const Eigen::VectorXd& y = part.points[i].at.y;
+        const double cosine = part.kind == analysis::BoundaryKind::neimark_sacker ? y[y.size() - 1] : 1;
+        const std::complex<double> multiplier(cosine, std::sqrt(std::max(0.0, 1 - cosine * cosine)));
+        return analysis::is_on_boundary(map_, part.kind, analysis::points_of(part, y), analysis::parameters_of(part, y),
+                                        multiplier, options_, {&whole, 1});
+    }
+    bool is_at(const BorderCurve& part, std::size_t i, const BorderCurve& whole) const {
+        return is_on(words_, plane_, border_cycle_at(words_, part.like, part.arc.points[i].y), border_options_, whole);
     }
 
     /// Where a curve meets one of another kind. At 1:1 and 1:2 a Neimark–Sacker curve begins, which branches through
@@ -154,14 +169,13 @@ private:
             return;
         }
         if (is_interrupted()) return;
-        const auto lies_on = [this](const BorderCurve& part, const BorderCurve& whole) { return is_part(part, whole); };
-        if (any_holds(borders_, *curve, lies_on)) return;
-        leave_out_parts(borders_, *curve, lies_on);
+        const Curve listed = curve_of(words_, *curve);
+        if (any_holds(borders_, *curve, listed)) return;
+        leave_out_parts(borders_, *curve, listed);
         BornSeeds born = seeds_born_on(words_, map_, plane_, options_, follow_.longest_period, *curve);
         result_.seeds += born.not_found;
         result_.without += born.not_found;
         for (Seed& seed_there : born.seeds) ends_.push_back(std::move(seed_there));
-        const Curve listed = curve_of(words_, *curve);
         borders_.push_back({std::move(*curve), result_.curves.size()});
         result_.curves.push_back(listed);
     }
@@ -180,6 +194,7 @@ private:
     Scene<double> scene_;
     Plane plane_;
     analysis::PlaneMap map_;
+    analysis::ShootingMap coordinates_;
     WordMap words_;
     analysis::BoundaryOptions options_;
     BorderOptions border_options_;

@@ -121,6 +121,7 @@ int boundaries(BoundariesOptions& options) {
         map = mapped_plane(options.against, scene, plane);
         warn_without_checksum(options.against, options.output.quiet);
     }
+    const auto on_lines = static_cast<std::size_t>(options.max_period.value_or(default_max_period));
     std::vector<Seed> seeds;
     if (!options.from.empty()) {
         seeds = seeds_of_record(options.from, scene, plane);
@@ -130,13 +131,11 @@ int boundaries(BoundariesOptions& options) {
         open_record(options.output, "Curves of bifurcations of a swirled polygon",
                     {options.scene.file(), options.from, options.against}, options.scene.units());
     note_interruptions();
-    if (options.from.empty())
-        seeds = seeds_on_lines(
-            scene, plane, lines_of(options, static_cast<std::size_t>(options.max_period.value_or(default_max_period))));
+    if (options.from.empty()) seeds = seeds_on_lines(scene, plane, lines_of(options, on_lines));
     std::size_t longest = 1;
     for (const Seed& seed : seeds) longest = std::max(longest, seed.points.size());
     if (map && options.from.empty())  // the map's runs have cycles that no line has met
-        longest = std::max(longest, static_cast<std::size_t>(options.max_period.value_or(default_max_period)));
+        longest = std::max(longest, on_lines);
     CurveSearch search(scene, plane, {options.longest_step, longest, options.output.quiet});
     search.follow(seeds);
     std::optional<Agreement> agreement;

@@ -148,11 +148,11 @@ private:
         const auto meets = [&](const std::string& kind, std::complex<double> multiplier) {
             if (kind != curve.kind) ends_.push_back({kind, special.cycle.points, special.cycle.parameters, multiplier});
         };
-        const auto has = [&](const char* word) { return special.kind.find(word) != std::string::npos; };
-        if (!has("fold-") && !has("flip-")) return;
-        if (has("fold")) meets("fold", 1);
-        if (has("flip") && !has("generalised")) meets("flip", -1);
-        if (has("neimark-sacker")) meets("neimark-sacker", critical_pair(special.cycle.multipliers));
+        const bool fold_flip = special.kind == "fold-flip", fold_pair = special.kind == "fold-neimark-sacker",
+                   flip_pair = special.kind == "flip-neimark-sacker";
+        if (fold_flip || fold_pair) meets("fold", 1);
+        if (fold_flip || flip_pair) meets("flip", -1);
+        if (fold_pair || flip_pair) meets("neimark-sacker", critical_pair(special.cycle.multipliers));
     }
 
     void follow_touch(const Seed& seed) {

@@ -83,9 +83,9 @@ std::optional<BallVector> zero_near(const BallSystem& system, BallVector middle)
     return middle;
 }
 
-/// A small box within `box` that holds a zero: the one of `box`.
-std::optional<BallVector> small_box(const BallSystem& system, const BallVector& box) {
-    const auto zero = zero_near(system, middles(box));
+/// A small box within `box` that holds a zero: the one of `box`. Newton's method begins in the middle of `near`.
+std::optional<BallVector> small_box(const BallSystem& system, const BallVector& near, const BallVector& box) {
+    const auto zero = zero_near(system, middles(near));
     if (!zero) return {};
     const Eigen::MatrixXd inverse = approximate_inverse(system(*zero));
     if (!inverse.allFinite()) return {};
@@ -126,8 +126,8 @@ BallVector narrowed(const BallSystem& system, BallVector box) {
     const BallVector near = narrowed_by_itself(system, box);
     const bool is_wide = std::any_of(near.begin(), near.end(), [](const Ball& x) { return !(radius(x) < wide); });
     if (!is_wide) return near;
-    const auto small = small_box(system, near);
-    return small && lies_inside(*small, box) ? narrowed_by_itself(system, *small) : near;
+    const auto small = small_box(system, near, box);
+    return small ? narrowed_by_itself(system, *small) : near;
 }
 
 }  // namespace swirl::intervals

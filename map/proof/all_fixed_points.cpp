@@ -91,13 +91,11 @@ void look_at(const Scene<double>& scene, const BallScene& balls, const FixedPoin
              const std::function<bool()>& stop, AllFixedPoints& all) {
     PlaneResult result;
     for (const Cell& start : set.start) {
-        if (stop()) {
-            all.open.push_back(open_cell(set, start, "not looked at"));
-        } else if (set.kind == FixedPointSet::Kind::sliding && intervals::contains_zero(set.width)) {
-            all.open.push_back(open_cell(set, start, "the two branches that slip meet: beta is mu/sqrt(1 + mu^2)"));
-        } else {
+        const std::string& why = stop() ? "not looked at" : set.open;
+        if (why.empty())
             solve(set.problem, start, stop, result);
-        }
+        else
+            all.open.push_back(open_cell(set, start, why));
     }
     all.cells += result.cells;
     for (const Cell& cell : result.open) all.open.push_back(open_cell(set, cell, "neither excluded nor closed"));

@@ -122,8 +122,10 @@ std::vector<FixedPointSet> fixed_point_sets(const BallScene& scene, double max_t
     if (is_positive(steep - largest_sine(scene)) || is_negative(left)) return sets;
     if (intervals::contains_zero(left)) {
         const double most = upper(sqrt(Ball(upper(left))));
-        for (const int sign : {1, -1})
+        for (const int sign : {1, -1}) {
             sets.push_back(line(scene, Kind::sliding, Ball(sign) * steep, intervals::between(-most, most), max_time));
+            sets.back().open = "the two branches that slip meet: beta is mu/sqrt(1 + mu^2)";
+        }
         return sets;
     }
     for (const int sign : {1, -1})

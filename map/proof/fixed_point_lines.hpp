@@ -4,6 +4,7 @@
 #include "map/proof/plane_cells.hpp"
 #include "map/proof/steady_in_balls.hpp"
 
+#include <string>
 #include <vector>
 
 namespace swirl::proof {
@@ -13,7 +14,8 @@ struct FixedPointSet {
     enum class Kind { sticking, straight, sliding } kind = Kind::sticking;
     PlaneProblem problem;
     std::vector<Cell> start;
-    Ball sine, width;  ///< sin χ and w where they are fixed
+    Ball sine, width;    ///< sin χ and w where they are fixed
+    std::string open{};  ///< why nothing is told of it; empty: it is looked at
 };
 
 /// All of them, for 0 < τ ≤ max_time. The scene outlives it.

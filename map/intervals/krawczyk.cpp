@@ -121,9 +121,9 @@ BallVector narrowed_by_itself(const BallSystem& system, BallVector box) {
 
 }  // namespace
 
-BallVector narrowed(const BallSystem& system, BallVector box) {
+BallVector narrowed(const BallSystem& system, const BallVector& box) {
     constexpr double wide = 1e-6;
-    const BallVector near = narrowed_by_itself(system, box);
+    BallVector near = narrowed_by_itself(system, box);
     const bool is_wide = std::any_of(near.begin(), near.end(), [](const Ball& x) { return !(radius(x) < wide); });
     if (!is_wide) return near;
     const auto small = small_box(system, near, box);

@@ -47,6 +47,6 @@ bool lies_inside(const BallVector& inner, const BallVector& outer);
 
 /// The zero that a box was proven to hold, alone, enclosed ever closer: K again and again, until it no longer narrows;
 /// where it does so too early, a small box about the end of Newton's method, if K maps that into itself.
-BallVector narrowed(const BallSystem& system, BallVector box);
+BallVector narrowed(const BallSystem& system, const BallVector& box);
 
 }  // namespace swirl::intervals

@@ -127,7 +127,7 @@ Json parsed(const std::string& text) {
 
 }  // namespace
 
-std::string with_checksum(std::string open) {
+std::string with_checksum(const std::string& open) {
     return open + tail_of(open);
 }
 

@@ -11,7 +11,7 @@ namespace swirl::apps::certify {
 /// The document closed by a member `checksum` (CRC-64/XZ of the bytes before it): what is changed by accident or by
 /// hand is known before anything is proven again.
 ///   open  a JSON object without its last brace
-std::string with_checksum(std::string open);
+std::string with_checksum(const std::string& open);
 
 /// True if the text is a certificate of swirl, whole or not.
 bool looks_like_certificate(const std::string& text);

@@ -160,7 +160,7 @@ TEST(Proof, MembersOfFamiliesAreProvenWithTheirPhase) {
         const double r = beta + 1 - alpha, half = std::sin(tau / 2);
         const double vt = r * std::sin(tau) / tau;
         const SectionPoint<double> z{0, 0, -2 * r / tau * half * half, vt, mu > 0 ? (beta - vt) / alpha : spin};
-        const CycleProof proof = prove_cycle(scene, claim_at(scene, z, 1));
+        CycleProof proof = prove_cycle(scene, claim_at(scene, z, 1));
         EXPECT_TRUE(proof.phase.has_value());
         if (proof.proven()) {
             EXPECT_EQ(proof_check::what_fails(stated(scene, proof)), "") << sides << ' ' << mu;

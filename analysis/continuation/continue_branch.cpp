@@ -88,12 +88,14 @@ private:
         if (options_.progress) options_.progress(value(here()));
     }
 
-    /// The last point is that at the end of the range itself.
+    /// The last point is that at the end of the range itself; where no cycle is found there, a shorter step may end
+    /// before it.
     void reach_range(const CurvePoint& beyond) {
         const double bound = value(beyond) < options_.low ? options_.low : options_.high;
         CurvePoint last;
         const auto gap = [&](const CurvePoint& point) { return value(point) - bound; };
-        if (value(here()) != bound && locate(map_, here(), h_.value(), gap(here()), gap(beyond), gap, last)) {
+        if (value(here()) != bound) {
+            if (!locate(map_, here(), h_.value(), gap(here()), gap(beyond), gap, last)) return shorten();
             if (map_.has_parameter) last.p = bound;
             accept(last, h_.value(), h_.value());
         }

@@ -46,6 +46,30 @@ double off_circle(const BranchPoint& point) {
     return largest;
 }
 
+std::ptrdiff_t count_outside(const BranchPoint& point) {
+    return std::count_if(point.multipliers.begin(), point.multipliers.end(),
+                         [](const auto& m) { return std::abs(m) > 1; });
+}
+
+bool has_pair_near_circle(const BranchPoint& point) {
+    return std::any_of(point.multipliers.begin(), point.multipliers.end(),
+                       [](const auto& m) { return m.imag() > 0 && std::abs(m) > 0.5 && std::abs(m) < 2; });
+}
+
+/// May a pair have crossed the unit circle between two points at which the pairs' function has different signs? Where
+/// none did, either two real ones passed the product 1 (a neutral saddle), or the function is rounding alone. It is
+/// that on maps that keep their pairs on the circle, reversible and conservative ones, and where one multiplier is so
+/// large that its product with the rounding of another is no small part of 1.
+bool pair_may_cross(const BranchPoint& base, const BranchPoint& next) {
+    if (std::max(off_circle(base), off_circle(next)) < neutral_margin) return false;
+    return count_outside(base) != count_outside(next) || has_pair_near_circle(base) || has_pair_near_circle(next);
+}
+
+/// A zero that can't be located stands where the multipliers at both ends tell of it.
+bool is_seen_at_ends(SpecialKind kind, const BranchPoint& base, const BranchPoint& next) {
+    return kind != SpecialKind::neimark_sacker || count_outside(base) != count_outside(next);
+}
+
 /// A zero of the pairs' function is a Neimark–Sacker point only if the pair is complex.
 bool is_what_it_seems(const SpecialPoint& special) {
     if (special.kind != SpecialKind::neimark_sacker) return true;
@@ -93,9 +117,7 @@ std::vector<SpecialPoint> special_points_between(const ShootingMap& map, const B
     for (const Test& test : tests) {
         const double f0 = test.value(base.at), f1 = test.value(next.at);
         if (!(f0 * f1 < 0)) continue;
-        // Reversible and conservative maps keep pairs on the circle: their function is rounding, and no pair crosses.
-        if (test.kind == SpecialKind::neimark_sacker && std::max(off_circle(base), off_circle(next)) < neutral_margin)
-            continue;
+        if (test.kind == SpecialKind::neimark_sacker && !pair_may_cross(base, next)) continue;
         SpecialPoint special;
         special.kind = test.kind;
         CurvePoint at;
@@ -106,7 +128,7 @@ std::vector<SpecialPoint> special_points_between(const ShootingMap& map, const B
         }
         special.cycle = special.located ? branch_point_at(at) : next;
         if (!special.located) {
-            found.emplace_back(h, special);
+            if (is_seen_at_ends(test.kind, base, next)) found.emplace_back(h, special);
             continue;
         }
         if (!is_what_it_seems(special)) continue;

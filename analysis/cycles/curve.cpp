@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace swirl::analysis {
 
@@ -86,8 +87,10 @@ bool begin_curve(const ShootingMap& map, const CyclePoints& points, double p, co
     return find_tangent(map, point.shooting, along, point.tangent);
 }
 
-Correction correct(const ShootingMap& map, const CurvePoint& base, double h, CurvePoint& point,
-                   const CorrectorOptions& options) {
+namespace {
+
+Correction correct_by(const ShootingMap& map, const CurvePoint& base, double h, CurvePoint& point,
+                      const CorrectorOptions& options) {
     const Eigen::Index size = base.shooting.gap.size();
     Eigen::VectorXd origin(base.tangent.size());
     origin.head(size) = stacked(base.points);
@@ -118,6 +121,31 @@ Correction correct(const ShootingMap& map, const CurvePoint& base, double h, Cur
         y += change;
     }
     return Correction::failed;
+}
+
+/// By guesses on the map's surfaces; what is found must be a cycle of the map itself, with the same word.
+Correction correct_on_surface(const ShootingMap& map, const CurvePoint& base, double h, CurvePoint& point,
+                              const CorrectorOptions& options) {
+    ShootingMap on_surface = map;
+    on_surface.step = map.step_from_surface;
+    const Correction result = correct_by(on_surface, base, h, point, options);
+    if (result != Correction::converged) return result;
+    point.shooting = shooting_residual(map, point.points, point.p);
+    if (!closes_to(point.shooting, options.accept)) return Correction::failed;
+    const bool same_word = word_of(point.shooting) == word_of(base.shooting);
+    return options.keep_word && !same_word ? Correction::word_changed : Correction::converged;
+}
+
+}  // namespace
+
+Correction correct(const ShootingMap& map, const CurvePoint& base, double h, CurvePoint& point,
+                   const CorrectorOptions& options) {
+    const Correction result = correct_by(map, base, h, point, options);
+    if (result == Correction::converged || !map.step_from_surface) return result;
+    CurvePoint other;
+    if (correct_on_surface(map, base, h, other, options) != Correction::converged) return result;
+    point = std::move(other);
+    return Correction::converged;
 }
 
 }  // namespace swirl::analysis

@@ -40,6 +40,7 @@ bool begin_curve(const ShootingMap& map, const CyclePoints& points, double p, co
 bool is_on_curve(const ShootingMap& map, const ShootingResidual& shooting);
 
 /// The point of the curve on the plane across the base's tangent at distance h: pseudo-arclength (Keller 1977).
+/// Where that fails, once more by guesses on the map's surfaces, if it has any (ShootingMap::step_from_surface).
 /// Cost: 3 to 5 iterations of k steps of the map and one QR of kD + 1 unknowns.
 Correction correct(const ShootingMap& map, const CurvePoint& base, double h, CurvePoint& point,
                    const CorrectorOptions& options = {});

@@ -38,6 +38,10 @@ struct ShootingMap {
     double least_margin = 0;            ///< of its steps: see ShootingStep::margin
     std::vector<double> angle_periods;  ///< per coordinate; 0: a plain number
     std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step;
+    /// The same from the nearest state of surfaces on which cycles may lie and beside which F is another map, for
+    /// guesses that are beside them. What it converges to has still to close by `step`. Empty: there are no such
+    /// surfaces.
+    std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step_from_surface = {};
 
     /// a − b, angles as angles, in (−P/2, P/2].
     Eigen::VectorXd difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {

@@ -1,6 +1,7 @@
 #include "apps/system/shooting_map.hpp"
 
 #include "apps/system/chatter_once.hpp"
+#include "apps/system/on_the_wall.hpp"
 #include "apps/system/scene_map.hpp"
 #include "map/derivative/timed_collision.hpp"
 
@@ -26,14 +27,23 @@ analysis::Matrix<D> derivative_at(const SceneMap<D>& map, const PostImpactState<
     return known.contacts.empty() ? map.through_flight(z, known) : map.through_contact(section_point(z), known);
 }
 
-/// One step from z on, rebounds that end in contact counted once, with its derivative: all but ∂F/∂p.
+/// Where a step begins: at z itself, or on the surfaces near it that impacts without restitution leave.
+template <int D>
+WallState<D> begin_of(const SceneMap<D>& map, const Eigen::VectorXd& z, bool on_surface) {
+    if (on_surface) return on_the_wall<D>(map.body(), z);
+    WallState<D> begin;
+    begin.z = z;
+    return begin;
+}
+
+/// One step from there on, rebounds that end in contact counted once, with its derivative by z: all but ∂F/∂p.
 ///   derive  DF of one step of the return map
 template <int D, class Derive>
-analysis::ShootingStep step_of(const SceneMap<D>& map, const Eigen::VectorXd& z, const Derive& derive) {
+analysis::ShootingStep step_of(const SceneMap<D>& map, const WallState<D>& begin, const Derive& derive) {
     analysis::ShootingStep step;
-    PostImpactState<double> state = map.state_at(analysis::Vector<D>(z));
+    PostImpactState<double> state = map.state_at(begin.z);
     const auto steps = steps_as_one(map, state);
-    analysis::Matrix<D> by_state = analysis::Matrix<D>::Identity();
+    analysis::Matrix<D> by_state = begin.by_state;
     Letter letter;
     step.duration = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -60,6 +70,7 @@ struct MapAlongParameter {
     SceneMap<D> typical;
     Scene<double> scene;
     Parameter parameter;
+    bool on_surface = false;
 
     SceneMap<D> at(double p) const { return typical.with(with_parameter(scene, parameter, p)); }
 
@@ -67,8 +78,9 @@ struct MapAlongParameter {
         analysis::ShootingStep step;
         if (!is_allowed(parameter, p)) return step;
         const SceneMap<D> map = at(p);
-        analysis::Vector<D> along = analysis::Vector<D>::Zero();
-        step = step_of(map, z, [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
+        const WallState<D> begin = begin_of(map, z, on_surface);
+        analysis::Vector<D> along = begin.along(parameter);
+        step = step_of(map, begin, [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
             const analysis::Matrix<D> d = derivative_at(map, from, known);
             along = d * along + map.along(from, known, parameter);
             return d;
@@ -91,8 +103,8 @@ struct PlaneStepOf {
         if (!is_allowed(first, p[0]) || !is_allowed(second, p[1])) return result;
         const SceneMap<D> map = typical.with(with_parameter(with_parameter(scene, first, p[0]), second, p[1]));
         Eigen::Matrix<double, D, 2> along = Eigen::Matrix<double, D, 2>::Zero();
-        const analysis::ShootingStep step =
-            step_of(map, z, [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
+        const analysis::ShootingStep step = step_of(
+            map, begin_of(map, z, false), [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
                 const analysis::Matrix<D> d = derivative_at(map, from, known);
                 along = (d * along).eval();
                 along.col(0) += map.along(from, known, first);
@@ -126,12 +138,17 @@ analysis::ShootingMap without_step(const SceneMap<D>& map) {
 analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Accuracy accuracy) {
     return with_scene_map(
         scene,
-        [](const auto& map) {
+        [&scene](const auto& map) {
             analysis::ShootingMap result = without_step(map);
-            result.step = [map](const Eigen::VectorXd& z, double) {
-                return step_of(map, z,
-                               [&map](const auto& from, const auto& known) { return derivative_at(map, from, known); });
+            const auto step = [map](bool on_surface) {
+                return [map, on_surface](const Eigen::VectorXd& z, double) {
+                    return step_of(map, begin_of(map, z, on_surface), [&map](const auto& from, const auto& known) {
+                        return derivative_at(map, from, known);
+                    });
+                };
             };
+            result.step = step(false);
+            if (scene.restitution == 0) result.step_from_surface = step(true);
             return result;
         },
         solver_horizon, accuracy);
@@ -146,6 +163,8 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter para
             analysis::ShootingMap result = without_step(map);
             result.has_parameter = true;
             result.step = MapAlongParameter<D>{map, typical, parameter};
+            if (scene.restitution == 0 && parameter != Parameter::restitution)
+                result.step_from_surface = MapAlongParameter<D>{map, typical, parameter, true};
             return result;
         },
         solver_horizon, accuracy);

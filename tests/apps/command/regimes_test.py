@@ -181,6 +181,54 @@ class InContact(unittest.TestCase):
         self.assertEqual((branch["period"], min(ends), max(ends)), (1, 0.02, 0.08))
         self.assertAlmostEqual(ends[0.02]["point"]["S"], points[0.02][-1], delta=1e-9)
 
+    def test_a_landing_without_restitution_has_a_branch(self):
+        """At e = 0 impacts end on the wall, here (triangle) with an edge on it; beside that surface the map is another."""
+        scene = {"alpha": 0.7415, "beta": 1.4442, "mu": 0.5}
+
+        def flags(numbers):
+            return "--sides 3 --restitution 0 " + " ".join(f"--{name} {value!r}" for name, value in numbers.items())
+
+        def attractor(numbers):
+            found = document(f"classify {flags(numbers)} --transient 500 --collisions 300")
+            self.assertEqual((found["kind"], found["period"]), ("landing", 1), numbers)
+            return found["point"]
+
+        begin = ",".join(map(repr, attractor(scene)))
+        for name, low, high in (("alpha", 0.6, 0.88), ("beta", 1.2, 1.7)):
+            branch, = document(f"continue {flags(scene)} --from={begin} --along {name}={low}:{high}")["branches"]
+            self.assertEqual((branch["begins"], branch["ends"], branch["special"]), ("range", "range", []))
+            self.assertLess(len(branch["points"]), 400)
+            for end in (branch["points"][0], branch["points"][-1]):
+                direct = attractor({**scene, name: end["parameter"]})
+                for coordinate, value in zip(end["point"].values(), direct):
+                    self.assertAlmostEqual(coordinate, value, delta=1e-12, msg=(name, end["parameter"]))
+
+    def test_what_rocks_with_strong_friction_has_a_branch(self):
+        # On an edge's end that sticks while the other leaves: a slip of one side, however small, jams.
+        for scene, begin, ranges in (
+                ("--sides 6 --alpha 0.6111 --beta 1.7111 --mu 2.3602 --law stronge",
+                 "0.0019764215037905318,0.21308277552672883,-0.0762961841778097,2.07935008844366,-0.6165516369235937",
+                 (("alpha", 0.598878, 0.623322), ("beta", 1.676878, 1.745322))),
+                ("--sides 5 --alpha 0.6735 --beta 1.2148 --mu 2.2911 --law poisson",
+                 "-0.06448063485701153,0.2212998098734161,-0.1412877595726626,1.4923432730559238,-0.42623395283885324",
+                 (("beta", 1.190504, 1.239096),)),
+                ("--sides 4 --alpha 0.7080 --beta 1.6696 --mu 1.7637 --law stronge",
+                 "-0.060217409210692685,0.2610699240181944,-0.15097879894967892,1.85559591379238,-0.2763444711004449",
+                 (("mu", 1.710804, 1.816627),))):
+            for name, low, high in ranges:
+                branch, *_ = document(f"continue {scene} --restitution 0 --along {name}={low}:{high} --from={begin} --switch 0")["branches"]
+                ends = {branch["points"][0]["parameter"], branch["points"][-1]["parameter"]}
+                self.assertEqual((branch["begins"], branch["ends"], ends), ("range", "range", {low, high}), scene)
+                self.assertLess(len(branch["points"]), 60, scene)
+
+    def test_rounding_is_no_neimark_sacker_point(self):
+        # A multiplier of -2e6 beside others near zero: products of pairs pass 1 by rounding alone.
+        scene = "--sides 4 --alpha 0.2151 --beta 0.6809 --mu 0.4347287571273213 --restitution 0"
+        near = "-0.92583375247010424,0.63270686241905927,-0.53666114886497474,1.0944540959470503,0.058659538040458606"
+        branch, = document(f"continue {scene} --along mu=0.4347286:0.434729 --from={near}")["branches"]
+        self.assertNotIn("neimark-sacker", {special["kind"] for special in branch["special"]})
+        self.assertGreater(abs(branch["points"][0]["multipliers"][0][0]), 1e6)
+
     def test_the_spectrum_has_the_variance_of_the_samples(self):
         scene = f"{self.LANDING} --transient 500 --collisions 501"
         found = document(f"spectrum {scene} --bins 65536 --window rectangular --segments 1")

@@ -58,10 +58,13 @@ struct FoundCycle {
 
 namespace classification_detail {
 
+/// Farther than this from a cycle no orbit is taken for approaching it.
+constexpr double approach_begins = 0.1;
+
 /// Does the tail come nearer to the cycle from window to window (four of a sixteenth of the tail, or of a period each
-/// if that is longer; two of the longest periods; no farther back than where it was more than 0.1 away)? An orbit that
-/// only passes by, or circles round it on a torus, does not. Within 10⁻⁶, where rounding through sustained contact may
-/// stop it, it need not.
+/// if that is longer; two of the longest periods; no farther back than where it was more than `approach_begins` away)?
+/// An orbit that only passes by, or circles round it on a torus, does not. Within 10⁻⁶, where rounding through
+/// sustained contact may stop it, it need not.
 template <SectionMap M>
 bool approaches(const M& map, const Tail<M>& tail, const std::vector<Vector<M::dimension>>& cycle) {
     const auto k = static_cast<std::int64_t>(cycle.size());
@@ -77,7 +80,7 @@ bool approaches(const M& map, const Tail<M>& tail, const std::vector<Vector<M::d
                                                    cycle[static_cast<std::size_t>((k - j % k) % k)]));
         if (w == 0 && farthest <= 1e-6) return true;
         if (!(farthest > nearer)) return false;
-        if (farthest > 0.1) return w > 0;
+        if (farthest > approach_begins) return w > 0;
         nearer = farthest;
     }
     return windows > 1;
@@ -128,12 +131,15 @@ bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::i
 }
 
 /// Newton's method for Fᵏ(z) = z, from a point of the orbit itself: for cycles that attract one point is enough,
-/// however long they are. Returns the least residual reached, +∞ if there was none: the map ended, or `effort` was
-/// spent.
+/// however long they are. It is given up where it leads farther away than any cycle that the orbit settles on is, as
+/// on a torus, where Fᵏ − 1 is nearly singular. Returns the least residual reached, +∞ if there was none: the map
+/// ended, or `effort` was spent.
 template <SectionMap M>
 double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, double goal, Effort& effort) {
+    const Vector<M::dimension> begin = point;
     const auto equation = [&](const Eigen::VectorXd& z, Eigen::VectorXd& gap, Eigen::MatrixXd& derivative) {
         const Vector<M::dimension> from = z;
+        if (!(distance(map, from, begin) <= 3 * approach_begins)) return false;
         State<M> image = state_at(map, from);
         Matrix<M::dimension> product;
         if (!iterate(map, image, product, k, effort)) return false;
@@ -265,6 +271,8 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     std::sort(near.begin(), near.end());
     FoundCycle<M> best;
     for (std::size_t i = 0; i < near.size() && i < static_cast<std::size_t>(options.candidates); ++i) {
+        // Asked with the slowest multiplier once a cycle is found; one of modulus 1 asks least.
+        if (!detail::returns_shrink(map, tail, near[i].second, 1, 1)) continue;
         const auto found = detail::cycle_near(map, tail, near[i].second, near[i].first, options, effort);
         if (found.period == 0 || !found.attracting || !found.approached || found.distance > found.farthest) continue;
         if (best.period == 0 || found.period < best.period) best = found;

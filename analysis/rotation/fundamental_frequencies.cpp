@@ -123,7 +123,8 @@ double strongest_bin(std::span<const double> weighted, RealFft& fft) {
 
 }  // namespace
 
-std::vector<FrequencyLine> fundamental_frequencies(std::span<const double> samples, const RotationOptions& options) {
+std::vector<FrequencyLine> fundamental_frequencies(std::span<const double> samples, const RotationOptions& options,
+                                                   const std::function<bool(const FrequencyLine&)>& goes_on) {
     for (const double x : samples) {
         if (!std::isfinite(x)) throw std::invalid_argument("samples: every value must be finite");
     }
@@ -157,6 +158,7 @@ std::vector<FrequencyLine> fundamental_frequencies(std::span<const double> sampl
         const double last = refine(product(all.last(n / 2), half_weights), line.frequency, 2 * bin);
         line.half_difference = std::abs(first - last);
         lines.push_back(line);
+        if (goes_on && !goes_on(line)) break;
         for (std::size_t j = 0; j < n; ++j) {
             const Complex phasor = unit_phasor(line.frequency * static_cast<double>(j));
             rest[j] -= line.amplitude * (phasor * std::polar(1.0, line.phase)).real();

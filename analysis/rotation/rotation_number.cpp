@@ -182,7 +182,14 @@ RotationNumber rotation_of_observable(std::span<const double> samples, const Rot
         result.outcome = RotationOutcome::constant;
         return result;
     }
-    const std::vector<FrequencyLine> lines = fundamental_frequencies(samples, options);
+    const auto holds = [&](const FrequencyLine& line) {
+        return to_digits(line.half_difference) >= options.min_digits &&
+               line.half_difference * static_cast<double>(samples.size()) <= options.max_line_error;
+    };
+    // Where the strongest line does not hold, as in chaos, no other is asked.
+    bool strongest = true;
+    const std::vector<FrequencyLine> lines = fundamental_frequencies(
+        samples, options, [&](const FrequencyLine& line) { return !std::exchange(strongest, false) || holds(line); });
     result.residual = 1;
     for (const FrequencyLine& line : lines) result.residual -= line.share;
     result.residual = std::max(0.0, result.residual);
@@ -192,9 +199,7 @@ RotationNumber rotation_of_observable(std::span<const double> samples, const Rot
         result.rotation = line.frequency;
         result.half_difference = line.half_difference;
         result.digits = to_digits(line.half_difference);
-        const bool converged = result.digits >= options.min_digits && result.residual <= options.max_residual &&
-                               line.half_difference * static_cast<double>(samples.size()) <= options.max_line_error;
-        judge(result, converged, options);
+        judge(result, holds(line) && result.residual <= options.max_residual, options);
         if (result.outcome != RotationOutcome::periodic) break;
         period = std::lcm(period, result.denominator);
     }

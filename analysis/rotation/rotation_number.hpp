@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -50,7 +51,8 @@ struct RotationNumber {
     double order = 0;  ///< p of half_difference ∝ n^(−p), from n/4 to n: ≈ ½ chaotic; > 2 quasi-periodic
                        ///< until rounding is reached; NaN by "frequency"
     std::int64_t denominator = 0;  ///< period in samples if `periodic`, else 0
-    double residual = 0;           ///< share of the variance outside the lines examined (`rotation_of_observable`)
+    double residual = 0;           ///< share of the variance outside the lines examined (`rotation_of_observable`): the
+                                   ///< strongest alone where that is not converged
     std::string_view method = {};  ///< "angle", "delay angle" or "frequency"
 };
 
@@ -84,9 +86,10 @@ struct FrequencyLine {
 /// until a line carries less than `options.min_line_share`. Frequencies of a quasi-periodic series are found to near
 /// rounding if its lines are more than about 20/n apart. Empty for a constant series. Throws std::invalid_argument for
 /// samples that are not finite. Cost O(lines (n log n + 100 n)).
+///   goes_on  false for a line: the last that is wanted
 /// Source: Laskar, Icarus 88 (1990) 266; with the bump of Das et al. for Laskar's Hann window.
-std::vector<FrequencyLine> fundamental_frequencies(std::span<const double> samples,
-                                                   const RotationOptions& options = {});
+std::vector<FrequencyLine> fundamental_frequencies(std::span<const double> samples, const RotationOptions& options = {},
+                                                   const std::function<bool(const FrequencyLine&)>& goes_on = {});
 
 /// Rotation number of a torus from any observable: the strongest converged line that is not locked. When every line
 /// that was examined is a fraction: `periodic`. When the strongest has not converged, the delay angle is tried.

@@ -6,7 +6,7 @@ find_package(GSL 2.7 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)  # FFTW has no CMake package
-pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
+pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy-contrib libhwy)
 
 # For proofs; Swirl without it says so when one is asked for. No header of an installed library needs it.
 find_package(Arb)

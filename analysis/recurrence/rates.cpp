@@ -4,7 +4,8 @@
 #include "analysis/recurrence/pair_census.hpp"
 
 #include <gsl/gsl_statistics_double.h>
-#include <tbb/parallel_sort.h>
+#include <hwy/contrib/sort/vqsort.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -15,16 +16,10 @@
 namespace swirl::analysis::recurrence {
 namespace {
 
-/// Below this many values a sort takes less than handing it to threads gains; those of a sweep have their own to do.
-constexpr std::size_t worth_threads = 1 << 16;
-
 std::vector<double> sorted_values(const Points& points) {
     const double* x = points.coordinate(0);
     std::vector<double> values(x, x + points.count);
-    if (values.size() < worth_threads)
-        std::sort(values.begin(), values.end());
-    else
-        tbb::parallel_sort(values.begin(), values.end());
+    hwy::Sorter()(values.data(), values.size(), hwy::SortAscending());
     return values;
 }
 

@@ -59,7 +59,7 @@ public:
             advance_with_certainty(flight, collision);
     }
 
-    /// The same as `advance` where the direct search is known to find nothing: by conservative advancement alone.
+    /// The same as `advance` where the direct search is known to find nothing: without it.
     [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const;
 
     /// The impact at a moment known to be the contact of the vertex at X + `arm`; fills all that depends on it.

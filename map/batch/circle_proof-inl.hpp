@@ -1,4 +1,4 @@
-// The first proof that nothing was passed, in lanes: `clear_by_circumcircle` of map/first_contact/direct_polygon.hpp,
+// The first proof that nothing was passed, in lanes: `clear_by_circumcircle` of map/first_contact/vertex_proofs.hpp,
 // and the bounds of all proofs.
 #if defined(SWIRL_MAP_BATCH_CIRCLE_PROOF_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SWIRL_MAP_BATCH_CIRCLE_PROOF_INL

@@ -136,7 +136,7 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
     const Found back = instant_of_return(flight, path, task.start, search.at);
     Mask usual = all(back.found, task.struck.rate < -rate_rounding(task.speed, body.beta, z.spin, body.alpha));
     if constexpr (sums_chatter) usual = all(usual, leaves_the_wall(scenes, i, body, z));
-    seek_vertex(task.vertices, flight, fourth_bound(body, flight, task.speed), usual, search);
+    seek_vertex(task.vertices, body.half_slope, flight, fourth_bound(body, flight, task.speed), usual, search);
     Mask vain = either(back.vain, search.vain);
     usual = all(search.found, search.at.time + search.correction > Lane(0),
                 magnitude(flight.spin * search.correction) < Lane(32));

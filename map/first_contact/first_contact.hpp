@@ -1,5 +1,5 @@
-// The first contact of any flight: the direct search for the usual one from wall to wall, conservative advancement for
-// the others.
+// The first contact of any flight: the direct search for the usual one from wall to wall, one for those that keep near
+// the wall, conservative advancement for the others.
 #pragma once
 
 #include "map/first_contact/certain_disk.hpp"
@@ -30,6 +30,18 @@ inline FirstContact<T> certain_contact(const Body<T>& body, const Flight<T>& fli
         return certain_contact_polygon(body, flight);
 }
 
+/// Of a flight that `direct_contact` does not decide.
+template <Shape shape, class T>
+inline FirstContact<T> undecided_contact(const Body<T>& body, const Flight<T>& flight) {
+    if constexpr (shape == Shape::polygon) {
+        if (flight.struck) {
+            const FirstContact<T> behind = contact_of_vertex_behind(body, flight);
+            if (behind.outcome == FirstContactOutcome::contact) return behind;
+        }
+    }
+    return certain_contact<shape>(body, flight);
+}
+
 }  // namespace detail
 
 /// The first time at which the disk's rim or a vertex reaches the wall from within.
@@ -37,7 +49,7 @@ template <Shape shape, class T>
 FirstContact<T> first_contact(const Body<T>& body, const Flight<T>& flight) {
     FirstContact<T> contact;
     if (detail::direct_contact<shape>(body, flight, contact)) return contact;
-    return detail::certain_contact<shape>(body, flight);
+    return detail::undecided_contact<shape>(body, flight);
 }
 
 }  // namespace swirl

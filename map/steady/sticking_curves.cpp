@@ -39,12 +39,14 @@ std::vector<double> sizes_up_to(double widest) {
 }
 
 /// Where the bounded function turns on one side of χ = 0, with both ends.
-std::vector<double> turns_of(const Scene<double>& scene, SteadyBranch branch, double side, double widest) {
-    const std::vector<double> sizes = sizes_up_to(widest);
+std::vector<double> turns_of(const Scene<double>& scene, SteadyBranch branch, double side,
+                             const std::vector<double>& sizes) {
     const auto value = [&](double size) { return bounded(scene, branch, side * size); };
+    std::vector<double> values(sizes.size());
+    std::transform(sizes.begin(), sizes.end(), values.begin(), value);
     std::vector<double> turns{sizes.front()};
     for (std::size_t i = 1; i + 1 < sizes.size(); ++i) {
-        const double before = value(sizes[i - 1]), here = value(sizes[i]), after = value(sizes[i + 1]);
+        const double before = values[i - 1], here = values[i], after = values[i + 1];
         if ((here - before) * (after - here) > 0 || (here == before && here == after)) continue;
         const double sign = here > before || here > after ? -1 : 1;
         std::uintmax_t iterations = 60;
@@ -69,9 +71,10 @@ std::vector<StickingCurve> sticking_curves(const Scene<double>& scene, double lo
     std::vector<StickingCurve> curves;
     const double widest = widest_sticking_chi(scene);
     if (!(widest > 0)) return curves;
+    const std::vector<double> sizes = sizes_up_to(widest);
     for (const SteadyBranch branch : {SteadyBranch::plus, SteadyBranch::minus})
         for (const double side : {1.0, -1.0}) {
-            const std::vector<double> turns = turns_of(scene, branch, side, widest);
+            const std::vector<double> turns = turns_of(scene, branch, side, sizes);
             for (std::size_t i = 1; i < turns.size(); ++i) {
                 const double one = bounded(scene, branch, side * turns[i - 1]);
                 const double other = bounded(scene, branch, side * turns[i]);

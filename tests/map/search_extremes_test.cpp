@@ -49,7 +49,9 @@ TEST(SearchAtExtremes, NoProofFromNumbersThatOverflow) {
                 constexpr Shape shape = std::decay_t<decltype(map)>::shape;
                 const Flight<double> flight = scaled_flight(map, z, std::ldexp(1.0, power));
                 FirstContact<double> found;
-                if (!detail::direct_contact<shape>(map.body(), flight, found)) return;
+                if (!detail::direct_contact<shape>(map.body(), flight, found))
+                    if constexpr (shape == Shape::polygon) found = detail::contact_of_vertex_behind(map.body(), flight);
+                if (found.outcome != FirstContactOutcome::contact) return;
                 const auto certain = detail::certain_contact<shape>(map.body(), flight);
                 ++direct;
                 if (certain.outcome == FirstContactOutcome::contact && found.at.time <= certain.at.time * (1 + 1e-9))

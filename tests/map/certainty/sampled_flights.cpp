@@ -204,7 +204,7 @@ Claim claim_of(const Scene<double>& scene, const Flight<double>& flight) {
         constexpr Shape shape = std::decay_t<decltype(map)>::shape;
         Claim claim;
         claim.direct = detail::direct_contact<shape>(map.body(), flight, claim.contact);
-        if (!claim.direct) claim.contact = detail::certain_contact<shape>(map.body(), flight);
+        if (!claim.direct) claim.contact = detail::undecided_contact<shape>(map.body(), flight);
         return claim;
     });
 }

@@ -89,6 +89,11 @@ HWY_INLINE std::uint32_t bits_of(Mask a) {
     hn::StoreMaskBits(Tag(), a, bits);
     return bits[0];
 }
+/// A bit for each lane: of one vector.
+HWY_INLINE Mask mask_of(std::uint32_t bits) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
+    return hn::LoadMaskBits(Tag(), bytes);
+}
 HWY_INLINE Lane choose(Mask condition, Lane yes, Lane otherwise) {
     return Lane(hn::IfThenElse(condition, yes.v, otherwise.v));
 }

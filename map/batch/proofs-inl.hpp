@@ -1,4 +1,4 @@
-// The further proofs that nothing was passed, in lanes: `clear_by_derivatives` of map/first_contact/direct_polygon.hpp.
+// The further proofs that nothing was passed, in lanes: `clear_by_derivatives` of map/first_contact/vertex_proofs.hpp.
 // Taken where a lane's flight is not proven clear by the circumscribed circle; compiled once for all impact rules.
 #if defined(SWIRL_MAP_BATCH_PROOFS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SWIRL_MAP_BATCH_PROOFS_INL
@@ -9,7 +9,8 @@
 
 #include "map/batch/circle_proof-inl.hpp"
 
-#include <algorithm>
+#include <bit>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
@@ -51,18 +52,16 @@ HWY_INLINE Mask touch_together(const LaneGap& first, const LaneGap& second, Lane
 }
 
 /// The gap of the vertex `number`, whichever that is.
-HWY_INLINE LaneGap gap_of_vertex(const VertexRows& vertices, const LaneFlight& flight, const LaneInstant& at,
-                                 Lane number) {
-    const Rows row = rows_of_vertex(vertices, number);
-    return gap_of(flight, at, turned_to(at.arm, number, row.value), times(at.arm, row.rest), equal(number, Lane(0)));
+HWY_INLINE LaneGap gap_of_vertex(const Rows& row, Lane spin, const LaneInstant& at, Lane number) {
+    return gap_of(spin, at, turned_to(at.arm, number, row.value), times(at.arm, row.rest), equal(number, Lane(0)));
 }
 
 /// neighbour_of.
-HWY_INLINE LaneGap gap_of_neighbour(const VertexRows& vertices, const LaneFlight& flight, const LaneInstant& at,
-                                    Lane number, const Plane& arm) {
+HWY_INLINE LaneGap gap_of_neighbour(const VertexRows& vertices, Lane spin, const LaneInstant& at, Lane number,
+                                    const Plane& arm) {
     const Lane k = number + choose(cross(arm, at.centre) >= Lane(0), Lane(1), Lane(-1));
     const Lane around = choose(k < Lane(0), k + vertices.sides, choose(equal(k, vertices.sides), Lane(0), k));
-    return gap_of_vertex(vertices, flight, at, around);
+    return gap_of_vertex(rows_of_vertex(vertices, around), spin, at, around);
 }
 
 /// derivative_bounds<6, polygon>.vertex.
@@ -86,7 +85,7 @@ HWY_INLINE Mask clear_by_pairs(const ProofTask& task, const LaneGap& arriving, c
     const LaneRing ring = closed_between(leaving_gap(task), arriving, time, bounds.centre_sixth);
     const Lane shift = magnitude(task.search.correction);
     const LaneInstant start = instant_at_start(flight);
-    const LaneGap other = gap_of_neighbour(task.vertices, flight, start, Lane(0), flight.arm);
+    const LaneGap other = gap_of_neighbour(task.vertices, flight.spin, start, Lane(0), flight.arm);
     const LaneGap& struck = task.struck;
     return all(
         ring.proven,
@@ -97,18 +96,63 @@ HWY_INLINE Mask clear_by_pairs(const ProofTask& task, const LaneGap& arriving, c
         nonpositive_until(neighbour.value, -neighbour.rate, neighbour.bend, ring.in, bounds.third));
 }
 
-/// every_vertex_clear without halves; `striking` −1: none strikes at the end.
-HWY_INLINE Mask every_vertex_clear(const ProofTask& task, const LaneInstant& from, const LaneInstant& to, Lane striking,
-                                   Lane sixth, int most_sides) {
-    Mask clear = Lane(0) < Lane(1);
-    for (int k = 0; k < most_sides; ++k) {
-        const Lane number(k);
-        const Mask beyond = number >= task.vertices.sides;
-        const Lane vertex = choose(beyond, Lane(0), number);
-        const LaneGap first = gap_of_vertex(task.vertices, task.flight, from, vertex);
-        LaneGap last = gap_of_vertex(task.vertices, task.flight, to, vertex);
-        last.value = choose(equal(number, striking), smaller(last.value, Lane(0)), last.value);
-        clear = hn::And(clear, either(beyond, clear_between(first, last, to.time - from.time, sixth)));
+/// One lane's flight in all lanes, so that its vertices can stand in them.
+class OneFlight {
+public:
+    HWY_INLINE OneFlight(const ProofTask& task, int lane)
+        : lane_(hn::IndicesFromVec(Tag(), hn::Set(Whole(), lane))),
+          spin_(of(task.flight.spin)),
+          sixth_(of(sixth_bound(task.body, task.flight, task.speed))),
+          striking_(of(task.search.nearest.number)),
+          vertices_(task.vertices) {
+        vertices_.first = bits_in(of(Lane(hn::BitCast(Tag(), task.vertices.first))));
+        vertices_.sides = of(task.vertices.sides);
+    }
+
+    /// every_vertex_clear without halves, of this flight.
+    ///   strikes  the vertex that strikes does so at `to`
+    HWY_INLINE bool is_clear(const LaneInstant& from, const LaneInstant& to, bool strikes) const {
+        const LaneInstant first = of(from), last = of(to);
+        const Lane striking = strikes ? striking_ : Lane(-1);
+        const int sides = static_cast<int>(hn::GetLane(vertices_.sides.v));
+        for (int k = 0; k < sides; k += static_cast<int>(hn::Lanes(Tag()))) {
+            const Lane number(hn::Iota(Tag(), k));
+            const Mask beyond = number >= vertices_.sides;
+            const Lane vertex = choose(beyond, Lane(0), number);
+            const Rows row = rows_of_vertex(vertices_, vertex);
+            const LaneGap before = gap_of_vertex(row, spin_, first, vertex);
+            LaneGap after = gap_of_vertex(row, spin_, last, vertex);
+            after.value = choose(equal(number, striking), smaller(after.value, Lane(0)), after.value);
+            if (any(no(either(beyond, clear_between(before, after, last.time - first.time, sixth_))))) return false;
+        }
+        return true;
+    }
+
+private:
+    HWY_INLINE Lane of(Lane a) const { return Lane(hn::TableLookupLanes(a.v, lane_)); }
+    HWY_INLINE Plane of(const Plane& a) const { return {of(a.x), of(a.y)}; }
+    HWY_INLINE LaneInstant of(const LaneInstant& at) const {
+        return {of(at.time),      of(at.phase),  of(at.arm),   of(at.moved),
+                of(at.arm_moved), of(at.centre), of(at.swirl), of(at.drift)};
+    }
+
+    decltype(hn::IndicesFromVec(Tag(), Wholes())) lane_;
+    Lane spin_, sixth_, striking_;
+    VertexRows vertices_;
+};
+
+/// The lanes, of those that are asked for, whose flights are clear: in one piece, or in two, before and after
+/// `half_way`.
+HWY_INLINE std::uint32_t clear_flights(const ProofTask& task, std::uint32_t asked, const LaneInstant& start,
+                                       const LaneInstant* half_way, const LaneInstant& end) {
+    std::uint32_t clear = 0;
+    for (; asked != 0; asked &= asked - 1) {
+        const int lane = std::countr_zero(asked);
+        const OneFlight flight(task, lane);
+        const bool is_clear = half_way == nullptr
+                                  ? flight.is_clear(start, end, true)
+                                  : flight.is_clear(start, *half_way, false) && flight.is_clear(*half_way, end, true);
+        if (is_clear) clear |= 1u << lane;
     }
     return clear;
 }
@@ -118,18 +162,13 @@ HWY_INLINE Mask clear_in_halves(const ProofTask& task, const LaneInstant& end, M
     asked = hn::And(asked, task.vertices.sides <= Lane(few_sides));
     if (!any(asked)) return asked;
     const LaneInstant start = instant_at_start(task.flight);
-    const Lane striking = task.search.nearest.number;
-    const Lane sixth = sixth_bound(task.body, task.flight, task.speed);
-    const Lane sides = choose(asked, task.vertices.sides, Lane(0));
-    const int most = static_cast<int>(hn::GetLane(hn::MaxOfLanes(Tag(), sides.v)));
-    const Mask whole = every_vertex_clear(task, start, end, striking, sixth, most);
+    const std::uint32_t whole = clear_flights(task, bits_of(asked), start, nullptr, end);
     const Lane half_time = Lane(0.5) * (start.time + end.time);
     const Mask known = all(half_time < Lane(32), magnitude(task.flight.spin * half_time) < Lane(32));
-    if (!any(hn::AndNot(whole, all(asked, known)))) return hn::And(asked, whole);
+    const std::uint32_t left = bits_of(hn::And(asked, known)) & ~whole;
+    if (left == 0) return mask_of(whole);
     const LaneInstant half_way = instant_at(task.flight, half_time);
-    const Mask halves = all(known, every_vertex_clear(task, start, half_way, Lane(-1), sixth, most),
-                            every_vertex_clear(task, half_way, end, striking, sixth, most));
-    return hn::And(asked, either(whole, halves));
+    return mask_of(whole | clear_flights(task, left, start, &half_way, end));
 }
 
 /// clear_by_derivatives for the lanes `asked` for; `end` is the contact.
@@ -140,15 +179,15 @@ inline HWY_NOINLINE void clear_by_derivatives(const ProofTask& task, const LaneI
     const LaneGap& g = search.nearest.gap;
     const Plane& arm = search.nearest.arm;
     const Lane d = search.correction;
-    const Mask nearest = magnitude(cross(arm, at.centre)) <= task.body.half_slope * dot(arm, at.centre);
     LaneGap circle = centre_gap(task.body, at);
     circle.jerk = Lane(2) * (Lane(3) * dot(at.drift, at.swirl) - cross(at.centre, at.swirl));
     LaneGap striking = gap_after(g, d);
     striking.value = Lane(0);
     const LaneGap neighbour =
-        gap_after(gap_of_neighbour(task.vertices, task.flight, at, search.nearest.number, arm), d);
+        gap_after(gap_of_neighbour(task.vertices, task.flight.spin, at, search.nearest.number, arm), d);
     const Lane time = at.time + d;
-    const Mask alone = all(asked, nearest, no(touch_together(striking, neighbour, time)));
+    const Mask alone =
+        all(asked, is_nearest(task.body.half_slope, at, arm), no(touch_together(striking, neighbour, time)));
     const Mask by_pairs = hn::And(alone, clear_by_pairs(task, gap_after(circle, d), striking, neighbour, time));
     const Mask left = hn::AndNot(by_pairs, alone);
     clear = by_pairs;

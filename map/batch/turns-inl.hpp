@@ -17,14 +17,38 @@ struct Rows {
     Plane value, rest;
 };
 
-/// Whole rows are loaded and turned where that is quicker than gathering numbers (vectors of 2 and 4).
+#if HWY_TARGET != HWY_SCALAR  // which has no vectors to turn
+/// Two rows, one in each half of a vector.
+HWY_INLINE hn::Vec<Tag> two_rows(const double* first, const double* second) {
+    const hn::Half<Tag> half;
+    return hn::Combine(Tag(), hn::LoadU(half, second), hn::LoadU(half, first));
+}
+/// The even and the odd pairs of lanes of two vectors, in turn from each.
+HWY_INLINE Lane even_blocks(hn::Vec<Tag> a, hn::Vec<Tag> b) {
+    return Lane(hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a));
+}
+HWY_INLINE Lane odd_blocks(hn::Vec<Tag> a, hn::Vec<Tag> b) {
+    return Lane(hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a)));
+}
+#endif
+
+/// Whole rows are loaded and turned: quicker than gathering their numbers.
 HWY_INLINE Rows rows_of(const double* table, Wholes row) {
     const Tag tag;
     const Wholes at = hn::ShiftLeft<2>(row);
     constexpr std::size_t lanes = hn::MaxLanes(Tag());
     Rows rows;
-#if HWY_TARGET != HWY_SCALAR  // which has no vectors to turn
-    if constexpr (lanes == 4) {
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (lanes == 8) {
+        alignas(64) std::int64_t from[8];
+        hn::Store(at, Whole(), from);
+        const auto a = two_rows(table + from[0], table + from[4]), b = two_rows(table + from[1], table + from[5]);
+        const auto c = two_rows(table + from[2], table + from[6]), d = two_rows(table + from[3], table + from[7]);
+        const auto even = hn::InterleaveLower(tag, a, b), odd = hn::InterleaveUpper(tag, a, b);
+        const auto more_even = hn::InterleaveLower(tag, c, d), more_odd = hn::InterleaveUpper(tag, c, d);
+        rows.value = {even_blocks(even, more_even), even_blocks(odd, more_odd)};
+        rows.rest = {odd_blocks(even, more_even), odd_blocks(odd, more_odd)};
+    } else if constexpr (lanes == 4) {
         alignas(32) std::int64_t from[4];
         hn::Store(at, Whole(), from);
         const auto a = hn::LoadU(tag, table + from[0]), b = hn::LoadU(tag, table + from[1]);
@@ -42,7 +66,7 @@ HWY_INLINE Rows rows_of(const double* table, Wholes row) {
         rows.rest = {Lane(hn::InterleaveLower(tag, c, d)), Lane(hn::InterleaveUpper(tag, c, d))};
     }
 #endif
-    if constexpr (lanes != 2 && lanes != 4) {
+    if constexpr (lanes == 1) {
         rows.value = {Lane(hn::GatherIndex(tag, table, at)), Lane(hn::GatherIndex(tag, table + 1, at))};
         rows.rest = {Lane(hn::GatherIndex(tag, table + 2, at)), Lane(hn::GatherIndex(tag, table + 3, at))};
     }

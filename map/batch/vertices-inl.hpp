@@ -90,7 +90,8 @@ struct VertexRows {
 
 struct LaneVertex {
     Lane number;  ///< 0 … N − 1
-    Plane arm, rest;
+    Rows row;     ///< its rotation
+    Plane arm;
     LaneGap gap;
     Mask known;  ///< there is a direction to it
 };
@@ -107,30 +108,45 @@ HWY_INLINE Rows rows_of_vertex(const VertexRows& vertices, Lane number) {
 }
 
 /// vertex_gap, of the struck vertex (number 0) with `struck_gap`'s value.
-HWY_INLINE LaneGap gap_of(const LaneFlight& flight, const LaneInstant& at, const Plane& arm, const Plane& rest,
-                          Mask is_struck) {
-    const Lane spin2 = flight.spin * flight.spin;
+HWY_INLINE LaneGap gap_of(Lane spin, const LaneInstant& at, const Plane& arm, const Plane& rest, Mask is_struck) {
+    const Lane spin2 = spin * spin;
     const Plane x = at.centre + arm;
-    const Plane rate = at.drift + flight.spin * quarter_turned(arm);
+    const Plane rate = at.drift + spin * quarter_turned(arm);
     const Plane bend = at.swirl - spin2 * arm;
-    const Plane jerk = quarter_turned(at.swirl - (spin2 * flight.spin) * arm);
+    const Plane jerk = quarter_turned(at.swirl - (spin2 * spin) * arm);
     const Plane moved = at.moved + at.arm_moved;
     const Lane value = (dot(x, x) - Lane(1)) + Lane(2) * dot(x, rest);
     return {choose(is_struck, Lane(2) * moved.x + dot(moved, moved), value), Lane(2) * dot(x, rate),
             Lane(2) * (dot(rate, rate) + dot(x, bend)), Lane(2) * (Lane(3) * dot(rate, bend) + dot(x, jerk))};
 }
 
-HWY_INLINE LaneVertex nearest_vertex(const VertexRows& vertices, const LaneFlight& flight, const LaneInstant& at) {
-    LaneVertex nearest;
+/// vertex_towards, and its arm.
+HWY_INLINE void turn_towards(const VertexRows& vertices, const LaneInstant& at, LaneVertex& nearest) {
     const Plane between = seen_from(at.arm, at.centre);
     const Lane number = rough_angle(between.y, between.x) * vertices.per_spacing;
     nearest.known = magnitude(number) < vertices.sides;
     const Lane k = (choose(nearest.known, number, Lane(0)) + Lane(0x1.8p52)) - Lane(0x1.8p52);
     nearest.number = choose(k < Lane(0), k + vertices.sides, k);
-    const Rows row = rows_of_vertex(vertices, nearest.number);
-    nearest.arm = turned_to(at.arm, nearest.number, row.value);
-    nearest.gap = gap_of(flight, at, nearest.arm, times(at.arm, row.rest), equal(nearest.number, Lane(0)));
-    return nearest;
+    nearest.row = rows_of_vertex(vertices, nearest.number);
+    nearest.arm = turned_to(at.arm, nearest.number, nearest.row.value);
+}
+
+/// is_nearest.
+HWY_INLINE Mask is_nearest(Lane half_slope, const LaneInstant& at, const Plane& arm) {
+    return magnitude(cross(arm, at.centre)) <= half_slope * dot(arm, at.centre);
+}
+
+/// The same at another moment: the vertex of the look before where that is still nearest.
+HWY_INLINE void stay_or_turn(const VertexRows& vertices, Lane half_slope, const LaneInstant& at, LaneVertex& nearest) {
+    nearest.arm = turned_to(at.arm, nearest.number, nearest.row.value);
+    const Mask stays = is_nearest(half_slope, at, nearest.arm);
+    if (!any(no(stays))) return;
+    LaneVertex other;
+    turn_towards(vertices, at, other);
+    nearest.known = either(stays, other.known);
+    nearest.number = choose(stays, nearest.number, other.number);
+    nearest.row = {choose(stays, nearest.row.value, other.row.value), choose(stays, nearest.row.rest, other.row.rest)};
+    nearest.arm = choose(stays, nearest.arm, other.arm);
 }
 
 HWY_INLINE Lane correction_of(const LaneGap& g) {
@@ -165,17 +181,23 @@ struct LaneSearch {
 inline constexpr int most_looks = 4;
 
 /// seek_vertex from `search.at`, in the lanes that are `open`.
-HWY_INLINE void seek_vertex(const VertexRows& vertices, const LaneFlight& flight, Lane fourth, Mask open,
-                            LaneSearch& search) {
+HWY_INLINE void seek_vertex(const VertexRows& vertices, Lane half_slope, const LaneFlight& flight, Lane fourth,
+                            Mask open, LaneSearch& search) {
     search.found = Lane(1) < Lane(0);
     search.vain = search.found;
     search.looks = Lane(0);
     for (int look = 1;; ++look) {
         // Lanes that have found theirs see the same once more.
-        search.nearest = nearest_vertex(vertices, flight, search.at);
-        const LaneGap& g = search.nearest.gap;
+        LaneVertex& nearest = search.nearest;
+        if (look == 1)
+            turn_towards(vertices, search.at, nearest);
+        else
+            stay_or_turn(vertices, half_slope, search.at, nearest);
+        nearest.gap = gap_of(flight.spin, search.at, nearest.arm, times(search.at.arm, nearest.row.rest),
+                             equal(nearest.number, Lane(0)));
+        const LaneGap& g = nearest.gap;
         search.correction = correction_of(g);
-        open = all(open, search.nearest.known);
+        open = all(open, nearest.known);
         const Mask leads_on = all(open, g.rate > Lane(0), magnitude(search.correction) <= Lane(longest_correction));
         search.vain = either(search.vain, hn::AndNot(leads_on, open));
         open = leads_on;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/collision_map.hpp"
+#include "map/numbers/exact_sum.hpp"
 
 namespace swirl {
 
@@ -40,36 +41,66 @@ Flight<T> flight_from(const Body<T>& body, const LabStart<T>& start) {
     return flight;
 }
 
-/// An angle kept as (its value in [0, 2π), whole turns), so that precision does not decay on long runs.
+/// An angle kept as (its value in [0, 2π), whole turns), so that precision does not decay on long runs: the sum of any
+/// number of changes is off by their own errors and by one rounding.
 template <class T>
 struct WoundAngle {
     T phase{};
     T turns{};       ///< an integer, held in T: the times of a decaying orbit (β = 0, e < 1) exceed every integer type
     T more_turns{};  ///< what rounding left out of it beyond 2⁵³ turns, where one turn more may not change it
+    T more_phase{};  ///< what rounding left out of `phase`
 
     void add(const T& change) {
         using std::fmod;
         using std::round;
-        const T turn = T(2 * pi<T>());
-        const T sum = phase + change;
-        phase = fmod(sum, turn);  // exact, however many turns
-        if (phase < 0) phase = phase + turn;
-        if (!(phase < turn)) phase = T(0);  // −tiny + 2π rounds to 2π
-        const T more = more_turns + round((sum - phase) / turn);
-        const T whole = turns + more;
-        const T added = whole - turns;  // Knuth's sum: its rounding error, whichever of the two is larger
-        more_turns = (turns - (whole - added)) + (more - added);
-        turns = whole;
+        const ExactSum<T> sum = exact_sum(phase, change);
+        phase = fmod(sum.sum, turn());  // exact, however many turns
+        more_phase = more_phase + sum.rest;
+        wind(round((sum.sum - phase) / turn()));
+        if (phase < 0) unwind_by(T(-1));
+        if (!(phase < turn())) unwind_by(T(1));  // −tiny + 2π rounds to 2π …
+        if (phase < 0) {                         // … and is −tiny again: within rounding of a whole turn
+            more_phase = more_phase + phase;
+            phase = T(0);
+        }
     }
     /// The whole angle, which grows with `phase` and `turns`. Beyond 10⁶ turns it is rounded once: two roundings may be
     /// longer than a flight, and time would fall by one.
     T unwound() const {
         using std::fabs;
-        const T turn = T(2 * pi<T>());
-        const T whole = turn * turns;
+        const T whole = turn() * turns;
+        const T rest = rest_of_turn() * turns;
         if constexpr (std::is_floating_point_v<T>)
-            if (fabs(turns) > T(1 << 20)) return whole + (phase + (std::fma(turn, turns, -whole) + turn * more_turns));
-        return phase + whole;
+            if (fabs(turns) > T(1 << 20))
+                return whole + (phase + ((std::fma(turn(), turns, -whole) + turn() * more_turns) + rest));
+        return (phase + rest) + whole;
+    }
+
+private:
+    static T turn() { return T(2 * pi<T>()); }
+    /// 2π less its rounding: sin is −x near a whole turn. Without it the phase would lose 2.4·10⁻¹⁶ a turn in double.
+    static T rest_of_turn() {
+        using std::sin;
+        return T(-sin(turn()));
+    }
+
+    /// Counts turns whose rounded length the phase is without.
+    void wind(const T& more) {
+        using std::fmod;
+        if (more != 0) more_phase = more_phase - fmod(T(more * rest_of_turn()), turn());
+        const ExactSum<T> in_all = exact_sum(turns, T(more_turns + more));
+        turns = in_all.sum;
+        more_turns = in_all.rest;
+        const ExactSum<T> place = exact_sum(phase, more_phase);
+        phase = place.sum;
+        more_phase = place.rest;
+    }
+    /// Takes one turn from the phase, or adds one to it.
+    void unwind_by(const T& one) {
+        const ExactSum<T> place = exact_sum(phase, T(-one * turn()));
+        phase = place.sum;
+        more_phase = more_phase + place.rest;
+        wind(one);
     }
 };
 

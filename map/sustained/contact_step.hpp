@@ -1,6 +1,7 @@
 // One step of a motion in contact: its power series from a state on. Internal to the integration of contact.
 #pragma once
 
+#include "map/numbers/exact_sum.hpp"
 #include "map/sustained/contact_series.hpp"
 
 #include <array>
@@ -53,10 +54,9 @@ public:
                                     &series_.spin, &series_.turned, &series_.work};
         State<T> to;
         for (std::size_t i = 0; i < state_size; ++i) {
-            const T change = from_.rest[i] + change_at<T>(*parts[i], t);
-            to.value[i] = from_.value[i] + change;
-            const T kept = to.value[i] - from_.value[i];
-            to.rest[i] = (from_.value[i] - (to.value[i] - kept)) + (change - kept);  // Knuth's two-sum
+            const ExactSum<T> sum = exact_sum(from_.value[i], T(from_.rest[i] + change_at<T>(*parts[i], t)));
+            to.value[i] = sum.sum;
+            to.rest[i] = sum.rest;
         }
         return to;
     }

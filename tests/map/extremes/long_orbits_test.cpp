@@ -29,8 +29,16 @@ bool leaves_the_container(const Scene<double>& scene, const PostImpactState<doub
 struct LongOrbit {
     long impacts = 0, scanned = 0, outside = 0;
     double drift = 0, rms_step = 0;
-    Real phase = 0;  ///< the largest difference of the two ways to the contact's direction, in radians
+    Real phase = 0;       ///< the largest difference of the two ways to the contact's direction, in radians
+    double time_off = 0;  ///< of the swirl's phase from the sum of the flight times in 113 bits, the largest
 };
+
+/// How far a phase is from that of a time, in radians.
+double off_by(const Quad& time, double phase) {
+    const Quad turn = 2 * pi<Quad>();
+    const Quad apart = Quad(phase) - time;
+    return std::fabs(static_cast<double>(apart - turn * round(apart / turn)));
+}
 
 /// Without friction and with e = 1. The direction of the contact is followed in two ways: as the sum of the wall's
 /// advances, and as the swirl's phase (the sum of the flight times) + ψ.
@@ -44,6 +52,7 @@ LongOrbit follow(const Map& map, const SectionPoint<double>& start, long impacts
     step.after = post_impact_state(start);
     const double first = jacobi_of(map.body(), step.after);
     double before = first, square = 0;
+    Quad time = 0;
     for (; orbit.impacts < impacts; ++orbit.impacts) {
         const PostImpactState<double> z = step.after;
         map.advance(z, step);
@@ -52,12 +61,14 @@ LongOrbit follow(const Map& map, const SectionPoint<double>& start, long impacts
         square += (now - before) * (now - before);
         before = now;
         frame.time.add(step.flight_time);
+        time += Quad(step.flight_time);
         direction.add(std::atan2(step.normal.y, step.normal.x));
         if (orbit.impacts % 10'000 != 0) continue;
         ++orbit.scanned;
         orbit.outside += leaves_the_container(map.scene(), z, step.flight_time);
         const double apart = frame.time.phase + section_point(step.after).psi - direction.phase;
         orbit.phase = std::max(orbit.phase, std::fabs(wrapped_angle(Real(apart))));
+        orbit.time_off = std::max(orbit.time_off, off_by(time, frame.time.phase));
     }
     orbit.drift = before - first;
     orbit.rms_step = std::sqrt(square / static_cast<double>(impacts));
@@ -72,15 +83,18 @@ void check(int sides, long impacts) {
     const double n = static_cast<double>(impacts), eps = epsilon<double>();
     std::printf(
         "%d sides (0: disk), %ld impacts: J drifts by %.3g, %.2f of a walk of its steps (%.2f epsilon each); "
-        "%ld flights scanned, %ld outside; phase off by %.3g at most, %.2f epsilon sqrt(n)\n",
+        "%ld flights scanned, %ld outside; time's phase off by %.3g from the sum in 113 bits, by %.3g from the "
+        "contact's "
+        "direction at most, %.2f epsilon sqrt(n)\n",
         sides, orbit.impacts, orbit.drift, orbit.drift / (orbit.rms_step * std::sqrt(n)), orbit.rms_step / eps,
-        orbit.scanned, orbit.outside, static_cast<double>(orbit.phase),
+        orbit.scanned, orbit.outside, orbit.time_off, static_cast<double>(orbit.phase),
         static_cast<double>(orbit.phase) / (eps * std::sqrt(n)));
     EXPECT_EQ(orbit.impacts, impacts);
     EXPECT_EQ(orbit.outside, 0);
     // As in jacobi_test.cpp: six times a random walk, and a bias of ε/40 an impact.
     EXPECT_LE(std::fabs(orbit.drift), 6 * orbit.rms_step * std::sqrt(n) + n * eps / 40);
-    // Two sums of angles below 2π, each rounded to ε π at most, and ψ's own error likewise: a walk again, and a bias.
+    EXPECT_LE(orbit.time_off, 4 * eps);  // one rounding of a number below 8
+    // ψ's own rounding, and that of the wall's advances, each of an angle below π: a walk, and a bias.
     EXPECT_LE(orbit.phase, 6 * 4 * eps * std::sqrt(n) + n * eps / 40);
 }
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 
 namespace swirl {
@@ -89,7 +90,8 @@ struct SeededFlight {
         constexpr int dimension = section_dimension<shape>;
         const auto c = coordinates<shape>(z);
         std::array<Jet, dimension> seeds;
-        for (int i = 0; i < dimension; ++i) seeds[static_cast<std::size_t>(i)] = Jet(c[static_cast<std::size_t>(i)], i);
+        int seed = 0;
+        std::transform(c.begin(), c.end(), seeds.begin(), [&](const T& x) { return Jet(x, seed++); });
         flight = flight_from(map.body(), post_impact_state(section_point<shape>(seeds)));
         at = instant_at<shape>(flight, Jet(time, dimension));
         if constexpr (shape == Shape::polygon) arm = map.body().turned_to_vertex(at.arm, vertex);

@@ -190,7 +190,7 @@ auto CollisionMap<T, shape_, rule_>::advance(const Flight<T>& flight) const -> C
 template <class T, Shape shape_, ImpactRule rule_>
 auto CollisionMap<T, shape_, rule_>::advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const
     -> void {
-    const FirstContact<T> contact = detail::certain_contact<shape>(body_, flight);
+    const FirstContact<T> contact = detail::undecided_contact<shape>(body_, flight);
     if (contact.outcome == FirstContactOutcome::contact) return arrive(flight, contact, collision);
     collision.outcome = contact.outcome;
     collision.steps = contact.steps;

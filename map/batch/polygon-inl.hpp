@@ -116,6 +116,18 @@ HWY_INLINE LaneState state_at_wall(LaneFactor per_alpha, const LaneFlight& fligh
     return after;
 }
 
+/// contact_of_vertex_behind without the proof, in the lanes in which the circle does not return and in those in which
+/// the nearest vertex recedes there: those where it is found.
+HWY_INLINE Mask find_behind(ProofTask& task, Lane fourth, Mask no_return, Mask recedes) {
+    const Mask asked = either(no_return, recedes);
+    if (!any(asked)) return asked;
+    LaneSearch& search = task.search;
+    search.at = choose(no_return, instant_at_start(task.flight), search.at);
+    search.nearest.number = choose(no_return, Lane(0), search.nearest.number);
+    search.looks = choose(no_return, Lane(0), search.looks);
+    return seek_vertex_behind(task.vertices, task.flight, fourth, asked, search);
+}
+
 /// Lanes `i` … of a block, as many as a vector has.
 template <ImpactRule rule, bool sums_chatter>
 HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
@@ -134,14 +146,16 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
     task.start = gap_at_start(path);
     task.struck = struck_gap_at_start(flight);
     const Found back = instant_of_return(flight, path, task.start, search.at);
-    Mask usual = all(back.found, task.struck.rate < -rate_rounding(task.speed, body.beta, z.spin, body.alpha));
-    if constexpr (sums_chatter) usual = all(usual, leaves_the_wall(scenes, i, body, z));
-    seek_vertex(task.vertices, body.half_slope, flight, fourth_bound(body, flight, task.speed), usual, search);
+    Mask leaves = task.struck.rate < -rate_rounding(task.speed, body.beta, z.spin, body.alpha);
+    if constexpr (sums_chatter) leaves = all(leaves, leaves_the_wall(scenes, i, body, z));
+    const Lane fourth = fourth_bound(body, flight, task.speed);
+    seek_vertex(task.vertices, body.half_slope, flight, fourth, all(leaves, back.found), search);
     Mask vain = either(back.vain, search.vain);
-    usual = all(search.found, search.at.time + search.correction > Lane(0),
-                magnitude(flight.spin * search.correction) < Lane(32));
+    const Mask behind = find_behind(task, fourth, all(leaves, back.vain), all(leaves, search.recedes));
+    const Mask usual = all(either(search.found, behind), search.at.time + search.correction > Lane(0),
+                           magnitude(flight.spin * search.correction) < Lane(32));
     const LaneInstant at = advanced(flight, search.at, search.correction);
-    Mask clear = hn::And(usual, clear_by_circumcircle(task));
+    Mask clear = hn::AndNot(behind, hn::And(usual, clear_by_circumcircle(task)));
     const Mask unproven = hn::AndNot(clear, usual);
     if (any(unproven)) {
         Mask by_others;

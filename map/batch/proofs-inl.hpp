@@ -101,7 +101,7 @@ class OneFlight {
 public:
     HWY_INLINE OneFlight(const ProofTask& task, int lane)
         : lane_(hn::IndicesFromVec(Tag(), hn::Set(Whole(), lane))),
-          spin_(of(task.flight.spin)),
+          flight_(of(task.flight)),
           sixth_(of(sixth_bound(task.body, task.flight, task.speed))),
           striking_(of(task.search.nearest.number)),
           vertices_(task.vertices) {
@@ -109,66 +109,71 @@ public:
         vertices_.sides = of(task.vertices.sides);
     }
 
-    /// every_vertex_clear without halves, of this flight.
-    ///   strikes  the vertex that strikes does so at `to`
-    HWY_INLINE bool is_clear(const LaneInstant& from, const LaneInstant& to, bool strikes) const {
-        const LaneInstant first = of(from), last = of(to);
-        const Lane striking = strikes ? striking_ : Lane(-1);
+    /// every_vertex_clear from the start to the contact.
+    HWY_INLINE bool is_clear(const LaneInstant& start, const LaneInstant& contact) const {
+        const LaneInstant from = of(start), to = of(contact);
+        return is_clear_whole(from, to, striking_) || is_clear_in_halves(from, to, striking_, most_halvings);
+    }
+
+private:
+    /// Every vertex between two moments.
+    HWY_INLINE bool is_clear_whole(const LaneInstant& from, const LaneInstant& to, Lane striking) const {
         const int sides = static_cast<int>(hn::GetLane(vertices_.sides.v));
         for (int k = 0; k < sides; k += static_cast<int>(hn::Lanes(Tag()))) {
             const Lane number(hn::Iota(Tag(), k));
             const Mask beyond = number >= vertices_.sides;
             const Lane vertex = choose(beyond, Lane(0), number);
             const Rows row = rows_of_vertex(vertices_, vertex);
-            const LaneGap before = gap_of_vertex(row, spin_, first, vertex);
-            LaneGap after = gap_of_vertex(row, spin_, last, vertex);
+            const LaneGap before = gap_of_vertex(row, flight_.spin, from, vertex);
+            LaneGap after = gap_of_vertex(row, flight_.spin, to, vertex);
             after.value = choose(equal(number, striking), smaller(after.value, Lane(0)), after.value);
-            if (any(no(either(beyond, clear_between(before, after, last.time - first.time, sixth_))))) return false;
+            if (any(no(either(beyond, clear_between(before, after, to.time - from.time, sixth_))))) return false;
         }
         return true;
     }
 
-private:
+    /// On either half of the way, each in its own halves where that is not enough. Moments that the tables do not reach
+    /// leave it unproven, as the caller knows.
+    HWY_NOINLINE bool is_clear_in_halves(const LaneInstant& from, const LaneInstant& to, const Lane& striking,
+                                         int halvings) const {
+        const Lane time = Lane(0.5) * (from.time + to.time);
+        if (any(no(all(time < Lane(32), magnitude(flight_.spin * time) < Lane(32))))) return false;
+        const LaneInstant half_way = instant_at(flight_, time);
+        const Lane none(-1);
+        return (is_clear_whole(from, half_way, none) ||
+                (halvings > 1 && is_clear_in_halves(from, half_way, none, halvings - 1))) &&
+               (is_clear_whole(half_way, to, striking) ||
+                (halvings > 1 && is_clear_in_halves(half_way, to, striking, halvings - 1)));
+    }
+
     HWY_INLINE Lane of(Lane a) const { return Lane(hn::TableLookupLanes(a.v, lane_)); }
     HWY_INLINE Plane of(const Plane& a) const { return {of(a.x), of(a.y)}; }
     HWY_INLINE LaneInstant of(const LaneInstant& at) const {
         return {of(at.time),      of(at.phase),  of(at.arm),   of(at.moved),
                 of(at.arm_moved), of(at.centre), of(at.swirl), of(at.drift)};
     }
+    HWY_INLINE LaneFlight of(const LaneFlight& flight) const {
+        return {of(flight.centre), of(flight.velocity), of(flight.phase), of(flight.arm),
+                of(flight.swirl),  of(flight.spin),     of(flight.beta)};
+    }
 
     decltype(hn::IndicesFromVec(Tag(), Wholes())) lane_;
-    Lane spin_, sixth_, striking_;
+    LaneFlight flight_;
+    Lane sixth_, striking_;
     VertexRows vertices_;
 };
 
-/// The lanes, of those that are asked for, whose flights are clear: in one piece, or in two, before and after
-/// `half_way`.
-HWY_INLINE std::uint32_t clear_flights(const ProofTask& task, std::uint32_t asked, const LaneInstant& start,
-                                       const LaneInstant* half_way, const LaneInstant& end) {
-    std::uint32_t clear = 0;
-    for (; asked != 0; asked &= asked - 1) {
-        const int lane = std::countr_zero(asked);
-        const OneFlight flight(task, lane);
-        const bool is_clear = half_way == nullptr
-                                  ? flight.is_clear(start, end, true)
-                                  : flight.is_clear(start, *half_way, false) && flight.is_clear(*half_way, end, true);
-        if (is_clear) clear |= 1u << lane;
-    }
-    return clear;
-}
-
-/// every_vertex_clear with one halving. Few vertices only.
-HWY_INLINE Mask clear_in_halves(const ProofTask& task, const LaneInstant& end, Mask asked) {
+/// every_vertex_clear from the start on, flight by flight. Few vertices only.
+HWY_INLINE Mask every_vertex_clear(const ProofTask& task, const LaneInstant& end, Mask asked) {
     asked = hn::And(asked, task.vertices.sides <= Lane(few_sides));
     if (!any(asked)) return asked;
     const LaneInstant start = instant_at_start(task.flight);
-    const std::uint32_t whole = clear_flights(task, bits_of(asked), start, nullptr, end);
-    const Lane half_time = Lane(0.5) * (start.time + end.time);
-    const Mask known = all(half_time < Lane(32), magnitude(task.flight.spin * half_time) < Lane(32));
-    const std::uint32_t left = bits_of(hn::And(asked, known)) & ~whole;
-    if (left == 0) return mask_of(whole);
-    const LaneInstant half_way = instant_at(task.flight, half_time);
-    return mask_of(whole | clear_flights(task, left, start, &half_way, end));
+    std::uint32_t clear = 0;
+    for (std::uint32_t lanes = bits_of(asked); lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        if (OneFlight(task, lane).is_clear(start, end)) clear |= 1u << lane;
+    }
+    return mask_of(clear);
 }
 
 /// clear_by_derivatives for the lanes `asked` for; `end` is the contact.
@@ -191,7 +196,7 @@ inline HWY_NOINLINE void clear_by_derivatives(const ProofTask& task, const LaneI
     const Mask by_pairs = hn::And(alone, clear_by_pairs(task, gap_after(circle, d), striking, neighbour, time));
     const Mask left = hn::AndNot(by_pairs, alone);
     clear = by_pairs;
-    if (any(left)) clear = either(clear, clear_in_halves(task, end, left));
+    if (any(left)) clear = either(clear, every_vertex_clear(task, end, left));
 }
 
 }  // namespace swirl::detail::HWY_NAMESPACE

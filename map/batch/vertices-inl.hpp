@@ -96,6 +96,17 @@ struct LaneVertex {
     Mask known;  ///< there is a direction to it
 };
 
+HWY_INLINE LaneVertex choose(Mask condition, const LaneVertex& yes, const LaneVertex& otherwise) {
+    const LaneGap &a = yes.gap, &b = otherwise.gap;
+    return {
+        choose(condition, yes.number, otherwise.number),
+        {choose(condition, yes.row.value, otherwise.row.value), choose(condition, yes.row.rest, otherwise.row.rest)},
+        choose(condition, yes.arm, otherwise.arm),
+        {choose(condition, a.value, b.value), choose(condition, a.rate, b.rate), choose(condition, a.bend, b.bend),
+         choose(condition, a.jerk, b.jerk)},
+        either(hn::And(condition, yes.known), hn::AndNot(condition, otherwise.known))};
+}
+
 HWY_INLINE Plane turned_to(const Plane& v, Lane number, const Plane& rotation) {
     return choose(equal(number, Lane(0)), v, times(v, rotation));
 }
@@ -174,7 +185,8 @@ struct LaneSearch {
     LaneVertex nearest;
     Lane correction, looks;
     Mask found;
-    Mask vain;  ///< the scalar search gives up, too
+    Mask vain;     ///< the scalar search gives up, too …
+    Mask recedes;  ///< … where the nearest vertex recedes, after `looks`
 };
 
 /// Lanes that need more looks than this leave: they are few, and all the others wait for them.
@@ -184,7 +196,7 @@ inline constexpr int most_looks = 4;
 HWY_INLINE void seek_vertex(const VertexRows& vertices, Lane half_slope, const LaneFlight& flight, Lane fourth,
                             Mask open, LaneSearch& search) {
     search.found = Lane(1) < Lane(0);
-    search.vain = search.found;
+    search.vain = search.recedes = search.found;
     search.looks = Lane(0);
     for (int look = 1;; ++look) {
         // Lanes that have found theirs see the same once more.
@@ -199,7 +211,10 @@ HWY_INLINE void seek_vertex(const VertexRows& vertices, Lane half_slope, const L
         search.correction = correction_of(g);
         open = all(open, nearest.known);
         const Mask leads_on = all(open, g.rate > Lane(0), magnitude(search.correction) <= Lane(longest_correction));
-        search.vain = either(search.vain, hn::AndNot(leads_on, open));
+        const Mask fails = hn::AndNot(leads_on, open);
+        search.vain = either(search.vain, fails);
+        search.recedes = either(search.recedes, hn::And(fails, g.rate <= Lane(0)));
+        search.looks = choose(fails, Lane(look), search.looks);
         open = leads_on;
         const Mask now = all(open, is_converged(g, search.correction, search.at.time, fourth));
         search.looks = choose(now, Lane(look), search.looks);
@@ -208,6 +223,35 @@ HWY_INLINE void seek_vertex(const VertexRows& vertices, Lane half_slope, const L
         if (look == most_looks || !any(open)) return;
         open = all(open, magnitude(flight.spin * search.correction) < Lane(32));
         search.at = choose(open, advanced(flight, search.at, search.correction), search.at);
+    }
+}
+
+/// The search of contact_of_vertex_behind in the lanes `asked` for: at the vertex behind `search.nearest`, from
+/// `search.at` on. Where it is not found nothing changes.
+HWY_INLINE Mask seek_vertex_behind(const VertexRows& vertices, const LaneFlight& flight, Lane fourth, Mask asked,
+                                   LaneSearch& search) {
+    LaneInstant at = search.at;
+    LaneVertex next = search.nearest;
+    const Lane k = next.number + choose(flight.spin > Lane(0), Lane(-1), Lane(1));
+    next.number = choose(k < Lane(0), k + vertices.sides, choose(equal(k, vertices.sides), Lane(0), k));
+    next.row = rows_of_vertex(vertices, next.number);
+    Mask all_found = Lane(1) < Lane(0);
+    Mask open = asked;
+    for (int look = 1;; ++look) {
+        next.arm = turned_to(at.arm, next.number, next.row.value);
+        next.gap = gap_of(flight.spin, at, next.arm, times(at.arm, next.row.rest), equal(next.number, Lane(0)));
+        const LaneGap& g = next.gap;
+        const Lane correction = correction_of(g);
+        open = all(open, g.rate > Lane(0), magnitude(correction) <= Lane(longest_correction));
+        const Mask found = all(open, is_converged(g, correction, at.time, fourth));
+        search.at = choose(found, at, search.at);
+        search.nearest = choose(found, next, search.nearest);
+        search.correction = choose(found, correction, search.correction);
+        search.looks = choose(found, search.looks + Lane(look), search.looks);
+        all_found = either(all_found, found);
+        open = all(hn::AndNot(found, open), magnitude(flight.spin * correction) < Lane(32));
+        if (look == most_looks || !any(open)) return all_found;
+        at = choose(open, advanced(flight, at, correction), at);
     }
 }
 

@@ -10,8 +10,11 @@ namespace swirl {
 
 namespace detail {
 
-/// Up to this many sides every vertex is examined where the two nearest are not enough.
+/// Up to this many sides every vertex is examined where the two nearest are not enough, on pieces of the flight down to
+/// an eighth. (Of the flights of a map's chaotic hexagons that need it 85 % are proven as a whole, 10 % in halves, 4 %
+/// in quarters or eighths, 0.3 % not.)
 inline constexpr int few_sides = 8;
+inline constexpr int most_halvings = 3;
 
 /// The gap a small time d later by its own derivatives.
 template <class T>
@@ -172,7 +175,7 @@ template <class T>
     if (body.sides > few_sides) return false;
     Instant<T> end = at;
     advance<Shape::polygon>(flight, end, correction);
-    return every_vertex_clear(body, flight, start, end, nearest.vertex, 1);
+    return every_vertex_clear(body, flight, start, end, nearest.vertex, most_halvings);
 }
 
 }  // namespace detail

@@ -17,7 +17,7 @@ struct Tally {
     std::array<std::array<long, seen_kinds>, flight_kinds> seen{};
     std::array<long, flight_kinds> without{};  ///< no contact is claimed, or nothing
     long claimed = 0, direct = 0, direct_grazes = 0, unresolved = 0, flagged = 0, swapped_unflagged = 0, pieces = 0;
-    std::array<long, 16> by_distance{};  ///< graze and tie, by decades of their distance to the border
+    std::array<std::array<long, 16>, flight_kinds> by_distance{};  ///< by decades of their distance to the border
     double latest = 0, deepest = 0, closest_decided = 1;
 };
 
@@ -55,7 +55,7 @@ void check_one(const SampledFlight& sample, Tally& tally) {
     tally.latest = std::max(tally.latest, check.late);
     if (sample.width > 0) {
         const double decade = std::clamp(-std::log10(sample.width), 0.0, 15.9);
-        ++tally.by_distance[static_cast<std::size_t>(decade)];
+        ++tally.by_distance[kind][static_cast<std::size_t>(decade)];
     }
     if (check.seen == Seen::tie && !claim.contact.simultaneous)
         tally.closest_decided = std::min(tally.closest_decided, check.apart);
@@ -80,10 +80,13 @@ void print(const Tally& tally) {
         for (const long n : tally.seen[k]) std::printf(" %9ld", n);
         std::printf("  %ld\n", tally.without[k]);
     }
-    std::printf("graze and tie by their distance to the border, 1e0 ... 1e-16:");
-    for (const long n : tally.by_distance) std::printf(" %ld", n);
+    for (const FlightKind kind : {FlightKind::graze, FlightKind::tie}) {
+        std::printf("%s by its distance to the border, 1e0 ... 1e-16:", name_of(kind));
+        for (const long n : tally.by_distance[static_cast<std::size_t>(kind)]) std::printf(" %ld", n);
+        std::printf("\n");
+    }
     std::printf(
-        "\n%ld claims, %ld of them by the direct proof; %ld flagged as simultaneous; nothing claimed of %ld\n"
+        "%ld claims, %ld of them by the direct proof; %ld flagged as simultaneous; nothing claimed of %ld\n"
         "contacts at most %.2f epsilon (way/g' + time) late or early; grazes passed at most %.2g deep, %ld of them by "
         "the direct proof\nthe closest order decided without a flag %.2g; %ld pieces of time\n"
         "0 of %ld refuted: fewer than %.2g of such flights, with 95 %% confidence\n",
@@ -97,7 +100,7 @@ long count_of(const Tally& tally, Seen seen) {
     return count;
 }
 
-void check_flights(std::uint64_t seed, long count) {
+Tally check_flights(std::uint64_t seed, long count) {
     Random random(seed);
     Tally tally;
     while (tally.claimed + tally.unresolved < count)
@@ -107,13 +110,18 @@ void check_flights(std::uint64_t seed, long count) {
     EXPECT_EQ(count_of(tally, Seen::undecided), 0);
     EXPECT_EQ(tally.swapped_unflagged, 0);
     EXPECT_GT(tally.claimed, 0.99 * static_cast<double>(count)) << "too much is left unresolved";
+    return tally;
 }
 
 TEST(Certainty, WhatDoubleProvesIsProvenInBallsOnAThousandFlights) {
     check_flights(13, sample_count(1000));
 }
 TEST(CertaintyNightly, WhatDoubleProvesIsProvenInBallsOnAHundredThousandFlights) {
-    check_flights(14, sample_count(100'000));
+    const Tally tally = check_flights(14, sample_count(100'000));
+    for (const FlightKind kind : {FlightKind::graze, FlightKind::tie})
+        for (std::size_t decade = 1; decade < 16; ++decade)
+            EXPECT_GT(tally.by_distance[static_cast<std::size_t>(kind)][decade], 0)
+                << name_of(kind) << " at a distance of 1e-" << decade;
 }
 
 /// The claim of another flight's contact, at that vertex' own root on this one.

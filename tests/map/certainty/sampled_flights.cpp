@@ -154,7 +154,7 @@ bool narrow(const Line& line, Border& border, double width) {
 
 std::vector<SampledFlight> flights_beside_a_border(Random& random) {
     const Line line(random);
-    const double width = random.log_between(1e-16, 1e-2);
+    const double width = random.log_between(1e-16, 1e-1);
     auto border = any_border(line);
     if (!border || !narrow(line, *border, width)) return {};
     const Border found = *border;

@@ -10,8 +10,8 @@ namespace swirl::tests {
 
 enum class FlightKind {
     orbit,      ///< of an orbit, some impacts after a random start
-    graze,      ///< beside the border at which a vertex begins to touch: a double root at 10⁻² … 10⁻¹⁶
-    tie,        ///< beside the border at which another vertex is the first: two of them within 10⁻² … 10⁻¹⁶
+    graze,      ///< beside the border at which a vertex begins to touch: a double root at 10⁻¹ … 10⁻¹⁶
+    tie,        ///< beside the border at which another vertex is the first: two of them within 10⁻¹ … 10⁻¹⁶
     departure,  ///< leaves with a normal velocity of 10⁻⁹ … 10⁻³: its own double root at the start
     edge,       ///< two vertices within 10⁻¹⁵ … 10⁻² at the start
     extreme,    ///< a spin up to 300, a wide swirl or a body that all but fills the container

@@ -99,11 +99,12 @@ void check(int sides, long impacts) {
 }
 
 TEST(LongOrbits, KeepTheirInvariantAndTheirPhase) {
-    check(disk_sides, tests::sample_count(2'000'000));
+    check(disk_sides, tests::sample_count(10'000'000));
     check(3, tests::sample_count(1'000'000));
 }
 TEST(LongOrbitsNightly, AThousandMillionImpacts) {
     check(disk_sides, tests::sample_count(1'000'000'000));
+    check(3, tests::sample_count(100'000'000));
 }
 
 }  // namespace

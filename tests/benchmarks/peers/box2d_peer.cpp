@@ -43,25 +43,33 @@ public:
         world_.SetContactListener(&struck_);
     }
 
-    Impact next(const State& start) override {
+    Impact next(const State& start) override { return row(start, 1).front(); }
+
+    /// The body goes on as the impact leaves it, in place, too: what is outside is Box2D's to put right.
+    std::vector<Impact> row(State start, std::size_t count) override {
         b2Body& body = make_body(container_state(scene_, start));
-        struck_.any = false;
-        double t = 0;
-        int steps = 0;
-        while (!struck_.any && t < longest_flight) {
-            const double middle = t + 0.5 * step_;
+        std::vector<Impact> impacts;
+        for (long steps = 0; impacts.size() < count && (impacts.empty() || impacts.back().found);)
+            impacts.push_back(go_on(body, steps));
+        world_.DestroyBody(&body);
+        return impacts;
+    }
+
+private:
+    Impact go_on(const b2Body& body, long& steps) {
+        const double step = static_cast<double>(step_), begin = static_cast<double>(steps) * step;
+        double t = begin;
+        for (struck_.any = false; !struck_.any && t - begin < longest_flight;) {
+            const double middle = t + 0.5 * step;
             const float force = length_scale * static_cast<float>(scene_.beta);
             world_.SetGravity(force *
                               b2Vec2(static_cast<float>(std::cos(middle)), static_cast<float>(std::sin(middle))));
             world_.Step(step_, 8, 3);
-            t = ++steps * static_cast<double>(step_);
+            t = static_cast<double>(++steps) * step;
         }
-        const Impact impact = struck_.any ? impact_of(body, t) : Impact{};
-        world_.DestroyBody(&body);
-        return impact;
+        return struck_.any ? impact_of(body, t, t - begin) : Impact{};
     }
 
-private:
     void add_fixture(b2Body& body, const b2Shape& shape) const {
         b2FixtureDef fixture;
         fixture.shape = &shape;
@@ -106,7 +114,7 @@ private:
     }
 
     /// What it has come to at the end of the step; the vertex that is farthest out has struck.
-    Impact impact_of(const b2Body& body, double t) const {
+    Impact impact_of(const b2Body& body, double t, double flight_time) const {
         const Vec2<double> centre = unscaled(body.GetPosition());
         int vertex = 0;
         Vec2<double> arm{};
@@ -119,7 +127,7 @@ private:
             vertex = k;
             arm = other;
         }
-        return {true, t, vertex,
+        return {true, flight_time, vertex,
                 section_state(scene_, t, centre, unscaled(body.GetLinearVelocity()), arm,
                               static_cast<double>(body.GetAngularVelocity()))};
     }

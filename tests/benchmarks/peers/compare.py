@@ -1,7 +1,8 @@
 """Swirl beside other solvers on one scene, in one run: compare.py PEERS [--flights N] [--rounds N] [--seed N]
 
-PEERS is the program built with -DSWIRL_PEERS=ON. Prints for a disk with friction and a hexagon without what each misses,
-then what an impact costs, in turns, as ratios to Swirl's double and to `brent`. README.md says how it is measured.
+PEERS is the program built with -DSWIRL_PEERS=ON. Prints for a disk with friction and a hexagon without what each
+misses, then what an impact costs, in turns and at equal error, as ratios to Swirl's double and to `brent`. README.md
+says how it is measured.
 """
 
 import argparse
@@ -12,7 +13,7 @@ from dataclasses import dataclass
 
 from compiled_peers import CompiledPeers
 from container_frame import SCENES, follow
-from judgement import clopper_pearson, judge, quantile
+from judgement import clopper_pearson, judge, quantile, time_at_error
 from scipy_peer import ScipyPeer
 
 try:
@@ -24,6 +25,9 @@ except ImportError:
 SLACK_OF_STEPS = 0.02  # two of the longest steps; Box2D's slop costs it some 0.005, too
 SLACK_OF_TOLERANCE = 1000  # tolerances, and 1e-6 at least: near grazing an error of the gap makes its root's larger
 
+EQUAL_ERRORS = (1e-3, 1e-6, 1e-9, 1e-12)  # and Swirl's own, or
+AS_ACCURATE = 4  # times that: what is within is rounding, and its median differs from sample to sample
+
 
 @dataclass(frozen=True)
 class Contestant:
@@ -34,6 +38,11 @@ class Contestant:
     share: float = 1.0  # of the flights
     steps: bool = False
     batch: int = 1000   # impacts in a row in a round
+
+    @property
+    def ladder(self):
+        """The name that it has in common with those that differ from it by their tolerance or step alone."""
+        return f"{self.name.split()[0]} h<{self.step:g}" if self.tolerance and self.step else self.name.split()[0]
 
     @property
     def slack(self):
@@ -48,7 +57,7 @@ def contestants():
     for tolerance in (1e-6, 1e-9, 1e-12, 1e-14):
         yield Contestant(f"SUNDIALS {tolerance:.0e}", "sundials", tolerance, share=0.1, batch=200)
     yield Contestant("SUNDIALS 1e-12 h<0.05", "sundials", 1e-12, 0.05, share=0.1, batch=100)
-    for tolerance in (1e-6, 1e-9, 1e-12):
+    for tolerance in (1e-6, 1e-9, 1e-12, 3e-14):  # it takes no less than 2.2e-14
         yield Contestant(f"SciPy {tolerance:.0e}", "scipy", tolerance, share=0.01, batch=8)
     yield Contestant("SciPy 1e-12 h<0.05", "scipy", 1e-12, 0.05, share=0.005, batch=4)
     yield Contestant("Box2D 0.01", "box2d", step=0.01, share=0.05, steps=True, batch=10)
@@ -110,17 +119,33 @@ def print_times(scene, compiled, starts, judged, rounds):
     ratios = {}
     for name, own in seconds.items():
         to = {base: [a / b for a, b in zip(own, seconds[base])] for base in ("swirl double", "brent")}
-        ratios[name] = statistics.median(to["swirl double"])
+        ratios[name] = (statistics.median(to["swirl double"]), statistics.median(to["brent"]))
         spread = f"{quantile(to['swirl double'], 0.25):.3g} … {quantile(to['swirl double'], 0.75):.3g}"
-        print(f"{name:22} {1e6 * statistics.median(own):10.3g}  {ratios[name]:10.3g} [{spread:17}] "
-              f"{statistics.median(to['brent']):10.3g}  {judged[name].error:8.1e}")
+        print(f"{name:22} {1e6 * statistics.median(own):10.3g}  {ratios[name][0]:10.3g} [{spread:17}] "
+              f"{ratios[name][1]:10.3g}  {judged[name].error:8.1e}")
     return ratios
+
+
+def print_equal_errors(judged, ratios):
+    ladders, own = {}, AS_ACCURATE * judged["swirl double"].error
+    for one in contestants():
+        ladders.setdefault(one.ladder, []).append((judged[one.name].error, *ratios[one.name]))
+    print("x swirl double (x brent) at equal error of an impact, between tolerances or steps")
+    print(f"{'':16}" + "".join(f"{error:18.1e}" for error in (*EQUAL_ERRORS, own)) + f"  ({AS_ACCURATE} x Swirl's)")
+    for name, points in ladders.items():
+        cells = ""
+        for error in (*EQUAL_ERRORS, own):
+            times = [time_at_error([(point[0], point[base]) for point in points], error) for base in (1, 2)]
+            cells += f"{'never':>18}" if None in times else f"{times[0]:9.3g} {f'({times[1]:.3g})':>8}"
+        best = min(points)
+        note = "" if best[0] <= own else f"  best {best[0]:.1e} at {best[1]:.3g} ({best[2]:.3g})"
+        print(f"{name:16}{cells}{note}")
 
 
 def print_goals(ratios):
     for name, goal in (("SUNDIALS 1e-14", 50), ("SciPy 1e-12", 1000), ("brent", 10), ("paper", 10)):
-        verdict = "reached" if ratios[name] >= goal else "not reached"
-        print(f"{name}: {ratios[name]:.3g} x swirl double, goal {goal}: {verdict}")
+        verdict = "reached" if ratios[name][0] >= goal else "not reached"
+        print(f"{name}: {ratios[name][0]:.3g} x swirl double, goal {goal}: {verdict}")
 
 
 def main(arguments):
@@ -142,7 +167,9 @@ def main(arguments):
             print("Box2D:", compiled.numbers())
             judged = print_misses(scene, compiled, starts, truths)
             print(f"processor time of an impact, {options.rounds} rounds in turns")
-            print_goals(print_times(scene, compiled, starts, judged, options.rounds))
+            ratios = print_times(scene, compiled, starts, judged, options.rounds)
+            print_equal_errors(judged, ratios)
+            print_goals(ratios)
     return 0
 
 

@@ -37,6 +37,13 @@ class CompiledPeers:
     def next(self, peer, tolerance, step, count):
         return [read_impact(words) for words in self._ask(f"next {peer} {tolerance} {step} {count}", count)]
 
+    def row(self, peer, tolerance, step, first, count):
+        """Up to `count` impacts in a row from start `first`; fewer where one is not found."""
+        impacts = [read_impact(self._ask(f"row {peer} {tolerance} {step} {first} {count}", 1)[0])]
+        while impacts[-1].found and len(impacts) < count:
+            impacts.append(read_impact(self.process.stdout.readline().split()))
+        return [impact for impact in impacts if impact.found]
+
     def seconds_per_impact(self, peer, tolerance, step, first, count, seconds):
         return float(self._ask(f"follow {peer} {tolerance} {step} {first} {count} {seconds}", 1)[0][0])
 

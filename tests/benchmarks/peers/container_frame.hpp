@@ -38,15 +38,20 @@ inline State section_state(const Scene<double>& scene, double t, const Vec2<doub
     return {seen_from(swirl, normal), (1 / std::hypot(arm.x, arm.y)) * seen_from(normal, arm), seen.x, seen.y, spin};
 }
 
-/// The impact of the disk with friction, and of any body without: Δv_n = −p, Δv_t = q, ΔS = (r_n q + r_t p)/I.
+/// The impact by Poisson's law: Δv_n = −p, Δv_t = q, ΔS = (r_n q + r_t p)/I. The slip is used up by p = p_k; from there
+/// on q changes by r with p: what holds the contact point, or, if that takes more than μ, slip the other way.
 inline State after_impact(const Scene<double>& scene, State state) {
-    const double inertia = scene.inertia_factor * scene.alpha * scene.alpha;
+    const double inertia = scene.inertia_factor * scene.alpha * scene.alpha, mu = scene.mu;
     const double rn = scene.alpha * state.chi.x, rt = scene.alpha * state.chi.y;
     const double un = state.vn - state.spin * rt - scene.beta * state.psi.y;
     const double ut = state.vt + state.spin * rn - scene.beta * state.psi.x;
-    const double p = (1 + scene.restitution) * un / (1 + rt * rt / inertia);
-    double q = 0;  // the disk's slip stops at |q| = |u_t|/B₁, B₁ = 1 + α²/I
-    if (scene.is_disk()) q = -std::copysign(std::fmin(scene.mu * p, std::fabs(ut) / (1 + rn * rn / inertia)), ut);
+    const double b1 = 1 + rn * rn / inertia, b2 = 1 + rt * rt / inertia, b3 = rn * rt / inertia;
+    const double s = std::copysign(1.0, ut), c = b2 - s * mu * b3, d = mu * b1 - s * b3;
+    const double kink = d > 0 ? std::fabs(ut) / d : HUGE_VAL;
+    const double r = std::fabs(b3) <= mu * b1 ? -b3 / b1 : s * mu;
+    const double compression = c * kink >= un ? un / c : kink + (un - c * kink) / (b2 + r * b3);
+    const double p = (1 + scene.restitution) * compression;
+    const double q = -s * mu * std::fmin(p, kink) + r * std::fmax(0, p - kink);
     state.vn -= p;
     state.vt += q;
     state.spin += (rn * q + rt * p) / inertia;

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Scene:
-    """A disk has 0 sides. The law of friction is the disk's: polygons are taken without."""
+    """A disk has 0 sides."""
 
     sides: int
     alpha: float
@@ -29,7 +29,10 @@ class Scene:
         return max(1, self.sides)
 
 
+# Where all laws of impact are one, and where they differ: README.md, "Polygons with friction".
 SCENES = {"disk": Scene(0, 0.3, 0.5, 0.5, 1.0), "hexagon": Scene(6, 0.3, 0.5, 0.0, 1.0)}
+WHERE_LAWS_DIFFER = {"rough-hexagon": Scene(6, 0.3, 0.5, 0.5, 0.95),
+                     "elastic-rough-hexagon": Scene(6, 0.3, 0.5, 0.5, 1.0)}
 
 
 @dataclass(frozen=True)
@@ -63,12 +66,16 @@ def section_state(scene, t, centre, velocity, arm, spin):
 
 def after_impact(scene, state):
     psi_x, psi_y, chi_x, chi_y, vn, vt, spin = state
-    rn, rt = scene.alpha * chi_x, scene.alpha * chi_y
+    mu, rn, rt = scene.mu, scene.alpha * chi_x, scene.alpha * chi_y
     un, ut = vn - spin * rt - scene.beta * psi_y, vt + spin * rn - scene.beta * psi_x
-    p = (1 + scene.restitution) * un / (1 + rt * rt / scene.inertia)
-    q = 0.0
-    if scene.sides == 0:
-        q = -math.copysign(min(scene.mu * p, abs(ut) / (1 + rn * rn / scene.inertia)), ut)
+    b1, b2, b3 = 1 + rn * rn / scene.inertia, 1 + rt * rt / scene.inertia, rn * rt / scene.inertia
+    s = math.copysign(1, ut)
+    c, d = b2 - s * mu * b3, mu * b1 - s * b3
+    kink = abs(ut) / d if d > 0 else math.inf
+    r = -b3 / b1 if abs(b3) <= mu * b1 else s * mu
+    compression = un / c if c * kink >= un else kink + (un - c * kink) / (b2 + r * b3)
+    p = (1 + scene.restitution) * compression
+    q = -s * mu * min(p, kink) + r * max(0.0, p - kink)
     return psi_x, psi_y, chi_x, chi_y, vn - p, vt + q, spin + (rn * q + rt * p) / scene.inertia
 
 

@@ -22,6 +22,19 @@ def quantile(values, share):
     return ordered[min(len(ordered) - 1, int(share * len(ordered)))] if ordered else math.nan
 
 
+def time_at_error(points, error):
+    """From a solver's (error, time) at some tolerances its time at an error, on the power law between the two nearest;
+    None if it never comes there.
+    """
+    better, worse = [p for p in points if p[0] <= error], [p for p in points if p[0] > error]
+    if not better:
+        return None
+    if not worse:
+        return min(time for _, time in better)
+    (e1, t1), (e0, t0) = max(better), min(worse)
+    return t0 * (t1 / t0)**(math.log(e0 / error) / math.log(e0 / e1))
+
+
 def state_error(impact, truth):
     """The largest difference of cis psi, cis chi, v_n, v_t and S."""
     return max(abs(a - b) for a, b in zip(impact.after, truth.after))

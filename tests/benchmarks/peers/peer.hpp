@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace swirl::peers {
 
@@ -38,12 +39,23 @@ public:
         }
         return count;
     }
+    /// The same with every impact; fewer of them where one is not found.
+    virtual std::vector<Impact> row(State state, std::size_t count) {
+        std::vector<Impact> impacts;
+        while (impacts.size() < count) {
+            impacts.push_back(next(state));
+            state = impacts.back().after;
+            if (!impacts.back().found) break;
+        }
+        return impacts;
+    }
 };
 
 /// Flights longer than this are given up by the peers that integrate; those compared last some 1/ω_s.
 inline constexpr double longest_flight = 100;
 
-/// `double`, `quad`, `paper`, `brent` or `fixed-step`; null for another name.
+/// `double`, `quad`, `paper`, `brent` or `fixed-step`; `newton` and `stronge` are `double` under those laws of impact,
+/// the others have Poisson's. Null for another name.
 std::unique_ptr<Peer> make_swirl_peer(const std::string& name, const Scene<double>& scene);
 std::unique_ptr<Peer> make_sundials_peer(const Scene<double>& scene, const Settings& settings);
 std::unique_ptr<Peer> make_box2d_peer(const Scene<double>& scene, const Settings& settings);

@@ -1,11 +1,15 @@
 // The compiled peers behind one prompt, so that compare.py can have them and those in Python run in turns:
 //
-//     scene disk|hexagon SEED COUNT       flights drawn, eight in a row of each orbit: COUNT lines, start and quad's
-//     impact next PEER TOLERANCE STEP COUNT      one impact from each of the first COUNT starts: COUNT lines follow
-//     PEER TOLERANCE STEP FIRST COUNT SECONDS
-//                                         COUNT impacts in a row from start FIRST, again and again for SECONDS:
-//                                         seconds of the processor per impact, impacts found
-//     numbers                             Box2D's
+//     scene disk|hexagon|rough-hexagon|elastic-rough-hexagon SEED COUNT
+//         COUNT flights drawn, eight in a row of each orbit: as many lines, a start and quad's impact
+//     next PEER TOLERANCE STEP COUNT
+//         one impact from each of the first COUNT starts: as many lines
+//     row PEER TOLERANCE STEP FIRST COUNT
+//         COUNT impacts in a row from start FIRST: as many lines, or up to the one that is not found
+//     follow PEER TOLERANCE STEP FIRST COUNT SECONDS
+//         the same, again and again for SECONDS: seconds of the processor per impact, impacts found
+//     numbers
+//         Box2D's
 //
 // A start is ψ (x y), χ (x y), v_n, v_t, S; an impact: found, time, vertex and the state after it.
 #include "peer.hpp"
@@ -24,8 +28,11 @@ using namespace swirl;
 using namespace swirl::peers;
 
 Scene<double> scene_named(const std::string& name) {
-    const int sides = name == "disk" ? disk_sides : name == "hexagon" ? 6 : throw std::runtime_error("scene " + name);
-    return {sides, 0.3, 0.5, name == "disk" ? 0.5 : 0.0, 1.0, Law::poisson, uniform_inertia_factor<double>(sides)};
+    if (name != "disk" && name != "hexagon" && name != "rough-hexagon" && name != "elastic-rough-hexagon")
+        throw std::runtime_error("scene " + name);
+    const int sides = name == "disk" ? disk_sides : 6;
+    const double mu = name == "hexagon" ? 0.0 : 0.5, restitution = name == "rough-hexagon" ? 0.95 : 1.0;
+    return {sides, 0.3, 0.5, mu, restitution, Law::poisson, uniform_inertia_factor<double>(sides)};
 }
 
 std::unique_ptr<Peer> make_peer(const std::string& name, const Scene<double>& scene, const Settings& settings) {
@@ -73,13 +80,15 @@ public:
         std::size_t first = 0, count = 0;
         double seconds = 0;
         in >> settings.tolerance >> settings.step;
-        if (what == "follow") in >> first;
+        if (what != "next") in >> first;
         in >> count;
         if (what == "follow") in >> seconds;
         if (!in || first >= starts_.size()) throw std::runtime_error("cannot read: " + line);
         const auto peer = make_peer(name, scene_, settings);
         if (what == "next")
             for (std::size_t i = 0; i < count; ++i) print(peer->next(starts_.at(i)));
+        else if (what == "row")
+            for (const Impact& impact : peer->row(starts_[first], count)) print(impact);
         else if (what == "follow")
             follow(*peer, first, count, seconds);
         else

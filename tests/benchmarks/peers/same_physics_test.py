@@ -3,10 +3,12 @@
 The first five impacts of an orbit, each from where the exact map has put the body (a chaotic orbit would
 enlarge errors at each), against the map in quad: first_impacts.json holds both. SciPy alone by default; with the
 program PEERS that map itself, SUNDIALS, Box2D and Siconos, too. --write makes the file anew. Exit code 77: a package is
-missing, and the test skipped.
+missing, and the test skipped. On the hexagon with friction SciPy and SUNDIALS have Poisson's law, Box2D and Siconos
+Newton's.
 """
 
 import json
+import statistics
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -22,7 +24,7 @@ except ImportError:
     SiconosPeer = None
 
 from compiled_peers import CompiledPeers
-from container_frame import SCENES, Impact
+from container_frame import SCENES, WHERE_LAWS_DIFFER, Impact
 from judgement import state_error
 
 FILE = Path(__file__).with_name("first_impacts.json")
@@ -31,6 +33,8 @@ IMPACTS = 5
 TOLERANCE = 3e-14
 SAME = 1e-10  # of times and states of order 1: the tolerance, times the steps and what one impact enlarges
 STEP = 1e-3
+ENLARGED = 1e-8  # last bits of the map or of a libm, many times larger after each impact of the orbit
+ROUGH = "rough-hexagon"
 OF_A_STEP = 100 * STEP  # first order, times that factor; Box2D's slop is half a step
 SHORT = 0.05  # the integrators' longest step; what they miss with longer ones compare.py counts
 
@@ -52,7 +56,7 @@ def read_file():
 def write_file(program):
     entries = {}
     with CompiledPeers(program) as compiled:
-        for name in SCENES:
+        for name in (*SCENES, ROUGH):
             entries[name] = [{"start": start, "time": impact.time, "vertex": impact.vertex, "after": impact.after}
                              for start, impact in zip(*compiled.draw(name, SEED, IMPACTS))]
     FILE.write_text(json.dumps(entries, indent=1) + "\n", encoding="utf-8")
@@ -78,7 +82,7 @@ def check_scipy(checks, name, starts, truths):
         peer = ScipyPeer(scene, TOLERANCE, SHORT)
         return difference([peer.next(start) for start in starts], truths)
 
-    scene = SCENES[name]
+    scene = (SCENES | WHERE_LAWS_DIFFER)[name]
     checks.below(f"{name}, SciPy", largest(scene), SAME)
     wider = replace(scene, beta=scene.beta * (1 + 1e-6))
     checks.above(f"{name}, SciPy with a swirl wider by 1e-6 (so that this test can fail)", largest(wider), 100 * SAME)
@@ -87,11 +91,29 @@ def check_scipy(checks, name, starts, truths):
 def check_compiled(checks, name, starts, truths, compiled):
     drawn, exact = compiled.draw(name, SEED, IMPACTS)
     apart = max(abs(a - b) for one, other in zip(drawn, starts) for a, b in zip(one, other))
-    checks.below(f"{name}, first_impacts.json, its starts against those drawn", apart, 1e-12)  # another libm's last bits
-    checks.below(f"{name}, first_impacts.json against the map in quad", difference(exact, truths), SAME)
+    checks.below(f"{name}, first_impacts.json, its starts against those drawn", apart, ENLARGED)
+    first = difference(exact[:1], truths[:1])
+    checks.below(f"{name}, first_impacts.json, its first impact against the map in quad", first, SAME)
     for peer in ("double", "brent", "sundials"):
-        checks.below(f"{name}, {peer}", difference(compiled.next(peer, TOLERANCE, SHORT, IMPACTS), truths), SAME)
-    checks.below(f"{name}, Box2D, first impact", difference(compiled.next("box2d", 0, STEP, 1), truths[:1]), OF_A_STEP)
+        checks.below(f"{name}, {peer}", difference(compiled.next(peer, TOLERANCE, SHORT, IMPACTS), exact), SAME)
+    if name in SCENES:
+        first = compiled.next("box2d", 0, STEP, 1)
+        checks.below(f"{name}, Box2D, first impact", difference(first, exact[:1]), OF_A_STEP)
+
+
+def check_law(checks, name, impacts, compiled):
+    """Newton's, not Poisson's, in the median: where r_t is small the two are nearly one."""
+    errors = [statistics.median(state_error(a, b) for a, b in zip(impacts, compiled.next(law, 0, 0, len(impacts))))
+              for law in ("newton", "double")]
+    checks.below(f"{ROUGH}, {name}, its error under Newton's law over that under Poisson's", errors[0] / errors[1], 0.5)
+
+
+def check_laws(checks, compiled):
+    starts, _ = compiled.draw(ROUGH, SEED, 24)
+    check_law(checks, "Box2D", compiled.next("box2d", 0, STEP, len(starts)), compiled)
+    if SiconosPeer is not None:
+        peer = SiconosPeer(WHERE_LAWS_DIFFER[ROUGH], STEP)
+        check_law(checks, "Siconos", [peer.next(start) for start in starts], compiled)
 
 
 def check_siconos(checks, name, starts, truths):
@@ -114,7 +136,9 @@ def main(arguments):
             continue
         with CompiledPeers(program) as compiled:
             check_compiled(checks, name, starts, truths, compiled)
-        if SiconosPeer is not None:
+            if name == ROUGH:
+                check_laws(checks, compiled)
+        if SiconosPeer is not None and name in SCENES:
             check_siconos(checks, name, starts, truths)
     if program is not None and SiconosPeer is None:
         print("skipped: Siconos, python3-siconos is not installed (packages.txt)")

@@ -7,6 +7,7 @@ the step, that of the method of first.
 """
 
 import math
+from itertools import islice
 
 import numpy as np
 import siconos.kernel as siconos
@@ -34,7 +35,7 @@ class SiconosPeer:
             relation.e()[:] = np.array([1 - abs(x), 0.0][:self.rows]) - rows @ q
         return centre
 
-    def _prepare(self, q, v):
+    def _prepare(self, q, v, duration):
         scene = self.scene
         self.rows = 2 if scene.mu > 0 else 1
         self.body = siconos.LagrangianDS(q, v, np.diag([1.0, 1.0, scene.inertia]))
@@ -46,7 +47,7 @@ class SiconosPeer:
                           for _ in range(scene.points)]
         self.contacts = [siconos.Interaction(law, relation) for relation in self.relations]
         self._lay_tangents(q)
-        self.model = siconos.NonSmoothDynamicalSystem(0.0, LONGEST_FLIGHT)
+        self.model = siconos.NonSmoothDynamicalSystem(0.0, duration)
         self.model.insertDynamicalSystem(self.body)
         for contact in self.contacts:
             self.model.link(contact, self.body)
@@ -55,11 +56,18 @@ class SiconosPeer:
                                     siconos.MoreauJeanOSI(0.5), problem)
 
     def next(self, start):
-        scene = self.scene
+        return next(self._impacts(start, LONGEST_FLIGHT), Impact(False))
+
+    def row(self, start, count):
+        """The body goes on as the impact leaves it, in place, too: what is outside is Siconos's to put right."""
+        return list(islice(self._impacts(start, count * LONGEST_FLIGHT), count))
+
+    def _impacts(self, start, duration):
+        scene, before = self.scene, 0.0
         centre, velocity, angle, spin = container_state(scene, start)
         simulation = self._prepare(np.array([centre.real, centre.imag, angle]),
-                                   np.array([velocity.real, velocity.imag, spin]))
-        while simulation.hasNextEvent():
+                                   np.array([velocity.real, velocity.imag, spin]), duration)
+        while simulation.hasNextEvent() and simulation.nextTime() - before < LONGEST_FLIGHT:
             t = simulation.nextTime()
             middle = t - 0.5 * self.step
             self.force[:2] = scene.beta * math.cos(middle), scene.beta * math.sin(middle)
@@ -71,6 +79,6 @@ class SiconosPeer:
                 centre = complex(q[0], q[1])
                 arm = arm_of(scene, centre, q[2], struck[0])
                 after = section_state(scene, t, centre, complex(v[0], v[1]), arm, v[2])
-                return Impact(True, t, struck[0], after)
+                yield Impact(True, t - before, struck[0], after)
+                before = t
             simulation.nextStep()
-        return Impact(False)

@@ -75,7 +75,11 @@ std::unique_ptr<Peer> make_swirl_peer(const std::string& name, const Scene<doubl
                                scene.restitution, scene.law,   scene.inertia_factor};
         return with_collision_map(wide, [](const auto& map) { return peer_of(map); });
     }
-    if (name == "double") return with_collision_map(scene, [](const auto& map) { return peer_of(map); });
+    if (name == "double" || name == "newton" || name == "stronge") {
+        Scene<double> own = scene;
+        if (name != "double") own.law = name == "newton" ? Law::newton : Law::stronge;
+        return with_collision_map(own, [](const auto& map) { return peer_of(map); });
+    }
     BaselineSearch search;
     if (name == "paper")
         search = BaselineSearch::paper;

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 namespace swirl::apps {
 
@@ -19,7 +21,8 @@ namespace {
 
 using analysis::Kind;
 
-constexpr double beside = 0.01;  // of a cycle: chaos may pass so near to it, but not for ever
+constexpr double beside = 0.01;     // of a cycle: chaos may pass so near to it, but not for ever
+constexpr double came_apart = 1e4;  // neighbours: some ten over the exponent of chaos; tori take 10⁴ impacts for that
 
 bool is_on_cycle(const RunVerdict& run) {
     return run.kind == Kind::fixed_point || run.kind == Kind::cycle || run.kind == Kind::landing;
@@ -70,18 +73,70 @@ analysis::ChaoticStay stay_of(const Scene<double>& scene, Accuracy accuracy, dou
     return {with_scene_map(scene, last_away, contact_horizon, accuracy), true};
 }
 
+/// ln of how much the difference of two neighbouring orbits has grown by an impact.
+template <int D>
+double ln_growth(const SceneMap<D>& map, const Start<double>& start, std::int64_t impact,
+                 const std::function<bool()>& is_over) {
+    const OrbitBegin begin = begin_orbit(map, start);
+    auto z = begin.state;
+    analysis::Vector<D> difference = analysis::Vector<D>::Ones().normalized();
+    double grown = 0;
+    for (std::int64_t n = begin.impacts; n < impact && !is_over(); ++n) {
+        const auto step = map.linearise(z);
+        if (!step.alive) break;
+        z = step.state;
+        const analysis::Vector<D> next = step.derivative * difference;
+        const double size = next.norm();
+        if (!std::isfinite(size)) continue;  // at a border of the map there is no derivative
+        if (size == 0) return -std::numeric_limits<double>::infinity();
+        grown += std::log(size);
+        difference = next / size;
+    }
+    return grown;
+}
+
+/// The same, and nothing of a run that left without having been in chaos.
+analysis::ChaoticStay chaotic_stay_of(const Scene<double>& scene, Accuracy accuracy, double speed,
+                                      const RunVerdict& run, std::int64_t settling,
+                                      const std::function<bool()>& is_over) {
+    const analysis::ChaoticStay stay = stay_of(scene, accuracy, speed, run);
+    if (!stay.left || stay.steps <= settling) return stay;
+    const Start<double> start = random_start(scene.beta, speed, run.seed, 0);
+    const auto grown = [&](const auto& map) { return ln_growth(map, start, stay.steps, is_over); };
+    const bool was_chaotic = with_scene_map(scene, grown, contact_horizon, accuracy) > std::log(came_apart);
+    return was_chaotic ? stay : analysis::ChaoticStay{};
+}
+
+/// The rate of escape from the stays of all runs; none if it was over before.
+template <class StayOf>
+std::optional<analysis::EscapeRate> rate_over(const std::vector<RunVerdict>& runs, std::int64_t settling,
+                                              const OutputOptions& output, const std::function<bool()>& is_over,
+                                              const StayOf& stay_in_chaos) {
+    std::vector<analysis::ChaoticStay> stays(runs.size());
+    Progress progress("escapes from chaos", static_cast<double>(runs.size()), output.quiet);
+    const bool whole = run_pieces(runs.size(), output.threads, progress,
+                                  [runs, is_over, stay_in_chaos, &stays](std::size_t r) -> KeepResult {
+                                      if (is_over()) return {};
+                                      const analysis::ChaoticStay stay = stay_in_chaos(runs[r]);
+                                      if (is_over()) return {};  // it was followed no further
+                                      return [&stays, r, stay] { stays[r] = stay; };
+                                  });
+    if (!whole) return std::nullopt;
+    return analysis::escape_rate(stays, settling);
+}
+
 /// What a document, a record says of it.
 Table<analysis::EscapeRate> escape_table() {
     using E = analysis::EscapeRate;
     return {{},
-            {{"left", &E::left},
-             {"remaining", &E::remaining},
-             {"impacts", &E::steps},
-             {"rate", &E::rate},
-             {"least_rate", &E::least_rate},
-             {"most_rate", &E::most_rate},
-             {"half_life", &E::half_life},
-             {"others_will_leave", &E::others_will_leave}}};
+            {{"left", &E::left, no_column},
+             {"remaining", &E::remaining, no_column},
+             {"impacts", &E::steps, no_column},
+             {"rate", &E::rate, no_column},
+             {"least_rate", &E::least_rate, no_column},
+             {"most_rate", &E::most_rate, no_column},
+             {"half_life", &E::half_life, no_column},
+             {"others_will_leave", &E::others_will_leave, no_column}}};
 }
 
 }  // namespace
@@ -91,17 +146,21 @@ std::optional<analysis::EscapeRate> escape_of(const Scene<double>& scene, double
     const auto has_left = [](const RunVerdict& run) { return is_on_cycle(run) || is_on_wall(run); };
     if (std::none_of(runs.begin(), runs.end(), is_chaotic) || std::none_of(runs.begin(), runs.end(), has_left))
         return std::nullopt;
-    const Accuracy accuracy = output.accuracy();
-    std::vector<analysis::ChaoticStay> stays(runs.size());
-    Progress progress("escapes from chaos", static_cast<double>(runs.size()), output.quiet);
-    const bool whole = run_pieces(runs.size(), output.threads, progress,
-                                  [scene, accuracy, speed, runs, &stays](std::size_t r) -> KeepResult {
-                                      const analysis::ChaoticStay stay = stay_of(scene, accuracy, speed, runs[r]);
-                                      if (is_interrupted()) return {};  // it was followed no further
-                                      return [&stays, r, stay] { stays[r] = stay; };
-                                  });
-    if (!whole) return std::nullopt;
-    return analysis::escape_rate(stays, chaos_begins);
+    return rate_over(runs, chaos_begins, output, &is_interrupted,
+                     [scene, accuracy = output.accuracy(), speed](const RunVerdict& run) {
+                         return stay_of(scene, accuracy, speed, run);
+                     });
+}
+
+std::optional<analysis::EscapeRate> escape_of_any(const Scene<double>& scene, double speed,
+                                                  const std::vector<RunVerdict>& runs, std::int64_t settling,
+                                                  const OutputOptions& output, const analysis::Stop& stop) {
+    const auto is_over = [stop] { return is_interrupted() || (stop && stop()); };
+    const auto rate = rate_over(runs, settling, output, is_over,
+                                [scene, accuracy = output.accuracy(), speed, settling, is_over](const RunVerdict& run) {
+                                    return chaotic_stay_of(scene, accuracy, speed, run, settling, is_over);
+                                });
+    return rate && rate->steps > 0 ? rate : std::nullopt;
 }
 
 void name_remaining(const analysis::EscapeRate& escape, std::vector<RunVerdict>& runs) {
@@ -132,19 +191,21 @@ void write_escape(const RecordGroup& group, const analysis::EscapeRate& escape) 
     write_attributes(group, escape_table(), escape);
 }
 
-std::string in_words(const analysis::EscapeRate& escape) {
+std::string in_words(const analysis::EscapeRate& escape, std::int64_t settling) {
     const std::int64_t all = escape.left + escape.remaining;
     if (escape.left == 0)
         return fmt::format(
             "chaos: {} runs were in it after {} impacts, and none of these has left: half-life above {:.3g}", all,
-            chaos_begins, std::log(2) / escape.most_rate);
+            settling, std::log(2) / escape.most_rate);
+    const char* const others = escape.remaining == 0 ? ""
+                               : escape.others_will_leave
+                                   ? "; the others are to be expected to leave, too"
+                                   : "; whether the others leave is not told by so few, or so early, escapes";
     return fmt::format(
         "chaos: {} runs were in it after {} impacts, {} of these have left: half-life {:.3g} impacts (95 %: "
-        "{:.3g} to {:.3g}); {}",
-        all, chaos_begins, escape.left, escape.half_life, std::log(2) / escape.most_rate,
-        std::log(2) / escape.least_rate,
-        escape.others_will_leave ? "the others are to be expected to leave, too"
-                                 : "whether the others leave is not told by so few, or so early, escapes");
+        "{:.3g} to {:.3g}){}",
+        all, settling, escape.left, escape.half_life, std::log(2) / escape.most_rate, std::log(2) / escape.least_rate,
+        others);
 }
 
 }  // namespace swirl::apps

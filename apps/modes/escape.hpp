@@ -24,6 +24,15 @@ inline constexpr std::int64_t chaos_begins = 1000;
 std::optional<analysis::EscapeRate> escape_of(const Scene<double>& scene, double speed,
                                               const std::vector<RunVerdict>& runs, const OutputOptions& output);
 
+/// The rate of escape whatever has become of the runs: where none has left it is 0 with its upper bound; where all
+/// have, no run tells any more that there was chaos, and so a run that left counts only if neighbouring orbits came
+/// apart on its way there, ten-thousandfold at least. None where no run was in chaos after `settling` impacts, after an
+/// interruption, or once it was stopped.
+/// Cost: each run that left is followed twice more, once with its derivative.
+std::optional<analysis::EscapeRate> escape_of_any(const Scene<double>& scene, double speed,
+                                                  const std::vector<RunVerdict>& runs, std::int64_t settling,
+                                                  const OutputOptions& output, const analysis::Stop& stop = {});
+
 /// Names the chaotic runs `transient` where they are to be expected to leave, too.
 void name_remaining(const analysis::EscapeRate& escape, std::vector<RunVerdict>& runs);
 /// The same for the verdict on one of them, with the rate as evidence.
@@ -34,6 +43,6 @@ void write_escape(JsonWriter& json, const std::optional<analysis::EscapeRate>& e
 /// As attributes of a group.
 void write_escape(const RecordGroup& group, const analysis::EscapeRate& escape);
 /// A line for people.
-std::string in_words(const analysis::EscapeRate& escape);
+std::string in_words(const analysis::EscapeRate& escape, std::int64_t settling = chaos_begins);
 
 }  // namespace swirl::apps

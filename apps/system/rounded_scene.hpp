@@ -1,7 +1,7 @@
 // SceneFunctions whose steps are computed by another map than double's own: in more digits, or with another search for
 // the contact. The state before a step and its result are doubles: each step errs by their rounding, and by what the
-// other map errs. So the scene's numbers are those of double, too. Derivatives are those of double at that step, and
-// so is contact (ReturnMap).
+// other map errs. So the scene's numbers are those of double, too. Contact is integrated in the other map's type; what
+// is reported of it, for how long it is followed, and derivatives (those at that step) are double's.
 #pragma once
 
 #include "apps/system/in_digits.hpp"

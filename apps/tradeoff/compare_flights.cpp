@@ -12,10 +12,13 @@ namespace {
 
 constexpr std::size_t in_a_piece = 50;  // flights: some milliseconds of the top rung
 
+/// The contact that a rung found, beside the top rung's.
+enum class FoundContact { first, missed, misordered };
+
 /// What one rung did on one flight.
 struct FlightError {
     bool compared = false;
-    bool missed = false;
+    FoundContact contact = FoundContact::first;
     double one = std::nan(""), ten = std::nan("");
     double condition = 1;
 };
@@ -41,12 +44,14 @@ bool is_flight(const RungStep& step) {
     return step.outcome == Outcome::completed && step.rounded.contacts.empty();
 }
 
-/// Is it another contact than that of the top rung?
-bool is_another(const RungStep& step, const RungStep& exact) {
-    if (!is_flight(step)) return true;
+FoundContact contact_of(const RungStep& step, const RungStep& exact) {
+    if (!is_flight(step)) return FoundContact::missed;
     const Collision<double>&a = step.rounded.collision, &b = exact.rounded.collision;
-    if (!(std::abs(a.flight_time - b.flight_time) <= late_contact)) return true;
-    return a.vertex_step != b.vertex_step && !a.simultaneous && !b.simultaneous;
+    const double late = a.flight_time - b.flight_time;
+    if (!(late <= late_contact)) return FoundContact::missed;
+    if (late < -late_contact) return FoundContact::misordered;
+    const bool is_another = a.vertex_step != b.vertex_step && !a.simultaneous && !b.simultaneous;
+    return is_another ? FoundContact::misordered : FoundContact::first;
 }
 
 /// The steps of a rung from a drawn state: as many as asked for, fewer where it leaves flights.
@@ -65,12 +70,12 @@ FlightError compare(const std::vector<RungStep>& steps, const std::vector<RungSt
     error.condition = condition;
     error.compared = is_flight(exact.front());
     if (!error.compared) return error;
-    error.missed = is_another(steps.front(), exact.front());
-    if (error.missed) return error;
+    error.contact = contact_of(steps.front(), exact.front());
+    if (error.contact != FoundContact::first) return error;
     error.one = error_of(steps.front().after, exact.front().after);
     if (exact.size() < ten || steps.size() < ten || !is_flight(exact.back())) return error;
     for (std::size_t k = 1; k < ten; ++k)
-        if (is_another(steps[k], exact[k])) return error;
+        if (contact_of(steps[k], exact[k]) != FoundContact::first) return error;
     error.ten = error_of(steps.back().after, exact.back().after);
     return error;
 }
@@ -91,7 +96,8 @@ FlightComparison summary_of(const RungErrors& pieces, double epsilon) {
     for (const auto& piece : pieces) {
         for (const FlightError& error : piece) {
             found.flights += error.compared ? 1 : 0;
-            found.missed += error.missed ? 1 : 0;
+            found.missed += error.contact == FoundContact::missed ? 1 : 0;
+            found.misordered += error.contact == FoundContact::misordered ? 1 : 0;
             one.push_back(error.one);
             after_ten.push_back(error.ten);
             if (!std::isnan(error.one))
@@ -100,6 +106,7 @@ FlightComparison summary_of(const RungErrors& pieces, double epsilon) {
         }
     }
     found.missed_rate = analysis::rate_interval(found.missed, found.flights);
+    found.misordered_rate = analysis::rate_interval(found.misordered, found.flights);
     found.one = spread_of(std::move(one));
     found.tens = std::count_if(after_ten.begin(), after_ten.end(), [](double error) { return !std::isnan(error); });
     found.ten = spread_of(std::move(after_ten));

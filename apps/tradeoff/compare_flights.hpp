@@ -17,14 +17,16 @@ struct ErrorSpread {
 };
 
 /// The error of a flight is the largest difference among the section coordinates just after its impact, angles as
-/// angles, velocities and spin relative to their size where that is above 1. Errors are of contacts that were found in
-/// their order; those that were not are counted.
+/// angles, velocities and spin relative to their size where that is above 1. Errors are of first contacts that were
+/// found; those that were not are counted.
 struct FlightComparison {
     std::int64_t flights = 0;  ///< that both could be asked for: no contact in the top rung's step
-    /// No contact, another vertex than the first (unless two touch within rounding of each other), or a time of contact
-    /// that is off by more than `late_contact`.
+    /// Passed over: no contact was found, or one that is later than the first by more than `late_contact`.
     std::int64_t missed = 0;
-    analysis::RateInterval missed_rate;
+    /// Another vertex' contact was taken for the first, at nearly its time (unless two touch within rounding of each
+    /// other), or one that is earlier by more than `late_contact`.
+    std::int64_t misordered = 0;
+    analysis::RateInterval missed_rate, misordered_rate;
     ErrorSpread one, ten;  ///< after one flight, and after ten in a row
     std::int64_t tens = 0;
     double largest_in_condition = std::nan("");  ///< of error/(ε condition), ε the rung's own

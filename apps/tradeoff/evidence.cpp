@@ -16,15 +16,22 @@ namespace swirl::apps::tradeoff {
 
 namespace {
 
-constexpr double next_level = 10.0 / 3;  // of the ladder: at most so many times the impacts, and the time
+constexpr double next_level = 10.0 / 3;   // of the ladder: at most so many times the impacts, and the time
+constexpr std::int64_t first_starts = 8;  // go up all of the ladder before any other start does
 
 /// A verdict on one number of impacts.
 struct Judged {
     RunVerdict verdict;
     double seconds = 0;
 };
-/// Of all starts; empty where the budget was spent.
+/// On several starts.
 using Level = std::vector<std::optional<Judged>>;
+
+/// Starts by their numbers.
+struct Block {
+    std::int64_t first, end;
+    std::size_t size() const { return static_cast<std::size_t>(end - first); }
+};
 
 analysis::ClassifyOptions settings_for(std::int64_t collisions) {
     analysis::ClassifyOptions settings;
@@ -46,32 +53,34 @@ std::optional<Judged> judge(const Scene<double>& scene, const OrbitStarts& start
                   std::chrono::duration<double>(Clock::now() - begin).count()};
 }
 
-/// One number of impacts, all starts; nothing if the budget was spent before the last.
-std::optional<Level> judge_all(const Scene<double>& scene, const OrbitStarts& starts, std::int64_t collisions,
-                               const Level& before, const Budget& budget, const OutputOptions& output) {
-    const auto count = static_cast<std::size_t>(starts.count);
+/// One number of impacts, all starts of a block; nothing if the budget was spent before the last.
+std::optional<Level> judge_all(const Scene<double>& scene, const OrbitStarts& starts, Block block,
+                               std::int64_t collisions, const Level& before, const Budget& budget,
+                               const OutputOptions& output) {
+    const std::size_t count = block.size();
     const auto level = std::make_shared<Level>(count);
     Progress progress(fmt::format("tradeoff: verdicts on {} impacts", collisions), static_cast<double>(count),
                       output.quiet);
-    const bool whole = run_pieces(count, output.threads, progress, [=, &budget](std::size_t run) -> KeepResult {
+    const bool whole = run_pieces(count, output.threads, progress, [=, &budget](std::size_t i) -> KeepResult {
         if (budget.is_spent(evidence_share)) return {};
-        const auto judged = judge(scene, starts, static_cast<std::int64_t>(run), collisions, before[run], budget);
+        const std::int64_t run = block.first + static_cast<std::int64_t>(i);
+        const auto judged = judge(scene, starts, run, collisions, before[i], budget);
         if (!judged) return {};
-        return [level, run, judged] { (*level)[run] = judged; };
+        return [level, i, judged] { (*level)[i] = judged; };
     });
     if (!whole) return std::nullopt;
     return *level;
 }
 
-/// The levels of a ladder, up to where the next would take more than is left.
-std::vector<Level> judge_levels(const Scene<double>& scene, const OrbitStarts& starts,
-                                const std::vector<std::int64_t>& ladder, const Budget& budget,
+/// The levels of a ladder for a block of starts, up to where the next would take more than is left.
+std::vector<Level> judge_levels(const Scene<double>& scene, const OrbitStarts& starts, Block block,
+                                std::span<const std::int64_t> ladder, const Budget& budget,
                                 const OutputOptions& output) {
     std::vector<Level> levels;
-    Level before(static_cast<std::size_t>(starts.count));
+    Level before(block.size());
     double begin = budget.spent();
     for (const std::int64_t collisions : ladder) {
-        const auto level = judge_all(scene, starts, collisions, before, budget, output);
+        const auto level = judge_all(scene, starts, block, collisions, before, budget, output);
         if (!level) break;
         levels.push_back(*level);
         before = *level;
@@ -83,6 +92,28 @@ std::vector<Level> judge_levels(const Scene<double>& scene, const OrbitStarts& s
         if (!ended && begin + next_level * took > evidence_share * budget.seconds()) break;
     }
     return levels;
+}
+
+/// Adds the verdicts on further starts to levels that have the first ones.
+///   seconds  that these took
+/// @return false where the budget does not allow all of them
+bool add_starts(const Scene<double>& scene, const OrbitStarts& starts, std::span<const std::int64_t> ladder,
+                double seconds, const Budget& budget, const OutputOptions& output, std::vector<Level>& levels) {
+    auto have = static_cast<std::int64_t>(levels.front().size());
+    double of_one = seconds / static_cast<double>(have);
+    while (have < starts.count) {
+        const Block block{have, std::min(2 * have, starts.count)};
+        const auto count = static_cast<double>(block.size());
+        const double begin = budget.spent();
+        if (begin + count * of_one > more_starts_share * budget.seconds()) return false;
+        const std::vector<Level> more = judge_levels(scene, starts, block, ladder, budget, output);
+        if (more.size() < levels.size()) return false;
+        for (std::size_t k = 0; k < levels.size(); ++k)
+            levels[k].insert(levels[k].end(), more[k].begin(), more[k].end());
+        of_one = std::max(of_one, (budget.spent() - begin) / count);
+        have = block.end;
+    }
+    return true;
 }
 
 /// Of the time mean of S over the impacts that the verdict on the first start looked at.
@@ -109,7 +140,7 @@ std::vector<EvidenceRung> rungs_of(const Scene<double>& scene, const OrbitStarts
         rung.mean_spin_off = rung.verdict.mean_spin - most.mean_spin;
         rung.exponent_off = rung.verdict.largest_exponent - most.largest_exponent;
         rung.mean_spin_error = sampling_error_of(scene, starts, rung);
-        rung.runs = starts.count;
+        rung.runs = static_cast<std::int64_t>(level.size());
         for (std::size_t run = 0; run < level.size(); ++run)
             rung.changed += level[run]->verdict.mode != last[run]->verdict.mode ? 1 : 0;
         rung.changed_rate = analysis::rate_interval(rung.changed, rung.runs);
@@ -130,14 +161,21 @@ std::vector<std::int64_t> evidence_ladder(std::int64_t most) {
 
 Evidence gather_evidence(const Scene<double>& scene, const OrbitStarts& starts, const std::vector<std::int64_t>& ladder,
                          const Budget& budget, const OutputOptions& output) {
-    const std::vector<Level> levels = judge_levels(scene, starts, ladder, budget, output);
+    const double begin = budget.spent();
+    const Block first{0, std::min(first_starts, starts.count)};
+    std::vector<Level> levels = judge_levels(scene, starts, first, ladder, budget, output);
     Evidence evidence;
-    evidence.rungs = rungs_of(scene, starts, ladder, levels);
     evidence.whole = levels.size() == ladder.size();
-    if (levels.empty() || !starts.is_random) return evidence;
+    if (levels.empty()) return evidence;
+    const auto reached = std::span(ladder).first(levels.size());
+    evidence.whole &= add_starts(scene, starts, reached, budget.spent() - begin, budget, output, levels);
+    evidence.rungs = rungs_of(scene, starts, ladder, levels);
+    if (!starts.is_random) return evidence;
     std::vector<RunVerdict> last;
     for (const auto& judged : levels.back()) last.push_back(judged->verdict);
-    evidence.escape = escape_of(scene, starts.speed, last, output);
+    const auto stop = [&budget] { return budget.is_spent(orbits_share); };
+    evidence.escape = escape_of_any(scene, starts.speed, last, chaos_judged_after, output, stop);
+    evidence.whole &= !stop();
     return evidence;
 }
 

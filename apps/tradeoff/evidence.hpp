@@ -26,17 +26,23 @@ struct EvidenceRung {
     double seconds = std::nan("");  ///< that the verdict on the first start took
 };
 
+/// Impacts after which a run counts as one in chaos, if it is: so many that no start is told from another by them, and
+/// so few that chaos which ends within the verdict's impacts is still there.
+inline constexpr std::int64_t chaos_judged_after = 100;
+
 struct Evidence {
     std::vector<EvidenceRung> rungs;             ///< by rising number of impacts
-    std::optional<analysis::EscapeRate> escape;  ///< of the verdicts on the most; as `classify --runs`
+    std::optional<analysis::EscapeRate> escape;  ///< of the verdicts on the most; none where no run was in chaos
     bool whole = true;                           ///< false: the budget was spent before
 };
 
 /// The numbers of impacts: 100, 300, 1000, 3000 … up to `most`.
 std::vector<std::int64_t> evidence_ladder(std::int64_t most);
 
-/// Verdicts on each of these numbers, from each start. An orbit that has ended says the same on any larger number, and
-/// is not followed again. Equal arguments give equal results but for `seconds`, whatever the number of threads.
+/// Verdicts on each of these numbers, from each start: eight first, and twice as many each time as long as these fit
+/// into the budget, up to starts.count. An orbit that has ended says the same on any larger number, and is not followed
+/// again. Equal arguments give equal results but for `seconds`, whatever the number of threads, unless the budget cuts
+/// them short.
 Evidence gather_evidence(const Scene<double>& scene, const OrbitStarts& starts, const std::vector<std::int64_t>& ladder,
                          const Budget& budget, const OutputOptions& output);
 

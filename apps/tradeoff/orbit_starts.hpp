@@ -5,7 +5,7 @@
 
 namespace swirl::apps::tradeoff {
 
-/// Seeds that may be used, from the first on.
+/// Seeds that may be used, from the first on: with 64, one verdict that differs still tells of less than 10 % at 95 %.
 inline constexpr int most_starts = 64;
 
 struct OrbitStarts {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swirl::apps::tradeoff {
 
@@ -11,18 +12,27 @@ namespace {
 
 /// Why a rung that was measured is not to be used; empty: it is.
 std::string objection_to(const ArithmeticRung& row) {
-    if (row.flights && row.flights->missed_rate.least > 0)
-        return fmt::format("missed {} of {} contacts", row.flights->missed, row.flights->flights);
+    if (row.flights && row.flights->missed + row.flights->misordered > 0)
+        return fmt::format("missed {} and misordered {} of {} contacts", row.flights->missed, row.flights->misordered,
+                           row.flights->flights);
     if (row.verdict_differs.value_or(false)) return "its verdict differs";
     return "";
 }
 
-/// The fewest impacts from which on no start's mode differs from that on the most; 0: there are none below the most.
+/// The fewest impacts from which on, at 95 %, less than `may_change` of the starts have another mode on the most; 0:
+/// there are none below the most. Modes need not settle one after another: what a number shows, a larger one may not.
 std::int64_t enough(const std::vector<EvidenceRung>& rungs) {
     std::int64_t least = 0;
-    for (std::size_t k = rungs.size(); k-- > 0 && rungs[k].changed == 0;)
-        if (k + 1 < rungs.size()) least = rungs[k].collisions;
+    for (std::size_t k = rungs.empty() ? 0 : rungs.size() - 1; k-- > 0 && rungs[k].changed_rate.most < may_change;)
+        least = rungs[k].collisions;
     return least;
+}
+
+/// "2 of 64 starts have another mode, 11 % at most at 95 %"
+std::string changed_in_words(const EvidenceRung& rung) {
+    return fmt::format("{} of {} start{} {} another mode, {:.2g} % at most at 95 %",
+                       rung.changed > 0 ? fmt::format("{}", rung.changed) : "none", rung.runs,
+                       rung.runs == 1 ? "" : "s", rung.changed > 1 ? "have" : "has", 100 * rung.changed_rate.most);
 }
 
 /// What there is to say of the number of impacts.
@@ -33,23 +43,50 @@ std::string evidence_in_words(const Tradeoff& found) {
         return rung.collisions == (found.enough_collisions > 0 ? found.enough_collisions : rungs.back().collisions);
     });
     std::string words = fmt::format(" with {0} + {0} impacts ({1:.2g} s an orbit; ", used->collisions, used->seconds);
-    if (used + 1 == rungs.end())
-        return words + fmt::format("fewer change the mode of {} in {} starts)",
-                                   rungs.size() > 1 ? rungs[rungs.size() - 2].changed : 0, used->runs);
-    return words + fmt::format("of {} starts none has another mode on {}: below {:.2g} % at 95 %)", used->runs,
-                               rungs.back().collisions, 100 * used->changed_rate.most);
+    if (used->mean_spin_error > 0) words += fmt::format("mean S is sampled to {:.1g}; ", used->mean_spin_error);
+    if (used + 1 != rungs.end())
+        return words + fmt::format("compared with {0} + {0} {1}, and less than {2:g} % on every number between)",
+                                   rungs.back().collisions, changed_in_words(*used), 100 * may_change);
+    if (rungs.size() < 2) return words + "fewer were not tried)";
+    const EvidenceRung& fewer = rungs[rungs.size() - 2];
+    return words + fmt::format("on {0} + {0} {1}, where less than {2:g} % would do)", fewer.collisions,
+                               changed_in_words(fewer), 100 * may_change);
 }
 
-/// What a cycle's points can be trusted to.
+/// What a cycle's points can be trusted to, and what more digits are good for.
 std::string digits_in_words(const Tradeoff& found, const ArithmeticRung& row) {
     const ArithmeticRung& last = found.rungs.back();
-    if (&row == &last) return "";
-    const double one = row.flights->one.largest, of_ten = row.flights->ten.largest;
     std::string words;
+    const double one = row.flights ? row.flights->one.largest : 0, of_ten = row.flights ? row.flights->ten.largest : 0;
     if (one > 0) words = fmt::format(" (one step is off by at most {:.1g}", one);
     if (one > 0) words += of_ten > 0 ? fmt::format(", ten by {:.1g})", of_ten) : ")";
-    return words + fmt::format(", and {} where more digits are wanted, at {:.2g} times the time", last.rung->name,
-                               last.time.median / row.time.median);
+    words += ": orbits and continue round every step to double, so that more digits do not sharpen their cycles";
+    if (&row == &last) return words;
+    return words + fmt::format(" (simulate, recurrence and spectrum keep those of {}, at {:.3g} times the time)",
+                               last.rung->name, last.time.median / row.time.median);
+}
+
+/// Is a step's error within `roundings_at_knee`? The last rung, with which others are compared, is.
+bool is_within_rounding(const ArithmeticRung& row) {
+    if (!row.flights) return true;
+    const double in_double =
+        row.flights->largest_in_condition * row.rung->epsilon / std::numeric_limits<double>::epsilon();
+    return row.flights->missed + row.flights->misordered == 0 && in_double <= roundings_at_knee;
+}
+
+const Rung* knee_of(const Tradeoff& found) {
+    const ArithmeticRung* knee = nullptr;
+    for (const ArithmeticRung& row : found.rungs)
+        if (is_within_rounding(row) && row.time.median < (knee ? knee->time.median : INFINITY)) knee = &row;
+    return knee ? knee->rung : nullptr;
+}
+
+/// What is known of the verdict of a rung that is recommended.
+std::string verdict_in_words(const Tradeoff& found, const ArithmeticRung& row) {
+    const std::string_view last = found.rungs.back().rung->name;
+    if (row.verdict_differs) return fmt::format("its verdict is that of {}", last);
+    if (row.orbit && found.rungs.back().orbit) return "its orbit is too short to compare verdicts";
+    return fmt::format("the budget was spent before its verdict was compared with that of {}", last);
 }
 
 const ArithmeticRung* cheapest(const Tradeoff& found) {
@@ -67,8 +104,7 @@ std::string obstacle(const Tradeoff& found) {
         return "every step of this orbit leads through contact, and rungs are compared on flights: nothing to compare";
     if (drawn.flights.empty())
         return fmt::format("no flight ends in an impact: {} after {} impacts", name_of(drawn.outcome), drawn.impacts);
-    if (found.compared == 0 || !found.rungs.back().orbit)
-        return "the budget was spent before rungs were compared: give a larger --budget";
+    if (found.compared == 0) return "the budget was spent before rungs were compared: give a larger --budget";
     return "";
 }
 
@@ -80,15 +116,14 @@ void recommend(Tradeoff& found) {
     if (!found.reason.empty()) return;
     const ArithmeticRung* best = cheapest(found);  // the last one at least
     found.recommended = best->rung;
+    found.knee = knee_of(found);
     for (const ArithmeticRung& row : found.rungs)
         if (row.rung->is_exact && !objection_to(row).empty())
             found.reason += fmt::format("{}: {}; ", row.rung->name, objection_to(row));
-    const std::string_view last = found.rungs.back().rung->name;
     if (best->flights)
-        found.reason += fmt::format("{} missed {} of {} contacts (below {:.1e} at 95 %), and {}", best->rung->name,
-                                    best->flights->missed, best->flights->flights, best->flights->missed_rate.most,
-                                    best->verdict_differs ? fmt::format("its verdict is that of {}", last)
-                                                          : "its orbit is too short to compare verdicts");
+        found.reason +=
+            fmt::format("{} missed or misordered 0 of {} contacts (below {:.1e} at 95 %), and {}", best->rung->name,
+                        best->flights->flights, best->flights->missed_rate.most, verdict_in_words(found, *best));
     else
         found.reason += fmt::format("{} is what the others are compared with", best->rung->name);
     found.advice = fmt::format("for a map over parameters use {}{}; for a cycle use {}{}", best->rung->name,

@@ -7,14 +7,14 @@
 
 namespace swirl::apps::tradeoff {
 
-// A step in quad takes some 60 microseconds, a verdict on n + n impacts some 20 n: on one thread the flights take an
-// eighth of the budget, the orbits a twentieth, the verdicts a fifth.
+// A step in quad takes some 60 microseconds, verdicts up the ladder to n impacts some 4 n and a tenth of a second: on
+// one thread the flights take an eighth of the budget, the orbits a twentieth, the verdicts a third.
 Amounts::Amounts(double budget)
     : transient(10'000),
       flights(static_cast<std::int64_t>(std::clamp(1000 * budget, 100.0, 1e7))),
       orbit(static_cast<std::int64_t>(std::clamp(200 * budget, 200.0, 1e6))),
       most_collisions(static_cast<std::int64_t>(std::clamp(1000 * budget, 300.0, 1e7))),
-      runs(8) {}
+      runs(static_cast<std::int64_t>(std::clamp(6.4 * budget, 8.0, static_cast<double>(most_starts)))) {}
 
 namespace {
 

@@ -20,8 +20,15 @@ struct Amounts {
     std::int64_t flights;          ///< drawn at most
     std::int64_t orbit;            ///< impacts of each rung's own orbit
     std::int64_t most_collisions;  ///< of a verdict
-    std::int64_t runs;             ///< starts of the verdicts
+    std::int64_t runs;             ///< starts of the verdicts, at most
 };
+
+/// Fewer impacts are enough where, at 95 %, less than this share of the starts has another mode on the most.
+inline constexpr double may_change = 0.1;
+
+/// At the knee a step errs by at most so many roundings of a double. Double's own errors are below, but for hops before
+/// a landing.
+inline constexpr double roundings_at_knee = 50;
 
 /// A rung of arithmetic. `flights` is empty of the last, with which the others are compared; so are differences to it.
 struct ArithmeticRung {
@@ -48,7 +55,8 @@ struct Tradeoff {
     DrawnFlights drawn;
     std::int64_t compared = 0;           ///< flights
     const Rung* recommended = nullptr;   ///< none: `reason` says why
-    std::int64_t enough_collisions = 0;  ///< the fewest impacts on which no verdict differs; 0: none below the most
+    const Rung* knee = nullptr;          ///< none: nothing could be compared, or timed
+    std::int64_t enough_collisions = 0;  ///< the fewest impacts that are enough (`may_change`); 0: none below the most
     std::string reason;                  ///< why that rung, or why none
     std::string advice;                  ///< a sentence
     bool cut_short = false;              ///< the budget was spent before all that it should hold was counted
@@ -58,8 +66,12 @@ struct Tradeoff {
 Tradeoff measure(const Scene<double>& scene, const OrbitStarts& starts, const Amounts& amounts, const Budget& budget,
                  const OutputOptions& output);
 
-/// The cheapest rung of those of --accuracy whose verdict does not differ from the last one's and which missed no
-/// contact beyond what its interval allows (its least rate is 0); fills what is recommended, and why.
+/// The cheapest rung of those of --accuracy whose verdict does not differ from the last one's and which missed or
+/// misordered no contact; the knee; the fewest impacts that are enough, on that number and on all larger ones. Fills
+/// what is recommended, and why.
+/// The knee of work against precision is the cheapest rung of all that found every contact and whose error of one step
+/// is nowhere above `roundings_at_knee` ε c, ε of double, c the step's condition: from there on digits cost time and
+/// are more than a double holds.
 void recommend(Tradeoff& found);
 
 }  // namespace swirl::apps::tradeoff

@@ -15,7 +15,11 @@ Settings settings_of(const TradeoffOptions& options, const Amounts& amounts) {
             {"flights", amounts.flights},
             {"orbit", amounts.orbit},
             {"most_collisions", amounts.most_collisions},
-            {"late_contact", late_contact}};
+            {"starts", amounts.runs},
+            {"late_contact", late_contact},
+            {"may_change", may_change},
+            {"roundings_at_knee", roundings_at_knee},
+            {"chaos_judged_after", chaos_judged_after}};
 }
 
 /// What was compared; no times.
@@ -29,9 +33,14 @@ Settings flights_of(const Tradeoff& found) {
             {"impacts", found.drawn.impacts}};
 }
 
+std::string_view name_or_nothing(const Rung* rung) {
+    return rung != nullptr ? rung->name : "";
+}
+
 /// Empty texts and 0 stand for what there is not.
 Settings result_of(const Tradeoff& found) {
-    return {{"recommended", std::string(found.recommended != nullptr ? found.recommended->name : "")},
+    return {{"recommended", std::string(name_or_nothing(found.recommended))},
+            {"knee", std::string(name_or_nothing(found.knee))},
             {"enough_collisions", found.enough_collisions},
             {"reason", found.reason},
             {"advice", found.advice},
@@ -60,6 +69,9 @@ void print_advice(const Tradeoff& found) {
         fmt::print("recommended: none; {}\n", found.reason);
         return;
     }
+    if (found.knee != nullptr)
+        fmt::print("knee: {}, the cheapest whose steps are right to {:g} roundings of a double\n", found.knee->name,
+                   roundings_at_knee);
     fmt::print("recommended: {}; {}\n{}\n", found.recommended->name, found.reason, found.advice);
 }
 
@@ -74,7 +86,8 @@ void write_document(const TradeoffOptions& options, const Scene<double>& scene, 
         json.key("escape");
         write_escape(json, found.evidence.escape);
         write_json(json, "model", model_table(), found.model);
-        write_text(json, "recommended", found.recommended != nullptr ? found.recommended->name : "");
+        write_text(json, "recommended", name_or_nothing(found.recommended));
+        write_text(json, "knee", name_or_nothing(found.knee));
         json.key("enough_collisions");
         found.enough_collisions > 0 ? json.value(found.enough_collisions) : json.null();
         json.member("reason", found.reason);
@@ -109,7 +122,7 @@ void print_tables(const TradeoffOptions& options, const Scene<double>& scene, co
         fmt::print("evidence: verdicts on so many impacts after as many\n");
         print_table(in_units(evidence_table(), units), found.evidence.rungs);
     }
-    if (found.evidence.escape) fmt::print("  {}\n", in_words(*found.evidence.escape));
+    if (found.evidence.escape) fmt::print("  {}\n", in_words(*found.evidence.escape, chaos_judged_after));
     if (!found.model.empty()) {
         fmt::print("model: in double, per collision\n");
         print_table(model_table(), found.model);

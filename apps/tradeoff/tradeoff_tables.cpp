@@ -76,23 +76,37 @@ void add_errors(std::vector<Arithmetic>& fields) {
              .shown("/(eps c)", " {:>8.2g}")});
 }
 
+/// How often something happened, of all flights, with its interval.
+void add_rate(std::vector<Arithmetic>& fields, const std::string& name, std::int64_t FlightComparison::*times,
+              analysis::RateInterval FlightComparison::*rate, const char* heading) {
+    const auto part = [rate](auto member) {
+        return of_flights([rate, member](const FlightComparison& c) { return (c.*rate).*member; });
+    };
+    using R = analysis::RateInterval;
+    fields.push_back(Arithmetic{name + "_rate", part(&R::rate), "1", "of all flights"});
+    fields.push_back(Arithmetic{name + "_rate_least", part(&R::least), "1", "at 95 %"});
+    fields.push_back(Arithmetic{name + "_rate_most", part(&R::most), "1", "at 95 %"});
+    fields.push_back(Arithmetic{name,
+                                [times, rate](const ArithmeticRung& row) {
+                                    if (!row.flights) return std::string("-");
+                                    return rate_in_words((*row.flights).*times, row.flights->flights,
+                                                         (*row.flights).*rate);
+                                },
+                                no_column}
+                         .table_only()
+                         .shown(heading, "  {:<34}"));
+}
+
 void add_missed(std::vector<Arithmetic>& fields) {
     using C = FlightComparison;
-    fields.insert(
-        fields.end(),
-        {Arithmetic{"flights", of_flights([](const C& c) { return c.flights; }), "1", "compared"},
-         Arithmetic{"missed_contacts", of_flights([](const C& c) { return c.missed; }), "1",
-                    "flights on which it found another contact than the first, or none"},
-         Arithmetic{"missed_rate", of_flights([](const C& c) { return c.missed_rate.rate; }), "1", "of all flights"},
-         Arithmetic{"missed_rate_least", of_flights([](const C& c) { return c.missed_rate.least; }), "1", "at 95 %"},
-         Arithmetic{"missed_rate_most", of_flights([](const C& c) { return c.missed_rate.most; }), "1", "at 95 %"},
-         Arithmetic{"missed",
-                    [](const ArithmeticRung& row) {
-                        if (!row.flights) return std::string("-");
-                        return rate_in_words(row.flights->missed, row.flights->flights, row.flights->missed_rate);
-                    }}
-             .table_only()
-             .shown("missed contacts (95 %)", "  {:<27}")});
+    fields.insert(fields.end(),
+                  {Arithmetic{"flights", of_flights([](const C& c) { return c.flights; }), "1", "compared"},
+                   Arithmetic{"missed_contacts", of_flights([](const C& c) { return c.missed; }), "1",
+                              "flights on which it passed the first contact over: found none, or a later one"}});
+    add_rate(fields, "missed", &C::missed, &C::missed_rate, "missed contacts (95 %)");
+    fields.push_back(Arithmetic{"misordered_contacts", of_flights([](const C& c) { return c.misordered; }), "1",
+                                "flights on which another vertex, or an earlier contact, took the first one's place"});
+    add_rate(fields, "misordered", &C::misordered, &C::misordered_rate, "out of order (95 %)");
 }
 
 void add_orbits(std::vector<Arithmetic>& fields) {
@@ -113,16 +127,16 @@ void add_orbits(std::vector<Arithmetic>& fields) {
     };
     fields.insert(
         fields.end(),
-        {Arithmetic{"mode", name(&O::mode)}.json_as(or_null(&O::mode)),
-         Arithmetic{"kind", name(&O::kind)}.json_as(or_null(&O::kind)),
+        {Arithmetic{"mode", name(&O::mode), "", "mode of the rung's own orbit"}.json_as(or_null(&O::mode)),
+         Arithmetic{"kind", name(&O::kind), "", "its kind"}.json_as(or_null(&O::kind)),
          Arithmetic{"period", count(&O::period), "1", "period, 0: none"}.json_as(
              [](const ArithmeticRung& row) -> std::optional<std::int64_t> {
                  if (!row.orbit || row.orbit->period == 0) return std::nullopt;
                  return row.orbit->period;
              }),
-         Arithmetic{"outcome", name(&O::outcome)}.json_as(or_null(&O::outcome)),
+         Arithmetic{"outcome", name(&O::outcome), "", "how that orbit ended"}.json_as(or_null(&O::outcome)),
          Arithmetic{"impacts", count(&O::impacts), "1", "of the rung's own orbit"},
-         Arithmetic{"verdict", &verdict_in_words}.table_only().shown("verdict", " {:<13}"),
+         Arithmetic{"verdict", &verdict_in_words, no_column}.table_only().shown("verdict", " {:<13}"),
          Arithmetic{"verdict_differs",
                     [](const ArithmeticRung& row) {
                         return row.verdict_differs ? (*row.verdict_differs ? 1.0 : 0.0) : std::nan("");
@@ -165,12 +179,14 @@ void add_time(std::vector<Field<Row>>& fields, const std::string& name, const ch
 Table<ArithmeticRung> errors_table() {
     std::vector<Arithmetic> fields;
     fields.push_back(
-        Arithmetic{"name", [](const ArithmeticRung& row) { return row.rung->name; }}.shown("rung", "  {:<11}"));
-    fields.push_back(Arithmetic{"what", [](const ArithmeticRung& row) { return row.rung->what; }});
+        Arithmetic{"name", [](const ArithmeticRung& row) { return row.rung->name; }, "", "rung of --accuracy"}.shown(
+            "rung", "  {:<11}"));
+    fields.push_back(Arithmetic{"what", [](const ArithmeticRung& row) { return row.rung->what; }, "", "what it is"});
     add_time(fields, "seconds_per_collision", "time", "of a collision", &ArithmeticRung::time);
-    fields.push_back(Arithmetic{"quartiles", [](const ArithmeticRung& row) { return quartiles_in_words(row.time); }}
-                         .table_only()
-                         .shown("quartiles", "  {:<20}"));
+    fields.push_back(
+        Arithmetic{"quartiles", [](const ArithmeticRung& row) { return quartiles_in_words(row.time); }, no_column}
+            .table_only()
+            .shown("quartiles", "  {:<20}"));
     add_errors(fields);
     add_missed(fields);
     return {{"rung"}, std::move(fields)};
@@ -179,7 +195,8 @@ Table<ArithmeticRung> errors_table() {
 Table<ArithmeticRung> orbits_table() {
     std::vector<Arithmetic> fields;
     fields.push_back(
-        Arithmetic{"name", [](const ArithmeticRung& row) { return row.rung->name; }}.shown("rung", "  {:<11}"));
+        Arithmetic{"name", [](const ArithmeticRung& row) { return row.rung->name; }, "", "rung of --accuracy"}.shown(
+            "rung", "  {:<11}"));
     add_orbits(fields);
     return {{"rung"}, std::move(fields)};
 }
@@ -198,10 +215,10 @@ Table<EvidenceRung> evidence_table() {
         {"rung"},
         {F{"collisions", &EvidenceRung::collisions, "1", "impacts, after as many that are left out"}.shown("impacts",
                                                                                                            "  {:>9}"),
-         F{"mode", of(&RunVerdict::mode)}.shown("mode", "  {:<13}"),
+         F{"mode", of(&RunVerdict::mode), "", "mode by so many impacts"}.shown("mode", "  {:<13}"),
          kind_field<EvidenceRung>(of(&RunVerdict::kind)).shown("kind", " {:<15}"),
          period_field<EvidenceRung>(of(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
-         F{"outcome", of(&RunVerdict::outcome)},
+         F{"outcome", of(&RunVerdict::outcome), "", "how the orbit ended"},
          F{"mean_S", of(&RunVerdict::mean_spin), "omega_s", "time mean of S"}.shown("mean S", " {:>13.7g}"),
          F{"mean_S_error", &EvidenceRung::mean_spin_error, "omega_s", "its sampling error, 0 of a cycle"}.shown(
              "sampled to", " {:>10.1g}"),
@@ -216,7 +233,7 @@ Table<EvidenceRung> evidence_table() {
          F{"changed_rate_least", [](const EvidenceRung& row) { return row.changed_rate.least; }, "1", "at 95 %"},
          F{"changed_rate_most", [](const EvidenceRung& row) { return row.changed_rate.most; }, "1", "at 95 %"},
          F{"changed_in_words",
-           [](const EvidenceRung& row) { return rate_in_words(row.changed, row.runs, row.changed_rate); }}
+           [](const EvidenceRung& row) { return rate_in_words(row.changed, row.runs, row.changed_rate); }, no_column}
              .table_only()
              .shown("another mode (95 %)", "  {:<23}"),
          F{"seconds", &EvidenceRung::seconds, "s", "that the first start's verdict took"}.shown(
@@ -225,12 +242,14 @@ Table<EvidenceRung> evidence_table() {
 
 Table<ModelRung> model_table() {
     std::vector<Field<ModelRung>> fields;
-    fields.push_back(Field<ModelRung>{"name", &ModelRung::name}.shown("piece", "  {:<24}"));
+    fields.push_back(Field<ModelRung>{"name", &ModelRung::name, "", "piece of the model"}.shown("piece", "  {:<24}"));
     add_time(fields, "seconds_per_collision", "with", "of a collision with it", &ModelRung::with);
     add_time(fields, "seconds_without", "without", "of a collision without it", &ModelRung::without);
     fields.push_back(Field<ModelRung>{"seconds_added", &ModelRung::added, "s", "difference of the medians"}.shown(
         "adds", seconds_look(" {:>10}")));
-    fields.push_back(Field<ModelRung>{"paid_by", &ModelRung::paid_by}.shown("paid by", "  {}"));
+    fields.push_back(
+        Field<ModelRung>{"paid_by", &ModelRung::paid_by, "", "which commands pay for it on this scene"}.shown("paid by",
+                                                                                                              "  {}"));
     return {{"rung"}, std::move(fields)};
 }
 

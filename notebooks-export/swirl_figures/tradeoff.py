@@ -4,10 +4,13 @@ import numpy
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from .look import NARROW, ROUNDING, is_narrow
+from .look import ROUNDING, is_narrow, width_of
 from .record import RecordError
 from .style import BLUE, GREY, MODE_COLOURS, VERMILION
 from .symbols import MEAN_SPIN, scene_title
+
+#: Inches of width in which the panels of evidence and model stand beside that of the arithmetic; in less, below it.
+_BESIDE = 8.0
 
 
 def _time(seconds):
@@ -18,19 +21,25 @@ def _time(seconds):
     return f"{seconds:.3g} s"
 
 
-def _missed(count, flights, most):
-    return f"missed {count:.0f} of {flights:,.0f}" + (f" (below {most:.1g} at 95 %)" if count == 0 else "")
+def _missed(missed, misordered, flights, most, compact):
+    """A second line of a rung's label; where there is little room, only of one that is wrong."""
+    if compact:
+        return f"\nwrong contacts: {100 * (missed + misordered) / flights:.2g} %" if missed + misordered > 0 else ""
+    if missed + misordered == 0:
+        return f"\nmissed or out of order: 0 of {flights:,.0f} (95 %: below {most:.1g})"
+    return f"\nmissed {missed:.0f}, out of order {misordered:.0f} of {flights:,.0f}"
 
 
-def _lowered(seconds, error, kept, decades):
+def _lowered(seconds, error, kept, decades, compact):
     """By how many points the label of each rung stands below its marker. Of rungs with like errors the slowest has its
     own at its side, the fastest below, and those between above."""
+    below, line = (13, 20) if compact else (22, 26)
     lowered = numpy.zeros(len(error))
     for i in numpy.flatnonzero(kept):
         like = kept & (abs(numpy.log10(numpy.where(kept, error, 1) / error[i])) < 0.08 * decades)
         slower, faster = (like & (seconds > seconds[i])).sum(), (like & (seconds < seconds[i])).sum()
         if slower > 0:
-            lowered[i] = 22 if faster == 0 else -26 * slower
+            lowered[i] = below if faster == 0 else -line * slower
     return lowered
 
 
@@ -40,18 +49,44 @@ def _label_rung(axes, x, y, words, chosen, lowered=0):
                   bbox={"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.85}, zorder=3)
 
 
-def _draw_precision(axes, record, recommended):
+def _knee_in_words(record, compact):
+    most = record.attributes("settings").get("roundings_at_knee", 50)
+    return f"knee: right to {most:g} roundings" if compact else f"knee: the cheapest within {most:g} roundings of a double"
+
+
+def _mark_knee(axes, x, y):
+    axes.plot(x, y, "o", ms=16, mfc="none", mec="0.15", mew=1.4, clip_on=False, zorder=4)
+
+
+def _list_marks(axes, record, knee, compact):
+    """The legend of work against precision: beside the rungs, or below where there is little room."""
+    handles = [Line2D([], [], marker="o", ls="", color=BLUE, label="median (across: quartiles of the time)"),
+               Line2D([], [], marker="_", ls="", ms=9, color="0.35", label="99 % are below"),
+               Line2D([], [], color="0.55", label="up to the largest")]
+    if knee:
+        handles.append(Line2D([], [], marker="o", ls="", ms=10, mfc="none", mec="0.15", mew=1.2,
+                              label=_knee_in_words(record, compact)))
+    below = {"loc": "upper center", "bbox_to_anchor": (0.45, -0.2), "ncols": 1 if is_narrow(axes.figure) else 2}
+    axes.legend(handles=handles, **(below if compact else {"loc": "upper left"}))
+
+
+def _draw_precision(axes, record, recommended, knee):
     """Seconds per collision against the error of one step. The last rung has none: it stands on the axis below."""
+    compact = width_of(axes.figure.figure) < _BESIDE
     column = lambda name: record.column("rungs", name)
+    missed = column("missed_contacts")
+    misordered = column("misordered_contacts") if record.has("rungs", "misordered_contacts") else 0 * missed
     names, seconds, error = record.names("rungs", "name"), column("seconds_per_collision"), column("error")
     kept = (error > 0) & (seconds > 0)
     floor = 1e-3 * error[kept].min() if kept.any() else 1e-20
     decades = numpy.log10(max(1e3, 30 * column("error_largest")[kept].max() / floor)) if kept.any() else 1
-    lowered = _lowered(seconds, error, kept, decades)
+    lowered = _lowered(seconds, error, kept, decades, compact)
     for i, name in enumerate(names):
         if not seconds[i] > 0:
             continue
         chosen = name == recommended
+        marks = ["recommended"] * chosen + ["knee"] * (name == knee)
+        marked = ", ".join(marks) + ": " * bool(marks)
         width = {"xerr": [[seconds[i] - column("seconds_per_collision_lower")[i]],
                           [column("seconds_per_collision_upper")[i] - seconds[i]]]}
         if kept[i]:
@@ -59,13 +94,14 @@ def _draw_precision(axes, record, recommended):
                           ms=9 if chosen else 6, color=VERMILION if chosen else BLUE, ecolor="0.55", lw=1.2, **width)
             axes.plot(seconds[i], column("error_99")[i], "_", ms=9, color="0.35")
             words = f"{name}, {_time(seconds[i])}"
-            if not is_narrow(axes.figure) or column("missed_contacts")[i] > 0:
-                words += "\n" + _missed(column("missed_contacts")[i], column("flights")[i], column("missed_rate_most")[i])
-            _label_rung(axes, seconds[i], error[i], "recommended: " * chosen + words, chosen, lowered[i])
+            words += _missed(missed[i], misordered[i], column("flights")[i], column("missed_rate_most")[i], compact)
+            _label_rung(axes, seconds[i], error[i], marked + words, chosen, lowered[i])
         elif i == len(names) - 1:
             axes.plot(seconds[i], floor, "v", ms=7, color=GREY, clip_on=False)
-            words = f"{name}, {_time(seconds[i])}" + "\nthe others are compared with it" * (not is_narrow(axes.figure))
-            _label_rung(axes, seconds[i], 3 * floor, words, chosen)
+            words = f"{name}, {_time(seconds[i])}" + "\nthe others are compared with it" * (not compact)
+            _label_rung(axes, seconds[i], 3 * floor, marked + words, chosen)
+        if name == knee:
+            _mark_knee(axes, seconds[i], error[i] if kept[i] else floor)
     axes.set(xscale="log", yscale="log", xlabel="seconds per collision", ylabel="error of one collision, against quad",
              title="Arithmetic: what digits cost")
     if kept.any():  # with room above for the legend
@@ -73,10 +109,7 @@ def _draw_precision(axes, record, recommended):
     shown = seconds[seconds > 0]
     if len(shown):
         axes.set_xlim(0.5 * shown.min(), 40 * shown.max())
-    axes.legend(handles=[Line2D([], [], marker="o", ls="", color=BLUE, label="median (across: quartiles of the time)"),
-                         Line2D([], [], marker="_", ls="", ms=9, color="0.35", label="99 % are below"),
-                         Line2D([], [], color="0.55", label="up to the largest")],
-                **({"loc": "upper center", "bbox_to_anchor": (0.45, -0.2)} if is_narrow(axes.figure) else {"loc": "upper left"}))
+    _list_marks(axes, record, knee, compact)
 
 
 def _draw_evidence(axes, record):
@@ -116,7 +149,8 @@ def _draw_model(axes, record):
             axes.barh(y, with_it[y] - base, left=base, height=0.6, color="white" if unpaid else VERMILION,
                       ec=GREY if unpaid else VERMILION, hatch="////" if unpaid else None, lw=0.8)
         more = f"{'+' if with_it[y] >= base else '−'}{_time(1e-9 * abs(with_it[y] - base))}"
-        words = f"not paid for: {by.split(': ', 1)[1]}" if unpaid else more if without[y] > 0 else ""
+        why = "" if is_narrow(axes.figure) else by.removeprefix("nothing")
+        words = f"not paid for{why}" if unpaid else more if without[y] > 0 else ""
         axes.text(max(base, with_it[y]), y, f"  {words}", va="center", fontsize="small")
     axes.set_yticks(range(len(names)), names)
     axes.invert_yaxis()
@@ -124,13 +158,14 @@ def _draw_model(axes, record):
              xlim=(0, 1.55 * numpy.nanmax([with_it, without])))
     axes.legend(handles=[Patch(fc="#9FC5E8", label="without it"), Patch(fc=VERMILION, label="what it adds"),
                          Patch(fc="white", ec=GREY, hatch="////", label="this scene does without")],
-                **({"loc": "upper center", "bbox_to_anchor": (0.3, -0.25)} if is_narrow(axes.figure) else {"loc": "lower right"}))
+                loc="upper center", **({"bbox_to_anchor": (0.3, -0.25)} if width_of(axes.figure.figure) < _BESIDE
+                                       else {"bbox_to_anchor": (0.35, -0.17), "ncols": 3}))
 
 
-def size(record, width):
-    if width is None:
+def size(record, look):
+    if look.width is None:
         return 12, 6.6
-    return (width, 2.6 * width) if width < NARROW else (width, max(0.55 * width, 5.2))
+    return look.width, max(0.55 * look.width, 5.2) if look.width >= _BESIDE else min(2.6 * look.width, 9.5)
 
 
 def draw_into(figure, record, look):
@@ -138,13 +173,13 @@ def draw_into(figure, record, look):
     if "model" not in record:
         raise RecordError(f"record '{record.path}' holds no times ({record.attributes('result').get('reason', '')}): "
                           "there is nothing to draw")
-    recommended = str(record.attributes("result").get("recommended", ""))
-    if is_narrow(figure):
-        left, right = figure.subfigures(2, 1, height_ratios=(1, 1.5))
+    recommended, knee = (str(record.attributes("result").get(name, "")) for name in ("recommended", "knee"))
+    if width_of(figure) < _BESIDE:
+        left, right = figure.subfigures(2, 1, height_ratios=(1.2, 1.5))
     else:
         left, right = figure.subfigures(1, 2, width_ratios=(1.05, 1))
     axes = left.subplots()
-    _draw_precision(axes, record, recommended)
+    _draw_precision(axes, record, recommended, knee)
     panels = right.subplots(2, 1, height_ratios=(1, 1.15)) if "evidence" in record else [None, right.subplots()]
     if panels[0] is not None:
         _draw_evidence(panels[0], record)

@@ -1,0 +1,66 @@
+// Contacts that are passed over and contacts that are out of order, told apart on rungs that are made up.
+#include "apps/system/in_digits.hpp"
+#include "apps/tradeoff/compare_flights.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace swirl::apps::tradeoff {
+namespace {
+
+/// Every step ends like this: at time 1 with vertex 1 is where the first contact is.
+template <Outcome outcome, int hundredths, int vertex, bool simultaneous>
+RungMap ending(const Scene<double>&, std::span<const PostImpactState<double>>) {
+    RungMap map;
+    map.advance = [](const PostImpactState<Quad>& from) {
+        RungStep step;
+        step.outcome = outcome;
+        step.after = from;
+        step.rounded.collision.flight_time = 0.01 * hundredths;
+        step.rounded.collision.vertex_step = vertex;
+        step.rounded.collision.simultaneous = simultaneous;
+        return step;
+    };
+    return map;
+}
+
+PostImpactState<Quad> begin(const Scene<double>&, const PostImpactState<double>& state) {
+    return state_in<Quad>(state);
+}
+
+template <Outcome outcome, int hundredths, int vertex, bool simultaneous = false>
+Rung rung() {
+    return {"", "", false, 0x1p-52, &ending<outcome, hundredths, vertex, simultaneous>, &begin};
+}
+
+TEST(CompareFlights, AContactThatIsPassedOverIsMissedAndOneInAnothersPlaceIsOutOfOrder) {
+    constexpr Outcome hit = Outcome::completed;
+    const std::array rungs = {rung<Outcome::no_contact, 100, 1>(),  // none
+                              rung<hit, 103, 1>(),                  // the same vertex later
+                              rung<hit, 150, 2>(),                  // another vertex, much later
+                              rung<hit, 101, 2>(),                  // another vertex at nearly the same time
+                              rung<hit, 97, 1>(),                   // where there is none yet
+                              rung<hit, 101, 1>(),                  // the first, not well
+                              rung<hit, 100, 2, true>(),            // two at once
+                              rung<hit, 100, 1>()};
+    DrawnFlight flight;
+    flight.state = {{1, 0}, {1, 0}, -1, 0, 0};
+    const Budget budget(60);
+    OutputOptions output;
+    output.quiet = true;
+    const auto found = compare_flights(Scene<double>{}, std::vector(3, flight), rungs, budget, output).rungs;
+    ASSERT_EQ(found.size(), 7u);
+    const std::array<std::int64_t, 7> missed = {3, 3, 3, 0, 0, 0, 0}, misordered = {0, 0, 0, 3, 3, 0, 0};
+    for (std::size_t r = 0; r < found.size(); ++r) {
+        EXPECT_EQ(found[r].flights, 3) << r;
+        EXPECT_EQ(found[r].missed, missed[r]) << r;
+        EXPECT_EQ(found[r].misordered, misordered[r]) << r;
+        EXPECT_EQ(std::isnan(found[r].one.largest), missed[r] + misordered[r] > 0) << r;
+        EXPECT_EQ(found[r].missed_rate.least > 0, missed[r] > 0) << r;
+        EXPECT_EQ(found[r].misordered_rate.least > 0, misordered[r] > 0) << r;
+    }
+}
+
+}  // namespace
+}  // namespace swirl::apps::tradeoff

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace swirl::analysis {
 

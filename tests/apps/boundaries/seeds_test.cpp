@@ -38,7 +38,7 @@ std::vector<boundaries::Seed> seeds_from(const Eigen::Vector2d& p, std::uint64_t
 
 TEST(SeedsOfRuns, AnUndecidedRunHasAllItsSamplesButNoCycle) {
     const Eigen::Vector2d p{0.38140703517587937, 0.82889447236180902};
-    const auto run = undecided_run(p, 4);
+    const auto run = undecided_run(p, 200);  // some one in thirty
     ASSERT_TRUE(run) << "no run to ask";
     const auto attractor = settled_on(p, *run);
     EXPECT_GT(attractor.states.size(), 1000U);

@@ -74,7 +74,7 @@ class Orbits(Refusing):
         self.assertEqual((search["cycles"], search["missed"]), (1, 0))
         self.assertGreater(search["candidates"], 60)  # a second search, twice as long, brought nothing new
         # Cut off soon after the first search: later what is missed may come out as less than one half.
-        cut = document(f"orbits {HEXAGON} --period 3 {few} --most-starts 52", 3)
+        cut = document(f"orbits {HEXAGON} --period 3 {few} --most-starts 60", 3)
         self.assertGreater(cut["searches"][0]["missed"], 0.5)
         self.assertLess(cut["searches"][0]["candidates"], 120)
 

@@ -35,7 +35,7 @@ class Saddles(Refusing):
         self.assertAlmostEqual(torus["mean_S"], steady["S"], delta=0.01)
         self.assertEqual(len(found["boundary"]), 8)
         self.assertEqual(torus["places"], sum(place["saddle"] == 0 for place in found["boundary"]))
-        self.assertGreaterEqual(torus["places"], 4)
+        self.assertGreaterEqual(torus["places"], 2)  # 23 of 40 lead there: fewer than 2 of 8 with a chance of 1 %
         for place in found["boundary"]:
             self.assertEqual(place["leads_to"] == "saddle", place["saddle"] == 0)
             here = {name: abs(value / 0.25 - round(value / 0.25)) > 1e-9 for name, value in place["parameters"].items()}

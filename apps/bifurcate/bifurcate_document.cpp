@@ -71,8 +71,8 @@ Table<AttractorRow> attractor_table(const BifurcateOptions& options, const Diagr
     };
     const auto count = [](const Row& row) { return row.attractor->states.size(); };
     return table_of("attractor", diagram,
-                    {{"outcome", of(&Attractor::outcome)},
-                     {"mode", of(&Attractor::mode)},
+                    {{"outcome", of(&Attractor::outcome), "", "how the orbit ended"},
+                     {"mode", of(&Attractor::mode), "", "mode that the start settled on"},
                      kind_field<Row>(of(&Attractor::kind)),
                      period_field<Row>(of(&Attractor::period), "0: none"),
                      {"mean_S", of(&Attractor::mean_spin), "omega_s", "time mean of S"},
@@ -88,10 +88,12 @@ Table<AttractorRow> sample_table(const BifurcateOptions& options, const Diagram&
         return [name](const AttractorRow& row) { return coordinate_of(*row.state, name); };
     };
     const std::string& observable = options.observable;
-    return table_of("sample", diagram,
-                    {{"S", coordinate("S"), "omega_s", "S just after an impact"},
-                     F{"value", coordinate(observable), "1", "observable " + observable}.when(observable != "S")},
-                    {"parameter", "S", "value", "column", "start"});
+    return table_of(
+        "sample", diagram,
+        {{"S", coordinate("S"), "omega_s", "S just after an impact"},
+         F{"value", coordinate(observable), units_of_coordinate(observable), observable + " just after an impact"}.when(
+             observable != "S")},
+        {"parameter", "S", "value", "column", "start"});
 }
 
 /// What the starts of the columns settle on: one line for each attractor of a column.
@@ -108,8 +110,9 @@ Table<ColumnShare> share_table(const Diagram& diagram) {
                                                                                                    "  {:>14.10g}"),
              F{"column", &Row::number, "1", "column"}.record_only(),
              F{"share", &Row::share, "1", "share of the column's starts"}.shown("share", {"  {:>8}", in_percent}),
-             F{"mode", of(&Attractor::mode)}.shown("mode", "  {:<13}"),
-             kind_field<Row>(of(&Attractor::kind)).shown("kind", " {:<20}"), F{"outcome", of(&Attractor::outcome)},
+             F{"mode", of(&Attractor::mode), "", "mode of these starts"}.shown("mode", "  {:<13}"),
+             kind_field<Row>(of(&Attractor::kind)).shown("kind", " {:<20}"),
+             F{"outcome", of(&Attractor::outcome), "", "how their orbits ended"},
              period_field<Row>(of(&Attractor::period), "0: none").shown("period", dash_for_zero(" {:>7}")),
              F{"mean_S", &Row::mean_spin, "omega_s", "mean of the starts' time means"}.shown("mean S", " {:>15.10f}")},
             {"parameter", "share", "column", "mode", "kind", "outcome", "period"}};
@@ -170,11 +173,11 @@ Table<DiagramColumn> column_table(const BifurcateOptions& options, const Diagram
     return {{"column"},
             {F{"parameter", &Row::parameter, "1", "parameter " + diagram.along.name},
              {"S", samples},
-             F{"mode", of_usual(&Attractor::mode)},
+             F{"mode", of_usual(&Attractor::mode), "", "mode of most starts"},
              period_field<Row>(of_usual(&Attractor::period), "of most starts; 0: none"),
              {"shares", shares},
              {"steady_modes", steady},
-             F{"interrupted", [](const Row&) { return true; }}.json_only().json_if(
+             F{"interrupted", [](const Row&) { return true; }, no_column}.json_if(
                  [](const Row& column) { return !column.complete; }),
              {"attractors", attractors}},
             {"parameter", "period"}};

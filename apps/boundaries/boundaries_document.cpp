@@ -49,7 +49,7 @@ std::vector<Field<CycleRow>> border_fields(std::size_t longest) {
                                                                                : nan_value;
     };
     return {
-        F{"touch", touch, "1", "what is the case on the first flight of a cycle on a border"}
+        F{"touch", touch, "", "what is the case on the first flight of a cycle on a border"}
             .flags(std::move(touches))
             .record_only(),
         F{"touching_vertex", vertex, "1", "counted from the one that struck before"}.record_only(),
@@ -101,7 +101,8 @@ Table<CycleRow> cycle_table(const Plane& plane, const std::string& rows, std::si
 
 Table<CycleRow> special_table(const Plane& plane, std::size_t longest, std::size_t coordinates) {
     Table<CycleRow> table = cycle_table(plane, "special_point", longest, coordinates);
-    table.fields.insert(table.fields.begin(), {"kind", [](const CycleRow& row) { return row.special->kind; }});
+    table.fields.insert(table.fields.begin(), {"kind", [](const CycleRow& row) { return row.special->kind; }, "",
+                                               "kind of the special point"});
     table.fields.push_back({"after", [](const CycleRow& row) { return row.special->after; }, "1",
                             "point of the curve that it comes after; the first is 0"});
     return table;
@@ -131,22 +132,20 @@ Table<Curve> curve_table(const Plane& plane) {
         json.array(std::vector<std::string>{curve.begins, curve.ends});
     };
     return {{"curve"},
-            {{"kind", &Curve::kind},
+            {{"kind", &Curve::kind, "", "bifurcation, or border of the map"},
              {"period", &Curve::period, "1", "k"},
              {"points", points},
              {"special", special},
              {"ends", ends},
-             F{"begins_at", &Curve::begins}.record_only(),
-             F{"ends_at", &Curve::ends}.record_only()}};
+             F{"begins_at", &Curve::begins, "", "why the curve begins at its first point"}.record_only(),
+             F{"ends_at", &Curve::ends, "", "why it ends at its last"}.record_only()}};
 }
 
 void write_cycles(const RecordGroup& group, const Table<CycleRow>& table, const std::vector<CycleRow>& rows,
                   std::size_t longest) {
     group.dimension(table.dimensions.front(), rows.size());
     group.dimension("phase", longest);
-    const auto names = coordinate_names(rows.front().cycle->points.front().size());
-    group.dimension("coordinate", names.size());
-    group.write_strings("coordinate", {"coordinate"}, names);
+    write_coordinate_names(group, rows.front().cycle->points.front().size());
     write_columns(group, table, rows);
 }
 

@@ -68,39 +68,39 @@ Table<PointRow> cycle_table(const SceneBranches& scene, const std::string& rows,
         return analysis::parameter_of(scene.options, scene.map.has_parameter, row.cycle->at);
     };
     using Point = analysis::BranchPoint;
-    return {
-        {rows},
-        {F{"branch", &Row::branch, "1", "number of the branch"}.record_only(),
-         F{"period", [](const Row& row) { return row.cycle->at.points.size(); }, "1", "k"}.record_only(),
-         {"parameter", parameter, "1", "value of the parameter named by settings: along"},
-         {"point", [](JsonWriter& json, const Row& row) { write_point(json, row.cycle->at.points.front()); }},
-         F{"points", all_coordinates_of, "1", "section points; NaN beyond the period"}
-             .along({"phase", "coordinate"}, longest * static_cast<std::size_t>(scene.map.dimension))
-             .record_only(),
-         F{"S", [](const Row& row) { return coordinates_of(row, "S"); }, "omega_s",
-           "S after each impact of the cycle; NaN beyond it"}
-             .along({"phase"}, longest),
-         F{"value", [=](const Row& row) { return coordinates_of(row, observable); }, "1", "observable " + observable}
-             .along({"phase"}, longest)
-             .record_only()
-             .when(observable != "S"),
-         {"mean_S", of(&Point::mean), "omega_s", "time mean of S"},
-         {"return_time", [](const Row& row) { return row.cycle->at.shooting.duration; }, "1/omega_s",
-          "sum of the flights"},
-         {"multipliers", [](JsonWriter& json, const Row& row) { json.array(row.cycle->multipliers); }},
-         F{"largest_multiplier", [](const Row& row) { return std::abs(row.cycle->multipliers.front()); }, "1",
-           "modulus"}
-             .record_only(),
-         {"index", of(&Point::index), "1", "multipliers outside the unit circle"},
-         F{"stability", of(&Point::stability)}.json_only(),
-         F{"stable", [](const Row& row) { return row.cycle->stability != analysis::Stability::unstable; }, "1",
-           "1: no multiplier outside the unit circle"}
-             .stored_as(ElementType::int64)
-             .record_only(),
-         {"residual", [](const Row& row) { return row.cycle->at.shooting.residual(); }, "1",
-          "largest |F(z_i) - z_(i+1)|"}},
-        {"branch", "period", "stable", "index", "parameter", "mean_S", "return_time", "largest_multiplier", "residual",
-         "S"}};
+    return {{rows},
+            {F{"branch", &Row::branch, "1", "number of the branch"}.record_only(),
+             F{"period", [](const Row& row) { return row.cycle->at.points.size(); }, "1", "k"}.record_only(),
+             {"parameter", parameter, "1", "value of the parameter named by settings: along"},
+             {"point", [](JsonWriter& json, const Row& row) { write_point(json, row.cycle->at.points.front()); }},
+             F{"points", all_coordinates_of, "1", "section points; NaN beyond the period"}
+                 .along({"phase", "coordinate"}, longest * static_cast<std::size_t>(scene.map.dimension))
+                 .record_only(),
+             F{"S", [](const Row& row) { return coordinates_of(row, "S"); }, "omega_s",
+               "S after each impact of the cycle; NaN beyond it"}
+                 .along({"phase"}, longest),
+             F{"value", [=](const Row& row) { return coordinates_of(row, observable); },
+               units_of_coordinate(observable), observable + " after each impact of the cycle; NaN beyond it"}
+                 .along({"phase"}, longest)
+                 .record_only()
+                 .when(observable != "S"),
+             {"mean_S", of(&Point::mean), "omega_s", "time mean of S"},
+             {"return_time", [](const Row& row) { return row.cycle->at.shooting.duration; }, "1/omega_s",
+              "sum of the flights"},
+             {"multipliers", [](JsonWriter& json, const Row& row) { json.array(row.cycle->multipliers); }},
+             F{"largest_multiplier", [](const Row& row) { return std::abs(row.cycle->multipliers.front()); }, "1",
+               "modulus"}
+                 .record_only(),
+             {"index", of(&Point::index), "1", "multipliers outside the unit circle"},
+             F{"stability", of(&Point::stability), no_column},
+             F{"stable", [](const Row& row) { return row.cycle->stability != analysis::Stability::unstable; }, "1",
+               "1: no multiplier outside the unit circle"}
+                 .stored_as(ElementType::int64)
+                 .record_only(),
+             {"residual", [](const Row& row) { return row.cycle->at.shooting.residual(); }, "1",
+              "largest |F(z_i) - z_(i+1)|"}},
+            {"branch", "period", "stable", "index", "parameter", "mean_S", "return_time", "largest_multiplier",
+             "residual", "S"}};
 }
 
 void write_normal_form(JsonWriter& json, const PointRow& row) {
@@ -127,8 +127,8 @@ std::vector<Field<PointRow>> special_fields() {
     const auto border = [](const Row& row) { return row.special->kind == SpecialKind::border; };
     const auto has_form = [](const Row& row) { return row.special->normal_form.has_value(); };
     const auto of = [](auto member) { return [member](const Row& row) { return row.special->*member; }; };
-    const auto word = [border](const char* name, std::vector<std::int64_t> Special::*member) {
-        return F{name, [=](const Row& row) { return border(row) ? in_words(row.special->*member) : ""; }}
+    const auto word = [border](const char* name, std::vector<std::int64_t> Special::*member, const char* long_name) {
+        return F{name, [=](const Row& row) { return border(row) ? in_words(row.special->*member) : ""; }, "", long_name}
             .json_written([=](JsonWriter& json, const Row& row) { write_word(json, row.special->*member); })
             .json_if(border);
     };
@@ -146,8 +146,8 @@ std::vector<Field<PointRow>> special_fields() {
                 .stored_as(ElementType::int64)
                 .json_if([](const Row& row) { return !row.special->located; }),
             F{"normal_form", write_normal_form}.json_if(has_form),
-            word("word_before", &Special::word_before),
-            word("word_after", &Special::word_after),
+            word("word_before", &Special::word_before, "of a border: vertex steps and contact modes before it"),
+            word("word_after", &Special::word_after, "of a border: the same behind it"),
             F{"goes_on", of(&Special::goes_on), "1", "0: no cycle was found behind the border"}
                 .stored_as(ElementType::int64)
                 .json_if(border),
@@ -169,7 +169,8 @@ std::vector<Field<PointRow>> special_fields() {
 
 Table<PointRow> special_table(const SceneBranches& scene, const std::string& observable, std::size_t longest) {
     Table<PointRow> table = cycle_table(scene, "special_point", observable, longest);
-    table.fields.insert(table.fields.begin(), {"kind", [](const PointRow& row) { return kind_of(*row.special); }});
+    table.fields.insert(table.fields.begin(), {"kind", [](const PointRow& row) { return kind_of(*row.special); }, "",
+                                               "bifurcation, or border of the map"});
     const auto more = special_fields();
     table.fields.insert(table.fields.end(), more.begin(), more.end());
     table.first_in_record.insert(table.first_in_record.end(), {"value", "kind", "word_before", "word_after"});
@@ -190,12 +191,13 @@ Table<Branch> branch_table(const SceneBranches& scene) {
     return {
         {"branch"},
         {{"period", &Branch::period, "1", "k"},
-         {"begins", &Branch::begin},
-         {"ends", &Branch::end},
+         {"begins", &Branch::begin, "", "why the branch begins at its first point"},
+         {"ends", &Branch::end, "", "why it ends at its last"},
          F{"switched_from", &Branch::parent, "1", "a branch; -1: none"}.json_if(is_switched),
          F{"switched_at", &Branch::parent_special, "1", "that branch's special point; -1: none"}.json_if(is_switched),
-         F{"word", [word](const Branch& b) { return in_words(word(b)); }}.json_written(
-             [word](JsonWriter& json, const Branch& b) { write_word(json, word(b)); }),
+         F{"word", [word](const Branch& b) { return in_words(word(b)); }, "",
+           "vertex step and contact mode of each impact"}
+             .json_written([word](JsonWriter& json, const Branch& b) { write_word(json, word(b)); }),
          {"points", points},
          {"special", special}},
         {"period", "begins", "ends", "word"}};
@@ -205,9 +207,7 @@ void write_points(const RecordGroup& group, const Table<PointRow>& table, const 
                   std::size_t longest) {
     group.dimension(table.dimensions.front(), rows.size());
     group.dimension("phase", longest);
-    const auto names = coordinate_names(rows.front().cycle->at.points.front().size());
-    group.dimension("coordinate", names.size());
-    group.write_strings("coordinate", {"coordinate"}, names);
+    write_coordinate_names(group, rows.front().cycle->at.points.front().size());
     write_columns(group, table, rows);
 }
 

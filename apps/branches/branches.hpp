@@ -61,5 +61,9 @@ void write_point(JsonWriter& json, const Eigen::VectorXd& z);
 void write_word(JsonWriter& json, const std::vector<std::int64_t>& word);
 /// The names of a section point's coordinates; a disk's has four.
 std::vector<std::string> coordinate_names(Eigen::Index size);
+/// The unit of one of them.
+std::string units_of_coordinate(const std::string& name);
+/// A group's dimension `coordinate`, with these names as its coordinate.
+void write_coordinate_names(const RecordGroup& group, Eigen::Index size);
 
 }  // namespace swirl::apps

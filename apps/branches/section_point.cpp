@@ -11,6 +11,17 @@ std::vector<std::string> coordinate_names(Eigen::Index size) {
     return {"psi", "chi", "vn", "vt", "S"};
 }
 
+std::string units_of_coordinate(const std::string& name) {
+    if (name == "S") return "omega_s";
+    return name == "psi" || name == "chi" ? "rad" : "R_c omega_s";
+}
+
+void write_coordinate_names(const RecordGroup& group, Eigen::Index size) {
+    const auto names = coordinate_names(size);
+    group.dimension("coordinate", names.size());
+    group.write_strings("coordinate", {"coordinate"}, names, {"", "coordinate of the section point", {}});
+}
+
 Eigen::Index place_of(const std::string& observable, Eigen::Index size) {
     const auto names = coordinate_names(size);
     const auto found = std::find(names.begin(), names.end(), observable);

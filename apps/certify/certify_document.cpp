@@ -77,19 +77,20 @@ Table<Orbit> orbit_table(const std::string& along) {
     const auto proven = [](const Orbit& o) { return o.proof.proven(); };
     return {{"orbit"},
             {F{"period", &Orbit::period, "1", "k"}.shown("period", "  {:>6}"),
-             F{"proven", proven},
+             F{"proven", proven, no_column},
              F{"parameters", parameters},
-             F{"inertia", inertia_of}.json_only(),
-             F{"value", value}.table_only().shown(along, " {:>16.12g}").when(parameter.has_value()),
+             F{"inertia", inertia_of, no_column},
+             F{"value", value, no_column}.table_only().shown(along, " {:>16.12g}").when(parameter.has_value()),
              {"point", [](JsonWriter& json, const Orbit& o) { write_point_of(json, o.scene, o.point); }},
-             F{"S", [](const Orbit& o) { return o.point.spin; }, "omega_s"}.table_only().shown("S", " {:>16.12f}"),
-             F{"radius", radius}.shown("radius", " {:>8.1e}"),
+             F{"S", [](const Orbit& o) { return o.point.spin; }, "omega_s", "S of its first point"}.table_only().shown(
+                 "S", " {:>16.12f}"),
+             F{"radius", radius, no_column}.shown("radius", " {:>8.1e}"),
              {"multipliers", write_discs},
-             F{"stability", [](const Orbit& o) { return std::string(name_of(o.proof.stability)); }}.json_as(
+             F{"stability", [](const Orbit& o) { return std::string(name_of(o.proof.stability)); }, no_column}.json_as(
                  [](const Orbit& o) {
                      return o.proof.proven() ? std::optional(std::string(name_of(o.proof.stability))) : std::nullopt;
                  }),
-             F{"reason", reason_or_none}.json_as(
+             F{"reason", reason_or_none, no_column}.json_as(
                  [](const Orbit& o) { return o.proof.proven() ? std::nullopt : std::optional(o.proof.reason); }),
              {"phase", write_phase},
              {"steps", write_steps},
@@ -97,7 +98,9 @@ Table<Orbit> orbit_table(const std::string& along) {
                [](const Orbit& o) {
                    return o.proof.proven() ? fmt::format("proven, {}", name_of(o.proof.stability))
                                            : fmt::format("not proven: {}", o.proof.reason);
-               }}.table_only()
+               },
+               no_column}
+                 .table_only()
                  .shown("", "  {}")},
             {},
             {}};

@@ -69,14 +69,12 @@ constexpr std::size_t most_kept = 2000;
 void write_tail(const RecordGroup& root, const std::vector<Eigen::VectorXd>& points, std::int64_t first) {
     if (points.empty()) return;
     const RecordGroup group = root.group("tail");
-    const auto names = coordinate_names(points.front().size());
     const std::size_t kept = std::min(points.size(), most_kept);
     std::vector<double> values;
     for (std::size_t i = 0; i < kept; ++i) values.insert(values.end(), points[i].begin(), points[i].end());
     group.attribute("first", first);
     group.dimension("impact", kept);
-    group.dimension("coordinate", names.size());
-    group.write_strings("coordinate", {"coordinate"}, names);
+    write_coordinate_names(group, points.front().size());
     group.write<double>("points", {"impact", "coordinate"}, values, {"1", "section point just after each impact", {}});
 }
 

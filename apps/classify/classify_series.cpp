@@ -66,21 +66,22 @@ Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
         return [=](const SeriesVerdict& row) { return flow ? none : row.verdict.*member; };
     };
     return {{},
-            {{"mode", of(&Verdict::mode)},
+            {{"mode", of(&Verdict::mode), no_column},
              kind_field<SeriesVerdict>(of(&Verdict::kind)),
              period_field<SeriesVerdict>(of(&Verdict::period)),
              {"mean_S",
               [=](const SeriesVerdict& row) {
                   if (row.whole.quantity == distance_of_position) return none;
                   return flow ? row.verdict.mean : row.used.time.empty() ? none : time_mean(row.used);
-              }},
-             {"mean_S_per_impact", per_impact(&Verdict::mean_per_step)},
-             {"recurrence_rate", of(&Verdict::recurrence_rate)},
-             {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal)},
-             {"largest_exponent", per_impact(&Verdict::largest_exponent)},
-             {"largest_exponent_error", per_impact(&Verdict::largest_exponent_error)},
-             {"largest_exponent_per_time", per_time(&Verdict::largest_exponent)},
-             {"largest_exponent_per_time_error", per_time(&Verdict::largest_exponent_error)}}};
+              },
+              no_column},
+             {"mean_S_per_impact", per_impact(&Verdict::mean_per_step), no_column},
+             {"recurrence_rate", of(&Verdict::recurrence_rate), no_column},
+             {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal), no_column},
+             {"largest_exponent", per_impact(&Verdict::largest_exponent), no_column},
+             {"largest_exponent_error", per_impact(&Verdict::largest_exponent_error), no_column},
+             {"largest_exponent_per_time", per_time(&Verdict::largest_exponent), no_column},
+             {"largest_exponent_per_time_error", per_time(&Verdict::largest_exponent_error), no_column}}};
 }
 
 std::string rows_of(const SeriesVerdict& v) {

@@ -33,11 +33,11 @@ void write_shares(JsonWriter& json, std::string_view key, const RunsFound& found
 Table<RunVerdict> runs_table() {
     using Run = RunVerdict;
     return {{"run"},
-            {Field<Run>{"seed", &Run::seed}.stored_as(ElementType::string),
+            {Field<Run>{"seed", &Run::seed, "", "seed of the random start"}.stored_as(ElementType::string),
              {"attractor", &Run::attractor, "1", "place in the group attractors"},
-             {"mode", &Run::mode},
+             {"mode", &Run::mode, "", "mode that the run settled on"},
              kind_field<Run>(&Run::kind),
-             {"outcome", &Run::outcome},
+             {"outcome", &Run::outcome, "", "how the orbit ended"},
              period_field<Run>(&Run::period),
              Field<Run>{"impacts", &Run::impacts, "1", "impacts followed"}.record_only(),
              {"mean_S", &Run::mean_spin, "omega_s", "time mean of S"},
@@ -61,9 +61,9 @@ Table<SharedAttractor> attractors_table(const RunsFound& found) {
         {F{"share", [&found](const SharedAttractor& a) { return share(a.runs.size(), found); }, "1",
            "share of the runs"}
              .shown("share", {"  {:>8}", in_percent}),
-         F{"mode", first(&RunVerdict::mode)}.shown("mode", "  {:<13}"),
+         F{"mode", first(&RunVerdict::mode), "", "mode of these runs"}.shown("mode", "  {:<13}"),
          kind_field<SharedAttractor>(first(&RunVerdict::kind)).shown("kind", " {:<20}"),
-         F{"outcome", first(&RunVerdict::outcome)},
+         F{"outcome", first(&RunVerdict::outcome), "", "how their orbits ended"},
          period_field<SharedAttractor>(first(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
          F{"mean_S", &SharedAttractor::mean_spin, "omega_s", "mean of the runs' time means"}.shown("mean S",
                                                                                                    " {:>14.8g}"),
@@ -74,7 +74,9 @@ Table<SharedAttractor> attractors_table(const RunsFound& found) {
          F{"ln_multiplier", first(&RunVerdict::ln_multiplier), "1", "of a cycle: ln of its largest |multiplier|"}.shown(
              "ln|multiplier|", " {:>14.4g}"),
          F{"recurrence_rate", &SharedAttractor::recurrence_rate, "1", "mean over the runs"}.shown("RC", " {:>11.4g}"),
-         F{"seed", first(&RunVerdict::seed)}.stored_as(ElementType::string).shown("seed", "  {}")},
+         F{"seed", first(&RunVerdict::seed), "", "seed of the first of them"}
+             .stored_as(ElementType::string)
+             .shown("seed", "  {}")},
         {"seed", "mode", "kind", "outcome", "period"}};
 }
 

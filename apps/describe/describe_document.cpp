@@ -41,17 +41,18 @@ Table<Description> fact_table(bool disk) {
     const auto of = [](auto member) { return [member](const Description& d) { return d.facts.*member; }; };
     const auto widest = [disk](const Description& d) { return disk ? no_value : d.facts.widest_chi; };
     const auto jams_from = [](const Description& d) { return d.facts.painleve_friction.value_or(no_value); };
-    return {{},
-            {F{"widest_chi", widest, "rad"}.shown("largest |chi|, chi_m", "{:.6g}"),
-             {"painleve_friction", jams_from},
-             {"can_jam", of(&SceneFacts::can_jam)},
-             F{"jamming", jamming_in_words}.table_only().shown("sliding can jam (Painleve)", "{}"),
-             {"sheltered", [](const Description& d) { return d.facts.untouched_radius > 0; }},
-             {"untouched_radius", of(&SceneFacts::untouched_radius), "R_c"},
-             {"untouched_room_turning", of(&SceneFacts::untouched_room_turning), "R_c"},
-             F{"shelter", shelter_in_words}.table_only().shown("sheltered from the wall", "{}"),
-             {"impacts", of(&SceneFacts::impacts)},
-             F{"fate", fate_in_words}.table_only().shown("impacts", "{}")}};
+    return {
+        {},
+        {F{"widest_chi", widest, "rad", "largest |chi|"}.shown("largest |chi|, chi_m", "{:.6g}"),
+         {"painleve_friction", jams_from, no_column},
+         {"can_jam", of(&SceneFacts::can_jam), no_column},
+         F{"jamming", jamming_in_words, no_column}.table_only().shown("sliding can jam (Painleve)", "{}"),
+         {"sheltered", [](const Description& d) { return d.facts.untouched_radius > 0; }, no_column},
+         {"untouched_radius", of(&SceneFacts::untouched_radius), "R_c", "of the place where the wall is out of reach"},
+         {"untouched_room_turning", of(&SceneFacts::untouched_room_turning), "R_c", "the same of a body that turns"},
+         F{"shelter", shelter_in_words, no_column}.table_only().shown("sheltered from the wall", "{}"),
+         {"impacts", of(&SceneFacts::impacts), no_column},
+         F{"fate", fate_in_words, no_column}.table_only().shown("impacts", "{}")}};
 }
 
 std::string circulation_in_words(const RimFacts& rim) {
@@ -66,17 +67,21 @@ Table<RimFacts> rim_table() {
     const auto motion = [](const RimFacts& rim) { return rim.rolls ? "rolls" : "slides without friction"; };
     return {
         {},
-        {{"rolls", &RimFacts::rolls},
-         F{"motion", motion}.table_only().shown("disk on the wall (reached if e < 1)", "{}"),
-         F{"strength", &RimFacts::strength, "omega_s^2"}.shown("  pendulum's strength k", "{:.6g}"),
-         F{"small_frequency", &RimFacts::small_frequency, "omega_s"}.shown("  small librations, sqrt(k)", "{:.6g}"),
-         F{"circulation_energy", &RimFacts::circulation_energy, "omega_s^2"}.shown("  circulates above H", "{:.6g}"),
-         F{"rest_force", &RimFacts::rest_force, "m R_c omega_s^2"}.shown("  force of the wall at rest", "{:.6g}"),
-         F{"mean_S", spin, "omega_s"}.shown("  S at rest and mean librating", "{:.6g}"),
-         F{"widest_libration", &RimFacts::widest_libration, "rad"}.shown("  librations held up to |psi|", "{:.6g}"),
-         {"circulates_forward", &RimFacts::circulates_forward},
-         {"circulates_backward", &RimFacts::circulates_backward},
-         F{"circulates", circulation_in_words}.table_only().shown("  circulations held", "{}")}};
+        {{"rolls", &RimFacts::rolls, no_column},
+         F{"motion", motion, no_column}.table_only().shown("disk on the wall (reached if e < 1)", "{}"),
+         F{"strength", &RimFacts::strength, "omega_s^2", "the pendulum's k"}.shown("  pendulum's strength k", "{:.6g}"),
+         F{"small_frequency", &RimFacts::small_frequency, "omega_s", "of small librations"}.shown(
+             "  small librations, sqrt(k)", "{:.6g}"),
+         F{"circulation_energy", &RimFacts::circulation_energy, "omega_s^2", "H above which it circulates"}.shown(
+             "  circulates above H", "{:.6g}"),
+         F{"rest_force", &RimFacts::rest_force, "m R_c omega_s^2", "of the wall at rest"}.shown(
+             "  force of the wall at rest", "{:.6g}"),
+         F{"mean_S", spin, "omega_s", "S at rest, mean S librating"}.shown("  S at rest and mean librating", "{:.6g}"),
+         F{"widest_libration", &RimFacts::widest_libration, "rad", "|psi| up to which librations are held"}.shown(
+             "  librations held up to |psi|", "{:.6g}"),
+         {"circulates_forward", &RimFacts::circulates_forward, no_column},
+         {"circulates_backward", &RimFacts::circulates_backward, no_column},
+         F{"circulates", circulation_in_words, no_column}.table_only().shown("  circulations held", "{}")}};
 }
 
 std::vector<double> parts_of(const SteadyMode& mode, double (*part)(const std::complex<double>&)) {
@@ -100,30 +105,31 @@ Table<SteadyMode> mode_table(bool disk, std::size_t d) {
     const auto re = [](const SteadyMode& m) { return parts_of(m, std::real); };
     const auto im = [](const SteadyMode& m) { return parts_of(m, std::imag); };
     const auto chi = [disk](const SteadyMode& m) { return disk ? no_value : m.chi; };
-    return {
-        {"steady_mode"},
-        {F{"branch", [](const SteadyMode& m) { return branch_name(m.branch); }}
-             .flags({"+", "-"})
-             .shown("branch", "  {:>6}"),
-         F{"j", &SteadyMode::j, "1", "vertices on"}.shown("j", " {:>5}"),
-         F{"tau", &SteadyMode::tau, "1/omega_s", "flight time"}.shown("tau", " {:>13.9f}"),
-         F{"chi", chi, "rad"}.shown("chi", " {:>12.9f}"),
-         F{"S", [](const SteadyMode& m) { return m.point.spin; }, "omega_s"}.shown("S", " {:>13.9f}"),
-         {"speed", &SteadyMode::speed, "R_c omega_s", "u_n before the impact"},
-         F{"contact_mode", &SteadyMode::contact}
-             .flags(names_up_to(ContactMode::r_reversed))
-             .shown("contact", "  {:<12}"),
-         F{"point", list, "1", "section point"}
-             .along({"coordinate"}, d)
-             .json_written([point](JsonWriter& json, const SteadyMode& m) { write_point(json, point(m)); }),
-         {"multipliers", [](JsonWriter& json, const SteadyMode& m) { json.array(m.multipliers); }},
-         F{"multiplier_re", re, "1", "real part"}.along({"multiplier_index"}, d).record_only(),
-         F{"multiplier_im", im, "1", "imaginary part"}.along({"multiplier_index"}, d).record_only(),
-         F{"largest_multiplier", [](const SteadyMode& m) { return std::abs(m.multipliers.front()); }}
-             .table_only()
-             .shown("|multiplier|", " {:>12.8g}"),
-         F{"stability", stability_of_mode}.flags(names_up_to(analysis::Stability::neutral)).shown("stability", "  {}"),
-         {"residual", &SteadyMode::residual, "1", "largest |F(z) - z|"}}};
+    return {{"steady_mode"},
+            {F{"branch", [](const SteadyMode& m) { return branch_name(m.branch); }, "", "+: psi near 0; -: psi near pi"}
+                 .flags({"+", "-"})
+                 .shown("branch", "  {:>6}"),
+             F{"j", &SteadyMode::j, "1", "vertices on"}.shown("j", " {:>5}"),
+             F{"tau", &SteadyMode::tau, "1/omega_s", "flight time"}.shown("tau", " {:>13.9f}"),
+             F{"chi", chi, "rad", "arg r - arg n at the impact"}.shown("chi", " {:>12.9f}"),
+             F{"S", [](const SteadyMode& m) { return m.point.spin; }, "omega_s", "spin"}.shown("S", " {:>13.9f}"),
+             {"speed", &SteadyMode::speed, "R_c omega_s", "u_n before the impact"},
+             F{"contact_mode", &SteadyMode::contact, "", "contact mode of the impact"}
+                 .flags(names_up_to(ContactMode::r_reversed))
+                 .shown("contact", "  {:<12}"),
+             F{"point", list, "1", "section point"}
+                 .along({"coordinate"}, d)
+                 .json_written([point](JsonWriter& json, const SteadyMode& m) { write_point(json, point(m)); }),
+             {"multipliers", [](JsonWriter& json, const SteadyMode& m) { json.array(m.multipliers); }},
+             F{"multiplier_re", re, "1", "real part"}.along({"multiplier_index"}, d).record_only(),
+             F{"multiplier_im", im, "1", "imaginary part"}.along({"multiplier_index"}, d).record_only(),
+             F{"largest_multiplier", [](const SteadyMode& m) { return std::abs(m.multipliers.front()); }, no_column}
+                 .table_only()
+                 .shown("|multiplier|", " {:>12.8g}"),
+             F{"stability", stability_of_mode, "", "by the multipliers"}
+                 .flags(names_up_to(analysis::Stability::neutral))
+                 .shown("stability", "  {}"),
+             {"residual", &SteadyMode::residual, "1", "largest |F(z) - z|"}}};
 }
 
 /// Families over the flight time, each with the member midway.
@@ -141,20 +147,26 @@ Table<DescribedFamily> family_table(bool disk) {
     };
     std::vector<std::string> names = names_up_to(analysis::Stability::neutral);
     names.emplace_back("none");
-    return {{"family"},
-            {F{"branch", [](const DescribedFamily& f) { return branch_name(f.family.branch); }}
-                 .flags({"+", "-"})
-                 .shown("branch", "  {:>6}"),
-             F{"j", [](const DescribedFamily& f) { return f.family.j; }, "1", "vertices on"}.shown("j", " {:>5}"),
-             F{"shortest_return_time", [](const DescribedFamily& f) { return f.family.from; }, "1/omega_s"}.shown(
-                 "from tau", " {:>13.9f}"),
-             F{"longest_return_time", [](const DescribedFamily& f) { return f.family.to; }, "1/omega_s"}.shown(
-                 "to tau", " {:>13.9f}"),
-             {"S_is_free", [](const DescribedFamily& f) { return f.family.spin_is_free; }},
-             {"midway", midway},
-             F{"midway_S", spin, "omega_s"}.record_only().shown("midway: S", " {:>13.9f}"),
-             F{"midway_largest_multiplier", largest, "1"}.record_only().shown("|multiplier|", " {:>12.8g}"),
-             F{"midway_stability", stability}.flags(names).record_only().shown("stability", "  {}")}};
+    return {
+        {"family"},
+        {F{"branch", [](const DescribedFamily& f) { return branch_name(f.family.branch); }, "",
+           "+: psi near 0; -: psi near pi"}
+             .flags({"+", "-"})
+             .shown("branch", "  {:>6}"),
+         F{"j", [](const DescribedFamily& f) { return f.family.j; }, "1", "vertices on"}.shown("j", " {:>5}"),
+         F{"shortest_return_time", [](const DescribedFamily& f) { return f.family.from; }, "1/omega_s",
+           "flight time from which on there are members"}
+             .shown("from tau", " {:>13.9f}"),
+         F{"longest_return_time", [](const DescribedFamily& f) { return f.family.to; }, "1/omega_s",
+           "flight time up to which there are members"}
+             .shown("to tau", " {:>13.9f}"),
+         {"S_is_free", [](const DescribedFamily& f) { return f.family.spin_is_free; }, "1",
+          "S is any constant in a member"},
+         {"midway", midway},
+         F{"midway_S", spin, "omega_s", "S of the member midway"}.record_only().shown("midway: S", " {:>13.9f}"),
+         F{"midway_largest_multiplier", largest, "1", "its largest |multiplier|"}.record_only().shown("|multiplier|",
+                                                                                                      " {:>12.8g}"),
+         F{"midway_stability", stability, "", "its stability"}.flags(names).record_only().shown("stability", "  {}")}};
 }
 
 /// Where S is free, the families are searched for up to some |S|.
@@ -223,11 +235,10 @@ void write_description_record(const RecordGroup& root, const Description& d, con
     if (!d.families.empty()) write_record(root.group("families"), family_table(disk), d.families);
     const RecordGroup group = root.group("steady_modes");
     if (d.steady.modes.empty()) return;
-    const auto names = coordinate_names(disk ? disk_dimension : polygon_dimension);
-    group.dimension("coordinate", names.size());
-    group.dimension("multiplier_index", names.size());
-    group.write_strings("coordinate", {"coordinate"}, names);
-    write_record(group, mode_table(disk, names.size()), d.steady.modes);
+    const int coordinates = disk ? disk_dimension : polygon_dimension;
+    write_coordinate_names(group, coordinates);
+    group.dimension("multiplier_index", static_cast<std::uint64_t>(coordinates));
+    write_record(group, mode_table(disk, static_cast<std::size_t>(coordinates)), d.steady.modes);
 }
 
 }  // namespace swirl::apps::describe

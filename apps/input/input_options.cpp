@@ -166,11 +166,12 @@ void write_series(const RecordGroup& root, const MeasuredSeries& series) {
     const RecordGroup group = root.group("series");
     write_attributes(group, series_settings(series));
     group.dimension("sample", series.values.size());
-    group.write<double>("time", {"sample"}, series.times, {"", "time, in the unit of the series", {}});
-    group.write<double>("value", {"sample"}, series.values, {"", "measured values, NaN where missing", {}});
+    group.write<double>("time", {"sample"}, series.times, {"1", "time, in the unit of the series", {}});
+    group.write<double>("value", {"sample"}, series.values,
+                        {"1", "measured values, in the unit of the series; NaN where missing", {}});
     if (series.angle.values.empty()) return;
     group.dimension("row", series.angle.values.size());
-    group.write<double>("angle_time", {"row"}, series.angle.times, {"", "time, in the unit of the series", {}});
+    group.write<double>("angle_time", {"row"}, series.angle.times, {"1", "time, in the unit of the series", {}});
     group.write<double>("angle", {"row"}, series.angle.values, {"rad", "angle as measured, NaN where missing", {}});
     write_attributes(group, {{"angle_period", series.angle.period}, {"angle_resolution", series.angle.resolution}});
 }

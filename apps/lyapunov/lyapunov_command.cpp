@@ -56,10 +56,10 @@ Table<std::size_t> exponent_table(const OrbitSpectrum& s) {
             {F{"exponents", from(s.exponents), "1", "per collision"}.shown("per collision", "  {:>16.9g}"),
              F{"exponents_per_time", from(s.per_time), "omega_s", "per unit of time"}.shown("per time", " {:>16.9g}"),
              F{"standard_errors", from(means.standard_errors), "1", "per collision"}.shown("std. error", " {:>12.2g}"),
-             F{"standard_errors_per_time", from(means.per_time_standard_errors)}.json_only(),
-             F{"plain_means", from(means.exponents)}.json_only().shown("plain mean", " {:>16.9g}"),
-             F{"weighted_means", from(means.weighted_exponents)}.json_only(),
-             F{"signs", [&s](std::size_t i) { return s.signs[i].sign; }}.json_only().shown("", sign)},
+             F{"standard_errors_per_time", from(means.per_time_standard_errors), no_column},
+             F{"plain_means", from(means.exponents), no_column}.shown("plain mean", " {:>16.9g}"),
+             F{"weighted_means", from(means.weighted_exponents), no_column},
+             F{"signs", [&s](std::size_t i) { return s.signs[i].sign; }, no_column}.shown("", sign)},
             {},
             {"exponents", "standard_errors"}};
 }
@@ -70,7 +70,7 @@ Table<analysis::Checkpoint> convergence_table(std::size_t exponents) {
     using F = Field<Row>;
     return {{"checkpoint"},
             {F{"collisions", &Row::step, "1", "collisions counted so far"}.coordinate(),
-             F{"time", &Row::time}.json_only(), F{"exponents", &Row::exponents}.json_only(),
+             F{"time", &Row::time, no_column}, F{"exponents", &Row::exponents, no_column},
              F{"convergence", &Row::exponents, "1", "running means per collision"}
                  .along({"exponent"}, exponents)
                  .record_only()}};
@@ -87,9 +87,9 @@ std::string_view reason_of(const Scene<double>& scene) {
 /// Those of the exponents that are zero.
 Table<std::size_t> neutral_table(const Scene<double>& scene, const OrbitSpectrum& s) {
     return {{"neutral"},
-            {{"index", [](std::size_t i) { return i; }},
-             {"growth_order", [&s](std::size_t i) { return s.signs[i].growth_order; }},
-             {"reason", [&scene](std::size_t) { return reason_of(scene); }}}};
+            {{"index", [](std::size_t i) { return i; }, no_column},
+             {"growth_order", [&s](std::size_t i) { return s.signs[i].growth_order; }, no_column},
+             {"reason", [&scene](std::size_t) { return reason_of(scene); }, no_column}}};
 }
 
 std::vector<std::size_t> places_of(const OrbitSpectrum& s, bool only_neutral) {

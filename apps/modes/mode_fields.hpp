@@ -7,8 +7,8 @@
 namespace swirl::apps {
 
 template <class Row, class Reader>
-Field<Row> kind_field(Reader reader) {
-    return Field<Row>{"kind", reader}.json_as([reader](const Row& row) {
+Field<Row> kind_field(Reader reader, std::string long_name = "kind of the mode, or none") {
+    return Field<Row>{"kind", reader, "", std::move(long_name)}.json_as([reader](const Row& row) {
         const analysis::Kind kind = std::invoke(reader, row);
         return kind == analysis::Kind::none ? std::nullopt : std::optional(kind);
     });

@@ -27,19 +27,19 @@ Table<NamedMode> verdict_table() {
     using Verdict = analysis::Classification;
     const auto of = [](auto member) { return [member](const NamedMode& named) { return named.verdict.*member; }; };
     return {{},
-            {{"mode", of(&Verdict::mode)},
+            {{"mode", of(&Verdict::mode), no_column},
              kind_field<NamedMode>(of(&Verdict::kind)),
              period_field<NamedMode>(of(&Verdict::period)),
-             {"mean_S", of(&Verdict::mean), "omega_s"},
-             {"mean_S_per_impact", of(&Verdict::mean_per_step), "omega_s"},
-             {"recurrence_rate", of(&Verdict::recurrence_rate)},
-             {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal)},
-             {"largest_exponent", of(&Verdict::largest_exponent)},
-             {"largest_exponent_error", of(&Verdict::largest_exponent_error)},
-             {"rotation_number", of(&Verdict::rotation)},
-             {"outcome", &NamedMode::outcome},
-             {"impacts", &NamedMode::impacts},
-             {"point", of(&Verdict::point)},
+             {"mean_S", of(&Verdict::mean), "omega_s", "time mean of S"},
+             {"mean_S_per_impact", of(&Verdict::mean_per_step), "omega_s", "mean of S over impacts"},
+             {"recurrence_rate", of(&Verdict::recurrence_rate), no_column},
+             {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal), no_column},
+             {"largest_exponent", of(&Verdict::largest_exponent), no_column},
+             {"largest_exponent_error", of(&Verdict::largest_exponent_error), no_column},
+             {"rotation_number", of(&Verdict::rotation), no_column},
+             {"outcome", &NamedMode::outcome, no_column},
+             {"impacts", &NamedMode::impacts, no_column},
+             {"point", of(&Verdict::point), no_column},
              {"multipliers", [](JsonWriter& json, const NamedMode& named) { json.array(named.verdict.multipliers); }}},
             {"mode", "kind", "period", "outcome", "impacts"}};
 }
@@ -47,11 +47,11 @@ Table<NamedMode> verdict_table() {
 Table<analysis::Evidence> evidence_table() {
     using analysis::Evidence;
     return {{"evidence"},
-            {Field<Evidence>{"name", &Evidence::name}.coordinate(),
-             {"value", &Evidence::value},
-             {"threshold", &Evidence::threshold},
-             {"says", &Evidence::says},
-             {"changes_if", &Evidence::changes_if}}};
+            {Field<Evidence>{"name", &Evidence::name, "", "what was looked at"}.coordinate(),
+             {"value", &Evidence::value, "1", "its value, where R_c = omega_s = m = 1"},
+             {"threshold", &Evidence::threshold, "1", "what the value is compared with; NaN: nothing"},
+             {"says", &Evidence::says, "", "what the value says of the mode"},
+             {"changes_if", &Evidence::changes_if, "", "when it would say something else"}}};
 }
 
 }  // namespace

@@ -78,23 +78,25 @@ Table<Cycle> cycle_table(const Scene<double>& scene, const FoundOrbits& found, s
              .along({"phase", "coordinate"}, longest * d)
              .json_written(write_points),
          F{"return_time", &Cycle::return_time, "1/omega_s", "sum of the flights"}.shown("return time", " {:>14.10f}"),
-         F{"S", [](const Cycle& c) { return c.points.front().tail(1)[0]; }, "omega_s"}.table_only().shown(
-             "S", " {:>16.12f}"),
+         F{"S", [](const Cycle& c) { return c.points.front().tail(1)[0]; }, "omega_s", "S of its first point"}
+             .table_only()
+             .shown("S", " {:>16.12f}"),
          F{"mean_S", &Cycle::mean, "omega_s", "time mean of S"}.shown("mean S", " {:>16.12f}"),
-         F{"mean_S_per_impact", mean_spin_per_impact}.json_only(),
+         F{"mean_S_per_impact", mean_spin_per_impact, no_column},
          {"multipliers", [](JsonWriter& json, const Cycle& c) { json.array(c.multipliers); }},
          F{"multiplier_re", re, "1", "real part"}.along({"multiplier_index"}, d).record_only(),
          F{"multiplier_im", im, "1", "imaginary part"}.along({"multiplier_index"}, d).record_only(),
          {"index", &Cycle::index, "1", "multipliers outside the unit circle"},
-         {"stability", &Cycle::stability},
+         {"stability", &Cycle::stability, "", "by the multipliers"},
          F{"residual", &Cycle::residual, "1", "largest |F(z_i) - z_(i+1)|"}.shown("residual", " {:>9.1e}"),
          {"word", [](JsonWriter& json, const Cycle& c) { write_word(json, c.word); }},
          F{"family", [](const Cycle& c) { return c.tangents.cols(); }, "1", "parameters of the family; 0: isolated"}
              .json_written(family),
-         F{"largest_multiplier", [](const Cycle& c) { return std::abs(c.multipliers.front()); }}.table_only().shown(
-             "|multiplier|", " {:>14.10f}"),
+         F{"largest_multiplier", [](const Cycle& c) { return std::abs(c.multipliers.front()); }, no_column}
+             .table_only()
+             .shown("|multiplier|", " {:>14.10f}"),
          F{"found", &Cycle::found, "1", "candidates that led to it; 0: from the steady modes' equations, or --near"},
-         F{"words", stability_in_words}.table_only().shown("stability", "  {}")},
+         F{"words", stability_in_words, no_column}.table_only().shown("stability", "  {}")},
         {"period", "index", "family", "mean_S", "return_time", "residual", "stability", "multiplier_re",
          "multiplier_im"},
         {"period", "S", "mean_S"}};
@@ -110,11 +112,12 @@ Table<PeriodSearch> search_table() {
     using analysis::UnseenCycles;
     return {{"search"},
             {F{"period", &PeriodSearch::period, "1", "of period 1 those through contact alone"},
-             F{"candidates", &PeriodSearch::tried, "1"},
+             F{"candidates", &PeriodSearch::tried, "1", "places that Newton's method began at"},
              F{"converged", &PeriodSearch::converged, "1", "candidates that led to a cycle"},
              F{"cycles", of(&UnseenCycles::found), "1", "of that period, through contact if it is 1"},
              F{"samples", of(&UnseenCycles::samples), "1", "candidates that led to one of them"},
-             F{"found_once", of(&UnseenCycles::once), "1"}, F{"found_twice", of(&UnseenCycles::twice), "1"},
+             F{"found_once", of(&UnseenCycles::once), "1", "cycles that one candidate led to"},
+             F{"found_twice", of(&UnseenCycles::twice), "1", "cycles that two candidates led to"},
              F{"missed", of(&UnseenCycles::missed), "1", "estimate of cycles not found (Chao 1984)"},
              F{"least_missed", of(&UnseenCycles::least_missed), "1", "its interval at 95 %"},
              F{"most_missed", of(&UnseenCycles::most_missed), "1", "its interval at 95 %"}}};
@@ -229,12 +232,11 @@ void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, con
     if (!found.cycles.empty()) {
         std::size_t longest = 1;
         for (const auto& c : found.cycles) longest = std::max(longest, c.period());
-        const auto names = coordinate_names(found.cycles.front().points.front().size());
+        const Eigen::Index coordinates = found.cycles.front().points.front().size();
         group.dimension("orbit", found.cycles.size());
-        group.dimension("multiplier_index", names.size());
+        group.dimension("multiplier_index", static_cast<std::uint64_t>(coordinates));
         group.dimension("phase", longest);
-        group.dimension("coordinate", names.size());
-        group.write_strings("coordinate", {"coordinate"}, names);
+        write_coordinate_names(group, coordinates);
         write_columns(group, cycle_table(scene, found, longest), found.cycles);
     }
     record.finish();

@@ -9,26 +9,37 @@
 
 namespace swirl::apps {
 
+/// Where a column's units and meaning would stand: it is none of a record, but an attribute, or in JSON or a table
+/// alone.
+struct NoColumn {};
+inline constexpr NoColumn no_column{};
+
 /// A column of a result: its name, how it is read from a row, and what a record says of it. JSON and records list it
 /// unless told otherwise, tables for people if it is `shown`. Written as
 ///   {"mean_S", &Row::mean_spin, "omega_s", "time mean of S"}
-/// with a member or a function of a row that gives what value_from() takes.
+/// with a member or a function of a row that gives what value_from() takes. Units: "1" of a pure number, a count or a
+/// truth, none of names.
 template <class Row>
 struct Field {
     template <class Reader>
-    requires std::invocable<const Reader&, const Row&> Field(std::string its_name, Reader reader,
-                                                             std::string units = "", std::string long_name = "")
+    requires std::invocable<const Reader&, const Row&> Field(std::string its_name, Reader reader, std::string units,
+                                                             std::string long_name)
         : name(std::move(its_name)),
           type(element_of<std::decay_t<std::invoke_result_t<const Reader&, const Row&>>>()),
           description{std::move(units), std::move(long_name), {}},
           read([reader](const Row& row) { return value_from(std::invoke(reader, row)); }) {}
+
+    template <class Reader>
+    requires std::invocable<const Reader&, const Row&> Field(std::string its_name, Reader reader, NoColumn)
+        : Field(std::move(its_name), std::move(reader), "", "") {
+        is_column = false;
+    }
 
     /// A member of JSON alone, its content (an object, say) written by a function of the writer and a row.
     template <class Write>
     requires std::invocable<const Write&, JsonWriter&, const Row&> Field(std::string its_name, Write write)
         : name(std::move(its_name)), in_record(false), json_content(write) {}
 
-    Field& json_only() { return in_record = false, *this; }
     Field& record_only() { return in_json = false, *this; }
     Field& table_only() { return in_json = in_record = false, *this; }
     /// Left out everywhere unless `condition`: a disk has no chi.
@@ -82,7 +93,7 @@ struct Field {
     ElementType type = ElementType::string;
     Description description;
     std::function<Value(const Row&)> read;
-    bool in_json = true, in_record = true, is_coordinate = false;
+    bool in_json = true, in_record = true, is_column = true, is_coordinate = false;
     std::function<void(JsonWriter&, const Row&)> json_content;
     std::function<bool(const Row&)> json_condition;
     std::vector<std::string> dimensions;  ///< a list's own

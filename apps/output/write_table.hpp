@@ -30,10 +30,11 @@ std::vector<Field<Row>> fields_of(const Table<Row>& table, const std::vector<std
     return fields;
 }
 
-/// Those of a record, with the names and all the dimensions of their datasets.
+/// A record's columns, with the names and all the dimensions of their datasets.
 template <class Row>
-std::vector<Field<Row>> record_fields(const Table<Row>& table) {
-    auto fields = fields_of(table, table.first_in_record, [](const auto& field) { return field.in_record; });
+std::vector<Field<Row>> record_columns(const Table<Row>& table) {
+    auto fields =
+        fields_of(table, table.first_in_record, [](const auto& field) { return field.in_record && field.is_column; });
     for (auto& field : fields) {
         if (field.is_coordinate) field.name = table.dimensions.front();
         field.dimensions.insert(field.dimensions.begin(), table.dimensions.begin(), table.dimensions.end());
@@ -98,7 +99,7 @@ void write_lists(JsonWriter& json, const Table<Row>& table, const Rows& rows) {
 /// A dataset for each field, along dimensions that the group has already.
 template <class Row, class Rows>
 void write_columns(const RecordGroup& group, const Table<Row>& table, const Rows& rows) {
-    for (const auto& field : record_fields(table)) {
+    for (const auto& field : record_columns(table)) {
         if (field.type == ElementType::string) {
             std::vector<std::string> texts;
             for (const Row& row : rows) texts.push_back(text_of(field.read(row)));
@@ -124,7 +125,7 @@ void write_record(const RecordGroup& group, const Table<Row>& table, const Rows&
 /// One row as attributes; empty lists are left out.
 template <class Row>
 void write_attributes(const RecordGroup& group, const Table<Row>& table, const Row& row) {
-    for (const auto& field : record_fields(table)) {
+    for (const auto& field : fields_of(table, table.first_in_record, [](const auto& f) { return f.in_record; })) {
         const Value value = field.read(row);
         const auto* list = std::get_if<std::vector<double>>(&value);
         if (list == nullptr || !list->empty()) group.attribute(field.name, value);
@@ -135,7 +136,7 @@ void write_attributes(const RecordGroup& group, const Table<Row>& table, const R
 template <class Row>
 class RecordRows {
 public:
-    RecordRows(const RecordGroup& group, const Table<Row>& table) : fields_(record_fields(table)) {
+    RecordRows(const RecordGroup& group, const Table<Row>& table) : fields_(record_columns(table)) {
         group.dimension(table.dimensions.front(), growing);
         for (const auto& field : fields_)
             columns_.push_back(column_of(group, field.name, field.type, field.dimensions, field.description));

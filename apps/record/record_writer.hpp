@@ -63,22 +63,22 @@ public:
     /// in which datasets are created and appended to, not on time.
     template <RecordElement T>
     [[nodiscard]] Column<T> column(const std::string& name, const std::vector<std::string>& dimensions,
-                                   const Description& description = {}) const;
+                                   const Description& description) const;
 
     /// A whole dataset, `values` in row-major order. Without dimensions: one value, a scalar.
     template <RecordElement T>
     void write(const std::string& name, const std::vector<std::string>& dimensions, std::span<const T> values,
-               const Description& description = {}) const;
+               const Description& description) const;
     template <RecordElement T>
     void write(const std::string& name, const std::vector<std::string>& dimensions, const std::vector<T>& values,
-               const Description& description = {}) const {
+               const Description& description) const {
         write<T>(name, dimensions, std::span<const T>(values), description);
     }
 
     /// Strings (UTF-8, of any length, without a zero byte), for coordinates and the like: kept in memory, not
     /// compressed.
     void write_strings(const std::string& name, const std::vector<std::string>& dimensions,
-                       std::span<const std::string> values, const Description& description = {}) const;
+                       std::span<const std::string> values, const Description& description) const;
 
 private:
     RecordStore* store_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace swirl::apps::recurrence {
@@ -104,7 +105,7 @@ void write_image(JsonWriter& json, const analysis::recurrence::Image& image) {
     json.end_array();
 }
 
-/// Rows of a table of counts, as long as the longest: a threshold each.
+/// Rows of a table of counts, as long as the longest, a threshold each; the place is the length, from 0.
 void write_counts(const RecordGroup& group, const char* name, const char* dimension, const char* long_name,
                   const std::vector<LineHistograms>& lines, std::vector<std::uint64_t> LineHistograms::*member) {
     std::size_t longest = 1;
@@ -115,7 +116,10 @@ void write_counts(const RecordGroup& group, const char* name, const char* dimens
         for (std::size_t i = 0; i < longest; ++i)
             counts.push_back(i < histogram.size() ? static_cast<std::int64_t>(histogram[i]) : 0);
     }
+    std::vector<std::int64_t> lengths(longest);
+    std::iota(lengths.begin(), lengths.end(), std::int64_t{0});
     group.dimension(dimension, longest);
+    group.write<std::int64_t>(dimension, {dimension}, lengths, {"1", "in points of the series", {}});
     group.write<std::int64_t>(name, {"threshold", dimension}, counts, {"1", long_name, {}});
 }
 

@@ -40,12 +40,12 @@ Table<ImpactRow> impact_table(bool disk) {
     table.fields.push_back(F{"vertex", &ImpactRow::vertex, "1", "vertex that struck"}
                                .stored_as(ElementType::int32)
                                .shown("vertex", " {:>7}"));
-    table.fields.push_back(F{"contact_mode", &ImpactRow::contact_mode, "1", "contact mode"}
+    table.fields.push_back(F{"contact_mode", &ImpactRow::contact_mode, "", "contact mode"}
                                .flags(names_up_to(ContactMode::r_reversed))
                                .shown("mode", mode));
     table.fields.push_back(
-        F{"simultaneous", &ImpactRow::simultaneous, "", "another vertex struck at the same time"}.shown("",
-                                                                                                        simultaneous));
+        F{"simultaneous", &ImpactRow::simultaneous, "1", "another vertex struck at the same time"}.shown("",
+                                                                                                         simultaneous));
     return table;
 }
 
@@ -67,9 +67,9 @@ Table<ContactRow> contact_table() {
          F{"second_vertex", second_vertex, "1", "an edge's other vertex; -1: none"}
              .stored_as(ElementType::int32)
              .record_only(),
-         F{"begin", &Row::begin, "1", "what began it"}.flags(events),
-         F{"end", &Row::end, "1", "what ended it"}.flags(events),
-         F{"motion", &Row::motion, "1", "how the body moved"}.flags({"sliding", "sticking", "rolling"}),
+         F{"begin", &Row::begin, "", "what began it"}.flags(events),
+         F{"end", &Row::end, "", "what ended it"}.flags(events),
+         F{"motion", &Row::motion, "", "how the body moved"}.flags({"sliding", "sticking", "rolling"}),
          {"mean_S", &Row::mean_spin, "omega_s", "time mean of S"},
          {"jacobi_friction", &Row::jacobi_friction, "m R_c^2 omega_s^2", "change of J by friction, int f (u_t - 1) dt"},
          {"landing_jacobi", &Row::landing_jacobi, "m R_c^2 omega_s^2",
@@ -111,7 +111,7 @@ Table<SampleRow> sample_table() {
          {"y", &SampleRow::y, "R_c", "place of the body's centre, laboratory"},
          {"angle", &SampleRow::angle, "rad", "direction of vertex 0, unwound"},
          {"spin", &SampleRow::spin, "omega_s", "S"},
-         {"in_contact", &SampleRow::in_contact, "", "on the wall, not in flight"},
+         {"in_contact", &SampleRow::in_contact, "1", "on the wall, not in flight"},
          {"normal_force", &SampleRow::normal_force, "m R_c omega_s^2", "lambda: the wall's force is -lambda n + f t"},
          {"friction", &SampleRow::friction, "m R_c omega_s^2", "f"},
          {"slip", &SampleRow::slip, "R_c omega_s", "u_t, velocity of the body along the wall where it touches"}}};

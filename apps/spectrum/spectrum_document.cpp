@@ -11,15 +11,28 @@ namespace {
 
 using analysis::SpectralPeak;
 
-Table<SpectralPeak> peak_table() {
+/// The units of frequency, of the signal, of its variance and of its power; a series' own are not known.
+struct SpectrumUnits {
+    const char *frequency = "1", *signal = "1", *variance = "1", *power = "1";
+};
+
+SpectrumUnits units_of(const SpectrumReport& report) {
+    if (!report.signal.orbit) return {};
+    if (report.options.observable == "S") return {"omega_s", "omega_s", "omega_s^2", "omega_s"};
+    return {"omega_s", "R_c", "R_c^2", "R_c^2 1/omega_s"};
+}
+
+Table<SpectralPeak> peak_table(const SpectrumUnits& units) {
     using F = Field<SpectralPeak>;
-    return {
-        {"peak"},
-        {F{"frequency", &SpectralPeak::frequency, "", "between bins"}.shown("peak: frequency", "{:>16.9g}"),
-         F{"power", &SpectralPeak::power, "", "variance of the line"}.shown("power", " {:>14.6g}"),
-         F{"amplitude", &SpectralPeak::amplitude, "", "A of A cos(2 pi f t + phase)"}.shown("amplitude", " {:>14.6g}"),
-         F{"prominence", &SpectralPeak::prominence, "", "power over the noise floor"}.shown("prominence", " {:>12.4g}"),
-         {"spread", &SpectralPeak::spread, "", "scatter between segments: 0 a line, 1 a continuum"}}};
+    return {{"peak"},
+            {F{"frequency", &SpectralPeak::frequency, units.frequency, "between bins"}.shown("peak: frequency",
+                                                                                             "{:>16.9g}"),
+             F{"power", &SpectralPeak::power, units.variance, "variance of the line"}.shown("power", " {:>14.6g}"),
+             F{"amplitude", &SpectralPeak::amplitude, units.signal, "A of A cos(2 pi f t + phase)"}.shown("amplitude",
+                                                                                                          " {:>14.6g}"),
+             F{"prominence", &SpectralPeak::prominence, "1", "power over the noise floor"}.shown("prominence",
+                                                                                                 " {:>12.4g}"),
+             {"spread", &SpectralPeak::spread, "1", "scatter between segments: 0 a line, 1 a continuum"}}};
 }
 
 Settings settings_of(const SpectrumReport& report) {
@@ -59,10 +72,6 @@ Settings result_of(const SpectrumReport& report) {
             {"variance_scale", s.variance_scale}};
 }
 
-const char* frequency_unit(const SpectrumReport& report) {
-    return report.signal.orbit ? "omega_s" : "";
-}
-
 }  // namespace
 
 void write_json(const SpectrumReport& report) {
@@ -72,7 +81,7 @@ void write_json(const SpectrumReport& report) {
         if (!report.signal.resampled.empty()) write_json(json, "resampled", report.signal.resampled);
         json.list("frequency", report.spectrum.frequency);
         json.list("power", report.spectrum.power);
-        write_json(json, "peaks", peak_table(), report.peaks);
+        write_json(json, "peaks", peak_table(units_of(report)), report.peaks);
         write_members(json, result_of(report));
         json.list("notes", report.signal.notes, JsonLayout::rows);
         write_json(json, "settings", settings_of(report));
@@ -88,13 +97,16 @@ void write_record(const RecordGroup& root, const SpectrumReport& report) {
     write_attributes(group, result_of(report));
     group.attribute("notes", fmt::format("{}", fmt::join(report.signal.notes, "; ")));
     const auto& s = report.spectrum;
+    const SpectrumUnits units = units_of(report);
     if (!s.frequency.empty()) {
         group.dimension("frequency", s.frequency.size());
-        group.write<double>("frequency", {"frequency"}, s.frequency, {frequency_unit(report), "frequency", {}});
+        group.write<double>(
+            "frequency", {"frequency"}, s.frequency,
+            {units.frequency, "frequency: 1 is the swirl's, or of a series a cycle per unit of its times", {}});
         group.write<double>("power", {"frequency"}, s.power,
-                            {"", "power per unit of frequency; its integral is the variance", {}});
+                            {units.power, "power per unit of frequency; its integral is the variance", {}});
     }
-    if (!report.peaks.empty()) apps::write_record(root.group("peaks"), peak_table(), report.peaks);
+    if (!report.peaks.empty()) apps::write_record(root.group("peaks"), peak_table(units), report.peaks);
 }
 
 void print_table(const SpectrumReport& report) {
@@ -107,7 +119,8 @@ void print_table(const SpectrumReport& report) {
                name_of(report.share.verdict), 100 * report.share.line_fraction);
     constexpr std::size_t most = 20;
     if (!report.peaks.empty())
-        apps::print_table(peak_table(), std::span(report.peaks).first(std::min(most, report.peaks.size())));
+        apps::print_table(peak_table(units_of(report)),
+                          std::span(report.peaks).first(std::min(most, report.peaks.size())));
     if (report.peaks.size() > most) fmt::print("and {} more (--json, -o)\n", report.peaks.size() - most);
     for (const auto& note : report.signal.notes) fmt::print("note: {}\n", note);
 }

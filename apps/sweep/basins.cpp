@@ -38,7 +38,7 @@ Table<Basin> basin_table() {
     };
     return {
         {"basin"},
-        {F{"mode", mode}.shown("mode", "  {:<12}"),
+        {F{"mode", mode, "", "mode of the attractor"}.shown("mode", "  {:<12}"),
          kind_field<Basin>(kind).shown("kind", " {:<19}"),
          period_field<Basin>(period).shown("period", dash_for_zero(" {:>6}")),
          F{"mean_S", spin, "omega_s", "time mean of S of a polished cycle"}.shown("mean S", " {:>14.8g}"),

@@ -54,9 +54,10 @@ Table<CellAttractor> cell_attractor_table(bool tracked) {
              F{"track", &Row::track, "1", "number of the attractor that it continues over the cells; -1: none"}
                  .json_as(track)
                  .when(tracked),
-             {"mode", [](const Row& row) { return mode_of(row.first); }},
+             {"mode", [](const Row& row) { return mode_of(row.first); }, "", "mode of the attractor"},
              kind_field<Row>([](const Row& row) { return kind_of(row.first); }),
-             {"outcome", [](const Row& row) { return static_cast<Outcome>(static_cast<int>(row.first.outcome)); }},
+             {"outcome", [](const Row& row) { return static_cast<Outcome>(static_cast<int>(row.first.outcome)); }, "",
+              "how the first of its orbits ended"},
              period_field<Row>([](const Row& row) { return static_cast<std::int64_t>(row.first.period); }),
              {"share", &Row::share, "1", "share of the cell's runs"},
              {"share_low", [](const Row& row) { return row.interval.low; }, "1",
@@ -64,7 +65,7 @@ Table<CellAttractor> cell_attractor_table(bool tracked) {
              {"share_high", [](const Row& row) { return row.interval.high; }, "1", "up to this share"},
              {"mean_S", &Row::mean_spin, "omega_s", "mean over its runs of the time mean of S"},
              {"mean_S_error", &Row::spin_error, "omega_s", "its standard error over these runs"},
-             F{"point", &Row::point, "", "a cycle's first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}
+             F{"point", &Row::point, "1", "a cycle's first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}
                  .json_as(point)
                  .along({"coordinate"}, polygon_dimension)
                  .when(tracked)}};
@@ -73,11 +74,11 @@ Table<CellAttractor> cell_attractor_table(bool tracked) {
 Table<Tracking> tracking_table() {
     using T = Tracking;
     return {{},
-            {{"carried", &T::carried},
-             {"arrived", &T::arrived},
-             {"unseen", &T::unseen},
-             {"not_attracting", &T::not_attracting},
-             {"not_found", &T::not_found}}};
+            {{"carried", &T::carried, no_column},
+             {"arrived", &T::arrived, no_column},
+             {"unseen", &T::unseen, no_column},
+             {"not_attracting", &T::not_attracting, no_column},
+             {"not_found", &T::not_found, no_column}}};
 }
 
 }  // namespace swirl::apps::sweep

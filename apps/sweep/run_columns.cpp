@@ -24,9 +24,9 @@ std::vector<RunColumn> run_columns() {
     std::vector<std::string> modes;
     for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
     return {
-        {"run_mode", &RunResult::mode, "1", "mode", names, modes},
-        {"run_kind", &RunResult::kind, "1", "kind", names, names_up_to(analysis::Kind::transient)},
-        {"run_outcome", &RunResult::outcome, "1", "outcome", names, names_up_to(Outcome::unresolved)},
+        {"run_mode", &RunResult::mode, "", "mode", names, modes},
+        {"run_kind", &RunResult::kind, "", "kind", names, names_up_to(analysis::Kind::transient)},
+        {"run_outcome", &RunResult::outcome, "", "outcome", names, names_up_to(Outcome::unresolved)},
         {"run_period", &RunResult::period, "1", "period, 0: none", count},
         {"run_mean_S", &RunResult::mean_spin, "omega_s", "time mean of S"},
         {"run_mean_S_per_impact", &RunResult::mean_spin_per_impact, "omega_s", "mean of S over impacts"},

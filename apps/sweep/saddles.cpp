@@ -89,7 +89,7 @@ Table<Saddle> saddle_table() {
          F{"share", &Saddle::share, "1", "of all places"}.shown("share", {"  {:>10}", in_percent}),
          {"share_low", low, "1", "from this share on, by Wilson's interval"},
          {"share_high", high, "1", "up to this share"},
-         F{"point", padded, "", "its first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}.json_as(point).along(
+         F{"point", padded, "1", "its first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}.json_as(point).along(
              {"coordinate"}, polygon_dimension)}};
 }
 

@@ -24,14 +24,15 @@ struct Cell {
 Table<RunResult> run_table() {
     const auto period = [](const RunResult& run) { return static_cast<std::int64_t>(run.period); };
     return {{"run"},
-            {{"mode", mode_of},
+            {{"mode", mode_of, no_column},
              kind_field<RunResult>(kind_of),
-             {"outcome", [](const RunResult& run) { return static_cast<Outcome>(static_cast<int>(run.outcome)); }},
+             {"outcome", [](const RunResult& run) { return static_cast<Outcome>(static_cast<int>(run.outcome)); },
+              no_column},
              period_field<RunResult>(period),
-             {"mean_S", &RunResult::mean_spin},
-             {"mean_S_per_impact", &RunResult::mean_spin_per_impact},
-             {"largest_exponent", &RunResult::largest_exponent},
-             {"impacts", [](const RunResult& run) { return static_cast<std::int64_t>(run.impacts); }}}};
+             {"mean_S", &RunResult::mean_spin, no_column},
+             {"mean_S_per_impact", &RunResult::mean_spin_per_impact, no_column},
+             {"largest_exponent", &RunResult::largest_exponent, no_column},
+             {"impacts", [](const RunResult& run) { return static_cast<std::int64_t>(run.impacts); }, no_column}}};
 }
 
 void write_parameters(JsonWriter& json, const Sweep& sweep, const Cell& cell) {
@@ -157,7 +158,7 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
             const std::int64_t place = sweep.basins->of_cell[cell.index];
             return place == no_basin ? std::nullopt : std::optional(place);
         };
-        insert_after("modes", {F{"basin", [](const Cell&) { return std::int64_t{0}; }}.json_as(basin).json_only()});
+        insert_after("modes", {F{"basin", [](const Cell&) { return std::int64_t{0}; }, no_column}.json_as(basin)});
     }
     insert_after("modes", share_fields(sweep));
     insert_after("steady_modes", steady_fields(sweep));
@@ -191,7 +192,7 @@ void write_axis(const RecordGroup& group, const GridAxis& axis) {
     std::vector<std::string> words;
     words.reserve(axis.points.size());
     for (const double point : axis.points) words.push_back(axis.word_at(point));
-    group.write_strings(record_name(axis.name), along, words, {"1", "parameter " + axis.name, {}});
+    group.write_strings(record_name(axis.name), along, words, {"", "parameter " + axis.name, {}});
 }
 
 /// A group without rows is left out.
@@ -250,7 +251,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     std::vector<std::string> modes;
     modes.reserve(mode_count);
     for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
-    group.write_strings("mode", {"mode"}, modes);
+    group.write_strings("mode", {"mode"}, modes, {"", "mode", {}});
     std::vector<std::int64_t> runs;
     for (std::int64_t r = 0; r < sweep.runs; ++r) runs.push_back(r);
     group.write<std::int64_t>("run", {"run"}, runs,

@@ -60,14 +60,14 @@ Table<Track> track_table() {
     const auto period = [](const Track& track) { return static_cast<std::int64_t>(track.first.first.period); };
     const auto number = [](const Track& track) { return track.first.track; };
     return {{"track"},
-            {F{"track", number}.shown("track", "{:>5}"), F{"mode", mode}.shown("mode", "  {:<12}"),
-             kind_field<Track>(kind).shown("kind", " {:<19}"),
+            {F{"track", number, no_column}.shown("track", "{:>5}"),
+             F{"mode", mode, no_column}.shown("mode", "  {:<12}"), kind_field<Track>(kind).shown("kind", " {:<19}"),
              period_field<Track>(period).shown("period", dash_for_zero(" {:>6}")),
-             F{"cells", &Track::cells}.shown("cells", " {:>7}"),
-             F{"least_share", &Track::least_share}.shown("share from", {" {:>11}", in_percent}),
-             F{"largest_share", &Track::largest_share}.shown("to", {" {:>11}", in_percent}),
-             F{"least_mean_S", &Track::least_spin}.shown("mean S from", " {:>13.6g}"),
-             F{"largest_mean_S", &Track::largest_spin}.shown("to", " {:>13.6g}")}};
+             F{"cells", &Track::cells, no_column}.shown("cells", " {:>7}"),
+             F{"least_share", &Track::least_share, no_column}.shown("share from", {" {:>11}", in_percent}),
+             F{"largest_share", &Track::largest_share, no_column}.shown("to", {" {:>11}", in_percent}),
+             F{"least_mean_S", &Track::least_spin, "omega_s", "least of the cells"}.shown("mean S from", " {:>13.6g}"),
+             F{"largest_mean_S", &Track::largest_spin, "omega_s", "largest of the cells"}.shown("to", " {:>13.6g}")}};
 }
 
 }  // namespace swirl::apps::sweep

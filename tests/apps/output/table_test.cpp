@@ -7,12 +7,14 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace swirl::tests {
 namespace {
 
 using apps::Field;
 using apps::JsonWriter;
+using apps::no_column;
 using apps::Table;
 
 enum class Colour { red, green };
@@ -36,12 +38,14 @@ Table<Ball> ball_table(bool with_mass = true) {
     using F = Field<Ball>;
     const auto period = [](const Ball& ball) { return ball.period > 0 ? std::optional(ball.period) : std::nullopt; };
     return {{"ball"},
-            {F{"number", &Ball::number}.coordinate().shown("no", "{:>3}"),
+            {F{"number", &Ball::number, "1", "number of the ball"}.coordinate().shown("no", "{:>3}"),
              F{"mass", &Ball::mass, "kg", "mass at rest"}.shown("mass", " {:>8.3f}").when(with_mass),
-             F{"colour", &Ball::colour}.flags({"red", "green"}).shown("colour", "  {}"),
-             F{"seed", &Ball::seed}.stored_as(apps::ElementType::string),
-             F{"bounces", &Ball::bounces}.along({"bounce"}, 2).json_if([](const Ball& b) { return b.number == 1; }),
-             F{"period", &Ball::period}.json_as(period).shown("period", apps::dash_for_zero(" {:>6}")),
+             F{"colour", &Ball::colour, "", "colour"}.flags({"red", "green"}).shown("colour", "  {}"),
+             F{"seed", &Ball::seed, "", "seed"}.stored_as(apps::ElementType::string),
+             F{"bounces", &Ball::bounces, "m", "heights"}.along({"bounce"}, 2).json_if([](const Ball& b) {
+                 return b.number == 1;
+             }),
+             F{"period", &Ball::period, "1", "period"}.json_as(period).shown("period", apps::dash_for_zero(" {:>6}")),
              {"place", [](JsonWriter& json, const Ball& ball) { json.array(std::vector<double>(1, ball.mass)); }}},
             {"seed"},
             {"number", "period", "mass"}};
@@ -72,7 +76,8 @@ TEST(Table, JsonListsHaveAFieldEach) {
     std::string text;
     JsonWriter json(text);
     json.begin_object();
-    write_lists(json, Table<Ball>{{"ball"}, {{"mass", &Ball::mass}, {"colour", &Ball::colour}}}, balls);
+    write_lists(json, Table<Ball>{{"ball"}, {{"mass", &Ball::mass, no_column}, {"colour", &Ball::colour, no_column}}},
+                balls);
     json.end_object();
     json.finish();
     EXPECT_EQ(text, "{\"mass\": [0.5, 2.25], \"colour\": [\"green\", \"red\"]}\n");
@@ -102,11 +107,31 @@ TEST(Table, RecordHasADatasetPerField) {
     EXPECT_TRUE(std::isnan(bounces[3])) << "a short list is filled up";
 }
 
+TEST(Table, AColumnHasUnitsAndAMeaningOrIsMarkedAsNone) {
+    using Mass = decltype(&Ball::mass);
+    static_assert(std::is_constructible_v<Field<Ball>, const char*, Mass, const char*, const char*>);
+    static_assert(std::is_constructible_v<Field<Ball>, const char*, Mass, apps::NoColumn>);
+    static_assert(!std::is_constructible_v<Field<Ball>, const char*, Mass, const char*>);
+    static_assert(!std::is_constructible_v<Field<Ball>, const char*, Mass>);
+    const ScratchFolder folder;
+    const auto path = folder / "balls.h5";
+    const Table<Ball> table{{"ball"}, {{"mass", &Ball::mass, no_column}, {"number", &Ball::number, "1", "number"}}};
+    apps::RecordWriter record(path, {"balls", "1", "generic"});
+    write_record(record.root().group("balls"), table, balls);
+    write_attributes(record.root().group("ball"), table, balls[0]);
+    record.finish();
+    const apps::RecordReader reader(path);
+    EXPECT_EQ(reader.datasets("/balls"), std::vector<std::string>{"number"});
+    EXPECT_EQ(reader.attribute<double>("/ball", "mass"), 0.5);
+}
+
 TEST(Table, RowsThatComeOneByOneMakeTheSameDatasets) {
     const ScratchFolder folder;
     const auto path = folder / "balls.h5";
     apps::RecordWriter record(path, {"balls", "1", "generic"});
-    const Table<Ball> table{{"ball"}, {Field<Ball>{"number", &Ball::number}.coordinate(), {"mass", &Ball::mass}}};
+    const Table<Ball> table{
+        {"ball"},
+        {Field<Ball>{"number", &Ball::number, "1", "number"}.coordinate(), {"mass", &Ball::mass, "kg", "mass"}}};
     apps::RecordRows<Ball> rows(record.root().group("balls"), table);
     for (const auto& ball : balls) rows.add(ball);
     record.finish();
@@ -140,7 +165,7 @@ TEST(Table, AnOrderOfUnknownNamesIsRefused) {
 TEST(Table, ATextThatIsNoFlagIsRefused) {
     const ScratchFolder folder;
     apps::RecordWriter record(folder / "balls.h5", {"balls", "1", "generic"});
-    const Table<Ball> table{{"ball"}, {Field<Ball>{"colour", &Ball::colour}.flags({"red", "blue"})}};
+    const Table<Ball> table{{"ball"}, {Field<Ball>{"colour", &Ball::colour, "", "colour"}.flags({"red", "blue"})}};
     EXPECT_THROW(write_record(record.root().group("balls"), table, balls), std::logic_error);
 }
 
@@ -149,9 +174,9 @@ TEST(Table, ShowsNumbersInTheUsersUnitsAndADashForWhatIsNotThere) {
         double time, speed, angle;
     };
     const Table<Motion> table{{"motion"},
-                              {Field<Motion>{"t", &Motion::time, "1/omega_s"}.shown("t", " {:>6.2f}"),
-                               Field<Motion>{"v", &Motion::speed, "R_c omega_s"}.shown("v", " {:>6.2f}"),
-                               Field<Motion>{"psi", &Motion::angle, "rad"}.shown("psi", " {:>6.2f}")}};
+                              {Field<Motion>{"t", &Motion::time, "1/omega_s", "time"}.shown("t", " {:>6.2f}"),
+                               Field<Motion>{"v", &Motion::speed, "R_c omega_s", "speed"}.shown("v", " {:>6.2f}"),
+                               Field<Motion>{"psi", &Motion::angle, "rad", "angle"}.shown("psi", " {:>6.2f}")}};
     const Motion motion{3, 0.5, std::numeric_limits<double>::quiet_NaN()};
     const auto line = [&](const std::optional<apps::Units>& units) {
         return line_of(shown_fields(in_units(table, units)), motion);

@@ -167,7 +167,7 @@ void write_beyond(rlim_t limit, const std::filesystem::path& path) {
     const std::string message = message_of<RecordError>([&] {
         RecordWriter writer(path, header);
         writer.root().dimension("n", apps::growing);
-        auto noise = writer.root().column<double>("noise", {"n"});
+        auto noise = writer.root().column<double>("noise", {"n"}, {"1", "noise", {}});
         std::mt19937_64 random(1);
         for (int i = 0; i < 100000; ++i) noise.append(static_cast<double>(random()));
         writer.finish();

@@ -31,8 +31,8 @@ TEST(RecordMemory, TenMillionRowsStreamThrough) {
     const apps::RecordGroup root = writer.root();
     root.dimension("impact", apps::growing);
     auto t = root.column<double>("t", {"impact"}, {"1", "time", {}});
-    auto vertex = root.column<std::int32_t>("vertex", {"impact"});
-    auto sticks = root.column<bool>("sticks", {"impact"});
+    auto vertex = root.column<std::int32_t>("vertex", {"impact"}, {"1", "vertex", {}});
+    auto sticks = root.column<bool>("sticks", {"impact"}, {"1", "sticks", {}});
     for (long row = 0; row < rows; ++row) {
         t.append(t_of(row));
         vertex.append(static_cast<std::int32_t>(row % 6));

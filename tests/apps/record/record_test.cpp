@@ -19,6 +19,7 @@ using apps::RecordReader;
 using apps::RecordWriter;
 
 const apps::RecordHeader header{"a test", "0.1.0", "x86-64"};
+const apps::Description number{"1", "a number", {}};
 
 using Names = std::vector<std::string>;
 
@@ -126,7 +127,7 @@ TEST(Record, RandomDoublesKeepTheirBits) {
     RecordWriter writer(folder / "a.h5", header);
     writer.root().dimension("i", 50);
     writer.root().dimension("j", 1000);
-    writer.root().write<double>("x", {"i", "j"}, values);
+    writer.root().write<double>("x", {"i", "j"}, values, number);
     writer.finish();
     const auto read = RecordReader(folder / "a.h5").read<double>("/x");
     ASSERT_EQ(read.size(), values.size());
@@ -143,7 +144,7 @@ TEST(Record, RowsLargerThanAChunkComeBack) {
     writer.root().dimension("n", growing);
     writer.root().dimension("row", 300);
     writer.root().dimension("column", 200);
-    auto image = writer.root().column<double>("image", {"n", "row", "column"});
+    auto image = writer.root().column<double>("image", {"n", "row", "column"}, number);
     for (int n = 0; n < 3; ++n)
         image.append(std::span<const double>(values).subspan(static_cast<std::size_t>(n) * 60000, 60000));
     writer.finish();
@@ -178,7 +179,7 @@ TEST(Record, MisuseIsRefused) {
     const apps::RecordGroup root = writer.root();
     root.dimension("n", 4);
     root.dimension("g", growing);
-    root.write<double>("x", {"n"}, {1, 2, 3, 4});
+    root.write<double>("x", {"n"}, {1, 2, 3, 4}, number);
     root.attribute("a", 1);
     const std::vector<double> three{1, 2, 3};
     using Bad = std::invalid_argument;
@@ -188,20 +189,20 @@ TEST(Record, MisuseIsRefused) {
     EXPECT_THROW((void)root.group("x"), Bad);
     EXPECT_THROW((void)root.group("a/b"), Bad);
     EXPECT_THROW((void)root.group(""), Bad);
-    EXPECT_THROW((void)root.column<double>("x", {"n"}), Bad);
-    EXPECT_THROW((void)root.column<double>("y", {"no such"}), Bad);
-    EXPECT_THROW((void)root.column<double>("y", {"n", "g"}), Bad);
-    EXPECT_THROW((void)root.column<double>("y", {"n", "n"}), Bad);
-    EXPECT_THROW((void)root.column<double>("n", {"g"}), Bad);
+    EXPECT_THROW((void)root.column<double>("x", {"n"}, number), Bad);
+    EXPECT_THROW((void)root.column<double>("y", {"no such"}, number), Bad);
+    EXPECT_THROW((void)root.column<double>("y", {"n", "g"}, number), Bad);
+    EXPECT_THROW((void)root.column<double>("y", {"n", "n"}, number), Bad);
+    EXPECT_THROW((void)root.column<double>("n", {"g"}, number), Bad);
     EXPECT_THROW((void)root.column<double>("y", {"n"}, {"seconds", "", {}}), Bad);
     EXPECT_THROW((void)root.column<double>("y", {"n"}, {"", "", {"two words"}}), Bad);
-    auto y = root.column<double>("y", {"n"});
+    auto y = root.column<double>("y", {"n"}, number);
     EXPECT_THROW(y.append(std::vector<double>(5)), Bad);
-    auto pairs = root.column<double>("pairs", {"g", "n"});
+    auto pairs = root.column<double>("pairs", {"g", "n"}, number);
     EXPECT_THROW(pairs.append(three), Bad);
     EXPECT_THROW(writer.finish(), Bad) << "y is not full";
     y.append(std::vector<double>(4));
-    auto other = root.column<double>("other", {"g"});
+    auto other = root.column<double>("other", {"g"}, number);
     other.append(1.0);
     EXPECT_EQ(message_of<Bad>([&] { writer.finish(); }),
               "record '" + (folder / "a.h5").string() + "': dataset '/other': has 1 rows where 'pairs' has 0");

@@ -23,7 +23,8 @@ void write_root(const RecordGroup& root) {
     root.attribute("names", std::vector<std::string>{"α", "β", ""});
     root.attribute("nothing", std::vector<double>{});
     root.dimension("mode", 3);
-    root.write_strings("mode", {"mode"}, std::vector<std::string>{"steady", "quasi-steady", "chaotic"});
+    root.write_strings("mode", {"mode"}, std::vector<std::string>{"steady", "quasi-steady", "chaotic"},
+                       {"", "mode", {}});
     root.write<double>("share", {"mode"}, {0.25, 0.25, 0.5}, {"1", "share of the runs in each mode", {}});
     root.write<double>("mean_S", {}, {1.5}, {"1", "time mean of the spin over the swirl's rate", {}});
 }
@@ -35,8 +36,8 @@ void write_impacts(const RecordGroup& group) {
     auto position = group.column<double>("position", {"impact", "axis"}, {"1", "the centre, lab frame", {}});
     auto vertex = group.column<std::int32_t>("vertex", {"impact"}, {"1", "vertex that struck", {}});
     auto mode = group.column<std::uint8_t>("contact_mode", {"impact"}, {"", "contact mode", {"sliding", "c-sticking"}});
-    auto simultaneous = group.column<bool>("simultaneous", {"impact"});
-    auto turns = group.column<std::int64_t>("turns", {"impact"});
+    auto simultaneous = group.column<bool>("simultaneous", {"impact"}, {"1", "another vertex struck, too", {}});
+    auto turns = group.column<std::int64_t>("turns", {"impact"}, {"1", "turns", {}});
     auto time = t;
     for (int i = 0; i < sample_rows; ++i) {
         time.append(0.5 * i);
@@ -60,7 +61,7 @@ void write_grid(const RecordGroup& group) {
     std::iota(values.begin(), values.end(), 0.0);
     values[7] = NAN;
     group.write<double>("z", {"alpha", "beta", "run", "coordinate"}, values, {"1", "final section point", {}});
-    group.write<double>("mean_S", {"alpha", "beta"}, std::span(values).first(12), {"1", "", {}});
+    group.write<double>("mean_S", {"alpha", "beta"}, std::span(values).first(12), {"1", "mean spin", {}});
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ def arguments():
     parser.add_argument("--no-title", action="store_true", help="no title above")
     parser.add_argument("--xlim", metavar="A:B", help="range of the abscissa")
     parser.add_argument("--caption", metavar="FILE", help="what the figure shows, in words, to a file of its own")
-    parser.add_argument("--x", metavar="NAME", default="psi", help="of a section portrait")
-    parser.add_argument("--y", metavar="NAME", default="S", help="of a section portrait")
+    parser.add_argument("--x", metavar="NAME", help="of a section portrait")
+    parser.add_argument("--y", metavar="NAME", help="of a section portrait")
     return parser.parse_args()
 
 
@@ -45,8 +45,9 @@ def main():
 
     def make():
         records = [figures.open_record(path) for path in options.record]
-        kind, figure = figures.kind_of(records[0], options.kind), figures.draw(records, options.kind, look)
-        return kind, figure, figures.caption.text_of(records, kind, look)
+        kinds = [figures.kind_of(record, options.kind) for record in records]
+        figure = figures.draw(records, options.kind, look)
+        return kinds[0], figure, figures.caption.text_of(records, kinds, look)
 
     kind, figure, caption = script.made_from(options.record, make)
     script.saved("figure", options.output, lambda: figures.save(figure, options.output))

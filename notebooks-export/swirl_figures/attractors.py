@@ -5,7 +5,7 @@ import numpy
 from matplotlib.lines import Line2D
 
 from .caption import listed
-from .look import LegendBelow
+from .legends import LegendBelow
 from .mode_map import sweep_title
 from .record import RecordError
 from .style import CYCLE, GREY
@@ -22,8 +22,8 @@ def has_tracks(record):
     return record.has("attractors", "track") and "sweep" in record and not is_sampled(record) and len(record.derived(SweepGrid).axes) == 1
 
 
-def size(record, width):
-    width = width or 7
+def size(record, look):
+    width = look.width or 7
     return width, 5.6
 
 

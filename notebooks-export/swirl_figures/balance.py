@@ -2,15 +2,16 @@
 
 import numpy
 
-from .look import is_narrow
+from .legends import legend_inside
+from .ranges import inside, part, require
 from .record import RecordError
-from .style import BLUE, MANY_POINTS, ORANGE, VERMILION
+from .style import BLUE, ORANGE, VERMILION
 from .symbols import ENERGY, TIME, scene_title
 from .thinning import DOTS, band_of, thinned
 
 
-def size(record, width):
-    return width or 7.5, 6.4
+def size(record, look):
+    return look.width or 7.5, 6.4
 
 
 def _parts(record):
@@ -19,18 +20,19 @@ def _parts(record):
             ("friction, $q(\\bar u_t - 1)$", BLUE, record.column("collisions", "jacobi_friction")))
 
 
-def _draw_energy(axes, record, t):
-    axes.plot(*thinned(t, record.column("collisions", "jacobi")), color="0.25", lw=0.9, drawstyle="steps-post")
+def _draw_energy(axes, record, t, shown):
+    axes.plot(*thinned(t[shown], record.column("collisions", "jacobi")[shown]), color="0.25", lw=0.9, drawstyle="steps-post")
     axes.set(ylabel=ENERGY, title="After each impact")
 
 
-def _draw_changes(axes, record, t):
+def _draw_changes(axes, record, t, seen):
+    t = t[seen]
     for name, colour, change in _parts(record)[::-1]:  # friction changes more: beneath
         if len(t) > DOTS:
-            axes.fill_between(*band_of(t, change), color=colour, lw=0.3, alpha=0.75, label=f"{name}, least to greatest")
+            axes.fill_between(*band_of(t, change[seen]), color=colour, lw=0.3, alpha=0.75, label=f"{name}, least to greatest")
         else:
-            axes.scatter(t, change, s=float(numpy.clip(4000 / len(t), 0.5, 14)), lw=0, color=colour, label=name, zorder=2,
-                         rasterized=2 * len(t) > MANY_POINTS)
+            axes.scatter(t, change[seen], s=float(numpy.clip(4000 / len(t), 0.5, 14)), lw=0, color=colour, label=name,
+                         zorder=2)
     axes.axhline(0, color="0.8", lw=0.7, zorder=0)
     axes.set(ylabel="$\\Delta J$ of each impact", title="What each impact changes")
 
@@ -45,15 +47,17 @@ def _in_contact(record, t):
     return so_far[numpy.searchsorted(end, t, side="right")] - so_far[numpy.searchsorted(end, t[0], side="right")]
 
 
-def _draw_sums(axes, record, t):
+def _draw_sums(axes, record, t, shown):
+    """Summed from the first listed impact on, also where only later ones are shown."""
     for name, colour, change in _parts(record):
         total = numpy.cumsum(change) - change[0]
-        axes.plot(*thinned(t, total), color=colour, lw=1.1, label=name)
+        axes.plot(*thinned(t[shown], total[shown]), color=colour, lw=1.1, label=name)
     in_contact = _in_contact(record, t)
     if in_contact is not None:
-        axes.plot(*thinned(t, in_contact), color=ORANGE, lw=1.1, label="contact with the wall")
+        axes.plot(*thinned(t[shown], in_contact[shown]), color=ORANGE, lw=1.1, label="contact with the wall")
     energy = record.column("collisions", "jacobi")
-    axes.plot(*thinned(t, energy - energy[0]), color="0.25", lw=1.1, ls=(0, (4, 2)), label="all: $J$ less its first value")
+    axes.plot(*thinned(t[shown], (energy - energy[0])[shown]), color="0.25", lw=1.1, ls=(0, (4, 2)),
+              label="all: $J$ less its first value")
     axes.axhline(0, color="0.8", lw=0.7, zorder=0)
     axes.set(ylabel="sum of $\\Delta J$", xlabel=TIME, title="Their sums since the first listed impact")
 
@@ -67,18 +71,17 @@ def draw_into(figure, record, look):
     t = record.column("collisions", "t")
     if len(t) == 0:
         raise RecordError(f"record '{record.path}' lists no impacts: there is nothing to draw")
+    shown, seen = part(t, look.xlim), inside(t, look.xlim)
+    require(seen.any(), look, record, "impact", t)
     complete = _is_complete(record)
     panels = figure.subplots(2 + complete, 1, sharex=True)
-    _draw_energy(panels[0], record, t)
-    _draw_changes(panels[1], record, t)
+    _draw_energy(panels[0], record, t, shown)
+    _draw_changes(panels[1], record, t, seen)
     if complete:
-        _draw_sums(panels[2], record, t)
+        _draw_sums(panels[2], record, t, shown)
     panels[-1].set_xlabel(TIME)
     for axes in panels[1:]:
-        axes.legend(loc="upper left", bbox_to_anchor=(0, 1), ncols=1 + 3 * (not is_narrow(figure)), borderaxespad=0.1,
-                    markerscale=1 if len(t) < 2000 else 4, columnspacing=1.2, handlelength=1.6)
-        bottom, top = axes.get_ylim()
-        axes.set_ylim(bottom, top + (0.5 if is_narrow(figure) else 0.2) * (top - bottom))
+        legend_inside(axes, markerscale=1 if seen.sum() < 2000 else 4)
     panels[0].margins(x=0.01)
     look.title(figure, scene_title(record.scene()))
     return [panels[0]]

@@ -5,7 +5,7 @@ from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from .look import LegendBelow
+from .legends import LegendBelow
 from .mode_map import NO_VALUE, draw_cells
 from .record import RecordError
 from .style import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, YELLOW
@@ -25,8 +25,8 @@ def has_basins(record):
         record.derived(SweepGrid).axes) == 2
 
 
-def size(record, width):
-    width = width or 5.6
+def size(record, look):
+    width = look.width or 5.6
     return width, 0.95 * width
 
 

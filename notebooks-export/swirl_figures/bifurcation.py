@@ -4,21 +4,19 @@ import numpy
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
-from .caption import listed
-from .look import NARROW, LegendBelow, is_narrow, widen
+from .legends import LegendBelow
+from .look import NARROW, is_narrow, widen
+from .ranges import clipped, inside, require
 from .record import RecordError
-from .style import BLACK, BLUE, GREEN, MANY_POINTS, ORANGE, PURPLE, SKY, VERMILION
+from .special_points import draw_special
+from .style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION
 from .symbols import SPIN, axis_label, number, observable_label, scene_title
-from .thinning import apart
 
 #: By the record's `origin`: name, colour, size. Light, for the branches lie over them; of falling size, for attractors
 #: that are found in several ways lie on one another.
 _ORIGINS = {0: ("random starts", "#8A8A8A", 7), 1: ("followed up", SKY, 4), 2: ("followed down", ORANGE, 2)}
 
 _PERIODS = (BLUE, VERMILION, GREEN, PURPLE, "#7A5C00", BLACK, SKY, "#882255", "#44AA99", "#332288", "#999933", ORANGE)
-
-_MARKERS = {"fold": ">", "flip": "s", "neimark-sacker": "D", "branch-point": "*", "grazing": "^",
-            "two-vertices": "v", "stick-slip": "P", "landing": "p", "border": "X"}
 
 
 def _observable(record):
@@ -27,32 +25,31 @@ def _observable(record):
     return ("S", SPIN) if name == "S" else ("value", observable_label(name))
 
 
-def _draw_samples(axes, record):
+def _draw_samples(axes, record, look):
     parameter, spin = record.column("samples", "parameter"), record.column("samples", _observable(record)[0])
-    origin = record.column("samples", "origin")
+    origin, seen = record.column("samples", "origin"), inside(parameter, look.xlim)
     handles = []
-    scale = 0.5 if len(spin) > 5_000 else 1
-    only_one = len(numpy.unique(origin)) == 1
+    scale = 0.5 if seen.sum() > 5_000 else 1
+    only_one = len(numpy.unique(origin[seen])) == 1
     for value, (label, colour, size) in _ORIGINS.items():
-        of = origin == value
+        of = (origin == value) & seen
         if of.any():
-            axes.scatter(parameter[of], spin[of], s=scale * (2 if only_one else size), color=colour, lw=0, zorder=1,
-                         rasterized=len(spin) > MANY_POINTS)
+            axes.scatter(parameter[of], spin[of], s=scale * (2 if only_one else size), color=colour, lw=0, zorder=1)
             handles.append(Line2D([], [], ls="", marker="o", ms=3, mec="none", color=colour, label=label))
     return handles
 
 
-def _draw_contact(axes, record):
+def _draw_contact(axes, record, look):
     """Orbits that end in contact have no impacts to show: their mean spin."""
     if "attractors" not in record or _observable(record)[0] != "S":
         return []
-    without = record.column("attractors", "samples") == 0
-    mean = record.column("attractors", "mean_S")
-    of = without & numpy.isin(record.names("attractors", "outcome"), ["in-contact", "contact-cut-short"]) & numpy.isfinite(mean)
+    parameter, mean = record.column("attractors", "parameter"), record.column("attractors", "mean_S")
+    of = (record.column("attractors", "samples") == 0) & numpy.isfinite(mean) & inside(parameter, look.xlim)
+    of &= numpy.isin(record.names("attractors", "outcome"), ["in-contact", "contact-cut-short"])
     if not of.any():
         return []
     style = {"ls": "", "marker": "_", "ms": 5, "mew": 1.2, "color": "#8A8A8A"}
-    axes.plot(record.column("attractors", "parameter")[of], mean[of], zorder=1, **style)
+    axes.plot(parameter[of], mean[of], zorder=1, **style)
     return [Line2D([], [], label="in contact: mean $S$", **style)]
 
 
@@ -96,103 +93,55 @@ def _with_special(record, branch, name):
             numpy.insert(stable, after + 1, special_stable))
 
 
-def _lines(record, branch, name):
-    """{stable: polylines} of a variable along one branch."""
+def _lines(record, branch, name, look):
+    """{stable: polylines} of a variable along one branch, as far as they lie in the range."""
     parameter, values, stable = _with_special(record, branch, name)
     lines = {True: [], False: []}
     for first, last, is_stable in _pieces(stable):
         for column in values.T:
             line = numpy.column_stack([parameter, column])[first:last]
-            if numpy.isfinite(line).all(axis=1).any():
-                lines[bool(is_stable)].append(line)
+            lines[bool(is_stable)] += [piece for piece in clipped(line, look.xlim) if numpy.isfinite(piece).all(axis=1).any()]
     return lines
 
 
-def _draw_branches(axes, record, name, colours):
+def _draw_branches(axes, record, name, look):
+    """(periods, stabilities) that there are in the range."""
     period, branches = record.column("branches", "period"), record.column("branches", "branch")
+    colours, periods, stabilities = _colours(record), set(), set()
     for branch in numpy.unique(branches):
-        colour = colours[period[branches == branch][0]]
-        for stable, lines in _lines(record, branch, name).items():
-            axes.add_collection(LineCollection(lines, colors=colour, linewidths=1.5 if stable else 1.1, zorder=2,
-                                               linestyles="solid" if stable else (0, (3, 1.6))))
+        own = period[branches == branch][0]
+        for stable, lines in _lines(record, branch, name, look).items():
+            if lines:
+                axes.add_collection(LineCollection(lines, colors=colours[own], linewidths=1.5 if stable else 1.1, zorder=2,
+                                                   linestyles="solid" if stable else (0, (3, 1.6))))
+                periods.add(own)
+                stabilities.add(stable)
+    return periods, stabilities
 
 
-def _branch_handles(record, colours):
-    stable = record.column("branches", "stable") != 0
-    handles = [Line2D([], [], color=colour, lw=1.5, label=f"period {period}") for period, colour in colours.items()]
-    if stable.any():
+def _branch_handles(record, periods, stabilities):
+    handles = [Line2D([], [], color=colour, lw=1.5, label=f"period {period}")
+               for period, colour in _colours(record).items() if period in periods]
+    if True in stabilities:
         handles.append(Line2D([], [], color="0.35", lw=1.5, label="stable"))
-    if not stable.all():
+    if False in stabilities:
         handles.append(Line2D([], [], color="0.35", lw=1.1, ls=(0, (3, 1.6)), label="unstable"))
     return handles
 
 
-#: Size, in points, of a special point's marker. Of one kind those that lie within a marker of one already drawn, in both
-#: directions, are left out, and the legend says how many: crowded, they would hide the branches that they are on.
-_MARKER = 5.5
-
-
-def _size_of_a_marker(axes, points):
-    """(along the abscissa, along the ordinate) in the axes' numbers; the panel takes some 0.85 of the width and 0.55 of the
-    height of its figure."""
-    figure = axes.figure
-    size = (0.85 * figure.bbox.width, 0.55 * figure.bbox.height)
-    return [points / 72 * figure.figure.dpi / length * abs(end - begin)
-            for length, (begin, end) in zip(size, (axes.get_xlim(), axes.get_ylim()))]
-
-
-def _draw_special(axes, record, look):
-    parameter, spin = record.column("special", "parameter"), record.column("special", _observable(record)[0])
-    kinds = record.names("special", "kind")
-    if record.has("special", "located"):
-        located = record.column("special", "located") != 0
-        kinds = numpy.where(located, kinds, [f"{kind}, not located" for kind in kinds])
-    handles = []
-    scale = (1 if numpy.isfinite(spin).sum() <= 60 else 0.75) * (0.8 if is_narrow(axes.figure) else 1)
-    near = _size_of_a_marker(axes, scale * _MARKER)
-    limits = axes.axis()
-    drawn = numpy.zeros(len(kinds), dtype=bool)
-    for kind in dict.fromkeys(kinds):
-        of = kinds == kind
-        plain = kind.split(",")[0]
-        marker = {"marker": _MARKERS.get(plain, "o"), "mec": BLACK if kind == plain else "0.6", "mfc": "white",
-                  "mew": 0.9 * scale, "ms": scale * (9 if plain == "branch-point" else _MARKER)}
-        x, y = numpy.repeat(parameter[of], spin.shape[1]), spin[of].ravel()
-        shown = numpy.flatnonzero(numpy.isfinite(y))
-        kept = shown[apart(x[shown], y[shown], *near)]
-        drawn[numpy.flatnonzero(of)[kept // spin.shape[1]]] = True
-        axes.plot(x[kept], y[kept], ls="", zorder=4, **marker)
-        count = f" ({len(kept)} of {len(shown)} drawn)" if len(kept) < len(shown) else ""
-        handles.append(Line2D([], [], ls="", label=kind + count, **{**marker, "ms": marker["ms"] / scale}))
-    axes.axis(limits)
-    look.notes.append(_listed_special(record, kinds, drawn))
-    return handles
-
-
-def _listed_special(record, kinds, drawn):
-    """All special points by rising parameter, for a caption: their values at the first phase of each cycle."""
-    name, _ = _observable(record)
-    along = str(record.attributes("settings").get("along", "parameter"))
-    parameter, values = record.column("special", "parameter"), record.column("special", name)
-    first = values if values.ndim == 1 else values[:, 0]
-    rows = [(kinds[i], f"{parameter[i]:.10g}", f"{first[i]:.6g}", "" if drawn[i] else "left out where it would hide others")
-            for i in numpy.argsort(parameter, kind="stable")]
-    return listed(f"Special points, {len(rows)}, of which {int(drawn.sum())} are drawn:",
-                  ("kind", along, str(record.attributes("settings").get("observable", "S")), ""), rows)
-
-
-def _shown_values(record):
+def _shown_values(record, look):
     """Every ordinate of the upper panel."""
     name = _observable(record)[0]
-    values = [record.column(group, name).ravel() for group in ("samples", "branches", "special") if group in record]
+    values = [record.column(group, name)[inside(record.column(group, "parameter"), look.xlim)].ravel()
+              for group in ("samples", "branches", "special") if group in record]
     values = numpy.concatenate(values) if values else numpy.zeros(0)
     return values[numpy.isfinite(values)]
 
 
-def _limit_ordinate(axes, record):
+def _limit_ordinate(axes, record, look):
     """A few far values (S grows as 1/alpha) would flatten all others: limits that leave out at most 3 % of either side
     where that at least halves the axis, and say how many."""
-    values = _shown_values(record)
+    values = _shown_values(record, look)
     if len(values) < 50:
         return
     low, high = numpy.quantile(values, [0.03, 0.97])
@@ -208,9 +157,9 @@ def _limit_ordinate(axes, record):
                   color="0.25", bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 1}, zorder=5)
 
 
-def _draw_multiplier(axes, record, colours):
-    modulus = record.column("branches", "largest_multiplier")
-    _draw_branches(axes, record, "largest_multiplier", colours)
+def _draw_multiplier(axes, record, look):
+    modulus = record.column("branches", "largest_multiplier")[inside(record.column("branches", "parameter"), look.xlim)]
+    _draw_branches(axes, record, "largest_multiplier", look)
     axes.axhline(1, color="0.6", lw=0.8, zorder=0)
     axes.set_title("stable where $|\\lambda| < 1$", fontsize="small", color="0.35", loc="right", pad=2)
     finite = modulus[numpy.isfinite(modulus)]
@@ -232,12 +181,12 @@ def _has_branches(record):
     return "branches" in record and len(record.column("branches", "parameter")) > 0
 
 
-def size(record, width):
-    width = width or 8.5
+def size(record, look):
+    width = look.width or 8.5
     return width, (4.8 + 2.2 * _has_branches(record)) * (1 if width >= NARROW else 0.9)
 
 
-def _curves(record):
+def _colours(record):
     """{period: colour} of its branches."""
     periods = numpy.unique(record.column("branches", "period")) if _has_branches(record) else []
     return {period: _PERIODS[i % len(_PERIODS)] for i, period in enumerate(periods)}
@@ -251,26 +200,29 @@ def _panels(figure, record):
 def _draw_above(axes, record, look):
     """The upper panel, but for the special points; handles of the legend."""
     name, label = _observable(record)
-    handles = (_draw_samples(axes, record) if "samples" in record else []) + _draw_contact(axes, record)
+    handles = (_draw_samples(axes, record, look) if "samples" in record else []) + _draw_contact(axes, record, look)
     if _has_branches(record):
-        colours = _curves(record)
-        _draw_branches(axes, record, name, colours)
-        handles += _branch_handles(record, colours)
+        handles += _branch_handles(record, *_draw_branches(axes, record, name, look))
+    require(handles, look, record, "point", _abscissae(record))
     axes.autoscale_view()
     axes.margins(x=0.02)
     if look.xlim:
         axes.set_xlim(look.xlim)
-    _limit_ordinate(axes, record)
+    _limit_ordinate(axes, record, look)
     widen(axes, abscissa=False)
     axes.set_ylabel(f"{label}, just after each impact")
     return handles
 
 
+def _abscissae(record):
+    return numpy.concatenate([record.column(name, "parameter") for name in ("samples", "branches", "special", "attractors")
+                              if name in record])
+
+
 def draw_into(figure, record, look):
     """S, or the record's observable, against the parameter; below it, where there are branches, their largest
     multiplier."""
-    drawn = [name for name in ("samples", "branches", "special", "attractors") if name in record]
-    if not any(len(record.column(name, "parameter")) for name in drawn):
+    if len(_abscissae(record)) == 0:
         raise RecordError(f"record '{record.path}' holds no samples and no branches: there is nothing to draw")
     along = str(record.attributes("settings").get("along", "parameter"))
     look.title(figure, scene_title(record.scene(), leave_out=[along]))
@@ -278,9 +230,9 @@ def draw_into(figure, record, look):
     panels = _panels(parts.above, record)
     handles = _draw_above(panels[0], record, look)
     if _has_branches(record):
-        _draw_multiplier(panels[1], record, _curves(record))
+        _draw_multiplier(panels[1], record, look)
     if "special" in record:
-        handles += _draw_special(panels[0], record, look)
+        handles += draw_special(panels[0], record, look, _observable(record)[0])
     parts.fill(handles, look)
     panels[-1].set_xlabel(axis_label(along))
     return [panels[0]]

@@ -5,8 +5,9 @@ from matplotlib.lines import Line2D
 from matplotlib.patheffects import Normal, Stroke
 
 from .caption import listed
-from .look import LegendBelow
+from .legends import LegendBelow
 from .mode_map import draw_cells, mode_handles, mode_style, sweep_title
+from .ranges import inside, overlapping
 from .record import RecordError
 from .style import BLACK, GREEN, GREY, PURPLE
 from .sweep_grid import SweepGrid
@@ -76,11 +77,13 @@ def _draw_curves(axes, curves, x, y):
             axes.plot(*places, color=_colour(kind), ls=style, lw=width, zorder=2 if thin else 3, path_effects=edge)
 
 
-def _special_points(curves, x, y):
-    """(kind, x, y) of each special point, one on two curves once; in the order of `_SHORT`, rarer kinds of a smooth
-    map first."""
+def _special_points(curves, x, y, xlim):
+    """(kind, x, y) of each special point in the range, one on two curves once; in the order of `_SHORT`, rarer kinds of a
+    smooth map first."""
+    seen = inside(numpy.asarray(curves.special[x]), xlim)
     points = dict.fromkeys((kind, round(float(a), 6), round(float(b), 6))
-                           for kind, a, b in zip(curves.special_kinds, curves.special[x], curves.special[y]))
+                           for kind, a, b, shown in zip(curves.special_kinds, curves.special[x], curves.special[y], seen)
+                           if shown)
     order = list(_SHORT)
     return sorted(points, key=lambda point: order.index(point[0]) if point[0] in order else len(order))
 
@@ -90,17 +93,17 @@ def _special_points(curves, x, y):
 _NAME = 0.045, 0.022
 
 
-def _named(curves, x, y):
+def _named(curves, x, y, xlim=None):
     """The special points, and which of them are named."""
-    points = _special_points(curves, x, y)
-    low, high = numpy.array([curves.limits[x], curves.limits[y]]).T
+    points = _special_points(curves, x, y, xlim)
+    low, high = numpy.array([xlim or curves.limits[x], curves.limits[y]]).T
     places = (numpy.array([point[1:] for point in points]).reshape(-1, 2) - low) / (high - low)
     return points, apart(places[:, 0], places[:, 1], *_NAME)
 
 
 def _draw_special(axes, curves, x, y, look):
     """All have a mark, small ones where they are not named; a caption lists them."""
-    points, are_named = _named(curves, x, y)
+    points, are_named = _named(curves, x, y, look.xlim)
     look.notes.append(listed(f"Special points, {len(points)}:", ("kind", x, y, ""),
                              [(kind, f"{a:.10g}", f"{b:.10g}", "" if named else "marked, not named")
                               for (kind, a, b), named in sorted(zip(points, are_named), key=lambda point: point[0][:2])]))
@@ -111,16 +114,25 @@ def _draw_special(axes, curves, x, y, look):
                           zorder=5, path_effects=[Stroke(linewidth=1.5, foreground="white"), Normal()], clip_on=True)
 
 
-def _handles(curves):
-    kinds = [kind for kind in _COLOURS if kind in curves.kinds] + sorted(set(curves.kinds) - set(_COLOURS))
+def _seen(curves, x, xlim):
+    """Which points of curves are in the range, or lead into it."""
+    place, same = curves.places[x], curves.number[1:] == curves.number[:-1]
+    joined = same & overlapping(numpy.minimum(place[1:], place[:-1]), numpy.maximum(place[1:], place[:-1]), xlim)
+    return inside(place, xlim) | numpy.append(joined, False) | numpy.append(False, joined)
+
+
+def _handles(curves, x, y, look):
+    seen = _seen(curves, x, look.xlim)
+    own, periods = (set(values[numpy.unique(curves.number[seen])]) for values in (curves.kinds, curves.periods))
+    kinds = [kind for kind in _COLOURS if kind in own] + sorted(own - set(_COLOURS))
     handles = [Line2D([], [], color=_colour(kind), lw=1.6, label=kind) for kind in kinds]
-    for period in sorted(set(curves.periods)):
+    for period in sorted(periods):
         style = _STYLES[period - 1] if period <= len(_STYLES) else ":"
         handles.append(Line2D([], [], color="0.3", lw=1.2, ls=style, label=f"period {period}"))
-    if curves.unstable.any():
+    if curves.unstable[seen].any():
         handles.append(Line2D([], [], color="0.3", lw=0.6, label="thin: unstable on both sides"))
-    points, named = _named(curves, *curves.axes)
-    for kind in [kind for kind in _SHORT if kind in set(curves.special_kinds)]:
+    points, named = _named(curves, x, y, look.xlim)
+    for kind in [kind for kind in _SHORT if kind in {point[0] for point in points}]:
         of_kind = [is_named for point, is_named in zip(points, named) if point[0] == kind]
         count = "" if all(of_kind) else f" ({sum(of_kind)} of {len(of_kind)} named)"
         handles.append(Line2D([], [], ls="", marker="o", ms=3.5, mfc="white", mec=BLACK, mew=0.8,
@@ -128,8 +140,8 @@ def _handles(curves):
     return handles
 
 
-def size(_record, width):
-    width = width or 7.0
+def size(_record, look):
+    width = look.width or 7.0
     return width, 0.85 * width
 
 
@@ -138,7 +150,7 @@ def draw_into(figure, record, look):
     x, y = curves.axes
     look.title(figure, scene_title(curves.scene, leave_out=curves.axes))
     parts = LegendBelow(figure)
-    parts.fill(_handles(curves), look)
+    parts.fill(_handles(curves, x, y, look), look)
     axes = parts.above.subplots()
     _draw_curves(axes, curves, x, y)
     _draw_special(axes, curves, x, y, look)
@@ -164,16 +176,16 @@ def draw_over_map(figure, records, look):
         raise RecordError(f"curves are drawn over a map of two parameters; '{records[0].path}' has {len(grid.axes)}")
     all_curves = [record.derived(Curves) for record in records[1:]]
     look.title(figure, sweep_title(grid))
+    x, y = (axis.replace("-", "_") for axis in grid.axes)
     handles = {}
     for record, curves in zip(records[1:], all_curves):
         _require_same_plane(grid, record, curves)
-        handles.update((handle.get_label(), handle) for handle in _handles(curves))
+        handles.update((handle.get_label(), handle) for handle in _handles(curves, x, y, look))
     parts = LegendBelow(figure)
     parts.fill(mode_handles(grid) + list(handles.values()), look)
     axes = parts.above.subplots()
     draw_cells(axes, grid, grid.largest_mode, **mode_style(grid.modes))
     limits = axes.get_xlim(), axes.get_ylim()
-    x, y = (axis.replace("-", "_") for axis in grid.axes)
     for curves in all_curves:
         _draw_curves(axes, curves, x, y)
         _draw_special(axes, curves, x, y, look)

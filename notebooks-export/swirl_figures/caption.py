@@ -15,9 +15,11 @@ def _in_words(note):
     return note
 
 
-def text_of(records, kind, look):
-    """Of a figure that has been drawn with this look, whose `notes` it filled."""
-    lines = [f"Kind of figure: {kind}.", *map(_in_words, look.notes)]
+def text_of(records, kinds, look):
+    """Of a figure that has been drawn with this look, whose `notes` it filled; the kind of each record, of which notes tell
+    the parts if they differ."""
+    kinds = list(dict.fromkeys(kinds))
+    lines = [f"Kind{'s' * (len(kinds) > 1)} of figure: {', '.join(kinds)}.", *map(_in_words, look.notes)]
     for record in map(open_record, records):
         lines.append(f"Record {record.path}, made by swirl {record.command}: {record.title}.")
     return "\n".join([*lines, f"This figure was {MARK}."]) + "\n"

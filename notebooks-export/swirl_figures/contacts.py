@@ -5,7 +5,8 @@ import numpy
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
-from .look import LegendBelow, is_narrow
+from .legends import LegendBelow, legend_inside
+from .ranges import inside, overlapping, part, require
 from .spin import spin_on_wall
 from .style import BLACK, BLUE, GREEN, ORANGE, SKY, VERMILION
 from .symbols import SPIN, TIME, scene_title
@@ -25,8 +26,8 @@ def _has_forces(record):
     return record.has("samples", "normal_force")
 
 
-def size(record, width):
-    return width or 7.5, 6.6 if _has_forces(record) else 3.9
+def size(record, look):
+    return look.width or 7.5, 6.6 if _has_forces(record) else 3.9
 
 
 def _whole(record):
@@ -40,19 +41,21 @@ def _whole(record):
     return max(start[0] - margin, 0), last + margin
 
 
-def _draw_motions(axes, record):
+def _draw_motions(axes, record, xlim):
     """A bar a motion and piece; marks where events begin and end it. Handles of the legend."""
     start, end = record.column("contacts", "t_start"), record.column("contacts", "t_end")
-    motion = record.names("contacts", "motion")
+    seen = overlapping(start, end, xlim)
+    start, end, motion = start[seen], end[seen], record.names("contacts", "motion")[seen]
     present = [name for name in _MOTIONS if name in motion]
     for row, name in enumerate(present):
         of = motion == name
         axes.add_collection(LineCollection([[(a, row), (b, row)] for a, b in zip(start[of], end[of])], linewidths=7,
                                            colors=_MOTIONS[name][0], capstyle="butt"))
     height = numpy.array([present.index(name) for name in motion])
+    begun_by, ended_by = record.names("contacts", "begin")[seen], record.names("contacts", "end")[seen]
     handles = []
     for event, marker in _EVENTS.items():
-        begun, ended = record.names("contacts", "begin") == event, record.names("contacts", "end") == event
+        begun, ended = (begun_by == event) & inside(start, xlim), (ended_by == event) & inside(end, xlim)
         style = {"ls": "", "marker": marker, "ms": 5, "mfc": "white", "mec": BLACK, "mew": 0.8}
         if begun.any() or ended.any():
             axes.plot(numpy.concatenate([start[begun], end[ended]]), numpy.concatenate([height[begun], height[ended]]),
@@ -63,59 +66,52 @@ def _draw_motions(axes, record):
     return handles
 
 
-def _draw_spin(axes, record):
-    curves, _ = spin_on_wall(record)
-    axes.plot(record.column("collisions", "t"), record.column("collisions", "spin"), "o", ms=2.5, color=BLUE, mec="none",
-              label="after each impact")
+def _draw_spin(axes, record, xlim):
+    curves, _ = spin_on_wall(record, xlim=xlim)
+    t = record.column("collisions", "t")
+    seen = inside(t, xlim)
+    if seen.any():
+        axes.plot(t[seen], record.column("collisions", "spin")[seen], "o", ms=2.5, color=BLUE, mec="none",
+                  label="after each impact")
     for index, (t, spin) in enumerate(curves):
         axes.plot(t, spin, color=ORANGE, lw=1.6, label="on the wall" if index == 0 else None)
     if not curves:
         start, end, mean = (record.column("contacts", name) for name in ("t_start", "t_end", "mean_S"))
-        axes.hlines(mean, start, end, color=ORANGE, lw=2, label="on the wall (mean of each piece)")
+        pieces = overlapping(start, end, xlim)
+        axes.hlines(mean[pieces], start[pieces], end[pieces], color=ORANGE, lw=2, label="on the wall (mean of each piece)")
     axes.set(ylabel=SPIN)
-    axes.legend(loc="upper right", ncols=1 + (not is_narrow(axes.figure)))
+    legend_inside(axes, "right")
 
 
-def _draw_forces(force, slip, record):
-    t, on_wall = record.column("samples", "t"), record.column("samples", "in_contact").astype(bool)
-    normal, friction, velocity = (numpy.where(on_wall, record.column("samples", name), numpy.nan) for name in _FORCES)
+def _draw_forces(force, slip, record, xlim):
+    shown = part(record.column("samples", "t"), xlim)
+    t, on_wall = record.column("samples", "t")[shown], record.column("samples", "in_contact")[shown].astype(bool)
+    normal, friction, velocity = (numpy.where(on_wall, record.column("samples", name)[shown], numpy.nan) for name in _FORCES)
     limit = record.scene()["mu"] * normal
     force.fill_between(t, -limit, limit, color="0.9", lw=0, label="$|f| \\leq \\mu\\lambda$")
     force.plot(t, normal, color=BLACK, lw=1.1, label="normal force $\\lambda$")
     force.plot(t, friction, color=VERMILION, lw=1.1, label="friction $f$")
     force.set(ylabel="in $m R_c \\omega_s^2$")
-    force.legend(loc="upper right", ncols=1 + 2 * (not is_narrow(force.figure)))
+    legend_inside(force, "right")
     slip.plot(t, velocity, color=SKY, lw=1.3)
     slip.axhline(0, color="0.8", lw=0.7, zorder=0)
     slip.set(ylabel="slip $u_t/(R_c\\omega_s)$")
 
 
-def _limit(panels, begin, end):
-    """The ordinates are those of what is shown, with room for a legend."""
-    room = 0.6 if is_narrow(panels[0].figure) else 0.3
-    for axes in panels[1:]:
-        values = [numpy.asarray(line.get_ydata(), float)[(line.get_xdata() >= begin) & (line.get_xdata() <= end)]
-                  for line in axes.get_lines() if len(line.get_xdata()) > 2]
-        values = numpy.concatenate(values) if values else numpy.zeros(0)
-        values = values[numpy.isfinite(values)]
-        if len(values) and numpy.ptp(values) > 0:
-            axes.set_ylim(values.min() - 0.06 * numpy.ptp(values), values.max() + room * numpy.ptp(values))
-    panels[0].set_xlim(begin, end)
-
-
 def draw_into(figure, record, look):
+    start, end = record.column("contacts", "t_start"), record.column("contacts", "t_end")
+    xlim = look.xlim or _whole(record)
+    require(overlapping(start, end, xlim).any(), look, record, "contact with the wall", [start[0], end[-1]])
     parts = LegendBelow(figure)
     forces = _has_forces(record)
     count = 4 if forces else 2
     panels = parts.above.subplots(count, 1, sharex=True, height_ratios=(1, 1.4, 1.4, 1)[:count])
-    parts.fill(_draw_motions(panels[0], record), look)
-    _draw_spin(panels[1], record)
+    parts.fill(_draw_motions(panels[0], record, xlim), look)
+    _draw_spin(panels[1], record, xlim)
     if forces:
-        _draw_forces(panels[2], panels[3], record)
-    begin, end = look.xlim or _whole(record)
-    _limit(panels, begin, end)
+        _draw_forces(panels[2], panels[3], record, xlim)
+    panels[0].set_xlim(xlim)
     panels[-1].set_xlabel(TIME)
-    total = record.column("contacts", "t_end")[-1]
-    cut = f"; shown until {TIME} = {end:.4g} of {total:.6g}" if total > end else ""
+    cut = f"; shown until {TIME} = {xlim[1]:.4g} of {end[-1]:.6g}" if not look.xlim and end[-1] > xlim[1] else ""
     look.title(figure, scene_title(record.scene()) + cut)
     return [panels[0]]

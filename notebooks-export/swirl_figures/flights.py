@@ -26,7 +26,10 @@ class Flights:
         return len(self.end)
 
     def last(self, count):
-        return Flights(*(column[-count:] for column in vars(self).values()))
+        return self.part(slice(-count, None))
+
+    def part(self, chosen):
+        return Flights(*(column[chosen] for column in vars(self).values()))
 
     def follows(self):
         """Whether each flight but the first begins where the one before it ends."""

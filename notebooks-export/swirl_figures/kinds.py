@@ -6,15 +6,16 @@ from typing import Callable
 
 from . import (attractors, balance, basins, bifurcation, boundaries, contacts, lyapunov, multipliers, orbit, path, recurrence, section,
                shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
-from .look import Look, blank_figure, limit_abscissa
+from .look import Look, blank_figure, limit_abscissa, require_section
 from .record import RecordError, open_record
-from .style import styled_with
+from .room import PAGE, make_room
+from .style import rasterise_what_exceeds, styled_with
 
 
 @dataclass(frozen=True)
 class Kind:
     """`draw_into(figure, record, look)` draws into a figure or a part of one and gives back the axes that `--xlim`
-    limits; `size(record, width)` is the (width, height) in inches that it wants, of None the width it is drawn in on a
+    limits; `size(record, look)` is the (width, height) in inches that it wants, of no width the one it is drawn in on a
     screen; `together(figure, records, look)` draws several records into the same axes."""
     fits: Callable
     draw_into: Callable
@@ -88,34 +89,47 @@ def draw(records, kind=None, look=Look()):
     if len(records) > MOST_RECORDS:
         raise RecordError(f"{len(records)} records: a figure shows at most {MOST_RECORDS}")
     names = [kind_of(record, kind) for record in records]
+    require_section(look, names)
     with styled_with(look.letters):
-        if len(records) == 1:
-            return _draw_one(records[0], names[0], look)
-        if names[0] == "modes" and set(names[1:]) == {"boundaries"}:
-            return _draw_over_map(records, look)
-        together = KINDS[names[0]].together
-        if together and set(names) == {names[0]}:
-            return _draw_together(records, names[0], look)
-        return _draw_below_one_another(records, names, look)
+        figure = _drawn(records, names, look)
+        rasterise_what_exceeds(figure)
+        make_room(figure, look, f"a figure of kind {names[0]}" if len(records) == 1 else f"a figure of {len(records)} records")
+        return figure
+
+
+def _drawn(records, names, look):
+    if len(records) == 1:
+        return _draw_one(records[0], names[0], look)
+    if names[0] == "modes" and set(names[1:]) == {"boundaries"}:
+        return _draw_over_map(records, look)
+    together = KINDS[names[0]].together
+    if together and set(names) == {names[0]}:
+        return _draw_together(records, names[0], look)
+    return _draw_below_one_another(records, names, look)
+
+
+def _blank(size, look):
+    width, height = size
+    return blank_figure(width, height if look.width is None else min(height, PAGE))
 
 
 def _draw_one(record, name, look):
     kind = KINDS[name]
-    figure = blank_figure(*kind.size(record, look.width))
-    limit_abscissa(kind.draw_into(figure, record, look), look, name)
+    figure = _blank(kind.size(record, look), look)
+    limit_abscissa(kind.draw_into(figure, record, look), look, name, record)
     return figure
 
 
 def _draw_over_map(records, look):
-    figure = blank_figure(*boundaries.size(records[0], look.width))
-    limit_abscissa(boundaries.draw_over_map(figure, records, look), look, "boundaries")
+    figure = _blank(boundaries.size(records[0], look), look)
+    limit_abscissa(boundaries.draw_over_map(figure, records, look), look, "boundaries", records[0])
     return figure
 
 
 def _draw_together(records, name, look):
     kind = KINDS[name]
-    figure = blank_figure(*kind.size(records[0], look.width))
-    limit_abscissa(kind.together(figure, records, look), look, name)
+    figure = _blank(kind.size(records[0], look), look)
+    limit_abscissa(kind.together(figure, records, look), look, name, records[0])
     return figure
 
 
@@ -126,7 +140,7 @@ _OF_ANY_HEIGHT = ("bifurcation", "multipliers")
 def _height(record, name, look):
     if name in _OF_ANY_HEIGHT:
         return _draw_one(record, name, dataclasses.replace(look, notes=[])).get_size_inches()[1]  # tried, not shown
-    return KINDS[name].size(record, look.width)[1]
+    return KINDS[name].size(record, look)[1]
 
 
 def _see_through(figure):
@@ -137,13 +151,13 @@ def _see_through(figure):
 
 
 def _draw_below_one_another(records, names, look):
-    width = look.width or max(KINDS[name].size(record, None)[0] for record, name in zip(records, names))
+    width = look.width or max(KINDS[name].size(record, look)[0] for record, name in zip(records, names))
     heights = [_height(record, name, dataclasses.replace(look, width=width)) for record, name in zip(records, names)]
-    figure = blank_figure(width, sum(heights))
+    figure = _blank((width, sum(heights)), look)
     parts = figure.subfigures(len(records), 1, height_ratios=heights, squeeze=False)[:, 0]
     for letter, part, record, name in zip("abcdefgh", parts, records, names):
-        look.notes.append(f"({letter})")
-        limit_abscissa(KINDS[name].draw_into(part, record, look), look, name)
+        look.notes.append(f"({letter}) {name}" if len(set(names)) > 1 else f"({letter})")
+        limit_abscissa(KINDS[name].draw_into(part, record, look), look, name, record)
         _see_through(part)
         part.text(0.004, 0.995, f"({letter})", va="top", ha="left", weight="bold")
     return figure

@@ -2,11 +2,11 @@
 
 import dataclasses
 import math
-import textwrap
 
 from matplotlib.figure import Figure
 
 from .record import RecordError
+from .words import broken, letters_across
 
 #: A figure of this width, in inches, is as narrow as a column of a page: panels go below one another.
 NARROW = 5.0
@@ -20,8 +20,8 @@ class Look:
     font_size: float = None  #: points; None: 9, or 8 in a column
     titles: bool = True      #: False: none above the figure, as a paper's caption says it
     xlim: tuple = None       #: (least, most) of the abscissa
-    x: str = "psi"           #: coordinates of a section portrait
-    y: str = "S"
+    x: str = None            #: coordinates of a section portrait; None: psi
+    y: str = None            #: None: S
     notes: list = dataclasses.field(default_factory=list, compare=False)  #: of its caption, filled as it is drawn
 
     @property
@@ -29,15 +29,16 @@ class Look:
         narrow = self.width is not None and self.width < NARROW
         return self.font_size or (FONT_SIZE_OF_A_COLUMN if narrow else FONT_SIZE)
 
+    @property
+    def coordinates(self):
+        return self.x or "psi", self.y or "S"
+
     def title(self, figure, text):
         """Above the figure, broken where it is wider than that; of a caption the first lines."""
         self.notes.extend(text.split("\n"))
         if not self.titles:
             return
-        width = figure.bbox.width / figure.figure.dpi
-        longest = max(20, int(72 * width / (0.56 * self.letters * 10 / 9)))
-        lines = [line for part in text.split("\n") for line in textwrap.wrap(part, longest)]
-        figure.suptitle("\n".join(lines))
+        figure.suptitle(broken(text, letters_across(width_of(figure), self.letters * 10 / 9)))
 
 
 def is_narrow(figure):
@@ -51,7 +52,7 @@ def width_of(figure):
 
 def side_by_side(figure, count, least, **options):
     """`count` panels in as many rows as leave each `least` inches of width: a list of axes."""
-    columns = max(1, min(count, int(width_of(figure) / least)))
+    columns = columns_of(width_of(figure), count, least)
     rows = math.ceil(count / columns)
     panels = figure.subplots(rows, columns, squeeze=False, **options).ravel()
     for axes in panels[count:]:
@@ -59,62 +60,36 @@ def side_by_side(figure, count, least, **options):
     return list(panels[:count])
 
 
+def columns_of(width, count, least):
+    return max(1, min(count, int(width / least)))
+
+
 def rows_of(width, count, least):
     """How many rows side_by_side makes of a figure of that width."""
-    return math.ceil(count / max(1, min(count, int(width / least))))
+    return math.ceil(count / columns_of(width, count, least))
 
 
-#: Of a legend, in its letters' size: the width of a letter in the mean, of what stands beside a label, and a line's height.
-_LETTER, _BESIDE, _LINE = 0.55, 4.2, 1.65
-
-
-def legend_lines(handles, width, letters):
-    """(number of columns, of lines) of a legend below a figure of that width: as many columns as fit, each as wide as its
-    longest label (matplotlib fills one after the other)."""
-    lengths = [len(handle.get_label()) for handle in handles]
-    room = 72 * width / (0.89 * letters)
-    for columns in range(len(handles), 1, -1):
-        lines = math.ceil(len(handles) / columns)
-        longest = [max(lengths[first:first + lines]) for first in range(0, len(lengths), lines)]
-        if sum(_LETTER * length + _BESIDE for length in longest) <= room:
-            return len(longest), lines
-    return 1, len(handles)
-
-
-#: Of a figure's height, that a legend may take.
-_SHARE = 0.2
-
-
-class LegendBelow:
-    """A figure in two parts: `above`, for the panels, and a legend as high as it needs below; beside the panels it would
-    take much of a column's width. Panels may be drawn before what the legend lists is known."""
-
-    def __init__(self, figure):
-        self._figure, self._grid = figure, figure.add_gridspec(2, 1, height_ratios=(12, 1))
-        self.above = figure.add_subfigure(self._grid[0])
-        self._below = figure.add_subfigure(self._grid[1])
-
-    def fill(self, handles, look):
-        """Of a whole figure the legend's height is added to that of the panels if it takes more than a fifth of it."""
-        columns, lines = legend_lines(handles, width_of(self._figure), look.letters)
-        strip = (_LINE * 0.89 * look.letters * lines + 8) / 72
-        height = self._figure.bbox.height / self._figure.figure.dpi
-        if strip > _SHARE * height and self._figure is self._figure.figure:
-            height += strip - _SHARE * height
-            self._figure.set_size_inches(width_of(self._figure), height)
-        self._grid.set_height_ratios((max(height - strip, 0.5), strip))
-        self._below.legend(handles=handles, loc="center", ncols=columns, columnspacing=1.2, handlelength=1.6,
-                           borderaxespad=0)
-
-
-def limit_abscissa(axes, look, kind):
+def limit_abscissa(axes, look, kind, record):
     """--xlim, on the axes that the kind's drawing named as those with its abscissa."""
     if look.xlim is None:
         return
     if not axes:
         raise RecordError(f"xlim = {look.xlim[0]:g}:{look.xlim[1]:g}: a figure of kind {kind} has no abscissa to limit")
     for panel in axes:
+        least, most = panel.dataLim.intervalx  # infinite where nothing but words is drawn
+        if math.isfinite(least) and (least > look.xlim[1] or most < look.xlim[0]):
+            raise RecordError(f"xlim = {look.xlim[0]:g}:{look.xlim[1]:g}: record '{record.path}' has nothing to draw there, "
+                              f"only from {least:.6g} to {most:.6g}")
         panel.set_xlim(look.xlim)
+
+
+def require_section(look, names):
+    """--x and --y, of section portraits alone."""
+    for option, value in (("x", look.x), ("y", look.y)):
+        other = next((name for name in names if name != "section"), None)
+        if value is not None and other:
+            raise RecordError(f"{option} = {value}: a figure of kind {other} has no coordinates to choose, one of kind "
+                              "section has")
 
 
 def blank_figure(width, height):

@@ -11,8 +11,8 @@ from .symbols import number, scene_title
 _SETTLED = 0.5
 
 
-def size(record, width):
-    width = width or 7.5
+def size(record, look):
+    width = look.width or 7.5
     return width, 4.0 if width >= 5 else 5.6
 
 

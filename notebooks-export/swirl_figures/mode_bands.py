@@ -28,8 +28,8 @@ def _draw_spin(axes, grid, points):
         axes.set_title("bars: standard error over the starts", fontsize="small", color="0.25", loc="right", pad=2)
 
 
-def size(grid, width):
-    return width or 7, 5.2
+def size(grid, look):
+    return look.width or 7, 5.2
 
 
 def draw_mode_bands(figure, grid, look):

@@ -4,7 +4,8 @@ import numpy
 from matplotlib.colors import BoundaryNorm, ListedColormap, Normalize
 from matplotlib.patches import Patch
 
-from .look import LegendBelow, rows_of, side_by_side, width_of
+from .legends import LegendBelow
+from .look import rows_of, side_by_side, width_of
 from .style import MODE_COLOURS
 from .symbols import MEAN_SPIN, axis_label, scene_title
 from .sweep_grid import cell_edges
@@ -68,8 +69,8 @@ def _maps(grid):
     return 2 + bool((grid.largest_share < 1).any())
 
 
-def size(grid, width):
-    width = width or 0.6 + 3.9 * _maps(grid)
+def size(grid, look):
+    width = look.width or 0.6 + 3.9 * _maps(grid)
     rows = rows_of(width, _maps(grid), _LEAST_MAP)
     return width, 4.3 if rows == 1 else 1.0 + 2.9 * rows
 

@@ -18,10 +18,10 @@ def _chosen(grid):
     return across, numpy.unique(numpy.linspace(0, count - 1, min(count, MOST_PANELS)).round().astype(int))
 
 
-def size(grid, width):
+def size(grid, look):
     """A panel a row in a column of a page, else a panel a column."""
     count = len(_chosen(grid)[1])
-    width = width or 1.2 + 2.6 * count
+    width = look.width or 1.2 + 2.6 * count
     return width, 1.2 + 1.9 * count if width < NARROW else 6.2
 
 

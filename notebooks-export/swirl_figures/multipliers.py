@@ -5,7 +5,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Circle
 from matplotlib.ticker import MaxNLocator
 
-from .look import NARROW, LegendBelow, side_by_side
+from .legends import LegendBelow
+from .look import NARROW, side_by_side
 from .record import RecordError
 from .style import BLACK, CYCLE
 from .symbols import MEAN_SPIN, number, scene_title
@@ -84,9 +85,9 @@ def _draw_spins(axes, period):
     axes.margins(y=0.1)
 
 
-def size(record, width):
-    width = width or 8.6
-    return width, 5.6 if width >= NARROW else 1.6 + 1.75 * width
+def size(record, look):
+    width = look.width or 8.6
+    return width, min(5.6, 1.6 + 0.47 * width) if width >= NARROW else 1.6 + 1.75 * width
 
 
 def draw_into(figure, record, look):
@@ -100,7 +101,7 @@ def draw_into(figure, record, look):
     colours, names = _colours(period, mean_spin)
     parts = LegendBelow(figure)
     parts.fill(_handles(colours, names, stability), look)
-    plane, spins = side_by_side(parts.above, 2, 2.6)
+    plane, spins = side_by_side(parts.above, 2, NARROW / 2)
     _draw_plane(plane, multiplier, logarithmic)
     for values, k, s, colour, name in zip(multiplier, period, mean_spin, colours, stability):
         place = _radius(abs(values), logarithmic) * numpy.exp(1j * numpy.angle(values))

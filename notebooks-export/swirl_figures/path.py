@@ -1,7 +1,5 @@
 """The centre's path of a simulate record in three frames: laboratory, container, co-rotating with the swirl."""
 
-import textwrap
-
 import numpy
 from matplotlib import rcParams
 from matplotlib.collections import LineCollection
@@ -10,15 +8,16 @@ from matplotlib.patches import Circle, Polygon
 from matplotlib.ticker import MaxNLocator
 
 from .flights import flights_of
-from .look import is_narrow, rows_of, side_by_side, width_of
+from .look import NARROW, is_narrow, side_by_side, width_of
 from .style import BLACK, TIMES, VERMILION
 from .symbols import TIME, scene_title
+from .words import broken
 
 #: More flights than these only blacken the panels: the last are drawn.
 MOST_FLIGHTS = 300
 MOST_CORNERS = 200
 
-_STEP = 0.05          # in radians of the swirl, between points of a curve
+_STEP = 0.1           # in radians of the swirl, between points of a curve: its chords leave it by 0.1 % of the container
 _MOST_POINTS = 5_000  # of one flight
 
 
@@ -115,17 +114,18 @@ def draw_path_into(figure, panels, record):
         return LineCollection([numpy.column_stack(into(x, y, t, beta)) for t, x, y in some], cmap=TIMES,
                               norm=times, array=array, linewidths=width, capstyle="round")
 
+    straight = [tuple(values[[0, -1]] for values in curve) for curve in curves]
     for axes, (name, into) in zip(panels, FRAMES.items()):
-        lines = lines_of(curves, into, shown.end, 0.8)
+        lines = lines_of(straight if into is _laboratory else curves, into, shown.end, 0.8)
         axes.add_collection(lines)
         axes.add_collection(lines_of(walls, into, ends, 2))
         axes.set_aspect("equal")
         axes.set(title=name, xlabel=r"$x/R_c$")
         for axis in (axes.xaxis, axes.yaxis):
-            axis.set_major_locator(MaxNLocator(5, steps=(1, 2, 5, 10)))
+            axis.set_major_locator(MaxNLocator(5 if width_of(figure) > 9 or is_narrow(figure) else 3, steps=(1, 2, 5, 10)))
         _draw_container(axes, name, shown.end[-1], beta)
         _draw_body(axes, name, record)
-    for axes in panels if width_of(figure) < 3 * _LEAST_PANEL else panels[:1]:
+    for axes in panels if is_narrow(figure) else panels[:1]:
         axes.set_ylabel(r"$y/R_c$")
     place = {"location": "bottom", "aspect": 40} if is_narrow(figure) else {"shrink": 0.75, "aspect": 25}
     bar = figure.colorbar(lines, ax=panels, label=TIME, pad=0.01, **place)
@@ -137,25 +137,20 @@ def draw_path_into(figure, panels, record):
 CAPTION = ("black: the container, red: the body, both at the last impact;  +: the swirl's centre;  "
            "dashed: the circle on which the container's centre runs;  thick: on the wall")
 
-#: Inches that a panel needs.
-_LEAST_PANEL = 2.6
-
-
 def panels_of(figure):
-    return side_by_side(figure, len(FRAMES), _LEAST_PANEL)
+    return side_by_side(figure, len(FRAMES), NARROW if is_narrow(figure) else NARROW / len(FRAMES))
 
 
 def write_caption(figure):
     longest = max(30, int(72 * width_of(figure) / (0.5 * 8 / 9 * rcParams["font.size"])))
-    figure.supxlabel("\n".join(textwrap.wrap(CAPTION, longest)), fontsize="small", color="0.25")
+    figure.supxlabel(broken(CAPTION, longest), fontsize="small", color="0.25")
 
 
-def size(record, width):
-    width = width or 10
-    rows = rows_of(width, len(FRAMES), _LEAST_PANEL)
-    if rows == 1:
-        return width, 3.9 * width / 10 if width > 10 else 3.9
-    return width, 1.5 + rows * min(0.85 * width * rows / len(FRAMES), 2.05 if rows == len(FRAMES) else 3.6)
+def size(record, look):
+    width = look.width or 10
+    if width < NARROW:
+        return width, 1.5 + len(FRAMES) * min(0.85 * width, 2.05)
+    return width, 1.2 + 0.27 * width
 
 
 def draw_into(figure, record, look):

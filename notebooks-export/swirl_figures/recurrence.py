@@ -1,9 +1,10 @@
 """Recurrence quantification: the recurrence plot, the measures beside it, and the lines that they are made of."""
 
 import numpy
+from matplotlib import rcParams
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
 
-from .look import is_narrow
+from .look import NARROW, is_narrow, width_of
 from .style import BLUE, CYCLE, VERMILION
 from .symbols import number, scene_title
 
@@ -30,11 +31,22 @@ def _several(record):
     return len(record.column("recurrence", "RR")) > 1
 
 
-def size(record, width):
-    width = width or (8.6 if _has_image(record) else 7.5)
+#: Small letters that the table of measures is wide: their names, what they mean, their values.
+_NAME, _TABLE = 4, 27
+
+#: Inches of width in which the table stands beside the other panels; in less, below them.
+_BESIDE = 6.2
+
+
+def size(record, look):
+    width = look.width or (8.6 if _has_image(record) else 7.5)
     if not _has_image(record):
-        return width, 3.6 if width >= 5 else 5.6
-    return (width, 0.62 * width + 0.3) if width >= 5 else (width, 1.02 * width + 4.2)
+        return width, 3.6 if width >= (NARROW if _several(record) else _BESIDE) else 5.6
+    return (width, 0.62 * width + 0.3) if width >= _BESIDE else (width, 1.02 * width + 4.2)
+
+
+def _small():
+    return 8 / 9 * rcParams["font.size"]
 
 
 def _draw_image(axes, record):
@@ -68,7 +80,8 @@ def _write_measures(axes, record):
     for index, (name, meaning, value) in enumerate(rows):
         height = 1 - (index + 0.5) / len(rows)
         axes.text(0, height, name, va="center", fontsize="small", weight="bold", transform=axes.transAxes)
-        axes.text(0.17, height, meaning, va="center", fontsize="small", color="0.3", transform=axes.transAxes)
+        axes.annotate(meaning, (0, height), xycoords="axes fraction", xytext=(_NAME * _small(), 0), textcoords="offset points",
+                      va="center", fontsize="small", color="0.3")
         axes.text(1, height, value, va="center", ha="right", fontsize="small", transform=axes.transAxes)
 
 
@@ -117,18 +130,19 @@ def _settings(record):
 
 def draw_into(figure, record, look):
     look.title(figure, "\n".join(filter(None, (scene_title(record.scene()), _settings(record)))))
-    narrow = is_narrow(figure)
     if _several(record):
-        panels = figure.subplots(*((2, 1) if narrow else (1, 2)))
+        panels = figure.subplots(*((2, 1) if is_narrow(figure) else (1, 2)))
         _draw_over_thresholds(*panels, record)
         return list(panels)
+    width, table = width_of(figure), _TABLE * _small() / 72
+    below = width < _BESIDE
+    shape, ratios = (2, 1) if below else (1, 2), {} if below else {"width_ratios": (width - table, table)}
     if not _has_image(record):
-        lengths, table = figure.subplots(*((2, 1) if narrow else (1, 2)), **({} if narrow else {"width_ratios": (3, 2)}))
+        lengths, table = figure.subplots(*shape, **ratios)
         _draw_lengths(lengths, record)
         _write_measures(table, record)
         return [lengths]
-    left, right = figure.subfigures(*((2, 1) if narrow else (1, 2)),
-                                    **({"height_ratios": (5, 6)} if narrow else {"width_ratios": (5, 3)}))
+    left, right = figure.subfigures(*shape, **({"height_ratios": (5, 6)} if below else ratios))
     _draw_image(left.subplots(), record)
     table, lengths = right.subplots(2, 1, height_ratios=(3, 2))
     _write_measures(table, record)

@@ -4,7 +4,8 @@ import numpy
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from .look import LegendBelow, is_narrow, widen
+from .legends import LegendBelow
+from .look import is_narrow, widen
 from .record import RecordError
 from .style import MODE_COLOURS
 from .symbols import MEAN_SPIN, number, scene_title
@@ -18,8 +19,8 @@ def _attractors(record):
     return min(len(record.column("attractors", "share")), MOST_ATTRACTORS)
 
 
-def size(record, width):
-    width = width or 8
+def size(record, look):
+    width = look.width or 8
     bars = 0.9 + 0.33 * _attractors(record)
     return (width, max(3.2, bars + 0.9)) if width >= 5 else (width, bars + 3.6)
 

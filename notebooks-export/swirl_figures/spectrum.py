@@ -3,7 +3,8 @@
 import numpy
 from matplotlib.lines import Line2D
 
-from .look import LegendBelow
+from .legends import LegendBelow
+from .ranges import inside, part, require
 from .style import BLUE, ORANGE, VERMILION
 from .symbols import number, scene_title
 from .thinning import thinned
@@ -18,8 +19,8 @@ NAMED_PEAKS = 6
 _LEAST_POWER = 1e-14
 
 
-def size(record, width):
-    return width or 7.5, 4.4
+def size(record, look):
+    return look.width or 7.5, 4.4
 
 
 def _frequency_label(record):
@@ -53,11 +54,12 @@ def _range_of_power(frequency, power):
     return max(least - margin, frequency[0]), min(most + margin, frequency[-1])
 
 
-def _draw_peaks(axes, record, frequency, power):
+def _draw_peaks(axes, record, frequency, power, xlim):
     """Handles of the legend."""
-    if "peaks" not in record or len(record.column("peaks", "frequency")) == 0:
+    if "peaks" not in record:
         return []
-    place, spread, variance = (record.column("peaks", name) for name in ("frequency", "spread", "power"))
+    seen = inside(record.column("peaks", "frequency"), xlim)
+    place, spread, variance = (record.column("peaks", name)[seen] for name in ("frequency", "spread", "power"))
     height = numpy.interp(place, frequency, power)
     height = numpy.maximum(height, power[numpy.clip(numpy.searchsorted(frequency, place), 1, len(power) - 1)])
     height = numpy.maximum(height, power[numpy.clip(numpy.searchsorted(frequency, place) - 1, 0, len(power) - 1)])
@@ -90,13 +92,16 @@ def draw_into(figure, record, look):
     positive = power > 0
     if positive.any():
         floor = power.max() * _LEAST_POWER
-        axes.semilogy(*thinned(frequency, numpy.maximum(power, floor)), color=BLUE, lw=0.8)
-        axes.set_xlim(look.xlim or _range_of_power(frequency, power))
-        inside = positive & (frequency >= axes.get_xlim()[0]) & (frequency <= axes.get_xlim()[1])
-        axes.set_ylim(max(power[inside].min(), floor) * 0.5, power.max() * 300)
+        xlim = look.xlim or _range_of_power(frequency, power)
+        shown, seen = part(frequency, xlim), positive & inside(frequency, xlim)
+        require(seen.any(), look, record, "frequency", frequency)
+        axes.semilogy(*thinned(frequency[shown], numpy.maximum(power, floor)[shown]), color=BLUE, lw=0.8)
+        axes.set_xlim(xlim)
+        axes.set_ylim(max(power[seen].min(), floor) * 0.5, power[seen].max() * 300)
     else:
         axes.text(0.5, 0.5, "constant: no power at any frequency", ha="center", transform=axes.transAxes)
-    handles = [Line2D([], [], color=BLUE, lw=0.9, label="power density")] + _draw_peaks(axes, record, frequency, power)
+    handles = [Line2D([], [], color=BLUE, lw=0.9, label="power density")]
+    handles += _draw_peaks(axes, record, frequency, power, look.xlim)
     axes.set(xlabel=_frequency_label(record), ylabel=f"power of {_observable(record)} per unit of frequency")
     parts.fill(handles, look)
     look.title(figure, "\n".join(filter(None, (scene_title(record.scene()), _verdict(record)))))

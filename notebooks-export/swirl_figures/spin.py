@@ -6,7 +6,9 @@ from matplotlib.colors import LogNorm
 from matplotlib.ticker import MaxNLocator
 
 from .flights import flights_of
-from .look import is_narrow
+from .legends import legend_inside
+from .look import columns_of
+from .ranges import inside, overlapping, part, require
 from .style import BLUE, MANY_POINTS, ORANGE, VERMILION
 from .symbols import SPIN, TIME, number, scene_title
 from .thinning import thinned
@@ -18,8 +20,19 @@ LAST_STEPS = 100
 _POINTS_OF_A_CONTACT = 500
 
 
-def _steps(flights, after):
+def _flights_in(record, look):
+    """Those that the range shows, wholly or in part."""
+    flights = flights_of(record)
+    if look.xlim is None:
+        return flights
+    first, last = numpy.searchsorted(flights.end, look.xlim[0]), numpy.searchsorted(flights.begin, look.xlim[1], side="right")
+    return flights.part(slice(first, last))
+
+
+def _steps(flights, record):
     """The polyline of S(t): level in flight, upright at an impact, broken where no flight is listed."""
+    impacts = record.column("collisions", "t")
+    after = record.column("collisions", "spin")[numpy.searchsorted(impacts, flights.end[-1])]
     t = numpy.column_stack([flights.begin, flights.end]).ravel()
     spin = numpy.repeat(flights.spin, 2)
     breaks = 2 * (1 + numpy.flatnonzero(~flights.follows()))
@@ -47,37 +60,39 @@ def _running_mean(record):
     return numpy.concatenate(times), numpy.concatenate(turned) / numpy.concatenate(time)
 
 
-def _contacts(record, after=-numpy.inf):
+def _contacts(record, after=-numpy.inf, xlim=None):
     if "contacts" not in record:
         return numpy.empty((3, 0))
     start, end, mean = (record.column("contacts", name) for name in ("t_start", "t_end", "mean_S"))
-    kept = (start >= after) & (end > start)
+    kept = (start >= after) & (end > start) & overlapping(start, end, xlim)
     return start[kept], end[kept], mean[kept]
 
 
-def spin_on_wall(record, after=-numpy.inf):
+def spin_on_wall(record, after=-numpy.inf, xlim=None):
     """([(t, S)] through the contact that the record's samples show, simulate --sample; and whether each piece of
     _contacts lies within them)."""
-    start, end, _ = _contacts(record, after)
+    start, end, _ = _contacts(record, after, xlim)
     curves, shown = [], numpy.zeros(len(start), dtype=bool)
     if "samples" not in record:
         return curves, shown
     t, spin, on_wall = (record.column("samples", name) for name in ("t", "spin", "in_contact"))
     kept = t >= after
-    t, spin, on_wall = t[kept], spin[kept], on_wall[kept]
+    t, spin, on_wall = (values[kept][part(t[kept], xlim)] for values in (t, spin, on_wall))
+    if xlim:
+        start, end = numpy.clip(start, *xlim), numpy.clip(end, *xlim)
     borders = numpy.flatnonzero(numpy.diff(on_wall.astype(int))) + 1
-    for part in numpy.split(numpy.arange(len(t)), borders):
-        if len(part) < 2 or not on_wall[part[0]]:
+    for piece in numpy.split(numpy.arange(len(t)), borders):
+        if len(piece) < 2 or not on_wall[piece[0]]:
             continue
-        curves.append((t[part], spin[part]))
+        curves.append((t[piece], spin[piece]))
         between = t[1] - t[0]  # a piece may begin and end up to a sample beside it
-        shown |= (start >= t[part[0]] - between) & (end <= t[part[-1]] + between)
+        shown |= (start >= t[piece[0]] - between) & (end <= t[piece[-1]] + between)
     return curves, shown
 
 
-def _draw_contacts(axes, record, after=-numpy.inf):
-    start, end, mean = _contacts(record, after)
-    curves, shown = spin_on_wall(record, after)
+def _draw_contacts(axes, record, after=-numpy.inf, xlim=None):
+    start, end, mean = _contacts(record, after, xlim)
+    curves, shown = spin_on_wall(record, after, xlim)
     if curves:
         axes.add_collection(LineCollection([numpy.column_stack(curve) for curve in curves], colors=ORANGE,
                                            linewidths=1.6, label="S on the wall"))
@@ -87,10 +102,14 @@ def _draw_contacts(axes, record, after=-numpy.inf):
                                            label="on the wall (mean of each piece)"))
 
 
-def _draw_mean(axes, times, means):
-    if len(times):
-        axes.plot(*thinned(times, means), color=VERMILION, lw=1.3,
-                  label=f"running time mean, at last {number(means[-1])}")
+def _draw_mean(axes, record, after=-numpy.inf, xlim=None):
+    times, means = running_mean(record)
+    kept = times >= after
+    times, means = times[kept], means[kept]
+    shown, seen = part(times, xlim), means[inside(times, xlim)]
+    if len(times[shown]):
+        last = f", at last {number(seen[-1])}" if len(seen) else ""
+        axes.plot(*thinned(times[shown], means[shown]), color=VERMILION, lw=1.3, label=f"running time mean{last}")
 
 
 def _end_before_the_long_rest(axes, record, begin):
@@ -112,34 +131,40 @@ def _finish(axes, title):
         axes.xaxis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
     axes.ticklabel_format(axis="x", useOffset=False, style="plain")
     axes.axhline(0, color="0.8", lw=0.7, zorder=0)
-    bottom, top = axes.get_ylim()
-    narrow = is_narrow(axes.figure)
-    axes.set_ylim(bottom, top + (0.45 if narrow else 0.24) * (top - bottom))  # room for the legend
-    axes.legend(loc="upper left", ncols=1 + 2 * (not narrow), borderaxespad=0.1, columnspacing=1.2, handlelength=1.6)
+    legend_inside(axes)
 
 
-def _draw_all(axes, record, flights):
+def _how_many(record, look, noun):
+    """"600 impacts", or of a range "28 of 600 impacts"."""
+    t = record.column("collisions", "t")
+    some = f"{inside(t, look.xlim).sum():,} of " if look.xlim else ""
+    return f"{some}{len(t):,} {noun}{'s' * (len(t) > 1)}"
+
+
+def _draw_all(axes, record, look):
     t, spin = record.column("collisions", "t"), record.column("collisions", "spin")
+    seen = inside(t, look.xlim)
+    begin, t, spin = t[0], t[seen], spin[seen]
     many = len(t) > MANY_POINTS
     if many:
         axes.hist2d(t, spin, bins=(300, 150), cmin=1, norm=LogNorm(), cmap="Blues", rasterized=True)
     else:
         axes.scatter(t, spin, s=7 if len(t) < 2000 else 2, color=BLUE, alpha=0.8, lw=0)
     axes.plot([], [], "o", color=BLUE, ms=3.5, mec="none", label="after each impact")
-    _draw_contacts(axes, record)
-    _draw_mean(axes, *running_mean(record))
-    rest = _end_before_the_long_rest(axes, record, t[0])
-    _finish(axes, f"Spin, {len(flights):,} listed impacts{' (darker: more)' * many}{rest}")
+    _draw_contacts(axes, record, xlim=look.xlim)
+    _draw_mean(axes, record, xlim=look.xlim)
+    rest = "" if look.xlim else _end_before_the_long_rest(axes, record, begin)
+    _finish(axes, f"Spin, {_how_many(record, look, 'listed impact')}{' (darker: more)' * many}{rest}")
 
 
-def _draw_steps(axes, record, flights, title):
-    after = record.column("collisions", "spin")[-1]
-    axes.plot(*_steps(flights, after), color=BLUE, lw=1.1, label="S")
-    _draw_contacts(axes, record, after=flights.begin[0])
-    times, means = running_mean(record)
-    shown = times >= flights.begin[0]
-    _draw_mean(axes, times[shown], means[shown])
-    _finish(axes, title + _end_before_the_long_rest(axes, record, flights.begin[0]))
+def _draw_steps(axes, record, flights, look, title):
+    begin = -numpy.inf
+    if len(flights):
+        begin = flights.begin[0]
+        axes.plot(*_steps(flights, record), color=BLUE, lw=1.1, label="S")
+    _draw_contacts(axes, record, begin, look.xlim)
+    _draw_mean(axes, record, begin, look.xlim)
+    _finish(axes, title + ("" if look.xlim else _end_before_the_long_rest(axes, record, begin)))
 
 
 def _are_steps(flights):
@@ -147,30 +172,40 @@ def _are_steps(flights):
     return flights.follows().sum() * 2 >= len(flights) - 1
 
 
-def spin_panels(record):
+def spin_panels(record, look):
     """How many panels draw_spin_into wants."""
-    flights = flights_of(record)
+    flights = _flights_in(record, look)
     return 2 if len(flights) > MOST_STEPS and _are_steps(flights) else 1
 
 
-def draw_spin_into(panels, record):
-    flights = flights_of(record)
+def draw_spin_into(panels, record, look):
+    flights = _flights_in(record, look)
+    require(len(flights) or len(_contacts(record, xlim=look.xlim)[0]), look, record, "impact", flights_of(record).end)
     if len(flights) <= MOST_STEPS and _are_steps(flights):
-        _draw_steps(panels[0], record, flights, f"Spin, {len(flights):,} impact{'s' * (len(flights) > 1)}")
+        _draw_steps(panels[0], record, flights, look, f"Spin, {_how_many(record, look, 'impact')}")
         return
-    _draw_all(panels[0], record, flights)
+    _draw_all(panels[0], record, look)
     if len(panels) > 1:
-        _draw_steps(panels[1], record, flights.last(LAST_STEPS), f"The last {LAST_STEPS} impacts")
+        these = "of these " if look.xlim else ""
+        _draw_steps(panels[1], record, flights.last(LAST_STEPS), look, f"The last {LAST_STEPS} {these}impacts")
 
 
-def size(record, width):
-    count = record.derived(spin_panels)
-    return width or 7.5, 1.2 + 2.6 * count
+#: Inches of width that a panel needs beside another.
+_LEAST_PANEL = 3.2
+
+
+def columns(record, width, look):
+    """In how many columns the panels stand where the figure is `width` wide."""
+    return columns_of(width, spin_panels(record, look), _LEAST_PANEL)
+
+
+def size(record, look):
+    return look.width or 7.5, 1.2 + 2.6 * spin_panels(record, look)
 
 
 def draw_into(figure, record, look):
     """S(t) as steps; of many impacts dots for all and steps for the last."""
-    panels = list(figure.subplots(record.derived(spin_panels), 1, squeeze=False)[:, 0])
-    draw_spin_into(panels, record)
+    panels = list(figure.subplots(spin_panels(record, look), 1, squeeze=False)[:, 0])
+    draw_spin_into(panels, record, look)
     look.title(figure, scene_title(record.scene()))
     return panels[:1]

@@ -3,7 +3,7 @@
 import numpy
 from matplotlib.lines import Line2D
 
-from .look import LegendBelow
+from .legends import LegendBelow
 from .record import RecordError
 from .style import BLUE, VERMILION
 from .symbols import SPIN, scene_title
@@ -13,8 +13,8 @@ _BRANCHES = {"+": (VERMILION, "^", "+ branch: outer side, ψ near 0"),
 _FILLS = {"stable": "full", "neutral": "left", "unstable": "none"}
 
 
-def size(record, width):
-    return width or 6.5, 4.6
+def size(record, look):
+    return look.width or 6.5, 4.6
 
 
 def _draw_modes(axes, record):

@@ -3,7 +3,9 @@
 import functools
 
 import matplotlib
+from matplotlib.collections import LineCollection, PathCollection
 from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.lines import Line2D
 
 BLUE, ORANGE, GREEN, VERMILION = "#0072B2", "#E69F00", "#009E73", "#D55E00"
 PURPLE, SKY, YELLOW, BLACK, GREY = "#CC79A7", "#56B4E9", "#F0E442", "#222222", "#9A9A9A"
@@ -16,8 +18,37 @@ MODE_COLOURS = {"steady": BLUE, "quasi-steady": YELLOW, "chaotic": VERMILION, "u
 #: What tells time; it reads in grey, and without its palest end on white.
 TIMES = LinearSegmentedColormap.from_list("times", matplotlib.colormaps["cividis_r"](range(30, 256)))
 
-#: Points beyond which a vector file would be slow to open: they are drawn as an image inside it.
+#: Marks beyond which a vector file would be slow to open, in all panels of a figure together. A corner of a line takes a
+#: fifth of a mark's bytes.
 MANY_POINTS = 20_000
+_CORNER = 0.2
+
+
+def _marks(artist):
+    if artist.get_rasterized():
+        return 0
+    if isinstance(artist, PathCollection):
+        return len(artist.get_offsets())
+    if isinstance(artist, LineCollection):
+        return sum(1 + _CORNER * len(path.vertices) for path in artist.get_paths())
+    if isinstance(artist, Line2D):
+        return len(artist.get_xdata()) * (1 if artist.get_marker() not in ("None", None, "", " ") else _CORNER)
+    return 0
+
+
+def rasterise_what_exceeds(figure):
+    """Of a figure with more marks the dots and lines that have most become images inside a vector file, until the rest is
+    few; of panels with equally many all or none."""
+    artists = [artist for axes in figure.axes for artist in (*axes.collections, *axes.lines)]
+    marks = [_marks(artist) for artist in artists]
+    left = sum(marks)
+    for count in sorted(set(marks), reverse=True):
+        if left <= MANY_POINTS:
+            return
+        for artist, own in zip(artists, marks):
+            if own == count:
+                artist.set_rasterized(True)
+                left -= count
 
 
 def settings(font_size):

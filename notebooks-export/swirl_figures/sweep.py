@@ -16,11 +16,11 @@ def _shown(record):
     return grid
 
 
-def size(record, width):
+def size(record, look):
     if sweep_points.is_sampled(record):
-        return sweep_points.size(record, width)
+        return sweep_points.size(record, look)
     grid = _shown(record)
-    return _SIZES[len(grid.axes) - 1](grid, width)
+    return _SIZES[len(grid.axes) - 1](grid, look)
 
 
 def draw_into(figure, record, look):

@@ -6,13 +6,17 @@ import itertools
 import numpy
 from matplotlib.lines import Line2D
 
-from .look import LegendBelow, side_by_side, width_of
+from .legends import LegendBelow
+from .look import side_by_side, width_of
 from .mode_map import mode_style, spin_style
 from .style import MODE_COLOURS
 from .sweep_grid import starts_in_words
 from .symbols import MEAN_SPIN, axis_label, is_parameter, scene_title
 
 _LEAST_PANEL = 3.0
+
+#: More points are small dots, which an edge would darken.
+_MOST_EDGED = 2_000
 
 
 def is_sampled(record):
@@ -43,9 +47,9 @@ def _values(record, name):
     return numpy.array([words.index(str(word)) for word in values], dtype=float), words
 
 
-def size(record, width):
+def size(record, look):
     count = len(_panels(record))
-    width = width or (6.5 if count == 1 else 9.0)
+    width = look.width or (6.5 if count == 1 else 9.0)
     columns = max(1, min(2, count, int(width / _LEAST_PANEL)))
     rows = -(-count // columns)
     return width, 0.9 + rows * min(3.2, 10 / rows)  # no higher than a page
@@ -62,8 +66,9 @@ def _draw_panel(axes, record, panel, modes, place):
     abscissa, x_words = _values(record, x)
     ordinate, y_words = (spin, None) if y is None else _values(record, y)
     colours, extend = (mode_style(modes), None) if by_mode else spin_style(spin)
-    dots = axes.scatter(abscissa, ordinate, c=place if by_mode else spin, s=_dots(len(spin)), lw=0.3,
-                        ec="0.4", plotnonfinite=True, **colours)
+    edge = 0.3 if len(spin) < _MOST_EDGED else 0
+    dots = axes.scatter(abscissa, ordinate, c=place if by_mode else spin, s=_dots(len(spin)), lw=edge, ec="0.4",
+                        plotnonfinite=True, **colours)
     axes.set(xlabel=axis_label(x), ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$" if y is None else axis_label(y),
              title="Mode with the largest share" if by_mode else f"Mean spin {MEAN_SPIN}, in $\\omega_s$")
     for along, words in ((axes.xaxis, x_words), (axes.yaxis, y_words)):

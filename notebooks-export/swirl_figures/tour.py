@@ -3,7 +3,8 @@
 import numpy
 from matplotlib.patches import Patch
 
-from .look import LegendBelow, is_narrow
+from .legends import LegendBelow
+from .look import is_narrow
 from .style import MODE_COLOURS
 from .symbols import MEAN_SPIN
 
@@ -16,9 +17,9 @@ def _scenes(record):
     return sorted(name for name in record.groups if "mode" in record.attributes(name))
 
 
-def size(record, width):
+def size(record, look):
     rows = 1.3 + 0.42 * len(_scenes(record))
-    width = width or 8
+    width = look.width or 8
     return width, rows if width >= 5 else 1.6 * rows + 0.6
 
 

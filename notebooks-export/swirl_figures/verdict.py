@@ -9,7 +9,7 @@ from matplotlib.colors import Normalize
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from .look import is_narrow, widen, width_of
+from .look import rows_of, side_by_side, widen, width_of
 from .section import dot_size
 from .style import BLACK, BLUE, MODE_COLOURS, TIMES
 from .symbols import SPIN, number, observable_label, scene_title
@@ -57,12 +57,18 @@ def _height_of_text(record, width):
     return 0.45 + len(_lines_of(record, _letters_across(width))) * 1.35 * 8 / 9 * rcParams["font.size"] / 72
 
 
+_PANELS = 3
+
+#: Inches that a panel needs.
+_LEAST_PANEL = 2.2
+
+
 def _height_of_panels(width):
-    return 2.9 if width >= 5 else 6.6
+    return 2.9 if rows_of(width, _PANELS, _LEAST_PANEL) == 1 else 2.2 * rows_of(width, _PANELS, _LEAST_PANEL)
 
 
-def size(record, width):
-    width = width or 9
+def size(record, look):
+    width = look.width or 9
     panels = _height_of_panels(width) if _has_orbit(record) else 0
     return width, 0.75 + panels + _height_of_text(record, width)
 
@@ -70,8 +76,7 @@ def size(record, width):
 def _draw_section(axes, names, points):
     """psi and S, coloured by their order."""
     x, y = points[:, names.index("psi")], points[:, names.index("S")]
-    axes.scatter(x, y, c=numpy.arange(len(x)), cmap=TIMES, norm=Normalize(0, len(x)),
-                 s=max(dot_size(len(numpy.unique(points.round(6), axis=0))), 1.5), lw=0)
+    axes.scatter(x, y, c=numpy.arange(len(x)), cmap=TIMES, norm=Normalize(0, len(x)), s=max(dot_size(x, y), 1.5), lw=0)
     axes.set(xlabel=observable_label("psi"), ylabel=SPIN, title="On the section")
     axes.margins(0.08)
     axes.xaxis.set_major_locator(MaxNLocator(5))
@@ -135,7 +140,7 @@ def draw_into(figure, record, look):
     above, below = figure.subfigures(2, 1, height_ratios=(_height_of_panels(width), _height_of_text(record, width)))
     names, points = [str(name) for name in record.names("tail", "coordinate")], record.column("tail", "points")
     spin = points[:, names.index("S")]
-    panels = above.subplots(*((3, 1) if is_narrow(figure) else (1, 3)))
+    panels = side_by_side(above, _PANELS, _LEAST_PANEL)
     _draw_section(panels[0], names, points)
     _draw_spin(panels[1], int(record.attributes("tail").get("first", 1)), spin)
     _draw_spectrum(panels[2], spin)

@@ -49,6 +49,20 @@ class Captions(InFolder):
         self.assertTrue(0 < fewer <= drawn < all_points)  # a marker covers more of a narrow figure
         self.assertIn("hexagon, β = 0.5", narrow)  # the title that the figure lacks
 
+    def test_legend_and_caption_count_the_same_points_in_a_range(self):
+        text = self.drawn("--xlim 3.25:3.3")
+        head, all_points, drawn = re.search(r"(Special points with alpha from 3.25 to 3.3), (\d+), of which (\d+) are", text).groups()
+        rows = re.findall(r"^ +flip +(3\.\d+) .*$", text, re.MULTILINE)
+        self.assertEqual(len(rows), int(all_points))
+        self.assertTrue(all(3.25 <= float(row) <= 3.3 for row in rows) and 0 < int(drawn) <= len(rows) < 40, text)
+
+    def test_of_several_kinds_each_part_has_its_own(self):
+        figure_records.write_orbits(self.folder / "o.h5", 4, 1.3)
+        text = self.drawn(str(self.folder / "o.h5"))
+        self.assertIn("Kinds of figure: bifurcation, multipliers.", text)
+        self.assertLess(text.index("(a) bifurcation"), text.index("(b) multipliers"))
+        self.assertIn("Kind of figure: bifurcation.", self.drawn())
+
     def test_a_file_that_swirl_did_not_write_stays(self):
         self.words.write_text("my notes\n")
         self.not_drawn(self.words, "d.txt")

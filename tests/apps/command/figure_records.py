@@ -95,8 +95,8 @@ def write_bifurcation(path, groups=("samples", "branches", "special")):
                 write(file)
 
 
-def write_crowded_special(path, count):
-    """A branch with `count` flips that all but lie on one another, from r = 3.2 to 3.4."""
+def write_crowded_special(path, count, phases=1):
+    """A branch with `count` flips that all but lie on one another, from r = 3.2 to 3.4, at so many phases each."""
     with _record(path, {"along": "alpha"}, SCENE) as file:
         _branches(file)
         group = file.create_group("special")
@@ -106,7 +106,8 @@ def write_crowded_special(path, count):
         _write(group, "kind", ["special_point"], ["flip"] * count)
         _write(group, "branch", ["special_point"], numpy.zeros(count, dtype="i8"))
         _write(group, "parameter", ["special_point"], r)
-        _write(group, "S", ["special_point", "phase"], -_padded([[1 - 1 / value] for value in r], 3))
+        values = [[1 - 1 / value - 0.2 * phase for phase in range(phases)] for value in r]
+        _write(group, "S", ["special_point", "phase"], -_padded(values, 3))
 
 
 def write_orbits(path, count, largest):

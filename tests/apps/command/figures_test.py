@@ -5,11 +5,9 @@ million points; with SWIRL_CONTACT_SHEET=FILE.png all of them on one sheet, to b
 
 import json
 import os
-import sys
-import tempfile
+import re
 import time
 import unittest
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy
@@ -17,71 +15,23 @@ from matplotlib.figure import Figure
 from matplotlib.image import imread
 
 from driving import InFolder, run
-
-ALL = "--all" in sys.argv and not sys.argv.remove("--all")
-ROOT = str(Path(sys.argv.pop(1)).resolve())
-sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
-
+from drawn_records import ALL, CHAOTIC, HEXAGON, KINDS_OF, WithRecords
 import figure_records
 from chosen import length_of
 from swirl_figures import boundaries
 from swirl_figures import KINDS, Look, RecordError, draw, kinds_of, open_record, save
 from swirl_figures.thinning import apart, thinned
+from swirl_figures.words import ordinal
 
-HEXAGON = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"
-CHAOTIC = "--sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1"
-SHORT = "--transient 1000 --collisions 2000"
-COMMANDS = {
-    "orbit": f"simulate {CHAOTIC} --collisions 500",
-    "wall": "simulate --sides disk --alpha 0.1 --beta 0.05 --mu 0.4 --restitution 0.3 --time 60 --sample 0.02",
-    "verdict": f"classify {HEXAGON} {SHORT} --exhaustive",
-    "runs": f"classify {HEXAGON} {SHORT} --runs 4",
-    "recurrence": f"recurrence {CHAOTIC} {SHORT} --image 60",
-    "thresholds": f"recurrence {CHAOTIC} {SHORT} --threshold 0.1,0.2,0.3",
-    "spectrum": f"spectrum {HEXAGON} {SHORT}",
-    "lyapunov": f"lyapunov {CHAOTIC} {SHORT}",
-    "describe": "describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9",
-    "families": "describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 1",
-    "basins": f"sweep {CHAOTIC.replace('restitution 1', 'restitution 0.95')} --grid vx=-0.4:0.4:5 --grid spin=-1:1:4 --transient 100 "
-              "--collisions 100",
-    "tracks": "sweep --sides 6 --alpha 0.5 --mu 0.5 --restitution 0.95 --grid beta=0.48:0.54:4 --runs 3 --track",
-    "sweep": f"sweep --sides 6 --beta 0.5 --restitution 0.9 --alpha 0.4 --grid mu=0.1:0.9:3 --transient 100 --collisions 100",
-}
-#: Of seconds each: with --all alone.
-SLOW = {"tour": "tour", "tradeoff": f"tradeoff {HEXAGON} --budget 2"}
-KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "runs": ["shares"],
-            "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
-            "basins": ["basins", "modes"], "tracks": ["attractors", "modes"], "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
-            "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}
 #: Drawn by plot_test.py, on a screen; here with --all alone.
 DRAWN_ELSEWHERE = {"orbit", "spin", "path", "modes", "bifurcation", "multipliers"}
 HEADS = {".png": b"\x89PNG\r\n", ".svg": b"<?xml", ".pdf": b"%PDF-"}
 MOST_BYTES = 5_000_000
 
 
-class WithRecords(unittest.TestCase):
-    records = {}
-
-    @classmethod
-    def setUpClass(cls):
-        if cls.records:
-            return
-        temporary = tempfile.TemporaryDirectory()
-        unittest.addModuleCleanup(temporary.cleanup)
-        WithRecords.folder = Path(temporary.name)
-        commands = {**COMMANDS, **(SLOW if ALL else {})}
-        for name, command in commands.items():
-            cls.records[name] = cls.folder / f"{name}.h5"
-            result = run(f"{command} --quiet -o {cls.records[name]}")
-            assert result.returncode == 0, (command, result.stderr)
-        for name in ("diagram", "cycles", "curves"):
-            cls.records[name] = cls.folder / f"{name}.h5"
-        for count in (1, 2, 3):
-            cls.records[f"points{count}"] = cls.folder / f"points{count}.h5"
-            figure_records.write_sampled_sweep(cls.records[f"points{count}"], ["alpha", "beta", "mu"][:count], 150)
-        figure_records.write_bifurcation(cls.records["diagram"])
-        figure_records.write_orbits(cls.records["cycles"], 30, 100.0)
-        figure_records.write_boundaries(cls.records["curves"])
+def labels_of(figure):
+    """Of the legends below the panels."""
+    return [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
 
 
 def contact_sheet(pictures, path, columns=5):
@@ -201,16 +151,19 @@ class WhatIsDrawn(WithRecords):
         self.assertLess(abs(points[period:] - points[:-period])[-1000:].max(), 1e-4)
 
     def test_crowded_special_points_are_thinned_and_counted(self):
+        """A cycle's special point is one, in the legend as in the caption, at however many phases it is drawn."""
         file = self.folder / "crowded.h5"
-        figure_records.write_crowded_special(file, 500)
-        figure = draw(file)
-        legends = [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
-        told = next(text for text in legends if text.startswith("flip"))
-        drawn, all_of_them = (int(word) for word in told[told.index("(") + 1:].split() if word.isdigit())
-        self.assertEqual(all_of_them, 500)
-        markers = [line for line in figure.axes[0].get_lines() if line.get_marker() == "s"]
-        self.assertEqual(sum(len(line.get_xdata()) for line in markers), drawn)
-        self.assertLess(drawn, 100)
+        for phases in (1, 3):
+            figure_records.write_crowded_special(file, 500, phases)
+            look = Look()
+            figure = draw(file, None, look)
+            told = next(text for text in labels_of(figure) if text.startswith("flip"))
+            drawn, all_of_them = map(int, re.fullmatch(r"flip \((\d+) of (\d+) drawn\)", told).groups())
+            self.assertEqual(all_of_them, 500)
+            markers = [line for line in figure.axes[0].get_lines() if line.get_marker() == "s"]
+            self.assertEqual(sum(len(set(line.get_xdata())) for line in markers), drawn)
+            self.assertLess(drawn, 100)
+            self.assertIn(f"Special points, 500, of which {drawn} are drawn", look.notes[-1])
 
     def test_thinning(self):
         x = numpy.arange(1_000_000.0)
@@ -222,6 +175,29 @@ class WhatIsDrawn(WithRecords):
         self.assertTrue((y[few_x.astype(int)] == few_y).all())
         self.assertEqual(list(apart(numpy.array([0, 0.5, 2, 0]), numpy.array([0, 0.5, 2, 5]), 1, 1)),
                          [True, False, True, True])
+
+
+class VectorFiles(WithRecords):
+    """Of many panels: what exceeds the marks that a figure may have is an image in the file."""
+
+    def bytes_of(self, figure, name):
+        for suffix in (".svg", ".pdf"):
+            save(figure, self.folder / f"{name}{suffix}")
+            self.assertLess((self.folder / f"{name}{suffix}").stat().st_size, MOST_BYTES, name)
+
+    def test_stay_small_with_many_panels(self):
+        points, orbit = self.folder / "many-points.h5", self.folder / "many-impacts.h5"
+        figure_records.write_sampled_sweep(points, ["alpha", "beta", "mu"], 20_000)
+        run(f"simulate {CHAOTIC} --collisions 19999 --quiet -o {orbit}")
+        self.bytes_of(draw(points), "points")
+        self.bytes_of(draw([orbit] * 4, "spin"), "spins")
+        if ALL:
+            self.bytes_of(draw([orbit] * 8), "orbits")
+
+    def test_of_few_marks_have_no_image(self):
+        figure = draw([self.records["orbit"]] * 4, "spin")
+        save(figure, self.folder / "few.svg")
+        self.assertNotIn("<image", (self.folder / "few.svg").read_text())
 
 
 class Options(WithRecords):
@@ -250,15 +226,32 @@ class Options(WithRecords):
         run(f"simulate {CHAOTIC.replace('0.3', '0.35')} --collisions 300 --quiet -o {other}")
         figure = draw([self.records["orbit"], other], "section")
         self.assertEqual([len(dots.get_offsets()) for dots in figure.axes[0].collections], [500, 300])
-        legends = [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
-        self.assertEqual(legends, ["α = 0.3", "α = 0.35"])
+        self.assertEqual(labels_of(figure), ["α = 0.3", "α = 0.35"])
+
+    def test_the_smaller_of_two_portraits_is_seen(self):
+        """All of its dots, larger than those of the other and above them; also of a run that comes to rest on a cycle."""
+        long, cycle = self.folder / "long-orbit.h5", self.folder / "cycle-orbit.h5"
+        run(f"simulate {CHAOTIC} --collisions 120000 --quiet -o {long}")
+        run(f"simulate {HEXAGON} --skip 20000 --collisions 70000 --quiet -o {cycle}")
+        figure = draw([self.records["orbit"], long], "section")
+        few, many = figure.axes[0].collections
+        self.assertEqual((len(few.get_offsets()), len(many.get_offsets())), (500, 40000))
+        self.assertGreater(few.get_sizes()[0], 10 * many.get_sizes()[0])
+        self.assertGreater(few.get_zorder(), many.get_zorder())
+        self.assertIn("(every 3rd impact)", labels_of(figure)[1])
+        self.assertIn("2 orbits, 120,500 impacts", figure._suptitle.get_text())
+        places, many = draw([cycle, long], "section").axes[0].collections
+        self.assertGreater(places.get_sizes()[0], 10 * many.get_sizes()[0])
+        self.assertEqual([ordinal(n) for n in (2, 3, 4, 11, 22, 113)], ["2nd", "3rd", "4th", "11th", "22nd", "113th"])
 
     def test_wrong_ones_are_one_line(self):
         before = sorted(self.folder.iterdir())
         for arguments, mentions in (("--width 10", "width = 10: allowed are 40 to 500 mm"), ("--width wide", "width = wide"),
                                     ("--width nan", "width = nan"), ("--font-size 1", "font-size = 1: allowed are 4 to 40"),
                                     ("--xlim 3:1", "xlim = 3:1: allowed is A:B"), ("--xlim 1", "xlim = 1"),
-                                    ("--xlim 0:inf", "xlim = 0:inf"), ("--kind path --xlim 0:1", "no abscissa")):
+                                    ("--xlim 0:inf", "xlim = 0:inf"), ("--kind path --xlim 0:1", "no abscissa"),
+                                    ("--x vn", "x = vn: a figure of kind orbit has no coordinates"),
+                                    ("--kind spin --y psi", "y = psi: a figure of kind spin")):
             result = self.plot(f"orbit.h5 -o new.png {arguments}", 2)
             self.assertIn(mentions, result.stderr)
             self.assertEqual(len(result.stderr.splitlines()), 1)

@@ -1,0 +1,89 @@
+"""Whether a figure has room for its words: a label that is wider than its panel is broken into lines, and a figure that
+would cut words off, or leave a panel no room, is refused."""
+
+import warnings
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from .look import width_of
+from .record import RecordError
+from .words import broken, letters_in
+
+#: A figure whose width is given is for a page, of A4 or US letter: it is no higher, in inches.
+PAGE = 11.0
+
+#: Letters that a panel is wide and high at least.
+_LEAST_PANEL = 5.0, 3.5
+
+#: Points by which words may seem to reach over the edge: boxes of letters are wider than the letters.
+_SLACK = 2.0
+
+
+def _lay_out(figure):
+    """False where matplotlib says that it cannot."""
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        figure.draw_without_rendering()
+    return not told
+
+
+def _spare(panel, panels, figure, axis):
+    """How long a label in the middle of a panel's side may be: half-way to the next panels, or to the edges."""
+    low, high = panel.bbox.get_points()[:, axis]
+    first, last = panel.bbox.get_points()[:, 1 - axis]
+    beside = [other.bbox.get_points()[:, axis] for other in panels if other is not panel
+              and other.bbox.get_points()[0, 1 - axis] < last and other.bbox.get_points()[1, 1 - axis] > first]
+    before = min([low, *((low - end) / 2 for _, end in beside if end <= low)])
+    behind = min([figure.bbox.get_points()[1, axis] - high, *((begin - high) / 2 for begin, _ in beside if begin >= high)])
+    return high - low + 2 * min(before, behind)
+
+
+def _break_labels(figure, renderer):
+    """True if there was a label to break."""
+    changed = False
+    panels = [axes for axes in figure.axes if axes.get_visible()]
+    for axes in panels:
+        for axis, labels in ((0, (axes.title, axes.xaxis.label)), (1, (axes.yaxis.label,))):
+            for label in labels:
+                box = label.get_window_extent(renderer)
+                length, spare = (box.width, box.height)[axis], _spare(axes, panels, figure, axis)
+                if label.get_text() and length > spare:
+                    longest = max(map(letters_in, label.get_text().split("\n"))) * spare / length
+                    label.set_text(broken(label.get_text().replace("\n", " "), longest))
+                    changed = True
+    return changed
+
+
+def _words_outside_panels(figure):
+    """Titles, and the legends below."""
+    own = [*figure.texts, *(words for legend in figure.legends for words in legend.get_texts())]
+    return own + [words for part in figure.subfigs for words in _words_outside_panels(part)]
+
+
+def _is_cut(figure, renderer):
+    boxes = [axes.get_tightbbox(renderer) for axes in figure.axes if axes.get_visible()]
+    boxes += [words.get_window_extent(renderer) for words in _words_outside_panels(figure)]
+    edge, slack = figure.bbox, _SLACK * figure.dpi / 72
+    return any(box.x0 < edge.x0 - slack or box.y0 < edge.y0 - slack or box.x1 > edge.x1 + slack or box.y1 > edge.y1 + slack
+               for box in boxes if box is not None)
+
+
+def _has_slivers(figure, letters):
+    """Panels of a few letters' size; a colour bar is one by nature, words alone are no panel."""
+    least = [count * letters * figure.dpi / 72 for count in _LEAST_PANEL]
+    return any(axes.bbox.width < least[0] or axes.bbox.height < least[1] for axes in figure.axes
+               if axes.axison and axes.get_label() != "<colorbar>")
+
+
+def make_room(figure, look, what):
+    """Of a figure that is as wide, or has letters as large, as was asked for."""
+    if look.width is None and look.font_size is None:
+        return
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    done = _lay_out(figure)
+    if _break_labels(figure, renderer):
+        done = _lay_out(figure)
+    if not done or _is_cut(figure, renderer) or _has_slivers(figure, look.letters):
+        page = " on a page" if figure.get_size_inches()[1] >= PAGE else ""
+        raise RecordError(f"width = {25.4 * width_of(figure):.4g} mm with letters of {look.letters:g} points: {what} would have "
+                          f"words cut off or panels too small to read{page}")

@@ -1,0 +1,101 @@
+"""Figures as wide as a paper's columns, and on a screen: nothing is cut off or on one another.
+
+figures_layout_test.py SWIRL ROOT [--all]; --all: every figure in every width."""
+
+import itertools
+import unittest
+import warnings
+
+from matplotlib.figure import Figure
+
+from driving import run
+from drawn_records import ALL, KINDS_OF, WithRecords
+from chosen import COLUMNS
+from figure_faults import faults
+from swirl_figures import Look, RecordError, draw
+
+#: Millimetres: a column, what is just wider, two columns; None: a screen.
+WIDTHS = (86, 127, 140, 160, 178, 183, 190, None)
+
+
+def in_inches(width):
+    return width and width / 25.4
+
+
+class EveryFigure(WithRecords):
+    def check(self, name, kind, width):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # matplotlib's "constrained_layout not applied"
+            figure = draw(self.records[name], kind, Look(width=in_inches(width)))
+        self.assertEqual(faults(figure), [], (name, kind, width))
+        if width:
+            self.assertAlmostEqual(25.4 * figure.get_size_inches()[0], width)
+            self.assertLess(25.4 * figure.get_size_inches()[1], 297, (name, kind, width))  # a page
+
+    def test_has_room_in_columns_and_on_a_screen(self):
+        """Each in one of the widths by turns; with --all in each."""
+        turn = itertools.cycle(WIDTHS)
+        for name, kinds in KINDS_OF.items():
+            for kind in kinds if name in self.records else []:
+                for width in WIDTHS if ALL else [next(turn)]:
+                    self.check(name, kind, width)
+
+    def test_of_an_orbit_with_many_impacts_has_room_in_every_column(self):
+        for width in sorted(set(COLUMNS.values())) + [130]:
+            self.check("orbit", "orbit", width)
+
+    def test_faults_are_seen(self):
+        """Else the tests above show nothing."""
+        figure = Figure(figsize=(2, 2))
+        left, right = figure.subplots(1, 2)
+        left.set_xlabel("a label that is longer than its panel")
+        right.set_xlabel("and another one beside it")
+        right.plot([0, 1], label="a legend that is wider than the panel that it stands in")
+        right.legend()
+        figure.add_axes((0.4, 0.4, 0.05, 0.05))
+        found = " ".join(faults(figure))
+        for fault in ("cut off: a label", "on one another: a label", "a legend wider", "a sliver"):
+            self.assertIn(fault, found)
+        narrow = Figure(figsize=(0.5, 0.5), layout="constrained")
+        narrow.subplots().set(ylabel="no room", xlabel="no room", title="no room")
+        self.assertIn("constrained_layout", " ".join(faults(narrow)))
+
+
+class WithoutRoom(WithRecords):
+    def refused(self, arguments, *mentions):
+        result = run(f"plot {arguments} -o new.png", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), result.stderr)
+        for mention in mentions:
+            self.assertIn(mention, result.stderr)
+        self.assertFalse((self.folder / "new.png").exists())
+
+    def test_figures_are_refused(self):
+        self.refused("orbit.h5 --width 60 --font-size 20", "width = 60 mm with letters of 20 points: a figure of kind orbit")
+        self.refused("orbit.h5 --font-size 40", "letters of 40 points")
+        self.refused("orbit.h5 orbit.h5 orbit.h5 --width aps-2", "a figure of 3 records", "on a page")
+
+    def test_several_records_in_a_column_are_no_higher_than_a_page(self):
+        for name, kind, count, width in (("orbit", "orbit", 2, 178), ("spectrum", None, 3, 86), ("orbit", "spin", 3, 178)):
+            figure = draw([self.records[name]] * count, kind, Look(width=in_inches(width)))
+            self.assertLess(25.4 * figure.get_size_inches()[1], 297)
+            self.assertEqual(faults(figure), [])
+
+    def test_on_a_screen_they_may_be_higher(self):
+        figure = draw([self.records["spectrum"]] * 4)
+        self.assertGreater(25.4 * figure.get_size_inches()[1], 400)
+
+    def test_long_names_in_a_legend_are_broken_into_lines(self):
+        names = []
+        for i in range(3):
+            run(f"simulate --sides {6 + i} --alpha 0.31{i} --beta 0.52{i} --mu 0.54{i} --restitution 0.95{i} --collisions 400 "
+                f"--quiet -o {self.folder}/long{i}.h5")
+            names.append(self.folder / f"long{i}.h5")
+        figure = draw(names, "section", Look(width=in_inches(86), font_size=10))
+        self.assertEqual(faults(figure), [])
+        labels = [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
+        self.assertTrue(all("\n" in label for label in labels), labels)
+        self.assertIn("3 orbits, 1,200 impacts", figure._suptitle.get_text())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -20,6 +20,8 @@ import markdown_links
 
 HERE = Path(__file__).resolve().parent
 LINKED = re.compile(r'(<(?:a|img)\b[^>]*?\b(?:href|src)=")([^"]*)(")')
+#: The pages that a reader wants first, in this order; the others follow by name.
+FIRST = [Path(name) for name in ("README.md", "docs/tutorial.md", "docs/command-line.md", "manual/swirl.md")]
 #: What browsers show by themselves; other files are shown as text.
 SHOWN = {".svg", ".png", ".gif", ".html"}
 
@@ -60,12 +62,12 @@ class Site:
         for other in self.sources:
             folder = other.parts[0]
             group = ("Commands" if folder == "manual" else "Mathematics" if folder in ("map", "analysis") else
-                     "Swirl" if folder in ("README.md", "docs") else "Project")
+                     "Swirl" if other == Path("README.md") or other.parent == Path("docs") else "Project")
             groups[group].append(other)
         text = ""
         for group, members in groups.items():
             text += f"<h2>{group}</h2><ul>"
-            for other in sorted(members, key=lambda path: (path.name != "README.md" and path.name != "swirl.md", str(path))):
+            for other in sorted(members, key=lambda path: (FIRST.index(path) if path in FIRST else len(FIRST), str(path.parent), str(path))):
                 name = self.title_of(other)
                 name = name if group != "Commands" else name.removeprefix("swirl ")
                 if other == Path("README.md"):
@@ -125,8 +127,9 @@ class Site:
 </head>
 <body>
 <div class="page">
-<nav aria-label="Pages">{self.navigation(source)}</nav>
+<nav aria-label="Pages" id="pages">{self.navigation(source)}</nav>
 <main>
+<a class="to-pages" href="#pages">All pages</a>
 {body}</main>
 </div>
 </body>
@@ -158,7 +161,8 @@ def dead_links(out):
 
 
 def write_api(root, out, doxygen):
-    settings = (HERE / "Doxyfile").read_text(encoding="utf-8") + f'\nOUTPUT_DIRECTORY = "{out}"\n'
+    settings = (HERE / "Doxyfile").read_text(encoding="utf-8") + (
+        f'\nOUTPUT_DIRECTORY = "{out}"\nLAYOUT_FILE = "{HERE / "DoxygenLayout.xml"}"\n')
     return subprocess.run([doxygen, "-"], input=settings, text=True, cwd=root, check=False).returncode == 0
 
 

@@ -4,11 +4,15 @@ import os
 from pathlib import Path
 
 from swirl_figures import RecordError, kinds_of, open_record
+from swirl_figures.sweep_points import is_sampled
 
 from .cells import cells_of, executed, notebook_of
 from .files_inside import record_cell
 
-_OPENING = '''\
+FOLDER = Path(__file__).parent / "records"
+
+#: The cells that every notebook begins with.
+OPENING = '''\
 # %%
 # Needed: h5py, xarray with h5netcdf, matplotlib.
 import h5py, matplotlib.pyplot as plt, numpy as np, xarray as xr
@@ -37,27 +41,35 @@ with h5py.File(path) as file:
 '''
 
 
+def _templates(record):
+    """What could be shown of the record, the best first."""
+    names = [kind.replace("-", "_") for kind in kinds_of(record)]
+    if is_sampled(record):
+        names.insert(0, "samples")
+    if "shard" in record:
+        names.append("shard")
+    return [file for file in (FOLDER / f"{name}.py" for name in names) if file.is_file()]
+
+
 def template_of(record):
-    """The text of the cells for this kind of record."""
-    kinds = kinds_of(record)
-    files = [Path(__file__).parent / "records" / f"{kind.replace('-', '_')}.py" for kind in kinds]
-    file = next((file for file in files if file.is_file()), None)  # of basins that of the modes
+    """The file of the cells for this record."""
+    file = next(iter(_templates(record)), None)
     if file is None:
         raise RecordError(f"record '{record.path}' holds nothing that there is a notebook of")
     if file.stem == "multipliers" and record.size("orbits", "period") == 0:
         raise RecordError(f"record '{record.path}' holds no orbits: there is nothing that a notebook could show")
-    return file.read_text(encoding="utf-8")
+    return file
 
 
 def notebook_of_record(path, output):
     """(executed notebook, kind)."""
     record = open_record(path)
-    body = template_of(record)
+    template = template_of(record)
     path, output = Path(path), Path(output)
     relative = os.path.relpath(path.resolve(), output.resolve().parent)
     title = str(record.title) or "A record"
-    opening = cells_of(_OPENING)
     cells = [("markdown", f"# {title}\n\nThe record `{path.name}` of `swirl {record.command}`."),
-             record_cell(path, path.read_bytes(), relative), *opening, *cells_of(body)]
+             record_cell(path, path.read_bytes(), relative), *cells_of(OPENING),
+             *cells_of(template.read_text(encoding="utf-8"))]
     book = notebook_of(cells, title)
-    return executed(book, output.resolve().parent), kinds_of(record)[0]
+    return executed(book, output.resolve().parent), template.stem.replace("_", "-")

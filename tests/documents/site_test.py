@@ -1,5 +1,6 @@
 """The site, built: site_test.py SWIRL ROOT DOXYGEN"""
 
+import os
 import re
 import subprocess
 import sys
@@ -38,6 +39,13 @@ class Site(unittest.TestCase):
         overview = (self.out / "index.html").read_text()
         for command in commands:
             self.assertIn(f'href="manual/swirl-{command}.html"', overview)
+
+    def test_every_page_leads_back_to_the_first(self):
+        for page in self.out.rglob("*.html"):
+            if self.out / "api" not in page.parents:
+                first = os.path.relpath(self.out / "index.html", page.parent)
+                self.assertIn(f'href="{first}"', page.read_text(), page)
+        self.assertIn('{text:"Swirl",url:"../index.html"}', (self.out / "api/menudata.js").read_text())
 
     def test_nothing_is_loaded_from_elsewhere(self):
         for page in self.out.rglob("*.html"):

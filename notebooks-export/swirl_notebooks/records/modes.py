@@ -15,7 +15,7 @@ if len(axis) == 1:
     for mode in share["mode"].values:
         axes[0].plot(share[axis[0]], share.sel(mode=mode), "o-", ms=3, label=str(mode))
     axes[0].legend(); axes[0].set(xlabel=axis[0], ylabel="share of the starts")
-    axes[1].errorbar(flat[axis[0]], flat["mean_S"], flat["mean_S_error"], fmt="o", ms=3)
+    axes[1].errorbar(flat[axis[0]], flat["mean_S"], flat["mean_S_error"].fillna(0), fmt="o", ms=3)
     axes[1].set(xlabel=axis[0], ylabel=r"$\langle S\rangle$")
 else:
     share.argmax("mode").plot(ax=axes[0], x=axis[0], y=axis[1], cmap="cividis", cbar_kwargs={"label": "place of the mode"})

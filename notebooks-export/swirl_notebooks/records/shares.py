@@ -5,7 +5,8 @@ attractors, runs = group("attractors"), group("runs")
 attractors[["share", "mode", "kind", "period", "mean_S"]].to_dataframe()
 # %%
 figure, axes = plt.subplots(1, 2, figsize=(9, 3), layout="constrained")
-names = [f"{kind} {period or ''}" for kind, period in zip(attractors["kind"].values, attractors["period"].values)]
+names = [f"{place}: {kind} {period or ''}"
+         for place, (kind, period) in enumerate(zip(attractors["kind"].values, attractors["period"].values))]
 axes[0].barh(names, attractors["share"])
 axes[0].set(xlabel="share of the starts", xlim=(0, 1))
 axes[1].plot(runs["mean_S"], "o", ms=4)

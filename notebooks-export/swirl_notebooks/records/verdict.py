@@ -18,10 +18,14 @@ if has_orbit:
     axes[1].plot(points["S"].values[:100], "o-", ms=2, lw=0.6)
     axes[1].set(xlabel="impact", ylabel=r"$S = \omega_p/\omega_s$")
 # %% [markdown]
-# ## The period, from the impacts themselves
-# The smallest k after which the section point is the same again, to 1e-9.
+# ## Does the orbit come back?
+# The distance of section points that are one period apart: where an attracting cycle is approached it falls.
 # %%
-if has_orbit:
-    z = points.values
-    period = next((k for k in range(1, len(z) // 2) if abs(z[k:] - z[:-k]).max() < 1e-9), 0)
-    print(f"period from the impacts: {period or 'none'}; in the record: {mode.attrs['period'] or 'none'}")
+period = int(mode.attrs["period"])
+if has_orbit and 0 < period < len(points):
+    turned = [part(points["psi"]) for part in (np.cos, np.sin)]  # psi is an angle: 3.14 is next to -3.14
+    z = np.column_stack([points["vn"], points["vt"], points["S"], *turned])
+    distance = abs(z[period:] - z[:-period]).max(axis=1)
+    print(f"after {period} impact{'s' if period > 1 else ''}: {distance[0]:.2g} away at the tail's beginning, {distance[-1]:.2g} at its end")
+else:
+    print(f"period: {period or 'none'}; impacts in the record: {len(points) if has_orbit else 'none'}")

@@ -1,7 +1,7 @@
 """The commands that documents show are swirl's: documents_test.py SWIRL ROOT
 
-Others run them (command.contract those of README.md and of --help, command.tutorial those of the tutorial); this looks at all
-that stand anywhere, in blocks and within sentences."""
+Others run them (command.contract those of README.md's blocks and of --help, command.tutorial those of the tutorial's,
+command.shown_commands the rest); this looks at all that stand anywhere, in blocks and within sentences."""
 
 import json
 import re
@@ -10,6 +10,7 @@ import unittest
 from pathlib import Path
 
 from driving import run
+from shown_commands import shown
 
 ROOT = Path(sys.argv.pop(1)).resolve()
 LEFT_OUT = {"build", ".git"}
@@ -18,20 +19,6 @@ DOCUMENTS = {path.relative_to(ROOT): path.read_text(encoding="utf-8") for path i
 COMMANDS = re.findall(r"^  ([a-z]+) ", run("--help").stdout.split("Subcommands:")[1], re.M)
 #: What stands for a command's name where all are meant.
 ANY = {"COMMAND", "NAME", "…", "..."}
-#: Code that begins so and is none: the title by which a file says that it is a record.
-NO_COMMANDS = {"swirl record"}
-
-
-def shown(text):
-    """Each `swirl …` in code: of blocks by line, a line that ends in a backslash with the next."""
-    blocks = re.findall(r"^```[a-z]*\n(.*?)^```", text, re.M | re.S)
-    for block in blocks:
-        for line in re.sub(r"\\\n\s*", "", block).splitlines():
-            if line.startswith("swirl "):
-                yield re.sub(r"\s+#.*", "", line)
-    for code in re.findall(r"`([^`]+)`", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)):
-        if re.match(r"swirl\s", code) and code not in NO_COMMANDS:
-            yield " ".join(code.split())
 
 
 def flags(command):

@@ -1,0 +1,65 @@
+"""Records of every kind that there is a figure of, for the tests of the figures: imported by TEST.py SWIRL ROOT [--all]"""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from driving import run
+
+ALL = "--all" in sys.argv and not sys.argv.remove("--all")
+ROOT = str(Path(sys.argv.pop(1)).resolve())
+sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
+
+import figure_records
+
+HEXAGON = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"
+CHAOTIC = "--sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1"
+SHORT = "--transient 1000 --collisions 2000"
+COMMANDS = {
+    "orbit": f"simulate {CHAOTIC} --collisions 500",
+    "wall": "simulate --sides disk --alpha 0.1 --beta 0.05 --mu 0.4 --restitution 0.3 --time 60 --sample 0.02",
+    "verdict": f"classify {HEXAGON} {SHORT} --exhaustive",
+    "runs": f"classify {HEXAGON} {SHORT} --runs 4",
+    "recurrence": f"recurrence {CHAOTIC} {SHORT} --image 60",
+    "thresholds": f"recurrence {CHAOTIC} {SHORT} --threshold 0.1,0.2,0.3",
+    "spectrum": f"spectrum {HEXAGON} {SHORT}",
+    "lyapunov": f"lyapunov {CHAOTIC} {SHORT}",
+    "describe": "describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9",
+    "families": "describe --sides disk --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 1",
+    "basins": f"sweep {CHAOTIC.replace('restitution 1', 'restitution 0.95')} --grid vx=-0.4:0.4:5 --grid spin=-1:1:4 --transient 100 "
+              "--collisions 100",
+    "tracks": "sweep --sides 6 --alpha 0.5 --mu 0.5 --restitution 0.95 --grid beta=0.48:0.54:4 --runs 3 --track",
+    "sweep": f"sweep --sides 6 --beta 0.5 --restitution 0.9 --alpha 0.4 --grid mu=0.1:0.9:3 --transient 100 --collisions 100",
+}
+#: Of seconds each: with --all alone.
+SLOW = {"tour": "tour", "tradeoff": f"tradeoff {HEXAGON} --budget 2"}
+KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "runs": ["shares"],
+            "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
+            "basins": ["basins", "modes"], "tracks": ["attractors", "modes"], "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
+            "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}
+
+
+class WithRecords(unittest.TestCase):
+    records = {}
+
+    @classmethod
+    def setUpClass(cls):
+        if cls.records:
+            return
+        temporary = tempfile.TemporaryDirectory()
+        unittest.addModuleCleanup(temporary.cleanup)
+        WithRecords.folder = Path(temporary.name)
+        commands = {**COMMANDS, **(SLOW if ALL else {})}
+        for name, command in commands.items():
+            cls.records[name] = cls.folder / f"{name}.h5"
+            result = run(f"{command} --quiet -o {cls.records[name]}")
+            assert result.returncode == 0, (command, result.stderr)
+        for name in ("diagram", "cycles", "curves"):
+            cls.records[name] = cls.folder / f"{name}.h5"
+        for count in (1, 2, 3):
+            cls.records[f"points{count}"] = cls.folder / f"points{count}.h5"
+            figure_records.write_sampled_sweep(cls.records[f"points{count}"], ["alpha", "beta", "mu"][:count], 150)
+        figure_records.write_bifurcation(cls.records["diagram"])
+        figure_records.write_orbits(cls.records["cycles"], 30, 100.0)
+        figure_records.write_boundaries(cls.records["curves"])

@@ -1,0 +1,126 @@
+"""Every record of every command: its columns say what they are, programs that know nothing of Swirl open it, and the cells of its
+notebook run on it: records_test.py SWIRL ROOT"""
+
+import contextlib
+import io
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+from pathlib import Path
+
+import h5py
+import matplotlib
+import xarray
+
+from driving import run
+from records_of_commands import RECORDS, records_in
+
+matplotlib.use("Agg")
+sys.path.insert(0, str(Path(sys.argv.pop(1)).resolve() / "notebooks-export"))
+
+from matplotlib import pyplot
+from swirl_figures import open_record
+from swirl_notebooks import of_record
+from swirl_notebooks.cells import cells_of
+
+#: A pure number, radians, seconds, or powers of the three units of a scene.
+UNIT = re.compile(r"1|rad|s|((1/)?(R_c|omega_s|m)(\^\d)?( |$))+")
+
+
+def text_of(value):
+    return value.decode() if isinstance(value, bytes) else str(value)
+
+
+def columns_of(file):
+    """(name, dataset) of each but netCDF's dimensions without a variable."""
+    found = []
+    file.visititems(lambda name, item: found.append((name, item)) if isinstance(item, h5py.Dataset) else None)
+    return [(name, data) for name, data in found if "not a netCDF variable" not in text_of(data.attrs.get("NAME", ""))]
+
+
+class Records(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.kinds = dict(records_in(folder.name))
+        cls.records = list(cls.kinds)
+
+    def columns(self):
+        for record in self.records:
+            with h5py.File(record) as file:
+                for name, data in columns_of(file):
+                    yield f"{record.name}: {name}", data
+
+    def test_every_command_that_writes_a_record_is_looked_at(self):
+        commands = re.findall(r"^  ([a-z]+) ", run("--help").stdout.split("Subcommands:")[1], re.M)
+        writing = {command for command in commands if re.search(r"-o,--output FILE\.h5", run(f"{command} --help").stdout)}
+        self.assertEqual({command.split()[0] for command, _ in RECORDS.values()}, writing)
+
+    def test_every_column_has_a_long_name(self):
+        missing = [place for place, data in self.columns() if not text_of(data.attrs.get("long_name", ""))]
+        self.assertEqual(missing, [])
+
+    def test_every_number_has_a_unit_and_no_name_has_one(self):
+        wrong, numbers = [], 0
+        for place, data in self.columns():
+            unit, is_name = text_of(data.attrs.get("units", "")), h5py.check_string_dtype(data.dtype) or "flag_meanings" in data.attrs
+            numbers += not is_name
+            if bool(unit) == bool(is_name) or (unit and not UNIT.fullmatch(unit)):
+                wrong.append((place, unit))
+        self.assertEqual(wrong, [])
+        self.assertGreater(numbers, 200)
+
+    def test_xarray_opens_every_group_without_a_warning(self):
+        for record in self.records:
+            groups = ["/"]
+            with h5py.File(record) as file:
+                file.visititems(lambda name, item: groups.append(name) if isinstance(item, h5py.Group) else None)
+            for group in groups:
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    xarray.open_dataset(record, group=group, engine="h5netcdf").load().close()
+
+    def opened_by(self, program, *options):
+        for record in self.records:
+            result = subprocess.run([program, *options, record], capture_output=True, text=True, timeout=60)
+            self.assertEqual((result.returncode, result.stderr), (0, ""), record.name)
+            with h5py.File(record) as file:
+                for name, _ in columns_of(file):
+                    self.assertIn(name.rsplit("/", 1)[1], result.stdout, record.name)
+
+    @unittest.skipUnless(shutil.which("ncdump"), "no ncdump: Debian's netcdf-bin")
+    def test_ncdump_opens_every_record(self):
+        self.opened_by("ncdump", "-h")
+
+    @unittest.skipUnless(shutil.which("h5ls"), "no h5ls: Debian's hdf5-tools")
+    def test_h5ls_opens_every_record(self):
+        self.opened_by("h5ls", "-r")
+
+    def run_cells(self, record, template):
+        """What they print; what would be a warning in the notebook is an error."""
+        names = {"path": record}
+        with contextlib.redirect_stdout(io.StringIO()) as printed, warnings.catch_warnings():
+            warnings.simplefilter("error", RuntimeWarning)
+            for cell, source in cells_of(of_record.OPENING + template.read_text(encoding="utf-8")):
+                if cell == "code":
+                    exec(compile(source, f"{template.name} of {record.name}", "exec"), names)
+        pyplot.close("all")
+        return printed.getvalue()
+
+    def test_the_cells_of_its_notebook_run_on_each_and_none_are_of_no_record(self):
+        used = set()
+        for record, kind in self.kinds.items():
+            template = of_record.template_of(open_record(record))
+            self.assertEqual(template.stem.replace("_", "-"), kind, record.name)
+            self.assertGreater(len(self.run_cells(record, template).splitlines()), 5, record.name)
+            used.add(template.name)
+        self.assertEqual(used, {file.name for file in of_record.FOLDER.glob("*.py")})
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -96,8 +96,7 @@ std::vector<Level> judge_levels(const Scene<double>& scene, const OrbitStarts& s
 
 /// Adds the verdicts on further starts to levels that have the first ones.
 ///   seconds  that these took
-/// @return false where the budget does not allow all of them
-bool add_starts(const Scene<double>& scene, const OrbitStarts& starts, std::span<const std::int64_t> ladder,
+void add_starts(const Scene<double>& scene, const OrbitStarts& starts, std::span<const std::int64_t> ladder,
                 double seconds, const Budget& budget, const OutputOptions& output, std::vector<Level>& levels) {
     auto have = static_cast<std::int64_t>(levels.front().size());
     double of_one = seconds / static_cast<double>(have);
@@ -105,15 +104,14 @@ bool add_starts(const Scene<double>& scene, const OrbitStarts& starts, std::span
         const Block block{have, std::min(2 * have, starts.count)};
         const auto count = static_cast<double>(block.size());
         const double begin = budget.spent();
-        if (begin + count * of_one > more_starts_share * budget.seconds()) return false;
+        if (begin + count * of_one > more_starts_share * budget.seconds()) return;
         const std::vector<Level> more = judge_levels(scene, starts, block, ladder, budget, output);
-        if (more.size() < levels.size()) return false;
+        if (more.size() < levels.size()) return;
         for (std::size_t k = 0; k < levels.size(); ++k)
             levels[k].insert(levels[k].end(), more[k].begin(), more[k].end());
         of_one = std::max(of_one, (budget.spent() - begin) / count);
         have = block.end;
     }
-    return true;
 }
 
 /// Of the time mean of S over the impacts that the verdict on the first start looked at.
@@ -168,7 +166,7 @@ Evidence gather_evidence(const Scene<double>& scene, const OrbitStarts& starts, 
     evidence.whole = levels.size() == ladder.size();
     if (levels.empty()) return evidence;
     const auto reached = std::span(ladder).first(levels.size());
-    evidence.whole &= add_starts(scene, starts, reached, budget.spent() - begin, budget, output, levels);
+    add_starts(scene, starts, reached, budget.spent() - begin, budget, output, levels);
     evidence.rungs = rungs_of(scene, starts, ladder, levels);
     if (!starts.is_random) return evidence;
     std::vector<RunVerdict> last;

@@ -41,8 +41,7 @@ std::vector<std::int64_t> evidence_ladder(std::int64_t most);
 
 /// Verdicts on each of these numbers, from each start: eight first, and twice as many each time as long as these fit
 /// into the budget, up to starts.count. An orbit that has ended says the same on any larger number, and is not followed
-/// again. Equal arguments give equal results but for `seconds`, whatever the number of threads, unless the budget cuts
-/// them short.
+/// again. Equal arguments give equal results but for `seconds` and `runs`, whatever the number of threads.
 Evidence gather_evidence(const Scene<double>& scene, const OrbitStarts& starts, const std::vector<std::int64_t>& ladder,
                          const Budget& budget, const OutputOptions& output);
 

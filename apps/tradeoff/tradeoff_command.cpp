@@ -25,8 +25,8 @@ const char* const tradeoff_details =
 Recommended is the cheapest rung of --accuracy that missed or misordered no contact and whose verdict is that of quad. The
 knee is the cheapest of all that found every contact and errs by no more than 50 roundings of a double in a step, times the
 step's condition.
-What is counted depends on scene, start and budget, not on the machine; times do. A machine on which that takes more than
-the budget leaves the rest out, and says so.
+What is counted depends on scene, start and budget, not on the machine; times do, and so do starts beyond the first eight. A
+machine on which that takes more than the budget leaves the rest out, and says so.
 
 Examples:
   swirl tradeoff --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --budget 2

@@ -24,9 +24,9 @@ private:
 /// depend on its speed. What is not done after these shares (verdicts, rungs' orbits, flights) is left out, and the
 /// document says so. Times are measured in the rest. Further starts are judged only where they are expected to leave
 /// time for the other shares.
-inline constexpr double more_starts_share = 0.3;
+inline constexpr double more_starts_share = 0.25;
 inline constexpr double evidence_share = 0.45;
-inline constexpr double orbits_share = 0.65;
+inline constexpr double orbits_share = 0.7;
 inline constexpr double counted_share = 0.9;
 
 }  // namespace swirl::apps::tradeoff

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double next_level = 10.0 / 3;   // of the ladder: at most so many times the impacts, and the time
 constexpr std::int64_t first_starts = 8;  // go up all of the ladder before any other start does
+constexpr std::int64_t few_starts = 4;    // fewer are not worth a block of their own
 
 /// A verdict on one number of impacts.
 struct Judged {
@@ -101,10 +102,11 @@ void add_starts(const Scene<double>& scene, const OrbitStarts& starts, std::span
     auto have = static_cast<std::int64_t>(levels.front().size());
     double of_one = seconds / static_cast<double>(have);
     while (have < starts.count) {
-        const Block block{have, std::min(2 * have, starts.count)};
-        const auto count = static_cast<double>(block.size());
         const double begin = budget.spent();
-        if (begin + count * of_one > more_starts_share * budget.seconds()) return;
+        const double fit = (more_starts_share * budget.seconds() - begin) / of_one;
+        if (!(fit >= few_starts)) return;
+        const Block block{have, std::min({2 * have, have + static_cast<std::int64_t>(std::min(fit, 1e6)), starts.count})};
+        const auto count = static_cast<double>(block.size());
         const std::vector<Level> more = judge_levels(scene, starts, block, ladder, budget, output);
         if (more.size() < levels.size()) return;
         for (std::size_t k = 0; k < levels.size(); ++k)

@@ -105,7 +105,8 @@ void add_starts(const Scene<double>& scene, const OrbitStarts& starts, std::span
         const double begin = budget.spent();
         const double fit = (more_starts_share * budget.seconds() - begin) / of_one;
         if (!(fit >= few_starts)) return;
-        const Block block{have, std::min({2 * have, have + static_cast<std::int64_t>(std::min(fit, 1e6)), starts.count})};
+        const Block block{have,
+                          std::min({2 * have, have + static_cast<std::int64_t>(std::min(fit, 1e6)), starts.count})};
         const auto count = static_cast<double>(block.size());
         const std::vector<Level> more = judge_levels(scene, starts, block, ladder, budget, output);
         if (more.size() < levels.size()) return;

@@ -1,6 +1,6 @@
 // Contacts that are passed over and contacts that are out of order, told apart on rungs that are made up.
-#include "apps/system/in_digits.hpp"
 #include "apps/tradeoff/compare_flights.hpp"
+#include "apps/system/in_digits.hpp"
 
 #include <gtest/gtest.h>
 

@@ -97,9 +97,9 @@ TEST_F(Recommendation, AContactOutOfOrderIsAnObjectionAsAMissedOneIs) {
         set_missed(found.rungs[0], missed, misordered);
         recommend(found);
         EXPECT_EQ(found.recommended, &quad);
-        EXPECT_NE(found.reason.find("missed " + std::to_string(missed) + " and misordered " +
-                                    std::to_string(misordered)),
-                  std::string::npos)
+        EXPECT_NE(
+            found.reason.find("missed " + std::to_string(missed) + " and misordered " + std::to_string(misordered)),
+            std::string::npos)
             << found.reason;
         EXPECT_EQ(found.knee, &other);
     }

@@ -105,7 +105,8 @@ class OfARecord(InFolder):
         time.sleep(2)
         process.send_signal(signal.SIGINT)
         output, errors = process.communicate(timeout=60)
-        self.assertEqual((process.returncode, output, errors), (130, "", ""))
+        self.assertEqual((output, errors), ("", ""))
+        self.assertIn(process.returncode, (130, -signal.SIGINT))  # by the signal itself where Python is still loading; a shell says 130
         self.assertEqual([file.name for file in self.folder.iterdir()], ["orbit.h5"])
 
 

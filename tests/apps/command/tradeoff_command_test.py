@@ -214,10 +214,8 @@ class Regimes(unittest.TestCase):
     def test_an_orbit_that_comes_to_roll_is_compared_up_to_there(self):
         found = self.check(ROLLS, "quasi-steady", "in-contact")
         self.assertEqual(found["flights"]["outcome"], "in-contact")
-        # Searches to compare with may lose the body near the wall, and with more digits chatter has more impacts.
-        self.assertEqual(rungs(found)["double"]["outcome"], "in-contact")
-        self.assertLessEqual({rungs(found)[name]["outcome"] for name in ("extended", "quad") if name in rungs(found)},
-                             {"in-contact", "completed"})
+        proven = [row["outcome"] for name, row in rungs(found).items() if name in ("double", "extended", "quad")]
+        self.assertEqual(set(proven), {"in-contact"})  # searches to compare with may lose the body near the wall
         self.assertEqual(found["recommended"], "double")
 
     def test_an_orbit_that_leads_through_contact(self):

@@ -60,7 +60,14 @@ public:
     }
 
     /// The same as `advance` where the direct search is known to find nothing: without it.
-    [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const;
+    [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const {
+        take(flight, detail::undecided_contact<shape>(body_, flight), collision);
+    }
+
+    /// The same as `advance` where no search by a guess is known to find anything: conservative advancement alone.
+    [[gnu::noinline]] void advance_conservatively(const Flight<T>& flight, Collision<T>& collision) const {
+        take(flight, detail::certain_contact<shape>(body_, flight), collision);
+    }
 
     /// The impact at a moment known to be the contact of the vertex at X + `arm`; fills all that depends on it.
     ///   vertex  its number: what rounding left out of its tabled direction is made up for (0: nothing is)
@@ -108,6 +115,13 @@ private:
         collision.steps = contact.steps;
         collision.vertex_step = contact.vertex;
         collision.simultaneous = contact.simultaneous;
+    }
+
+    [[gnu::always_inline]] void take(const Flight<T>& flight, const FirstContact<T>& contact,
+                                     Collision<T>& collision) const {
+        if (contact.outcome == FirstContactOutcome::contact) return arrive(flight, contact, collision);
+        collision.outcome = contact.outcome;
+        collision.steps = contact.steps;
     }
 
     // In both, u changes linearly in (p, q), so the mean of before and after is the value at half the impulse.
@@ -185,15 +199,6 @@ auto CollisionMap<T, shape_, rule_>::advance(const Flight<T>& flight) const -> C
     Collision<T> collision;
     advance(flight, collision);
     return collision;
-}
-
-template <class T, Shape shape_, ImpactRule rule_>
-auto CollisionMap<T, shape_, rule_>::advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const
-    -> void {
-    const FirstContact<T> contact = detail::undecided_contact<shape>(body_, flight);
-    if (contact.outcome == FirstContactOutcome::contact) return arrive(flight, contact, collision);
-    collision.outcome = contact.outcome;
-    collision.steps = contact.steps;
 }
 
 // Compiled once, in maps_in_*.cpp: the first contact takes a second to compile for each map.

@@ -77,7 +77,7 @@ struct Found {
 
 /// instant_of_return; guesses between 7.99 and 16 leave.
 HWY_INLINE Found instant_of_return(const LaneFlight& flight, const LanePath& path, const LaneStart& start,
-                                   LaneInstant& at) {
+                                   LaneInstant& at, Lane& earliest) {
     const Lane guess = return_guess(start);
     LaneReturn back = return_near(path, guess);
     const Mask sampled =
@@ -95,6 +95,7 @@ HWY_INLINE Found instant_of_return(const LaneFlight& flight, const LanePath& pat
     }
     const Lane spun = flight.spin * back.near.time;
     at = instant_after(flight, back.near, turn_minus_one(spun), back.closer);
+    earliest = Lane(nearest_share) * larger(back.near.time, at.time);
     return {all(back.close, magnitude(spun) < Lane(32), magnitude(flight.spin * back.closer) < Lane(32)), vain};
 }
 
@@ -118,14 +119,19 @@ HWY_INLINE LaneState state_at_wall(LaneFactor per_alpha, const LaneFlight& fligh
 
 /// contact_of_vertex_behind without the proof, in the lanes in which the circle does not return and in those in which
 /// the nearest vertex recedes there: those where it is found.
-HWY_INLINE Mask find_behind(ProofTask& task, Lane fourth, Mask no_return, Mask recedes) {
+///   earliest    before which no contact is taken; 0 where the search begins at the start
+///   unfinished  lanes in which the scalar search goes on
+HWY_INLINE Mask find_behind(ProofTask& task, Lane fourth, Mask no_return, Mask recedes, Lane& earliest,
+                            Mask& unfinished) {
     const Mask asked = either(no_return, recedes);
+    unfinished = Lane(1) < Lane(0);
     if (!any(asked)) return asked;
     LaneSearch& search = task.search;
     search.at = choose(no_return, instant_at_start(task.flight), search.at);
     search.nearest.number = choose(no_return, Lane(0), search.nearest.number);
     search.looks = choose(no_return, Lane(0), search.looks);
-    return seek_vertex_behind(task.vertices, task.flight, fourth, asked, search);
+    earliest = choose(no_return, Lane(0), earliest);
+    return seek_vertex_behind(task.vertices, task.flight, fourth, asked, search, unfinished);
 }
 
 /// Lanes `i` … of a block, as many as a vector has.
@@ -145,15 +151,20 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
     const LanePath path = circle_path(flight);
     task.start = gap_at_start(path);
     task.struck = struck_gap_at_start(flight);
-    const Found back = instant_of_return(flight, path, task.start, search.at);
+    Lane earliest;
+    const Found back = instant_of_return(flight, path, task.start, search.at, earliest);
     Mask leaves = task.struck.rate < -rate_rounding(task.speed, body.beta, z.spin, body.alpha);
     if constexpr (sums_chatter) leaves = all(leaves, leaves_the_wall(scenes, i, body, z));
     const Lane fourth = fourth_bound(body, flight, task.speed);
     seek_vertex(task.vertices, body.half_slope, flight, fourth, all(leaves, back.found), search);
     Mask vain = either(back.vain, search.vain);
-    const Mask behind = find_behind(task, fourth, all(leaves, back.vain), all(leaves, search.recedes));
-    const Mask usual = all(either(search.found, behind), search.at.time + search.correction > Lane(0),
-                           magnitude(flight.spin * search.correction) < Lane(32));
+    Mask unfinished;
+    const Mask behind =
+        find_behind(task, fourth, all(leaves, back.vain), all(leaves, search.recedes), earliest, unfinished);
+    const Mask found = either(search.found, behind);
+    const Mask late_enough = search.at.time + search.correction > earliest;
+    vain = either(vain, hn::AndNot(late_enough, found));
+    const Mask usual = all(found, late_enough, magnitude(flight.spin * search.correction) < Lane(32));
     const LaneInstant at = advanced(flight, search.at, search.correction);
     Mask clear = hn::AndNot(behind, hn::And(usual, clear_by_circumcircle(task)));
     const Mask unproven = hn::AndNot(clear, usual);
@@ -170,7 +181,7 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
 
     const Mask done = all(clear, stays_in_range(after, body.beta, body.alpha));
     keep_impact(done, after, at.time, search.looks, impact, search.nearest.number, block, i);
-    return {bits_of(done), bits_of(no(done)), bits_of(vain)};
+    return {bits_of(done), bits_of(no(done)), bits_of(all(leaves, hn::AndNot(unfinished, vain)))};
 }
 
 }  // namespace swirl::detail::HWY_NAMESPACE

@@ -228,8 +228,9 @@ HWY_INLINE void seek_vertex(const VertexRows& vertices, Lane half_slope, const L
 
 /// The search of contact_of_vertex_behind in the lanes `asked` for: at the vertex behind `search.nearest`, from
 /// `search.at` on. Where it is not found nothing changes.
+///   unfinished  lanes in which the scalar search goes on
 HWY_INLINE Mask seek_vertex_behind(const VertexRows& vertices, const LaneFlight& flight, Lane fourth, Mask asked,
-                                   LaneSearch& search) {
+                                   LaneSearch& search, Mask& unfinished) {
     LaneInstant at = search.at;
     LaneVertex next = search.nearest;
     const Lane k = next.number + choose(flight.spin > Lane(0), Lane(-1), Lane(1));
@@ -237,6 +238,7 @@ HWY_INLINE Mask seek_vertex_behind(const VertexRows& vertices, const LaneFlight&
     next.row = rows_of_vertex(vertices, next.number);
     Mask all_found = Lane(1) < Lane(0);
     Mask open = asked;
+    unfinished = all_found;
     for (int look = 1;; ++look) {
         next.arm = turned_to(at.arm, next.number, next.row.value);
         next.gap = gap_of(flight.spin, at, next.arm, times(at.arm, next.row.rest), equal(next.number, Lane(0)));
@@ -249,7 +251,9 @@ HWY_INLINE Mask seek_vertex_behind(const VertexRows& vertices, const LaneFlight&
         search.correction = choose(found, correction, search.correction);
         search.looks = choose(found, search.looks + Lane(look), search.looks);
         all_found = either(all_found, found);
-        open = all(hn::AndNot(found, open), magnitude(flight.spin * correction) < Lane(32));
+        const Mask left = hn::AndNot(found, open);
+        open = all(left, magnitude(flight.spin * correction) < Lane(32));
+        unfinished = either(unfinished, look == most_looks ? left : hn::AndNot(open, left));
         if (look == most_looks || !any(open)) return all_found;
         at = choose(open, advanced(flight, at, correction), at);
     }

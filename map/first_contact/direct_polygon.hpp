@@ -14,6 +14,10 @@ namespace detail {
 /// Corrections of the guess beyond this are rejected; radians of swirl.
 inline constexpr double longest_step = 0.125;
 
+/// A contact before this share of the moment from which the search came back to it is not taken: what the body has
+/// moved was summed up on the way there and back, so that its rounding is that of the longer way.
+inline constexpr double nearest_share = 0.25;
+
 /// The moment `later` after one whose rotations are known, that of the body by `spun`.
 template <class T>
 [[gnu::always_inline]] inline Instant<T> instant_after(const Flight<T>& flight, const TurnedMoment<T>& near,
@@ -32,9 +36,10 @@ template <class T>
 }
 
 /// Where the search for the vertex begins: the centre back at its first distance. False if that is not found.
+///   earliest  the moment before which no contact is to be taken (`nearest_share`)
 template <class T>
 [[gnu::always_inline]] inline bool instant_of_return(const Flight<T>& flight, const CirclePath<T>& path,
-                                                     const CircleGap<T>& leaving, Instant<T>& at) {
+                                                     const CircleGap<T>& leaving, Instant<T>& at, T& earliest) {
     using std::fabs;
     T guess = return_guess(leaving);
     if (!(guess > 0 && guess <= T(longest_guess))) guess = sampled_guess(path);
@@ -49,14 +54,15 @@ template <class T>
         if (!(fabs(closer) <= T(longest_step))) return false;
     }
     at = instant_after(flight, near, turn_minus_one(T(flight.spin * near.time)), closer);
+    earliest = T(nearest_share) * std::max(near.time, at.time);
     return true;
 }
 
 /// From there to a moment so close to the contact of the vertex nearest to the wall that `correction`, the way left,
-/// needs no further look. False if there is none.
+/// needs no further look. False if there is none, or it is not after `earliest`.
 template <class T>
-[[gnu::always_inline]] inline bool seek_vertex(const Body<T>& body, const Flight<T>& flight, Instant<T>& at,
-                                               Candidate<T>& nearest, T& correction, int& steps) {
+[[gnu::always_inline]] inline bool seek_vertex(const Body<T>& body, const Flight<T>& flight, const T& earliest,
+                                               Instant<T>& at, Candidate<T>& nearest, T& correction, int& steps) {
     using std::fabs;
     const T fourth = derivative_bounds<4, Shape::polygon>(body, flight).vertex;
     while (true) {  // ends: converged, or gives up
@@ -69,7 +75,7 @@ template <class T>
         const Gap<T>& g = nearest.gap;
         correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(fraction<T>(1, 6) * g.jerk));
         if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
-        if (is_converged(g, correction, at.time, fourth)) return at.time + correction > 0;
+        if (is_converged(g, correction, at.time, fourth)) return at.time + correction > earliest;
         advance<Shape::polygon>(flight, at, correction);
     }
 }
@@ -101,9 +107,9 @@ template <class T>
     const CircleGap<T> start = gap_at_start(path);
     Instant<T> at;
     Candidate<T> nearest;
-    T correction;
-    if (!instant_of_return(flight, path, start, at)) return false;
-    if (!seek_vertex(body, flight, at, nearest, correction, contact.steps)) return false;
+    T correction, earliest;
+    if (!instant_of_return(flight, path, start, at, earliest)) return false;
+    if (!seek_vertex(body, flight, earliest, at, nearest, correction, contact.steps)) return false;
 
     const Gap<T> struck = struck_gap_at_start(flight);
     if (!(struck.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
@@ -132,9 +138,10 @@ template <class T>
     Instant<T> at;
     Candidate<T> next;
     T correction;
-    if (!instant_of_return(flight, path, start, at))
+    T earliest(0);
+    if (!instant_of_return(flight, path, start, at, earliest))
         at = instant_at_start(flight);
-    else if (seek_vertex(body, flight, at, next, correction, contact.steps) || !(next.gap.rate <= 0))
+    else if (seek_vertex(body, flight, earliest, at, next, correction, contact.steps) || !(next.gap.rate <= 0))
         return contact;
     const T fourth = derivative_bounds<4, Shape::polygon>(body, flight).vertex;
     next.vertex = body.vertex_number(next.vertex + (flight.spin > 0 ? -1 : 1));
@@ -146,7 +153,7 @@ template <class T>
         correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(fraction<T>(1, 6) * g.jerk));
         if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return contact;
         if (is_converged(g, correction, at.time, fourth)) {
-            if (at.time + correction > 0 &&
+            if (at.time + correction > earliest &&
                 clear_by_derivatives(body, flight, leaving_gap(body, flight, start), struck, at, next, correction))
                 strike_after(body, flight, at, correction, next.vertex, contact);
             return contact;

@@ -71,11 +71,11 @@ public:
                           [this](Collision<T>& collision) { map_.advance(collision.after, collision); });
     }
 
-    /// The same, bit for bit, of a step whose direct search is known to find nothing (`map/batch`): without that
-    /// search.
+    /// The same, bit for bit, of a step in which no search by a guess is known to find anything (`map/batch`): without
+    /// these searches.
     Outcome advance_undecided(ReturnStep<T>& return_step) const {
         return advance_by(return_step, contact_horizon, {}, [this](Collision<T>& collision) {
-            map_.advance_with_certainty(flight_from(map_.body(), collision.after), collision);
+            map_.advance_conservatively(flight_from(map_.body(), collision.after), collision);
         });
     }
 
@@ -195,6 +195,8 @@ auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, c
                                                     : follow_contact(*contact_, completion, horizon, sink, most_steps);
     ReturnStep<T> return_step = after_contact(post_impact, phase);
     return_step.contact_work = phase.sums.work + completion.jacobi;
+    if (return_step.outcome == Outcome::completed && changes_nothing(return_step.collision))
+        return_step.outcome = Outcome::unresolved;
     return return_step;
 }
 

@@ -44,18 +44,39 @@ Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_i
     return {u.un < 0 && error.moved <= chatter_tolerance<T>(), acceleration > 0, error.estimate};
 }
 
-/// The direction of slip, which decides the friction of a normal impulse: −1 and 1 by the sign of u_t while it slides,
-/// 0 while it sticks.
+/// The slip in which the rest of chatter goes on, which decides the friction of its impulses.
 template <class T>
 struct Slip {
     bool slides;
-    T sign;
+    T sign;  ///< of u_t
+};
+
+/// Tangential and normal impulse that remove u_n, q as friction has it: −μ sign p while it slides; what removes u_t as
+/// well while it sticks.
+template <class T>
+struct Removal {
+    T normal, tangential;
 };
 
 template <class T>
+Removal<T> removal_of(const ContactScene<T>& scene, const ContactKinematics<T>& u, const Slip<T>& slip) {
+    const T along = scene.mu == T(0) ? T(0) : slip.slides ? T(-scene.mu * slip.sign) : T(-u.b3() / u.b1());  // q/p
+    const T c = u.b2() + u.b3() * along;
+    const bool stops = scene.mu > T(0) && !slip.slides;
+    const T still = stops ? T(-u.ut / u.b1()) : T(0);  // q at p = 0
+    const T p = c > T(0) ? T((u.un - u.b3() * still) / c) : T(0);
+    return {p, still + along * p};
+}
+
+/// It sticks also where so slow a slip is stopped by the removal of u_n.
+template <class T>
 Slip<T> slip_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
-    const T ut = contact_kinematics(scene.body, post_impact).ut;
-    return {scene.mu > T(0) && abs(ut) > velocity_rounding(scene, post_impact), ut > T(0) ? T(1) : T(-1)};
+    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
+    const Slip<T> slip{scene.mu > T(0) && abs(u.ut) > velocity_rounding(scene, post_impact),
+                       u.ut > T(0) ? T(1) : T(-1)};
+    if (!slip.slides) return slip;
+    const Removal<T> j = removal_of(scene, u, slip);
+    return {(u.ut + u.b3() * j.normal + u.b1() * j.tangential) * slip.sign > T(0), slip.sign};
 }
 
 template <class T>
@@ -63,17 +84,14 @@ bool sticks(const ContactScene<T>& scene, const Slip<T>& slip) {
     return scene.mu > T(0) && !slip.slides;
 }
 
-/// Removes v by the normal impulse p = u_n/c < 0, the difference of chatter's from contact's, with the friction that
-/// goes with it.
+/// Removes v by the impulses p < 0 and q, the differences of chatter's from contact's.
 template <class T>
 ContactState<T> without_normal_velocity(const ContactScene<T>& scene, const PostImpactState<T>& post_impact,
                                         const Slip<T>& slip, T& jacobi) {
     const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
     ContactState<T> state = contact_state(scene, post_impact);
-    const T ratio = scene.mu == T(0) ? T(0) : slip.slides ? T(-scene.mu * slip.sign) : T(-u.b3() / u.b1());  // q/p
-    const T c = u.b2() + u.b3() * ratio;
-    const T p = c > T(0) ? T(u.un / c) : T(0);
-    const T q = ratio * p;
+    const Removal<T> removal = removal_of(scene, u, slip);
+    const T &p = removal.normal, &q = removal.tangential;
     state.ut += u.b3() * p + u.b1() * q;
     state.spin += (u.rn * q + u.rt * p) / u.inertia;
     jacobi = -p * T(0.5) * u.un + q * (T(0.5) * (u.ut + state.ut) - T(1));

@@ -31,6 +31,13 @@ T painleve_margin() {
     return tolerance<T>(1e-9);
 }
 
+/// A condition that starts at zero and rises to h above it is nowhere above ε unless it lasts for √(ε/h) or so:
+/// halvings beyond these find rounding.
+template <class T>
+constexpr int most_halvings() {
+    return std::numeric_limits<T>::digits / 2 + 4;
+}
+
 /// The moment in (from, to] at which condition k fails, known to fail at `to`: on the side on which it fails.
 template <class T>
 T locate(const Problem<T>& problem, const Step<T>& step, T from, const T& to, std::size_t k) {
@@ -38,7 +45,7 @@ T locate(const Problem<T>& problem, const Step<T>& step, T from, const T& to, st
     T before = value(from);
     const T after = value(to);
     for (int halving = 1; !(before > 0); ++halving) {  // it may start at zero, rise, and fall again
-        if (halving > 30) return from;
+        if (halving > most_halvings<T>()) return from;
         const T nearer = from + ldexp(T(to - from), -halving);
         before = value(nearer);
         if (before > 0) from = nearer;

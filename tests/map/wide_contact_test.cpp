@@ -15,15 +15,21 @@ namespace {
 
 using tests::Landing, tests::ContactReturn, tests::contact_return, tests::random_landing, tests::widened;
 
-/// Differences of place, velocities and times.
+/// Differences of place, velocities (of S that of the rim, α(S − S′)) and times.
 template <class T>
-std::array<double, 9> differences(const ContactReturn<T>& a, const ContactReturn<Quad>& b) {
+std::array<double, 9> differences(const Quad& alpha, const ContactReturn<T>& a, const ContactReturn<Quad>& b) {
     const auto less = [](const T& x, const Quad& y) { return static_cast<double>(Quad(x) - y); };
     const PostImpactState<T>& z = a.after;
     const PostImpactState<Quad>& w = b.after;
-    return {less(z.psi.x, w.psi.x), less(z.psi.y, w.psi.y), less(z.chi.x, w.chi.x),
-            less(z.chi.y, w.chi.y), less(z.vn, w.vn),       less(z.vt, w.vt),
-            less(z.spin, w.spin),   less(a.time, b.time),   less(a.turned, b.turned)};
+    return {less(z.psi.x, w.psi.x),
+            less(z.psi.y, w.psi.y),
+            less(z.chi.x, w.chi.x),
+            less(z.chi.y, w.chi.y),
+            less(z.vn, w.vn),
+            less(z.vt, w.vt),
+            static_cast<double>(alpha) * less(z.spin, w.spin),
+            less(a.time, b.time),
+            static_cast<double>(alpha) * less(a.turned, b.turned)};
 }
 
 double largest(const std::array<double, 9>& list) {
@@ -32,26 +38,35 @@ double largest(const std::array<double, 9>& list) {
     return most;
 }
 
-/// By how much the end of a return changes with its start, the largest of the directions.
+/// By how much the end of a return changes with its start, or with α, β, μ or κ relative to themselves: the largest.
 template <class Map>
 double condition_of(const Map& map, const PostImpactState<Quad>& from, const ContactReturn<Quad>& known) {
     const Quad h(1e-15);
     double condition = 1;
+    const auto note = [&](const std::optional<ContactReturn<Quad>>& beside) {
+        if (beside && beside->way == known.way)
+            condition =
+                std::max(condition, largest(differences(map.body().alpha, *beside, known)) / static_cast<double>(h));
+    };
+    for (const auto number :
+         {&Scene<Quad>::alpha, &Scene<Quad>::beta, &Scene<Quad>::mu, &Scene<Quad>::inertia_factor}) {
+        Scene<Quad> scene = map.scene();
+        scene.*number *= Quad(1) + h;
+        note(contact_return(Map(scene), from));
+    }
     for (int i = 0; i < 5; ++i) {
         SectionPoint<Quad> near = section_point(from);
         Quad* const numbers[] = {&near.psi, &near.chi, &near.vn, &near.vt, &near.spin};
         if (i == 1 && Map::shape == Shape::disk) continue;
         *numbers[i] += i == 2 ? Quad(-h) : h;  // away from the wall
-        const auto beside = contact_return(map, post_impact_state(near));
-        if (beside && beside->way == known.way)
-            condition = std::max(condition, largest(differences(*beside, known)) / static_cast<double>(h));
+        note(contact_return(map, post_impact_state(near)));
     }
     return condition;
 }
 
 struct Tally {
     long compared = 0, other_way = 0;
-    double worst = 0;  ///< difference by condition times ε
+    double worst = 0;  ///< difference by condition, the size of what is rounded (lengths, velocities, time) and ε
     double balance = 0;
 };
 
@@ -71,10 +86,11 @@ void compare(const Landing& landing, Tally& tally) {
             const auto found = contact_return(map, widened(map.body(), landing.from));
             if (!found || found->way != reference->way) return void(++tally.other_way);
             const double condition = condition_of(wide_map, from, *reference);
-            const double difference = largest(differences(*found, *reference));
-            const double speed =
-                1 + std::abs(landing.from.vn) + std::abs(landing.from.vt) + std::abs(landing.from.spin);
-            tally.worst = std::max(tally.worst, difference / (condition * speed * static_cast<double>(epsilon<T>())));
+            const double difference = largest(differences(wide_map.body().alpha, *found, *reference));
+            const double size = 1 + std::abs(landing.from.vn) + std::abs(landing.from.vt) +
+                                landing.scene.alpha * std::abs(landing.from.spin) +
+                                static_cast<double>(reference->time);
+            tally.worst = std::max(tally.worst, difference / (condition * size * static_cast<double>(epsilon<T>())));
             ++tally.compared;
         });
     });
@@ -97,7 +113,7 @@ Tally compare_landings(int landings, std::uint64_t seed) {
 }
 
 void expect_rounding(const Tally& tally) {
-    EXPECT_LE(tally.worst, 8);        // measured: 3.5
+    EXPECT_LE(tally.worst, 16);       // measured: 13 in 2,000 landings
     EXPECT_LE(tally.balance, 1e-31);  // of J in 113 bits, ε = 1.9e-34
     EXPECT_LE(tally.other_way, 0.05 * static_cast<double>(tally.compared));
 }
@@ -109,6 +125,46 @@ TEST(WideContact, IsWhatDoubleAndExtendedPrecisionRoundOff) {
 TEST(WideContactNightly, IsWhatDoubleAndExtendedPrecisionRoundOffInTwoThousandLandings) {
     expect_rounding(compare_landings<double>(200, 3));
     expect_rounding(compare_landings<long double>(200, 4));
+}
+
+// Just after an impact that reversed the slip, |u_t| = 0.045 |u_n|: what is left of chatter stops it, and the vertex
+// sticks. Slip that went on to the end of chatter would be wrong by the first order of u_n: 3e-10 in double.
+TEST(WideContact, ASlipThatTheRestOfChatterStops) {
+    Scene<double> scene =
+        tests::uniform_scene(6, 0.11855468561051304, 0.1776045950511877, 0.24447206936212673, 0.59427803669677137);
+    scene.law = Law::poisson;
+    const SectionPoint<double> from{-0.48224172829491629, -0.37446420615930787, -0.068847324763608345,
+                                    0.19175078336715709, -0.31177161931180852};
+    Tally tally;
+    compare<double>({scene, post_impact_state(from)}, tally);
+    compare<long double>({scene, post_impact_state(from)}, tally);
+    std::printf("difference by condition and epsilon %.2g, balance of J %.1e\n", tally.worst, tally.balance);
+    EXPECT_EQ(tally.compared, 2);
+    expect_rounding(tally);
+}
+
+/// From a rocking triangle on, whose hops are shorter from impact to impact.
+template <class T>
+void follow_rocking_triangle() {
+    const Scene<double> scene = tests::uniform_scene(3, 0.4, 0.8, 0.5, 0.5);
+    with_collision_map(tests::scene_in<T>(scene), [](const auto& map) {
+        const SectionPoint<T> start{T(-1.2019398591), T(0.693455), T(-0.47764), T(1.01596), T(1.05075)};
+        ReducedOrbit<std::decay_t<decltype(map)>> orbit(map, start);
+        T time(0);
+        while (orbit.impacts() < 2000 && orbit.advance()) time += orbit.collision().flight_time;
+        std::printf("%lld impacts in %.17g before an edge rests on the wall\n", orbit.impacts(),
+                    static_cast<double>(time));
+        EXPECT_EQ(orbit.outcome(), Outcome::in_contact);
+        ASSERT_FALSE(orbit.contacts().empty());
+        EXPECT_EQ(orbit.contacts().back().support, Support::edge);
+    });
+}
+
+// The last hops of an edge's neighbour last for √ε: what looks for their end has to look as near as that.
+TEST(WideContact, ARockingTriangleLandsInEveryArithmetic) {
+    follow_rocking_triangle<double>();
+    follow_rocking_triangle<long double>();
+    follow_rocking_triangle<Quad>();
 }
 
 /// A motion in contact from `start`, in pieces no longer than `longest`: to an event, or for so long.

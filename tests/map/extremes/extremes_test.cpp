@@ -17,7 +17,8 @@ struct Family {
     double alpha = -1, beta = -1, mu = -1, e = -1;  ///< −1: random
     double speed = 1, spin = 3;                     ///< of the starts
     int sides = -1;                                 ///< −1: the disk, or 3 … 12
-    bool vanishing = false;  ///< μ is such that B₂ − sμB₃ = 0 at the next impact, within ε
+    bool vanishing = false;              ///< μ is such that B₂ − sμB₃ = 0 at the next impact, within ε
+    double slowest = 0.05, fastest = 1;  ///< |u_n| after the impact, in units of speed
 };
 
 Scene<double> scene_of(Random& random, const Family& family) {
@@ -58,7 +59,7 @@ double vanishing_mu(const Scene<double>& scene, const PostImpactState<double>& z
 
 void look_at(const Family& family, Random& random, Figure& figure) {
     Scene<double> scene = scene_of(random, family);
-    const double leaving = family.speed * random.log_between(0.05, 1);
+    const double leaving = family.speed * random.log_between(family.slowest, family.fastest);
     const auto z = post_impact_state(tests::random_point(random, scene, leaving, family.speed, family.spin));
     if (family.vanishing) {
         scene.mu = vanishing_mu(scene, z);
@@ -157,6 +158,17 @@ TEST(Extremes, FrictionThatBalancesTheNormalCoefficient) {
 TEST(Extremes, RestitutionNoneAndAllButWhole) {
     check(with_restitution("e 0", 0));
     check(with_restitution("e 1 - 1e-16", 1 - 1e-16));
+}
+TEST(Extremes, HopsFarShorterThanTheCircumscribedCirclesReturn) {
+    Family family = with_sides("hops of a triangle", 3);
+    family.alpha = 0.4;
+    family.beta = 0.8;
+    family.slowest = 1e-7;
+    family.fastest = 1e-2;
+    check(family, 1000);
+    family.name = "hops of a hexagon";
+    family.sides = 6;
+    check(family, 1000);
 }
 TEST(Extremes, SpeedsAndSpins) {
     check(with_speed("speed 1e-12, beta 1e-12", 1e-12, 1e-12, 1e-12));

@@ -26,6 +26,14 @@ constexpr double same_cycle = 1e-6;       // of their points
 constexpr double same_torus_mean = 2e-4;  // of S, relative to 1 or |S|: over few turns of its slowest angle
 constexpr std::size_t first_look = 2048;  // impacts after which a torus is looked for, and each time twice as many
 
+bool agree(double x, double y) {
+    return std::abs(x - y) < same_torus_mean * std::max(1.0, std::abs(x));
+}
+
+bool agree(const MeanSpins& a, const MeanSpins& b) {
+    return agree(a.per_impact, b.per_impact) && agree(a.per_time, b.per_time);
+}
+
 }  // namespace
 
 template <int D>
@@ -101,27 +109,39 @@ bool BasinEdge<D>::take_cycle(const CyclePoints& cycle, Saddle& saddle) const {
 }
 
 /// Does the orbit's second half go round a torus? Its means by weighted averages: those of both halves have to agree,
-/// or it is still on its way there.
+/// and those of its last part, or it is still on its way there. (A weighted average hardly sees the ends of what it is
+/// made over: an orbit that has left one torus for another would be taken for the first.)
 template <int D>
 bool BasinEdge<D>::is_torus(const Points& orbit, Saddle& saddle) const {
+    const auto half = orbit.end() - static_cast<std::ptrdiff_t>(orbit.size() / 2);
+    std::vector<double> spins;
+    for (auto point = half; point != orbit.end(); ++point) spins.push_back((*point)[SceneMap<D>::integrated]);
+    const analysis::RotationNumber rotation = analysis::rotation_of_observable(spins);
+    if (rotation.outcome != analysis::RotationOutcome::quasi_periodic) return false;
+    const auto per_impact = analysis::weighted_birkhoff_average(spins);
+    if (!(per_impact.half_difference < same_torus_mean * std::max(1.0, std::abs(per_impact.average)))) return false;
+    const MeanSpins means = means_of(half, orbit.end());
+    if (!agree(means, means_of(half + (orbit.end() - half) / 2, orbit.end()))) return false;
+    saddle.kind = analysis::Kind::quasi_periodic;
+    saddle.points = {orbit.back()};
+    saddle.rotation = rotation.rotation;
+    saddle.mean_spin_per_impact = means.per_impact;
+    saddle.mean_spin = means.per_time;
+    return true;
+}
+
+/// By weighted averages.
+template <int D>
+MeanSpins BasinEdge<D>::means_of(PointAt begin, PointAt end) const {
     std::vector<double> spins, times, turned;
-    for (auto point = orbit.begin() + static_cast<std::ptrdiff_t>(orbit.size() / 2); point != orbit.end(); ++point) {
+    for (auto point = begin; point != end; ++point) {
         const auto step = map_.advance(map_.state_at(*point));
         spins.push_back((*point)[SceneMap<D>::integrated]);
         times.push_back(step.duration);
         turned.push_back(step.integral);
     }
-    const analysis::RotationNumber rotation = analysis::rotation_of_observable(spins);
-    if (rotation.outcome != analysis::RotationOutcome::quasi_periodic) return false;
-    const auto per_impact = analysis::weighted_birkhoff_average(spins);
-    if (!(per_impact.half_difference < same_torus_mean * std::max(1.0, std::abs(per_impact.average)))) return false;
-    saddle.kind = analysis::Kind::quasi_periodic;
-    saddle.points = {orbit.back()};
-    saddle.rotation = rotation.rotation;
-    saddle.mean_spin_per_impact = per_impact.average;
-    saddle.mean_spin =
-        analysis::weighted_birkhoff_average(turned).average / analysis::weighted_birkhoff_average(times).average;
-    return true;
+    return {analysis::weighted_birkhoff_average(spins).average,
+            analysis::weighted_birkhoff_average(turned).average / analysis::weighted_birkhoff_average(times).average};
 }
 
 template class BasinEdge<disk_dimension>;
@@ -129,12 +149,9 @@ template class BasinEdge<polygon_dimension>;
 
 bool is_same_saddle(const analysis::ShootingMap& map, const Saddle& a, const Saddle& b) {
     if (a.kind != b.kind) return false;
-    if (a.kind != analysis::Kind::quasi_periodic)
-        return analysis::distance_between(map, a.points, b.points) < same_cycle;
-    const auto agree = [](double x, double y) {
-        return std::abs(x - y) < same_torus_mean * std::max(1.0, std::abs(x));
-    };
-    return agree(a.mean_spin, b.mean_spin) && agree(a.mean_spin_per_impact, b.mean_spin_per_impact);
+    if (a.kind == analysis::Kind::quasi_periodic)
+        return agree(a.mean_spin, b.mean_spin) && agree(a.mean_spin_per_impact, b.mean_spin_per_impact);
+    return analysis::distance_between(map, a.points, b.points) < same_cycle;
 }
 
 }  // namespace swirl::apps::sweep

@@ -64,9 +64,9 @@ public:
         take(flight, detail::undecided_contact<shape>(body_, flight), collision);
     }
 
-    /// The same as `advance` where no search by a guess is known to find anything: conservative advancement alone.
-    [[gnu::noinline]] void advance_conservatively(const Flight<T>& flight, Collision<T>& collision) const {
-        take(flight, detail::certain_contact<shape>(body_, flight), collision);
+    /// The same as `advance` where no search from the circle's return is known to find anything: without these.
+    [[gnu::noinline]] void advance_without_return(const Flight<T>& flight, Collision<T>& collision) const {
+        take(flight, detail::contact_without_return<shape>(body_, flight), collision);
     }
 
     /// The impact at a moment known to be the contact of the vertex at X + `arm`; fills all that depends on it.

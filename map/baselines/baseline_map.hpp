@@ -51,7 +51,7 @@ public:
     }
 
     /// As CollisionMap's; here there is one search alone.
-    void advance_conservatively(const Flight<double>& flight, Collision<double>& collision) const {
+    void advance_without_return(const Flight<double>& flight, Collision<double>& collision) const {
         advance(flight, collision);
     }
 

@@ -39,7 +39,7 @@ struct BatchedImpact {
 struct BatchUse {
     long long impacts = 0;
     long long left = 0;    ///< steps that the lanes left to the scalar code …
-    long long vain = 0;    ///< … of these, without the searches by a guess, which the lane had made in vain
+    long long vain = 0;    ///< … of these, without the searches from the circle's return, made in vain by the lane
     long long rounds = 0;  ///< looks at all lanes
     long long filled = 0;  ///< lanes with an orbit, summed over the rounds
 
@@ -161,7 +161,7 @@ private:
     }
 
     /// A step that the lanes did not decide.
-    ///   vain  nor would the searches by a guess of the scalar code
+    ///   vain  nor would the scalar code's searches from the circle's return
     void leave(int lane, bool vain) {
         Orbit& orbit = orbit_in(lane);
         if (!step_alone(orbit, state_of(block_, lane), vain) || orbit.done >= orbit.wanted) return refill(lane);

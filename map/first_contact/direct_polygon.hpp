@@ -123,43 +123,87 @@ template <class T>
     return true;
 }
 
-/// Where a vertex turns away from the wall the one behind it comes next, by the spin: its root is sought from that
-/// moment on, and the whole flight proven clear. For flights that keep near the wall, which the search above does not
-/// decide: the circle does not return, or the nearest vertex recedes where it does.
-/// @return `no_contact` if the flight is none of these, or the root is not found, or not proven the first
+/// What the proofs need of a start.
 template <class T>
-[[gnu::noinline]] FirstContact<T> contact_of_vertex_behind(const Body<T>& body, const Flight<T>& flight) {
-    using std::fabs;
-    FirstContact<T> contact;
+struct StartOnTheWall {
+    CirclePath<T> path;
+    CircleGap<T> circle;
+    Gap<T> struck;
+};
+
+template <class T>
+[[gnu::always_inline]] inline StartOnTheWall<T> start_on_the_wall(const Flight<T>& flight) {
     const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase));
-    const CircleGap<T> start = gap_at_start(path);
-    const Gap<T> struck = struck_gap_at_start(flight);
-    if (!(struck.rate < -rate_rounding(body, flight))) return contact;
-    Instant<T> at;
-    Candidate<T> next;
-    T correction;
-    T earliest(0);
-    if (!instant_of_return(flight, path, start, at, earliest))
-        at = instant_at_start(flight);
-    else if (seek_vertex(body, flight, earliest, at, next, correction, contact.steps) || !(next.gap.rate <= 0))
-        return contact;
+    return {path, gap_at_start(path), struck_gap_at_start(flight)};
+}
+
+/// The contact of one vertex, `next.vertex`: its root is sought from a moment on, and the whole flight proven clear.
+///   earliest  the moment before which no contact is to be taken
+/// `contact` stays without one where the root is not found, or not proven the first.
+template <class T>
+[[gnu::always_inline]] inline void strike_by_vertex(const Body<T>& body, const Flight<T>& flight,
+                                                    const StartOnTheWall<T>& start, const T& earliest, Instant<T>& at,
+                                                    Candidate<T>& next, FirstContact<T>& contact) {
+    using std::fabs;
     const T fourth = derivative_bounds<4, Shape::polygon>(body, flight).vertex;
-    next.vertex = body.vertex_number(next.vertex + (flight.spin > 0 ? -1 : 1));
     for (int look = 1; look <= correction_limit; ++look) {
         ++contact.steps;
         next.arm = body.turned_to_vertex(at.arm, next.vertex);
         next.gap = gap_of(body, flight, at, next);
         const Gap<T>& g = next.gap;
-        correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(fraction<T>(1, 6) * g.jerk));
-        if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return contact;
+        const T correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(fraction<T>(1, 6) * g.jerk));
+        if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return;
         if (is_converged(g, correction, at.time, fourth)) {
             if (at.time + correction > earliest &&
-                clear_by_derivatives(body, flight, leaving_gap(body, flight, start), struck, at, next, correction))
+                clear_by_derivatives(body, flight, leaving_gap(body, flight, start.circle), start.struck, at, next,
+                                     correction))
                 strike_after(body, flight, at, correction, next.vertex, contact);
-            return contact;
+            return;
         }
         advance<Shape::polygon>(flight, at, correction);
     }
+}
+
+/// The vertex that comes to where another is now, by the spin.
+template <class T>
+[[gnu::always_inline]] inline int vertex_behind(const Body<T>& body, const Flight<T>& flight, int vertex) {
+    return body.vertex_number(vertex + (flight.spin > 0 ? -1 : 1));
+}
+
+/// Where a vertex turns away from the wall the one behind it comes next: its root is sought from that moment on. For
+/// flights that keep near the wall, which the search above does not decide: the circle does not return, or the nearest
+/// vertex recedes where it does.
+/// @return `no_contact` if the flight is none of these, or the root is not found, or not proven the first
+template <class T>
+[[gnu::noinline]] FirstContact<T> contact_of_vertex_behind(const Body<T>& body, const Flight<T>& flight) {
+    FirstContact<T> contact;
+    const StartOnTheWall<T> start = start_on_the_wall(flight);
+    if (!(start.struck.rate < -rate_rounding(body, flight))) return contact;
+    Instant<T> at;
+    Candidate<T> next;
+    T correction, earliest(0);
+    if (!instant_of_return(flight, start.path, start.circle, at, earliest))
+        at = instant_at_start(flight);
+    else if (seek_vertex(body, flight, earliest, at, next, correction, contact.steps) || !(next.gap.rate <= 0))
+        return contact;
+    next.vertex = vertex_behind(body, flight, next.vertex);
+    strike_by_vertex(body, flight, start, earliest, at, next, contact);
+    return contact;
+}
+
+/// The vertex behind the one that has struck, sought from the start: where it strikes before the circle returns, the
+/// searches above find another, or the same on its way out. Of the flights of a chaotic hexagon that they leave it
+/// decides two thirds.
+/// @return as above
+template <class T>
+[[gnu::noinline]] FirstContact<T> contact_of_next_vertex(const Body<T>& body, const Flight<T>& flight) {
+    FirstContact<T> contact;
+    const StartOnTheWall<T> start = start_on_the_wall(flight);
+    if (!(start.struck.rate < -rate_rounding(body, flight))) return contact;
+    Instant<T> at = instant_at_start(flight);
+    Candidate<T> next;
+    next.vertex = vertex_behind(body, flight, 0);
+    strike_by_vertex(body, flight, start, T(0), at, next, contact);
     return contact;
 }
 

@@ -30,6 +30,18 @@ inline FirstContact<T> certain_contact(const Body<T>& body, const Flight<T>& fli
         return certain_contact_polygon(body, flight);
 }
 
+/// Of a flight that no search from the circle's return decides.
+template <Shape shape, class T>
+inline FirstContact<T> contact_without_return(const Body<T>& body, const Flight<T>& flight) {
+    if constexpr (shape == Shape::polygon) {
+        if (flight.struck) {
+            const FirstContact<T> next = contact_of_next_vertex(body, flight);
+            if (next.outcome == FirstContactOutcome::contact) return next;
+        }
+    }
+    return certain_contact<shape>(body, flight);
+}
+
 /// Of a flight that `direct_contact` does not decide.
 template <Shape shape, class T>
 inline FirstContact<T> undecided_contact(const Body<T>& body, const Flight<T>& flight) {
@@ -39,7 +51,7 @@ inline FirstContact<T> undecided_contact(const Body<T>& body, const Flight<T>& f
             if (behind.outcome == FirstContactOutcome::contact) return behind;
         }
     }
-    return certain_contact<shape>(body, flight);
+    return contact_without_return<shape>(body, flight);
 }
 
 }  // namespace detail

@@ -71,11 +71,11 @@ public:
                           [this](Collision<T>& collision) { map_.advance(collision.after, collision); });
     }
 
-    /// The same, bit for bit, of a step in which no search by a guess is known to find anything (`map/batch`): without
-    /// these searches.
+    /// The same, bit for bit, of a step in which no search from the circle's return is known to find anything
+    /// (`map/batch`): without these searches.
     Outcome advance_undecided(ReturnStep<T>& return_step) const {
         return advance_by(return_step, contact_horizon, {}, [this](Collision<T>& collision) {
-            map_.advance_conservatively(flight_from(map_.body(), collision.after), collision);
+            map_.advance_without_return(flight_from(map_.body(), collision.after), collision);
         });
     }
 

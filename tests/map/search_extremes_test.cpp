@@ -51,6 +51,8 @@ TEST(SearchAtExtremes, NoProofFromNumbersThatOverflow) {
                 FirstContact<double> found;
                 if (!detail::direct_contact<shape>(map.body(), flight, found))
                     if constexpr (shape == Shape::polygon) found = detail::contact_of_vertex_behind(map.body(), flight);
+                if (found.outcome != FirstContactOutcome::contact)
+                    if constexpr (shape == Shape::polygon) found = detail::contact_of_next_vertex(map.body(), flight);
                 if (found.outcome != FirstContactOutcome::contact) return;
                 const auto certain = detail::certain_contact<shape>(map.body(), flight);
                 ++direct;

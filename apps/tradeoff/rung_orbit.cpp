@@ -79,6 +79,7 @@ analysis::Tail<RungSectionMap<D>> follow(const RungMap& map, PostImpactState<Qua
         ++tail.steps;
         tail.points.push_back(RungSectionMap<D>::coordinates(z));
         tail.durations.push_back(step.rounded.collision.flight_time);
+        orbit.duration += tail.durations.back();
         tail.integrals.push_back(step.rounded.turned);
         tail.last = z;
         drift += step.jacobi_drift;

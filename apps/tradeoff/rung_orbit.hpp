@@ -17,6 +17,7 @@ struct RungOrbit {
     std::int64_t period = 0;  ///< 0: none
     Outcome outcome = Outcome::completed;
     std::int64_t impacts = 0;
+    double duration = 0;                                                            ///< of all of them, in 1/ω_s
     double mean_spin = std::nan("");                                                ///< ∫S dt / T over all impacts
     double mean_spin_error = std::nan("");                                          ///< its standard error, by blocks
     double largest_exponent = std::nan(""), largest_exponent_error = std::nan("");  ///< per impact

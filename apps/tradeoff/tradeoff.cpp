@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numbers>
 
 namespace swirl::apps::tradeoff {
 
@@ -46,13 +47,23 @@ bool is_same_verdict(const RungOrbit& a, const RungOrbit& b) {
     return a.mode == b.mode && a.period == b.period && a.outcome == b.outcome;
 }
 
+/// Of two orbits of which one has ended the other has to go on for a turn of the swirl longer: in more digits chatter
+/// takes more impacts to the same end.
+bool has_gone_as_far(const RungOrbit& a, const RungOrbit& b) {
+    const bool a_ended = a.outcome != Outcome::completed, b_ended = b.outcome != Outcome::completed;
+    if (a_ended == b_ended) return true;
+    const double later = a_ended ? b.duration - a.duration : a.duration - b.duration;
+    return later > 2 * std::numbers::pi;
+}
+
 void compare_orbits(Tradeoff& found) {
     const auto& last = found.rungs.back().orbit;
     for (auto& row : found.rungs) {
         if (&row == &found.rungs.back() || !row.orbit || !last) continue;
         row.mean_spin_off = row.orbit->mean_spin - last->mean_spin;
         row.exponent_off = row.orbit->largest_exponent - last->largest_exponent;
-        if (names_a_mode(*row.orbit) && names_a_mode(*last)) row.verdict_differs = !is_same_verdict(*row.orbit, *last);
+        if (names_a_mode(*row.orbit) && names_a_mode(*last) && has_gone_as_far(*row.orbit, *last))
+            row.verdict_differs = !is_same_verdict(*row.orbit, *last);
     }
 }
 

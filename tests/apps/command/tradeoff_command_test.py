@@ -214,15 +214,21 @@ class Regimes(unittest.TestCase):
     def test_an_orbit_that_comes_to_roll_is_compared_up_to_there(self):
         found = self.check(ROLLS, "quasi-steady", "in-contact")
         self.assertEqual(found["flights"]["outcome"], "in-contact")
-        proven = [row["outcome"] for name, row in rungs(found).items() if name in ("double", "extended", "quad")]
-        self.assertEqual(set(proven), {"in-contact"})  # searches to compare with may lose the body near the wall
         self.assertEqual(found["recommended"], "double")
+        # In more digits chatter takes more impacts: with the whole budget all three proven searches come to the end.
+        proven = [row["outcome"] for name, row in rungs(measured(ROLLS, 4)).items() if name in ("double", "extended", "quad")]
+        self.assertEqual(set(proven), {"in-contact"})  # searches to compare with may lose the body near the wall
 
     def test_an_orbit_that_leads_through_contact(self):
-        found = measured(LANDS)
-        self.assertGreater(found["flights"]["through_contact"], 0)
-        self.assertGreater(found["flights"]["compared"], 50)
-        self.assertEqual(found["recommended"], "double")
+        """Too small a budget for quad to come to the end of chatter does not speak against double."""
+        for budget in (0.5, 2, 8):
+            found = measured(LANDS, budget)
+            self.assertGreater(found["flights"]["through_contact"], 0)
+            self.assertGreater(found["flights"]["compared"], 50)
+            self.assertEqual(found["recommended"], "double", budget)
+        self.assertFalse(rungs(found)["double"]["verdict_differs"])
+        self.assertEqual(rungs(found)["quad"]["outcome"], "in-contact")
+        self.assertLessEqual(rungs(found)["double"]["error_in_condition"], 50)
 
     def test_no_contact_and_rest_have_nothing_to_compare(self):
         small = STEADY.replace("--beta 0.5", "--beta 0.1")

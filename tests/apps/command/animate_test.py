@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy
 from PIL import Image
 
-from driving import run, start
+from driving import made_records, run, start
 
 ROOT = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
@@ -43,10 +43,7 @@ class WithRecords(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         unittest.addModuleCleanup(temporary.cleanup)
         WithRecords.folder = Path(temporary.name)
-        for name, command in RECORDS.items():
-            cls.records[name] = cls.folder / f"{name}.h5"
-            result = run(f"{command} --quiet -o {cls.records[name]}")
-            assert result.returncode == 0, (command, result.stderr)
+        cls.records.update(made_records(RECORDS, cls.folder))
 
 
 class Motion(WithRecords):

@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from driving import run
+from driving import made_records
 
 ALL = "--all" in sys.argv and not sys.argv.remove("--all")
 ROOT = str(Path(sys.argv.pop(1)).resolve())
@@ -50,11 +50,7 @@ class WithRecords(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         unittest.addModuleCleanup(temporary.cleanup)
         WithRecords.folder = Path(temporary.name)
-        commands = {**COMMANDS, **(SLOW if ALL else {})}
-        for name, command in commands.items():
-            cls.records[name] = cls.folder / f"{name}.h5"
-            result = run(f"{command} --quiet -o {cls.records[name]}")
-            assert result.returncode == 0, (command, result.stderr)
+        cls.records.update(made_records({**COMMANDS, **(SLOW if ALL else {})}, cls.folder))
         for name in ("diagram", "cycles", "curves"):
             cls.records[name] = cls.folder / f"{name}.h5"
         for count in (1, 2, 3):

@@ -53,6 +53,15 @@ def document(arguments, code=0, **options):
     return json.loads(result.stdout, parse_constant=_refuse)
 
 
+def made_records(commands, folder):
+    """The records of commands, {name: command}, as {name: path}."""
+    records = {name: Path(folder) / f"{name}.h5" for name in commands}
+    for name, command in commands.items():
+        result = run(f"{command} --quiet -o {records[name]}")
+        assert result.returncode == 0, (command, result.stderr)
+    return records
+
+
 class InFolder(unittest.TestCase):
     """A test with a folder of its own."""
 

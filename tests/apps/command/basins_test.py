@@ -79,12 +79,13 @@ class Basins(Refusing):
         self.assertIn("is no place in its", wrong.stderr)
 
     def test_a_tree_finds_what_the_full_grid_has_where_it_looked(self):
-        tree = document(f"sweep {TWO} --grid vx=-0.6:0.6:4 --grid vy=-0.6:0.6:4 --refine 2")
+        tree = document(f"sweep {TWO} --grid vx=-0.6:0.6:7 --grid vy=-0.6:0.6:7 --refine 1")
         full = document(f"sweep {TWO} --grid vx=-0.6:0.6:13 --grid vy=-0.6:0.6:13")
         of = {tuple(cell["parameters"].values()): cell["runs"] for cell in full["cells"]}
         for cell in tree["cells"]:
             self.assertEqual(cell["runs"], of[tuple(cell["parameters"].values())])
-        self.assertTrue(16 < len(tree["cells"]) < 169)
+        # One start in seven is not in the cycle's basin: of 49 all are with a chance of 1 in 2,000, whatever the digits.
+        self.assertTrue(49 < len(tree["cells"]) < 169)
         self.assertEqual(sum(basin["starts"] for basin in tree["basins"]), sum(c["basin"] is not None for c in tree["cells"]))
         self.assertIsNone(tree["basins"][0]["share_low"])
 

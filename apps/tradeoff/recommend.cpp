@@ -85,7 +85,8 @@ const Rung* knee_of(const Tradeoff& found) {
 std::string verdict_in_words(const Tradeoff& found, const ArithmeticRung& row) {
     const std::string_view last = found.rungs.back().rung->name;
     if (row.verdict_differs) return fmt::format("its verdict is that of {}", last);
-    if (row.orbit && found.rungs.back().orbit) return "its orbit is too short to compare verdicts";
+    if (row.orbit && found.rungs.back().orbit)
+        return fmt::format("its orbit or that of {} is too short to compare verdicts", last);
     return fmt::format("the budget was spent before its verdict was compared with that of {}", last);
 }
 

@@ -47,13 +47,17 @@ bool is_same_verdict(const RungOrbit& a, const RungOrbit& b) {
     return a.mode == b.mode && a.period == b.period && a.outcome == b.outcome;
 }
 
-/// Of two orbits of which one has ended the other has to go on for a turn of the swirl longer: in more digits chatter
-/// takes more impacts to the same end.
+/// Of two orbits of which one stays in contact the other has to go on for a turn of the swirl longer: in more digits
+/// chatter takes more impacts to the same end.
 bool has_gone_as_far(const RungOrbit& a, const RungOrbit& b) {
-    const bool a_ended = a.outcome != Outcome::completed, b_ended = b.outcome != Outcome::completed;
-    if (a_ended == b_ended) return true;
-    const double later = a_ended ? b.duration - a.duration : a.duration - b.duration;
-    return later > 2 * std::numbers::pi;
+    const auto stays = [](const RungOrbit& orbit) {
+        return orbit.outcome == Outcome::in_contact || orbit.outcome == Outcome::contact_cut;
+    };
+    const auto goes_on = [](const RungOrbit& orbit) { return orbit.outcome == Outcome::completed; };
+    const double turn = 2 * std::numbers::pi;
+    if (stays(a) && goes_on(b)) return b.duration > a.duration + turn;
+    if (stays(b) && goes_on(a)) return a.duration > b.duration + turn;
+    return true;
 }
 
 void compare_orbits(Tradeoff& found) {

@@ -38,7 +38,8 @@ struct ArithmeticRung {
     std::optional<RungOrbit> orbit;       ///< none without flights, or where the budget was spent
     double mean_spin_off = std::nan("");  ///< mean S less the last rung's
     double exponent_off = std::nan("");   ///< largest exponent less the last rung's
-    /// Mode, period or outcome is not the last rung's; none where one of the two orbits names no mode, being too short.
+    /// Mode, period or outcome is not the last rung's; none where one of the two orbits names no mode, being too short,
+    /// or one stays in contact and the other has not gone on for a turn of the swirl longer.
     std::optional<bool> verdict_differs;
 };
 

@@ -23,9 +23,9 @@ const char* const tradeoff_details =
               slowly at least. Fewer impacts are recommended where, on these and all larger numbers, less than 10 % of
               the starts have another mode, at 95 %
   model       each piece with and without, and which commands pay for it; what the scene does not need, nothing pays for
-Recommended is the cheapest rung of --accuracy that missed or misordered no contact and whose verdict is that of quad. The knee
-is the cheapest of all that found every contact and errs in a step by no more than 50 roundings of a double times the
-step's condition.
+Recommended is the cheapest rung of --accuracy that missed or misordered no contact and whose verdict, where it can be
+compared, is that of quad. The knee is the cheapest of all that found every contact and errs in a step by no more than
+50 roundings of a double times the step's condition.
 What is counted depends on scene, start and budget, not on the machine; times do, and so do starts beyond the first eight.
 A machine on which that takes more than the budget leaves the rest out, and says so.
 

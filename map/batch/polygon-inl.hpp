@@ -157,13 +157,13 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
     if constexpr (sums_chatter) leaves = all(leaves, leaves_the_wall(scenes, i, body, z));
     const Lane fourth = fourth_bound(body, flight, task.speed);
     seek_vertex(task.vertices, body.half_slope, flight, fourth, all(leaves, back.found), search);
-    Mask vain = either(back.vain, search.vain);
     Mask unfinished;
     const Mask behind =
         find_behind(task, fourth, all(leaves, back.vain), all(leaves, search.recedes), earliest, unfinished);
     const Mask found = either(search.found, behind);
     const Mask late_enough = search.at.time + search.correction > earliest;
-    vain = either(vain, hn::AndNot(late_enough, found));
+    // The scalar code's searches from the circle's return find nothing either; more of these below.
+    Mask vain = either(hn::AndNot(behind, either(back.vain, search.vain)), hn::AndNot(late_enough, found));
     const Mask usual = all(found, late_enough, magnitude(flight.spin * search.correction) < Lane(32));
     const LaneInstant at = advanced(flight, search.at, search.correction);
     Mask clear = hn::AndNot(behind, hn::And(usual, clear_by_circumcircle(task)));

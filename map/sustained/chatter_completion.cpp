@@ -68,7 +68,17 @@ Removal<T> removal_of(const ContactScene<T>& scene, const ContactKinematics<T>& 
     return {p, still + along * p};
 }
 
-/// It sticks also where so slow a slip is stopped by the removal of u_n.
+/// Whether friction holds the vertex (rim) at u_t = 0.
+template <class T>
+bool can_stick(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    ContactState<T> still = contact_state(scene, post_impact);
+    still.ut = T(0);
+    const Support support = scene.is_disk() ? Support::rim : Support::vertex;
+    return reaction_of(scene, support, ContactMotion::sticking, still).reserve >= T(0);
+}
+
+/// It sticks also where the removal of u_n would turn so slow a slip round, and friction holds it: the flights between
+/// the impacts that are left bring it to an end.
 template <class T>
 Slip<T> slip_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
     const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
@@ -76,7 +86,8 @@ Slip<T> slip_of(const ContactScene<T>& scene, const PostImpactState<T>& post_imp
                        u.ut > T(0) ? T(1) : T(-1)};
     if (!slip.slides) return slip;
     const Removal<T> j = removal_of(scene, u, slip);
-    return {(u.ut + u.b3() * j.normal + u.b1() * j.tangential) * slip.sign > T(0), slip.sign};
+    const bool goes_on = (u.ut + u.b3() * j.normal + u.b1() * j.tangential) * slip.sign > T(0);
+    return {goes_on || !can_stick(scene, post_impact), slip.sign};
 }
 
 template <class T>
@@ -84,7 +95,7 @@ bool sticks(const ContactScene<T>& scene, const Slip<T>& slip) {
     return scene.mu > T(0) && !slip.slides;
 }
 
-/// Removes v by the impulses p < 0 and q, the differences of chatter's from contact's.
+/// Removes v by the impulses p and q, the differences of chatter's from contact's.
 template <class T>
 ContactState<T> without_normal_velocity(const ContactScene<T>& scene, const PostImpactState<T>& post_impact,
                                         const Slip<T>& slip, T& jacobi) {

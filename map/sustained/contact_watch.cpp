@@ -31,8 +31,8 @@ T painleve_margin() {
     return tolerance<T>(1e-9);
 }
 
-/// A condition that starts at zero and rises to h above it is nowhere above ε unless it lasts for √(ε/h) or so:
-/// halvings beyond these find rounding.
+/// A condition that is zero at the start, with second derivative b, comes above ε only if it holds for √(8ε/b): more
+/// halvings than these find rounding.
 template <class T>
 constexpr int most_halvings() {
     return std::numeric_limits<T>::digits / 2 + 4;

@@ -1,6 +1,7 @@
 #include "map/sustained/reaction.hpp"
 
 #include "map/map_list.hpp"
+#include "map/sustained/contact_jets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +26,11 @@ Reaction<T> on_rim(const ContactScene<T>& scene, ContactMotion motion, const Con
     Reaction<T> r;
     r.normal = wn + rho * turning * turning;
     if (motion == ContactMotion::sticking) {
-        r.friction = -kappa * wt / (1 + kappa);
+        r.friction = -kappa * wt / (T(1) + kappa);
         r.reserve = scene.mu * r.normal - abs(r.friction);
     } else {
         r.friction = -scene.mu * sign_of<T>(motion) * r.normal;
-        r.ut_rate = wt + r.friction * (1 + 1 / kappa);
+        r.ut_rate = wt + r.friction * (T(1) + T(1) / kappa);
     }
     r.spin_rate = r.friction / (kappa * body.alpha);
     return r;
@@ -50,7 +51,7 @@ Reaction<T> on_vertex(const ContactScene<T>& scene, ContactMotion motion, const 
         return r;
     }
     const T smu = scene.mu * sign_of<T>(motion);
-    r.stiffness = 1 + rt * (rt - smu * rn) / body.inertia;
+    r.stiffness = T(1) + rt * (rt - smu * rn) / body.inertia;
     r.normal = (wn + z.ut * z.ut - spin2 * rn) / r.stiffness;
     r.friction = -smu * r.normal;
     r.spin_rate = (rn * r.friction + rt * r.normal) / body.inertia;
@@ -67,8 +68,8 @@ T edge_reserve(const ContactScene<T>& scene, const T& sum_friction, const T& dif
     T least(0), most = std::numeric_limits<T>::infinity();
     for (const int first : {1, -1})       // which contact: λ = (Λ ± D)/2
         for (const int sign : {1, -1}) {  // which side of the cone
-            const T a = scene.mu * first * difference - sign * (sum_friction - first * wn / s);
-            const T b = scene.mu - sign * first * c / s;
+            const T a = scene.mu * T(first) * difference - T(sign) * (sum_friction - T(first) * wn / s);
+            const T b = scene.mu - T(sign * first) * c / s;
             if (b > 0)
                 least = std::max(least, T(-a / b));
             else if (b < 0)
@@ -92,8 +93,8 @@ Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const Co
         const T difference = (-wt - r.friction * c) / s;
         r.reserve = edge_reserve(scene, r.friction, difference, wn);
         // One of the possible pairs, the one without tension along the edge: f₁ = f₂.
-        r.normal = 0.5 * (wn / c + difference);
-        r.second = 0.5 * (wn / c - difference);
+        r.normal = T(0.5) * (wn / c + difference);
+        r.second = T(0.5) * (wn / c - difference);
         return r;
     }
     const T smu = scene.mu * sign_of<T>(motion);
@@ -101,8 +102,8 @@ Reaction<T> on_edge(const ContactScene<T>& scene, ContactMotion motion, const Co
     r.stiffness = c + smu * smu * (c - d / inertia);
     const T sum = (wn + d * z.spin * z.spin - smu * lean) / r.stiffness;
     const T difference = (smu * sum * (c - d / inertia) + lean) / s;
-    r.normal = 0.5 * (sum + difference);
-    r.second = 0.5 * (sum - difference);
+    r.normal = T(0.5) * (sum + difference);
+    r.second = T(0.5) * (sum - difference);
     r.friction = -smu * sum;
     r.spin_rate = (r.friction + d * wt) / inertia;
     r.ut_rate = r.spin_rate;
@@ -136,10 +137,13 @@ T normal_rate(const ContactScene<T>& scene, Support support, const ContactState<
     return support == Support::vertex ? state.ut : state.spin;
 }
 
-#define SWIRL_COMPILE_REACTION(T)                                                                             \
-    template Reaction<T> reaction_of(const ContactScene<T>&, Support, ContactMotion, const ContactState<T>&); \
-    template T stick_margin(const ContactScene<T>&, const ContactState<T>&);                                  \
-    template T normal_rate(const ContactScene<T>&, Support, const ContactState<T>&);
+#define SWIRL_COMPILE_REACTION(T) \
+    template Reaction<T> reaction_of(const ContactScene<T>&, Support, ContactMotion, const ContactState<T>&);
 SWIRL_EVERY_NUMBER(SWIRL_COMPILE_REACTION)
+SWIRL_EVERY_CONTACT_JET(SWIRL_COMPILE_REACTION)
+#define SWIRL_COMPILE_RATES(T)                                               \
+    template T stick_margin(const ContactScene<T>&, const ContactState<T>&); \
+    template T normal_rate(const ContactScene<T>&, Support, const ContactState<T>&);
+SWIRL_EVERY_NUMBER(SWIRL_COMPILE_RATES)
 
 }  // namespace swirl

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 namespace swirl::apps::sweep {
@@ -28,6 +29,21 @@ constexpr std::size_t first_look = 2048;  // impacts after which a torus is look
 
 bool agree(double x, double y) {
     return std::abs(x - y) < same_torus_mean * std::max(1.0, std::abs(x));
+}
+
+/// Means of S over an orbit, by weighted averages.
+struct MeanSpins {
+    double per_impact, per_time;
+    double half_difference;  ///< of the first: |first half − second half|
+};
+
+/// From one of its impacts on.
+MeanSpins mean_spins(std::span<const double> spins, std::span<const double> times, std::span<const double> turned,
+                     std::size_t from) {
+    const auto per_impact = analysis::weighted_birkhoff_average(spins.subspan(from));
+    const double time = analysis::weighted_birkhoff_average(times.subspan(from)).average;
+    return {per_impact.average, analysis::weighted_birkhoff_average(turned.subspan(from)).average / time,
+            per_impact.half_difference};
 }
 
 bool agree(const MeanSpins& a, const MeanSpins& b) {
@@ -113,35 +129,24 @@ bool BasinEdge<D>::take_cycle(const CyclePoints& cycle, Saddle& saddle) const {
 /// made over: an orbit that has left one torus for another would be taken for the first.)
 template <int D>
 bool BasinEdge<D>::is_torus(const Points& orbit, Saddle& saddle) const {
-    const auto half = orbit.end() - static_cast<std::ptrdiff_t>(orbit.size() / 2);
-    std::vector<double> spins;
-    for (auto point = half; point != orbit.end(); ++point) spins.push_back((*point)[SceneMap<D>::integrated]);
+    std::vector<double> spins, times, turned;
+    for (auto point = orbit.end() - static_cast<std::ptrdiff_t>(orbit.size() / 2); point != orbit.end(); ++point) {
+        const auto step = map_.advance(map_.state_at(*point));
+        spins.push_back((*point)[SceneMap<D>::integrated]);
+        times.push_back(step.duration);
+        turned.push_back(step.integral);
+    }
     const analysis::RotationNumber rotation = analysis::rotation_of_observable(spins);
     if (rotation.outcome != analysis::RotationOutcome::quasi_periodic) return false;
-    const auto per_impact = analysis::weighted_birkhoff_average(spins);
-    if (!(per_impact.half_difference < same_torus_mean * std::max(1.0, std::abs(per_impact.average)))) return false;
-    const MeanSpins means = means_of(half, orbit.end());
-    if (!agree(means, means_of(half + (orbit.end() - half) / 2, orbit.end()))) return false;
+    const MeanSpins means = mean_spins(spins, times, turned, 0);
+    if (!(means.half_difference < same_torus_mean * std::max(1.0, std::abs(means.per_impact)))) return false;
+    if (!agree(means, mean_spins(spins, times, turned, spins.size() / 2))) return false;
     saddle.kind = analysis::Kind::quasi_periodic;
     saddle.points = {orbit.back()};
     saddle.rotation = rotation.rotation;
     saddle.mean_spin_per_impact = means.per_impact;
     saddle.mean_spin = means.per_time;
     return true;
-}
-
-/// By weighted averages.
-template <int D>
-MeanSpins BasinEdge<D>::means_of(PointAt begin, PointAt end) const {
-    std::vector<double> spins, times, turned;
-    for (auto point = begin; point != end; ++point) {
-        const auto step = map_.advance(map_.state_at(*point));
-        spins.push_back((*point)[SceneMap<D>::integrated]);
-        times.push_back(step.duration);
-        turned.push_back(step.integral);
-    }
-    return {analysis::weighted_birkhoff_average(spins).average,
-            analysis::weighted_birkhoff_average(turned).average / analysis::weighted_birkhoff_average(times).average};
 }
 
 template class BasinEdge<disk_dimension>;

@@ -11,11 +11,6 @@
 
 namespace swirl::apps::sweep {
 
-/// Means of S over a part of an orbit.
-struct MeanSpins {
-    double per_impact, per_time;
-};
-
 template <int D>
 class BasinEdge {
 public:
@@ -32,11 +27,9 @@ public:
 
 private:
     using Points = std::vector<analysis::Vector<D>>;
-    using PointAt = typename Points::const_iterator;
     bool is_at_cycle(const Points& orbit, Saddle& saddle) const;
     bool take_cycle(const analysis::CyclePoints& cycle, Saddle& saddle) const;
     bool is_torus(const Points& orbit, Saddle& saddle) const;
-    MeanSpins means_of(PointAt begin, PointAt end) const;
 
     Scene<double> scene_;
     analysis::ClassifyOptions settings_;

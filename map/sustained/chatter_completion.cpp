@@ -3,6 +3,7 @@
 #include "map/map_list.hpp"
 #include "map/sustained/contact_jets.hpp"
 #include "map/sustained/reaction.hpp"
+#include "map/sustained/removal.hpp"
 #include "map/sustained/sticking_chatter.hpp"
 
 #include <algorithm>
@@ -42,57 +43,6 @@ Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_i
     if (abs(u.un) <= rounding) return {true, acceleration > 0, T(0)};
     const ChatterError<T> error = chatter_error(scene, post_impact);
     return {u.un < 0 && error.moved <= chatter_tolerance<T>(), acceleration > 0, error.estimate};
-}
-
-/// The slip in which the rest of chatter goes on, which decides the friction of its impulses.
-template <class T>
-struct Slip {
-    bool slides;
-    T sign;  ///< of u_t
-};
-
-/// Tangential and normal impulse that remove u_n, q as friction has it: −μ sign p while it slides; what removes u_t as
-/// well while it sticks.
-template <class T>
-struct Removal {
-    T normal, tangential;
-};
-
-template <class T>
-Removal<T> removal_of(const ContactScene<T>& scene, const ContactKinematics<T>& u, const Slip<T>& slip) {
-    const T along = scene.mu == T(0) ? T(0) : slip.slides ? T(-scene.mu * slip.sign) : T(-u.b3() / u.b1());  // q/p
-    const T c = u.b2() + u.b3() * along;
-    const bool stops = scene.mu > T(0) && !slip.slides;
-    const T still = stops ? T(-u.ut / u.b1()) : T(0);  // q at p = 0
-    const T p = c > T(0) ? T((u.un - u.b3() * still) / c) : T(0);
-    return {p, still + along * p};
-}
-
-/// Whether friction holds the vertex (rim) at u_t = 0.
-template <class T>
-bool can_stick(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
-    ContactState<T> still = contact_state(scene, post_impact);
-    still.ut = T(0);
-    const Support support = scene.is_disk() ? Support::rim : Support::vertex;
-    return reaction_of(scene, support, ContactMotion::sticking, still).reserve >= T(0);
-}
-
-/// It sticks also where the removal of u_n would turn so slow a slip round, and friction holds it: the flights between
-/// the impacts that are left bring it to an end.
-template <class T>
-Slip<T> slip_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
-    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
-    const Slip<T> slip{scene.mu > T(0) && abs(u.ut) > velocity_rounding(scene, post_impact),
-                       u.ut > T(0) ? T(1) : T(-1)};
-    if (!slip.slides) return slip;
-    const Removal<T> j = removal_of(scene, u, slip);
-    const bool goes_on = (u.ut + u.b3() * j.normal + u.b1() * j.tangential) * slip.sign > T(0);
-    return {goes_on || !can_stick(scene, post_impact), slip.sign};
-}
-
-template <class T>
-bool sticks(const ContactScene<T>& scene, const Slip<T>& slip) {
-    return scene.mu > T(0) && !slip.slides;
 }
 
 /// Removes v by the impulses p and q, the differences of chatter's from contact's.

@@ -77,7 +77,7 @@ struct Found {
 
 /// instant_of_return; guesses between 7.99 and 16 leave.
 HWY_INLINE Found instant_of_return(const LaneFlight& flight, const LanePath& path, const LaneStart& start,
-                                   LaneInstant& at, Lane& earliest) {
+                                   LaneInstant& at, Lane& latest) {
     const Lane guess = return_guess(start);
     LaneReturn back = return_near(path, guess);
     const Mask sampled =
@@ -95,7 +95,7 @@ HWY_INLINE Found instant_of_return(const LaneFlight& flight, const LanePath& pat
     }
     const Lane spun = flight.spin * back.near.time;
     at = instant_after(flight, back.near, turn_minus_one(spun), back.closer);
-    earliest = Lane(nearest_share) * larger(back.near.time, at.time);
+    latest = larger(back.near.time, at.time);
     return {all(back.close, magnitude(spun) < Lane(32), magnitude(flight.spin * back.closer) < Lane(32)), vain};
 }
 
@@ -117,12 +117,10 @@ HWY_INLINE LaneState state_at_wall(LaneFactor per_alpha, const LaneFlight& fligh
     return after;
 }
 
-/// contact_of_vertex_behind without the proof, in the lanes in which the circle does not return and in those in which
-/// the nearest vertex recedes there: those where it is found.
-///   earliest    before which no contact is taken; 0 where the search begins at the start
+/// Without the proof: contact_of_next_vertex in the lanes in which the circle does not return, contact_of_vertex_behind
+/// in those in which the nearest vertex recedes there. Those where it is found.
 ///   unfinished  lanes in which the scalar search goes on
-HWY_INLINE Mask find_behind(ProofTask& task, Lane fourth, Mask no_return, Mask recedes, Lane& earliest,
-                            Mask& unfinished) {
+HWY_INLINE Mask find_behind(ProofTask& task, Lane fourth, Mask no_return, Mask recedes, Mask& unfinished) {
     const Mask asked = either(no_return, recedes);
     unfinished = Lane(1) < Lane(0);
     if (!any(asked)) return asked;
@@ -130,7 +128,7 @@ HWY_INLINE Mask find_behind(ProofTask& task, Lane fourth, Mask no_return, Mask r
     search.at = choose(no_return, instant_at_start(task.flight), search.at);
     search.nearest.number = choose(no_return, Lane(0), search.nearest.number);
     search.looks = choose(no_return, Lane(0), search.looks);
-    earliest = choose(no_return, Lane(0), earliest);
+    search.latest = choose(no_return, Lane(0), search.latest);
     return seek_vertex_behind(task.vertices, task.flight, fourth, asked, search, unfinished);
 }
 
@@ -151,17 +149,15 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
     const LanePath path = circle_path(flight);
     task.start = gap_at_start(path);
     task.struck = struck_gap_at_start(flight);
-    Lane earliest;
-    const Found back = instant_of_return(flight, path, task.start, search.at, earliest);
+    const Found back = instant_of_return(flight, path, task.start, search.at, search.latest);
     Mask leaves = task.struck.rate < -rate_rounding(task.speed, body.beta, z.spin, body.alpha);
     if constexpr (sums_chatter) leaves = all(leaves, leaves_the_wall(scenes, i, body, z));
     const Lane fourth = fourth_bound(body, flight, task.speed);
     seek_vertex(task.vertices, body.half_slope, flight, fourth, all(leaves, back.found), search);
     Mask unfinished;
-    const Mask behind =
-        find_behind(task, fourth, all(leaves, back.vain), all(leaves, search.recedes), earliest, unfinished);
+    const Mask behind = find_behind(task, fourth, all(leaves, back.vain), all(leaves, search.recedes), unfinished);
     const Mask found = either(search.found, behind);
-    const Mask late_enough = search.at.time + search.correction > earliest;
+    const Mask late_enough = search.at.time + search.correction > Lane(nearest_share) * search.latest;
     // The scalar code's searches from the circle's return find nothing either; more of these below.
     Mask vain = either(hn::AndNot(behind, either(back.vain, search.vain)), hn::AndNot(late_enough, found));
     const Mask usual = all(found, late_enough, magnitude(flight.spin * search.correction) < Lane(32));

@@ -184,6 +184,7 @@ struct LaneSearch {
     LaneInstant at;
     LaneVertex nearest;
     Lane correction, looks;
+    Lane latest;  ///< moment so far
     Mask found;
     Mask vain;     ///< the scalar search gives up, too …
     Mask recedes;  ///< … where the nearest vertex recedes, after `looks`
@@ -223,15 +224,17 @@ HWY_INLINE void seek_vertex(const VertexRows& vertices, Lane half_slope, const L
         if (look == most_looks || !any(open)) return;
         open = all(open, magnitude(flight.spin * search.correction) < Lane(32));
         search.at = choose(open, advanced(flight, search.at, search.correction), search.at);
+        search.latest = larger(search.latest, search.at.time);
     }
 }
 
-/// The search of contact_of_vertex_behind in the lanes `asked` for: at the vertex behind `search.nearest`, from
-/// `search.at` on. Where it is not found nothing changes.
+/// The search of strike_by_vertex in the lanes `asked` for: at the vertex behind `search.nearest`, from `search.at` on.
+/// Where it is not found nothing changes.
 ///   unfinished  lanes in which the scalar search goes on
 HWY_INLINE Mask seek_vertex_behind(const VertexRows& vertices, const LaneFlight& flight, Lane fourth, Mask asked,
                                    LaneSearch& search, Mask& unfinished) {
     LaneInstant at = search.at;
+    Lane latest = search.latest;
     LaneVertex next = search.nearest;
     const Lane k = next.number + choose(flight.spin > Lane(0), Lane(-1), Lane(1));
     next.number = choose(k < Lane(0), k + vertices.sides, choose(equal(k, vertices.sides), Lane(0), k));
@@ -247,6 +250,7 @@ HWY_INLINE Mask seek_vertex_behind(const VertexRows& vertices, const LaneFlight&
         open = all(open, g.rate > Lane(0), magnitude(correction) <= Lane(longest_correction));
         const Mask found = all(open, is_converged(g, correction, at.time, fourth));
         search.at = choose(found, at, search.at);
+        search.latest = choose(found, latest, search.latest);
         search.nearest = choose(found, next, search.nearest);
         search.correction = choose(found, correction, search.correction);
         search.looks = choose(found, search.looks + Lane(look), search.looks);
@@ -256,6 +260,7 @@ HWY_INLINE Mask seek_vertex_behind(const VertexRows& vertices, const LaneFlight&
         unfinished = either(unfinished, look == most_looks ? left : hn::AndNot(open, left));
         if (look == most_looks || !any(open)) return all_found;
         at = choose(open, advanced(flight, at, correction), at);
+        latest = larger(latest, at.time);
     }
 }
 

@@ -14,8 +14,8 @@ namespace detail {
 /// Corrections of the guess beyond this are rejected; radians of swirl.
 inline constexpr double longest_step = 0.125;
 
-/// A contact before this share of the moment from which the search came back to it is not taken: what the body has
-/// moved was summed up on the way there and back, so that its rounding is that of the longer way.
+/// A contact before this share of the latest moment of its search is not taken: what the body has moved was summed up
+/// on the way there and back, so that its rounding is that of the longer way.
 inline constexpr double nearest_share = 0.25;
 
 /// The moment `later` after one whose rotations are known, that of the body by `spun`.
@@ -36,10 +36,10 @@ template <class T>
 }
 
 /// Where the search for the vertex begins: the centre back at its first distance. False if that is not found.
-///   earliest  the moment before which no contact is to be taken (`nearest_share`)
+///   latest  the latest moment of the search so far
 template <class T>
 [[gnu::always_inline]] inline bool instant_of_return(const Flight<T>& flight, const CirclePath<T>& path,
-                                                     const CircleGap<T>& leaving, Instant<T>& at, T& earliest) {
+                                                     const CircleGap<T>& leaving, Instant<T>& at, T& latest) {
     using std::fabs;
     T guess = return_guess(leaving);
     if (!(guess > 0 && guess <= T(longest_guess))) guess = sampled_guess(path);
@@ -54,15 +54,16 @@ template <class T>
         if (!(fabs(closer) <= T(longest_step))) return false;
     }
     at = instant_after(flight, near, turn_minus_one(T(flight.spin * near.time)), closer);
-    earliest = T(nearest_share) * std::max(near.time, at.time);
+    latest = std::max(near.time, at.time);
     return true;
 }
 
 /// From there to a moment so close to the contact of the vertex nearest to the wall that `correction`, the way left,
-/// needs no further look. False if there is none, or it is not after `earliest`.
+/// needs no further look. False if there is none, or too long before the `latest` moment of the search
+/// (`nearest_share`).
 template <class T>
-[[gnu::always_inline]] inline bool seek_vertex(const Body<T>& body, const Flight<T>& flight, const T& earliest,
-                                               Instant<T>& at, Candidate<T>& nearest, T& correction, int& steps) {
+[[gnu::always_inline]] inline bool seek_vertex(const Body<T>& body, const Flight<T>& flight, T& latest, Instant<T>& at,
+                                               Candidate<T>& nearest, T& correction, int& steps) {
     using std::fabs;
     const T fourth = derivative_bounds<4, Shape::polygon>(body, flight).vertex;
     while (true) {  // ends: converged, or gives up
@@ -75,8 +76,9 @@ template <class T>
         const Gap<T>& g = nearest.gap;
         correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(fraction<T>(1, 6) * g.jerk));
         if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
-        if (is_converged(g, correction, at.time, fourth)) return at.time + correction > earliest;
+        if (is_converged(g, correction, at.time, fourth)) return at.time + correction > T(nearest_share) * latest;
         advance<Shape::polygon>(flight, at, correction);
+        latest = std::max(latest, at.time);
     }
 }
 
@@ -99,7 +101,7 @@ template <class T>
 }
 
 /// The circle's return leads to the vertex nearest to the wall there; its root is sought, then the whole flight proven
-/// clear. False if anything fails; `contact_of_vertex_behind` and the advance by safe steps then decide.
+/// clear. False if anything fails; the two searches below and the advance by safe steps then decide.
 template <class T>
 [[gnu::always_inline]] inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight,
                                                           FirstContact<T>& contact) {
@@ -107,9 +109,9 @@ template <class T>
     const CircleGap<T> start = gap_at_start(path);
     Instant<T> at;
     Candidate<T> nearest;
-    T correction, earliest;
-    if (!instant_of_return(flight, path, start, at, earliest)) return false;
-    if (!seek_vertex(body, flight, earliest, at, nearest, correction, contact.steps)) return false;
+    T correction, latest;
+    if (!instant_of_return(flight, path, start, at, latest)) return false;
+    if (!seek_vertex(body, flight, latest, at, nearest, correction, contact.steps)) return false;
 
     const Gap<T> struck = struck_gap_at_start(flight);
     if (!(struck.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
@@ -137,12 +139,19 @@ template <class T>
     return {path, gap_at_start(path), struck_gap_at_start(flight)};
 }
 
+/// A vertex has struck, and leaves with a normal velocity beyond rounding.
+template <class T>
+[[gnu::always_inline]] inline bool starts_off_the_wall(const Body<T>& body, const Flight<T>& flight,
+                                                       const StartOnTheWall<T>& start) {
+    return flight.struck && start.struck.rate < -rate_rounding(body, flight);
+}
+
 /// The contact of one vertex, `next.vertex`: its root is sought from a moment on, and the whole flight proven clear.
-///   earliest  the moment before which no contact is to be taken
+///   latest  the latest moment of the search so far; no contact long before it is taken (`nearest_share`)
 /// `contact` stays without one where the root is not found, or not proven the first.
 template <class T>
 [[gnu::always_inline]] inline void strike_by_vertex(const Body<T>& body, const Flight<T>& flight,
-                                                    const StartOnTheWall<T>& start, const T& earliest, Instant<T>& at,
+                                                    const StartOnTheWall<T>& start, T& latest, Instant<T>& at,
                                                     Candidate<T>& next, FirstContact<T>& contact) {
     using std::fabs;
     const T fourth = derivative_bounds<4, Shape::polygon>(body, flight).vertex;
@@ -154,13 +163,14 @@ template <class T>
         const T correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(fraction<T>(1, 6) * g.jerk));
         if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return;
         if (is_converged(g, correction, at.time, fourth)) {
-            if (at.time + correction > earliest &&
+            if (at.time + correction > T(nearest_share) * latest &&
                 clear_by_derivatives(body, flight, leaving_gap(body, flight, start.circle), start.struck, at, next,
                                      correction))
                 strike_after(body, flight, at, correction, next.vertex, contact);
             return;
         }
         advance<Shape::polygon>(flight, at, correction);
+        latest = std::max(latest, at.time);
     }
 }
 
@@ -170,40 +180,38 @@ template <class T>
     return body.vertex_number(vertex + (flight.spin > 0 ? -1 : 1));
 }
 
-/// Where a vertex turns away from the wall the one behind it comes next: its root is sought from that moment on. For
-/// flights that keep near the wall, which the search above does not decide: the circle does not return, or the nearest
-/// vertex recedes where it does.
+/// Where the circle returns but the vertex nearest to the wall recedes, the one behind it comes next: its root is
+/// sought from that moment on. For flights that keep near the wall, which the search above does not decide.
 /// @return `no_contact` if the flight is none of these, or the root is not found, or not proven the first
 template <class T>
 [[gnu::noinline]] FirstContact<T> contact_of_vertex_behind(const Body<T>& body, const Flight<T>& flight) {
     FirstContact<T> contact;
     const StartOnTheWall<T> start = start_on_the_wall(flight);
-    if (!(start.struck.rate < -rate_rounding(body, flight))) return contact;
+    if (!starts_off_the_wall(body, flight, start)) return contact;
     Instant<T> at;
     Candidate<T> next;
-    T correction, earliest(0);
-    if (!instant_of_return(flight, start.path, start.circle, at, earliest))
-        at = instant_at_start(flight);
-    else if (seek_vertex(body, flight, earliest, at, next, correction, contact.steps) || !(next.gap.rate <= 0))
-        return contact;
+    T correction, latest;
+    if (!instant_of_return(flight, start.path, start.circle, at, latest)) return contact;
+    if (seek_vertex(body, flight, latest, at, next, correction, contact.steps) || !(next.gap.rate <= 0)) return contact;
     next.vertex = vertex_behind(body, flight, next.vertex);
-    strike_by_vertex(body, flight, start, earliest, at, next, contact);
+    strike_by_vertex(body, flight, start, latest, at, next, contact);
     return contact;
 }
 
-/// The vertex behind the one that has struck, sought from the start: where it strikes before the circle returns, the
-/// searches above find another, or the same on its way out. Of the flights of a chaotic hexagon that they leave it
-/// decides two thirds.
-/// @return as above
+/// The vertex behind the one that has struck, sought from the start: it may strike before the circle returns, or the
+/// circle may not return at all. Of the flights of a chaotic hexagon that both searches above leave it decides two
+/// thirds.
+/// @return `no_contact` if the root is not found, or not proven the first
 template <class T>
 [[gnu::noinline]] FirstContact<T> contact_of_next_vertex(const Body<T>& body, const Flight<T>& flight) {
     FirstContact<T> contact;
     const StartOnTheWall<T> start = start_on_the_wall(flight);
-    if (!(start.struck.rate < -rate_rounding(body, flight))) return contact;
+    if (!starts_off_the_wall(body, flight, start)) return contact;
     Instant<T> at = instant_at_start(flight);
     Candidate<T> next;
+    T latest(0);
     next.vertex = vertex_behind(body, flight, 0);
-    strike_by_vertex(body, flight, start, T(0), at, next, contact);
+    strike_by_vertex(body, flight, start, latest, at, next, contact);
     return contact;
 }
 

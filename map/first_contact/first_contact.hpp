@@ -1,5 +1,5 @@
-// The first contact of any flight: the direct search for the usual one from wall to wall, one for those that keep near
-// the wall, conservative advancement for the others.
+// The first contact of any flight: the direct search for the usual one from wall to wall, two more for those that keep
+// near the wall or strike again before the direct search expects it, conservative advancement for the others.
 #pragma once
 
 #include "map/first_contact/certain_disk.hpp"
@@ -33,24 +33,18 @@ inline FirstContact<T> certain_contact(const Body<T>& body, const Flight<T>& fli
 /// Of a flight that no search from the circle's return decides.
 template <Shape shape, class T>
 inline FirstContact<T> contact_without_return(const Body<T>& body, const Flight<T>& flight) {
-    if constexpr (shape == Shape::polygon) {
-        if (flight.struck) {
-            const FirstContact<T> next = contact_of_next_vertex(body, flight);
-            if (next.outcome == FirstContactOutcome::contact) return next;
-        }
-    }
+    if constexpr (shape == Shape::polygon)
+        if (const auto next = contact_of_next_vertex(body, flight); next.outcome == FirstContactOutcome::contact)
+            return next;
     return certain_contact<shape>(body, flight);
 }
 
 /// Of a flight that `direct_contact` does not decide.
 template <Shape shape, class T>
 inline FirstContact<T> undecided_contact(const Body<T>& body, const Flight<T>& flight) {
-    if constexpr (shape == Shape::polygon) {
-        if (flight.struck) {
-            const FirstContact<T> behind = contact_of_vertex_behind(body, flight);
-            if (behind.outcome == FirstContactOutcome::contact) return behind;
-        }
-    }
+    if constexpr (shape == Shape::polygon)
+        if (const auto behind = contact_of_vertex_behind(body, flight); behind.outcome == FirstContactOutcome::contact)
+            return behind;
     return contact_without_return<shape>(body, flight);
 }
 

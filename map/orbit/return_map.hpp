@@ -98,6 +98,11 @@ private:
         return contact_ && c.flight_time == T(0) && c.impulse.normal == T(0);
     }
 
+    void end_if_nothing_changes(ReturnStep<T>& return_step) const {
+        if (return_step.outcome == Outcome::completed && changes_nothing(return_step.collision))
+            return_step.outcome = Outcome::unresolved;
+    }
+
     /// The contact state where the search found `sustained` but `chatter_completion` did not: both within rounding of
     /// the border between leaving and staying.
     ChatterCompletion<T> held(const PostImpactState<T>& post_impact) const {
@@ -150,8 +155,7 @@ auto ReturnMap<Map>::advance(const PostImpactState<T>& post_impact, double horiz
     ReturnStep<T> return_step = advance(flight_from(map_.body(), post_impact));
     if (contact_ && return_step.collision.outcome == FirstContactOutcome::sustained)
         return advance_in_contact(post_impact, held(post_impact), horizon, sink);
-    if (return_step.outcome == Outcome::completed && changes_nothing(return_step.collision))
-        return_step.outcome = Outcome::unresolved;
+    end_if_nothing_changes(return_step);
     return return_step;
 }
 
@@ -195,8 +199,7 @@ auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, c
                                                     : follow_contact(*contact_, completion, horizon, sink, most_steps);
     ReturnStep<T> return_step = after_contact(post_impact, phase);
     return_step.contact_work = phase.sums.work + completion.jacobi;
-    if (return_step.outcome == Outcome::completed && changes_nothing(return_step.collision))
-        return_step.outcome = Outcome::unresolved;
+    end_if_nothing_changes(return_step);
     return return_step;
 }
 

@@ -112,24 +112,25 @@ Tally compare_landings(int landings, std::uint64_t seed) {
     return tally;
 }
 
-void expect_rounding(const Tally& tally) {
-    EXPECT_LE(tally.worst, 16);       // measured: 13 in 2,000 landings
+///   most  difference by condition, size and ε
+void expect_rounding(const Tally& tally, double most) {
+    EXPECT_LE(tally.worst, most);
     EXPECT_LE(tally.balance, 1e-31);  // of J in 113 bits, ε = 1.9e-34
     EXPECT_LE(tally.other_way, 0.05 * static_cast<double>(tally.compared));
 }
 
 TEST(WideContact, IsWhatDoubleAndExtendedPrecisionRoundOff) {
-    expect_rounding(compare_landings<double>(8, 1));
-    expect_rounding(compare_landings<long double>(8, 2));
+    expect_rounding(compare_landings<double>(8, 1), 8);  // measured: 1.7 and 0.75
+    expect_rounding(compare_landings<long double>(8, 2), 8);
 }
 TEST(WideContactNightly, IsWhatDoubleAndExtendedPrecisionRoundOffInTwoThousandLandings) {
-    expect_rounding(compare_landings<double>(200, 3));
-    expect_rounding(compare_landings<long double>(200, 4));
+    expect_rounding(compare_landings<double>(200, 3), 16);  // measured: 13 and 8.6
+    expect_rounding(compare_landings<long double>(200, 4), 16);
 }
 
-// Just after an impact that reversed the slip, |u_t| = 0.045 |u_n|: what is left of chatter stops it, and the vertex
-// sticks. Slip that went on to the end of chatter would be wrong by the first order of u_n: 3e-10 in double.
-TEST(WideContact, ASlipThatTheRestOfChatterStops) {
+// Just after an impact that reversed the slip, |u_t| = 0.045 |u_n|: it ends with chatter, and the vertex sticks. Slip
+// that went on after chatter would be wrong by the first order of u_n: 3e-10 in double.
+TEST(WideContact, ASlipThatEndsWithChatter) {
     Scene<double> scene =
         tests::uniform_scene(6, 0.11855468561051304, 0.1776045950511877, 0.24447206936212673, 0.59427803669677137);
     scene.law = Law::poisson;
@@ -140,7 +141,7 @@ TEST(WideContact, ASlipThatTheRestOfChatterStops) {
     compare<long double>({scene, post_impact_state(from)}, tally);
     std::printf("difference by condition and epsilon %.2g, balance of J %.1e\n", tally.worst, tally.balance);
     EXPECT_EQ(tally.compared, 2);
-    expect_rounding(tally);
+    expect_rounding(tally, 16);  // measured: 8.8
 }
 
 /// From a rocking triangle on, whose hops are shorter from impact to impact.

@@ -14,7 +14,7 @@ namespace swirl::analysis {
 namespace {
 
 /// A step of Newton's method that is no more than the rounding of well-conditioned unknowns …
-constexpr double rounding = 1e-14;
+constexpr double least_rounding = 1e-14;
 /// … and one that is accepted where rounding stops the method: what large multipliers leave of it.
 constexpr double most_rounding = 1e-9;
 
@@ -51,7 +51,7 @@ Correction solve(const ArcSystem& system, Eigen::VectorXd y, ArcPoint& point,
         const Eigen::VectorXd step = step_at(point);
         const double size = length(system, step);
         if (!std::isfinite(size)) return Correction::failed;
-        if (size <= rounding || (size >= 0.5 * last && size <= most_rounding)) return Correction::converged;
+        if (size <= least_rounding || (size >= 0.5 * last && size <= most_rounding)) return Correction::converged;
         if (i > 4 && size >= last) return Correction::failed;
         last = size;
         y += step;

@@ -1,4 +1,5 @@
 #include "analysis/boundaries/codimension_two.hpp"
+#include "analysis/special_values.hpp"
 
 #include "analysis/continuation/multipliers.hpp"
 #include "analysis/continuation/normal_form.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace swirl::analysis {
 
@@ -15,8 +15,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using Forms = std::function<HigherForms(const CyclePoints&, const Eigen::Vector2d&)>;
-
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 /// Differences of D(Fᵏ) in double: second derivatives to 10⁻¹⁰, third ones to 10⁻⁷ or so.
 HigherForms forms_in_double(const AugmentedSystem& system, const Eigen::VectorXd& y) {
@@ -60,7 +58,7 @@ double sum_of_minors(const Eigen::MatrixXd& a) {
 
 Eigen::MatrixXd monodromy_at(const AugmentedSystem& system, const ArcPoint& point) {
     const PlaneShooting shooting = system.shooting(point.y);
-    if (!shooting.alive) return Eigen::MatrixXd::Constant(system.map.dimension, system.map.dimension, nan_value);
+    if (!shooting.alive) return Eigen::MatrixXd::Constant(system.map.dimension, system.map.dimension, nan);
     return monodromy(shooting);
 }
 
@@ -80,7 +78,7 @@ std::vector<Complex> others(std::vector<Complex> multipliers, Complex critical, 
 Complex coefficient_at(const AugmentedSystem& system, const ArcPoint& point, const Forms& forms) {
     CriticalPoint critical;
     critical.derivative = monodromy_at(system, point);
-    if (!critical.derivative.allFinite()) return {nan_value, nan_value};
+    if (!critical.derivative.allFinite()) return {nan, nan};
     const Eigen::Index n = system.coordinates();
     critical.by_parameter = critical.branch_slope = Eigen::VectorXd::Zero(system.map.dimension);  // of no interest here
     critical.forms = forms ? forms(unstacked(point.y.head(n), system.map.dimension), point.y.segment<2>(n))
@@ -91,16 +89,16 @@ Complex coefficient_at(const AugmentedSystem& system, const ArcPoint& point, con
     const Complex multiplier = system.multiplier(point.y);
     if (system.kind == BoundaryKind::neimark_sacker && multiplier.imag() > 0)
         form = neimark_sacker_form(critical, multiplier);
-    return form ? form->nonlinear : Complex(nan_value, nan_value);
+    return form ? form->nonlinear : Complex(nan, nan);
 }
 
 double cusp_function(const AugmentedSystem& system, const ArcPoint& point) {
     const Eigen::Index n = system.coordinates();
     const PlaneShooting shooting = system.shooting(point.y);
-    if (!shooting.alive) return nan_value;
+    if (!shooting.alive) return nan;
     const CriticalValue value = critical_value(shooting, 1, system.borders);
     const auto gradient = gradient_of(system.map, point.y.head(n), point.y.segment<2>(n), shooting, value);
-    return gradient ? -(gradient->head(n).array() * value.right.array()).sum().real() : nan_value;
+    return gradient ? -(gradient->head(n).array() * value.right.array()).sum().real() : nan;
 }
 
 /// b, without its poles.

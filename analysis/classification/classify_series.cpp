@@ -17,7 +17,7 @@ namespace {
 constexpr double largest_change = 0.5;  // between the halves
 // Of the largest value, some 5000 ε: what rounding leaves of a computed series, and far below a measured signal on a
 // large offset.
-constexpr double rounding = 1e-12;
+constexpr double series_rounding = 1e-12;
 
 double deviation_of(std::span<const double> x) {
     return gsl_stats_sd(x.data(), 1, x.size());
@@ -149,7 +149,7 @@ Classification classify_series(std::span<const double> x, const ClassifySeriesOp
     double largest = 0;
     for (const double v : x) largest = std::max(largest, std::abs(v));
     const double deviation = deviation_of(x);
-    const double exact = rounding * largest;
+    const double exact = series_rounding * largest;
     const bool constant = deviation <= std::max(exact, 1.5 * options.noise);
     if (!constant && !lasts(x, deviation, result)) {
         result.kind = Kind::transient;

@@ -10,7 +10,7 @@ namespace swirl::analysis {
 
 namespace {
 
-constexpr double outside = 0.025;    // of the interval, on either side
+constexpr double one_sided = 0.025;  // of the interval, on either side
 constexpr std::int64_t enough = 3;   // that left, for a forecast of the others
 constexpr double improbable = 0.05;  // at one rate for all
 
@@ -47,8 +47,8 @@ EscapeRate escape_rate(std::span<const ChaoticStay> stays, std::int64_t settling
     }
     const double freedom = 2 * static_cast<double>(rate.left);
     rate.rate = static_cast<double>(rate.left) / rate.steps;
-    rate.least_rate = gsl_cdf_chisq_Pinv(outside, freedom) / (2 * rate.steps);
-    rate.most_rate = gsl_cdf_chisq_Qinv(outside, freedom) / (2 * rate.steps);
+    rate.least_rate = gsl_cdf_chisq_Pinv(one_sided, freedom) / (2 * rate.steps);
+    rate.most_rate = gsl_cdf_chisq_Qinv(one_sided, freedom) / (2 * rate.steps);
     rate.half_life = std::log(2) / rate.rate;
     rate.late_share = late_share(settled, longest / 2);
     rate.others_will_leave = rate.left >= enough && rate.late_share >= improbable;

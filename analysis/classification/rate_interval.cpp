@@ -10,7 +10,7 @@ namespace swirl::analysis {
 
 namespace {
 
-constexpr double outside = 0.05;  // of the interval, on both sides together
+constexpr double two_sided = 0.05;  // of the interval, on both sides together
 
 }  // namespace
 
@@ -21,7 +21,7 @@ RateInterval rate_interval(std::int64_t k, std::int64_t n) {
     if (n == 0) return {std::nan(""), 0, 1};
     using Binomial = boost::math::binomial_distribution<double>;
     const double trials = static_cast<double>(n), times = static_cast<double>(k);
-    const double beside = k == 0 || k == n ? outside : outside / 2;
+    const double beside = k == 0 || k == n ? two_sided : two_sided / 2;
     RateInterval interval;
     interval.rate = times / trials;
     if (k > 0) interval.least = Binomial::find_lower_bound_on_p(trials, times, beside);

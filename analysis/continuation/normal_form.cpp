@@ -9,7 +9,7 @@ namespace swirl::analysis {
 namespace {
 
 using Complex = std::complex<double>;
-using State = Eigen::VectorXcd;
+using ComplexState = Eigen::VectorXcd;
 
 /// B and C extended to complex vectors; `ok` falls if a difference could not be taken.
 class Forms {
@@ -17,15 +17,15 @@ public:
     explicit Forms(const HigherForms& forms) : forms_(forms) {}
     bool ok = true;
 
-    State b(const State& u, const State& v) { return matrix_along(u) * v; }
-    State c(const State& u, const State& v, const State& w) {
+    ComplexState b(const ComplexState& u, const ComplexState& v) { return matrix_along(u) * v; }
+    ComplexState c(const ComplexState& u, const ComplexState& v, const ComplexState& w) {
         const Eigen::MatrixXcd real = second(u.real(), v.real()) - second(u.imag(), v.imag());
         const Eigen::MatrixXcd imaginary = second(u.real(), v.imag()) + second(u.imag(), v.real());
         return (real + Complex(0, 1) * imaginary) * w;
     }
 
 private:
-    Eigen::MatrixXcd matrix_along(const State& u) { return first(u.real()) + Complex(0, 1) * first(u.imag()); }
+    Eigen::MatrixXcd matrix_along(const ComplexState& u) { return first(u.real()) + Complex(0, 1) * first(u.imag()); }
     Eigen::MatrixXcd first(const Eigen::VectorXd& u) {
         if (u.isZero(0)) return Eigen::MatrixXcd::Zero(u.size(), u.size());
         const auto value = forms_.first(u, 0);
@@ -49,7 +49,7 @@ std::optional<Complex> multiplier_slope(const CriticalPoint& point, const EigenP
     return pair.left.dot(change->cast<Complex>() * pair.right);  // dot conjugates its first argument
 }
 
-State solved(const Eigen::MatrixXcd& matrix, const State& right) {
+ComplexState solved(const Eigen::MatrixXcd& matrix, const ComplexState& right) {
     return matrix.fullPivLu().solve(right);
 }
 
@@ -83,12 +83,12 @@ std::optional<NormalForm> fold_form(const CriticalPoint& point) {
 std::optional<NormalForm> flip_form(const CriticalPoint& point) {
     const EigenPair pair = eigen_pair(point.derivative, -1);
     const auto n = point.derivative.rows();
-    const State& q = pair.right;
+    const ComplexState& q = pair.right;
     Forms forms(point.forms);
     const Eigen::MatrixXcd complement = Eigen::MatrixXcd::Identity(n, n) - point.derivative.cast<Complex>();
-    const State bent = solved(complement, forms.b(q, q));
+    const ComplexState bent = solved(complement, forms.b(q, q));
     NormalForm form;
-    form.nonlinear = pair.left.dot(State(forms.c(q, q, q) + 3.0 * forms.b(q, bent))) / 6.0;
+    form.nonlinear = pair.left.dot(ComplexState(forms.c(q, q, q) + 3.0 * forms.b(q, bent))) / 6.0;
     form.supercritical = form.nonlinear.real() > 0;
     const auto slope = multiplier_slope(point, pair);
     if (!forms.ok || !slope) return std::nullopt;
@@ -101,17 +101,17 @@ std::optional<NormalForm> neimark_sacker_form(const CriticalPoint& point, Comple
     pair.right *= std::sqrt(0.5);
     pair.left /= std::sqrt(0.5);
     const auto n = point.derivative.rows();
-    const State& q = pair.right;
-    const State conjugate = q.conjugate();
+    const ComplexState& q = pair.right;
+    const ComplexState conjugate = q.conjugate();
     const Complex turn = multiplier / std::abs(multiplier);
     Forms forms(point.forms);
     const Eigen::MatrixXcd a = point.derivative.cast<Complex>();
     const Eigen::MatrixXcd identity = Eigen::MatrixXcd::Identity(n, n);
-    const State mean = solved(identity - a, forms.b(q, conjugate));
-    const State second = solved(turn * turn * identity - a, forms.b(q, q));
+    const ComplexState mean = solved(identity - a, forms.b(q, conjugate));
+    const ComplexState second = solved(turn * turn * identity - a, forms.b(q, q));
     NormalForm form;
     form.angle = std::arg(multiplier);
-    const State all = forms.c(q, q, conjugate) + 2.0 * forms.b(q, mean) + forms.b(conjugate, second);
+    const ComplexState all = forms.c(q, q, conjugate) + 2.0 * forms.b(q, mean) + forms.b(conjugate, second);
     form.nonlinear = 0.5 * std::conj(turn) * pair.left.dot(all);
     form.supercritical = form.nonlinear.real() < 0;
     const auto slope = multiplier_slope(point, pair);

@@ -4,10 +4,6 @@
 
 namespace swirl::analysis {
 
-namespace {
-constexpr double same_cycle = 1e-6;
-}
-
 std::vector<BranchPoint> cycles_at(const ShootingMap& map, const Branch& branch, double p) {
     std::vector<BranchPoint> found;
     for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {

@@ -37,6 +37,9 @@ Eigen::MatrixXd family_directions(const ShootingResidual& shooting, int dimensio
 /// The smallest cyclic part that closes to `closure`.
 CyclePoints minimal_cycle(const ShootingMap& map, const CyclePoints& points, double closure);
 
+/// Cycles nearer to each other than this are one: those found end near 10⁻¹⁵ of their own.
+inline constexpr double same_cycle = 1e-6;
+
 /// The largest distance between points of two cycles of one period, for the best cyclic shift; +∞ for other periods.
 double distance_between(const ShootingMap& map, const CyclePoints& a, const CyclePoints& b);
 

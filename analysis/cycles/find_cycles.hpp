@@ -11,9 +11,9 @@ namespace swirl::analysis {
 
 struct SearchOptions {
     int period = 1;
-    double accept = 1e-11;  ///< residual of a cycle
-    double same = 1e-6;     ///< cycles nearer than that are one
-    int threads = 0;        ///< 0: all; the result does not depend on it
+    double accept = 1e-11;     ///< residual of a cycle
+    double same = same_cycle;  ///< cycles nearer than that are one
+    int threads = 0;           ///< 0: all; the result does not depend on it
     bool one_per_family = true;
     /// Tried where the map's own solver fails: see `solve_near_grazing`. Must outlive the search.
     const TimedMap* timed = nullptr;

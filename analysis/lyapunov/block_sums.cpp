@@ -1,18 +1,17 @@
 #include "analysis/lyapunov/block_sums.hpp"
+#include "analysis/special_values.hpp"
 
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace swirl::analysis {
 
 namespace {
 
 constexpr std::size_t most_blocks = 64;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> merge_neighbours(const std::vector<double>& sums) {
     std::vector<double> merged(sums.size() / 2);

@@ -1,4 +1,5 @@
 #include "analysis/lyapunov/cycle_exponents.hpp"
+#include "analysis/special_values.hpp"
 
 #include "analysis/lyapunov/lost_ranks.hpp"
 #include "analysis/lyapunov/wide_schur.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -16,7 +16,6 @@ namespace swirl::analysis {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// 100 digits less what the eigenvalue solver's normwise error and double's own 16 digits need.
 constexpr double widest_ratio = 1e-80;
 
@@ -109,7 +108,6 @@ CycleExponents cycle_exponents(std::span<const Eigen::MatrixXd> derivatives, dou
             result.multipliers.emplace_back(0, 0);
             result.exponents.push_back(-infinity);
         } else if (wide[i].modulus <= widest_ratio * wide[0].modulus) {
-            constexpr double nan = std::numeric_limits<double>::quiet_NaN();
             result.outcome = CycleOutcome::unresolved;
             result.multipliers.emplace_back(nan, nan);
             result.exponents.push_back(nan);

@@ -1,4 +1,5 @@
 #include "analysis/lyapunov/exponent_record.hpp"
+#include "analysis/special_values.hpp"
 
 #include "analysis/argument_error.hpp"
 #include "analysis/rotation/weighted_birkhoff.hpp"
@@ -11,9 +12,6 @@
 namespace swirl::analysis {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void require(bool valid, const std::string& what, double value, const std::string& allowed) {
     if (!valid) refuse(what, value, allowed);

@@ -1,4 +1,5 @@
 #include "analysis/lyapunov/exponent_sign.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@ namespace swirl::analysis {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t least_blocks = 32;
 
 void require_index(const LyapunovSpectrum& spectrum, std::size_t index) {

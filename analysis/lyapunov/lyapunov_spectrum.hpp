@@ -5,6 +5,7 @@
 #include "analysis/lyapunov/exponent_record.hpp"
 #include "analysis/lyapunov/generic_frame.hpp"
 #include "analysis/section_map.hpp"
+#include "analysis/special_values.hpp"
 
 #include <array>
 #include <cmath>
@@ -15,7 +16,6 @@ namespace lyapunov_detail {
 
 /// ln of the growth |r|, −∞ when it is rounding of a derivative of size `norm`.
 inline double log_growth(double r, double norm, double rank_tolerance) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     return std::abs(r) <= rank_tolerance * norm ? -infinity : std::log(std::abs(r));
 }
 

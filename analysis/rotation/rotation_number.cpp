@@ -1,4 +1,5 @@
 #include "analysis/rotation/rotation_number.hpp"
+#include "analysis/special_values.hpp"
 
 #include "analysis/argument_error.hpp"
 #include "analysis/rotation/weighted_birkhoff.hpp"
@@ -15,7 +16,6 @@ namespace swirl::analysis {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double rounding_turns = 1e-15;
 
 void require_finite(std::span<const double> samples, const char* what) {

@@ -1,9 +1,9 @@
 #include "analysis/rotation/weighted_birkhoff.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace swirl::analysis {
 
@@ -28,7 +28,6 @@ double birkhoff_weight(double t) {
 }
 
 WeightedAverage weighted_birkhoff_average(std::span<const double> samples) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (samples.empty()) return {nan, nan, 0};
     WeightedAverage result{plain_weighted_mean(samples), nan, 0};
     const std::size_t half = samples.size() / 2;

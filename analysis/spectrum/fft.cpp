@@ -11,6 +11,14 @@
 
 namespace swirl::analysis {
 
+namespace detail {  // named, for it is in the type of a class's members
+
+struct FftwFree {
+    void operator()(void* memory) const { fftw_free(memory); }
+};
+
+}  // namespace detail
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -21,12 +29,8 @@ std::mutex& planner_mutex() {
     return mutex;
 }
 
-struct FftwFree {
-    void operator()(void* memory) const { fftw_free(memory); }
-};
-
 template <class T>
-using Buffer = std::unique_ptr<T[], FftwFree>;
+using Buffer = std::unique_ptr<T[], detail::FftwFree>;
 
 /// FFTW's own allocation: always aligned for SIMD, so that every plan of one length is the same plan.
 template <class T>

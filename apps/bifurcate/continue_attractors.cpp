@@ -12,8 +12,6 @@ namespace swirl::apps::bifurcate {
 
 namespace {
 
-constexpr double same_cycle = 1e-6;
-
 /// The largest difference of S between two cycles, for the shift that fits best.
 double spin_difference(const analysis::CyclePoints& a, const analysis::CyclePoints& b) {
     double best = std::numeric_limits<double>::infinity();
@@ -44,8 +42,8 @@ public:
             ++diagram_.agreement.in_families;
             return;
         }
-        const bool found =
-            shot.converged && analysis::distance_between(scene_.map, shot.points, attractor.states) < same_cycle;
+        const bool found = shot.converged &&
+                           analysis::distance_between(scene_.map, shot.points, attractor.states) < analysis::same_cycle;
         analysis::Branch branch;
         if (found && analysis::continue_branch(scene_.map, shot.points, p, scene_.options, branch)) {
             if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, attractor.states))

@@ -15,8 +15,6 @@ namespace swirl::apps::boundaries {
 
 namespace {
 
-constexpr double same_cycle = 1e-6;
-
 struct AttractingCycle {
     analysis::CyclePoints points;
     double mean_spin = 0;
@@ -102,14 +100,14 @@ private:
     void look(std::size_t cell, const analysis::CyclePoints& guess) {
         const analysis::ShootingMap map = shooting_map_of(scene_at(scene_, plane_, map_.place(cell)));
         for (const auto& known : cycles_[cell])  // what is all but there already
-            if (analysis::distance_between(map, known.points, guess) < same_cycle) return;
+            if (analysis::distance_between(map, known.points, guess) < analysis::same_cycle) return;
         analysis::CyclePoints points = guess;
         analysis::polish_cycle(map, points, 0);
         const auto shooting = analysis::shooting_residual(map, points, 0);
         if (!analysis::closes_to(shooting, 1e-11)) return;
         for (const auto& known : cycles_[cell])
-            if (analysis::distance_between(map, known.points, points) < same_cycle) return;
-        if (analysis::minimal_cycle(map, points, same_cycle).size() < points.size()) return;
+            if (analysis::distance_between(map, known.points, points) < analysis::same_cycle) return;
+        if (analysis::minimal_cycle(map, points, analysis::same_cycle).size() < points.size()) return;
         const auto multipliers = analysis::sorted_multipliers(analysis::monodromy(shooting));
         if (multipliers.empty() || analysis::stability_of(multipliers) != analysis::Stability::stable) return;
         cycles_[cell].push_back({points, shooting.integral / shooting.duration});

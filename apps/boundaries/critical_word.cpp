@@ -28,7 +28,8 @@ BorderCycle with_impact(const WordMap& map, const BorderCycle& grazing, double e
     BorderCycle cycle = grazing;
     const double time = grazing.touch_time - earlier;
     const WordStep step = map.step(grazing.points.front(), time, grazing.p, grazing.vertex);
-    cycle.points.insert(cycle.points.begin() + 1, step.after);
+    cycle.points = {grazing.points.front(), step.after};
+    cycle.points.insert(cycle.points.end(), grazing.points.begin() + 1, grazing.points.end());
     cycle.times.insert(cycle.times.begin(), time);
     cycle.times[1] = grazing.times.front() - time;
     cycle.vertices.insert(cycle.vertices.begin(), grazing.vertex);

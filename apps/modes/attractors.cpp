@@ -1,16 +1,15 @@
 #include "apps/modes/attractors.hpp"
 
+#include "analysis/special_values.hpp"
+
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace swirl::apps {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 bool has_own_mean(analysis::Kind kind) {
     using analysis::Kind;
@@ -48,12 +47,12 @@ void summarise(std::span<const RunVerdict> runs, SharedAttractor& attractor) {
         return values;
     };
     const auto mean = [](const std::vector<double>& values) {
-        return values.empty() ? unknown : gsl_stats_mean(values.data(), 1, values.size());
+        return values.empty() ? analysis::nan : gsl_stats_mean(values.data(), 1, values.size());
     };
     const auto spins = measured(&RunVerdict::mean_spin);
     attractor.mean_spin = mean(spins);
     attractor.mean_spin_error =
-        spins.size() < 2 ? unknown
+        spins.size() < 2 ? analysis::nan
                          : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
     attractor.recurrence_rate = mean(measured(&RunVerdict::recurrence_rate));
     attractor.largest_exponent = mean(measured(&RunVerdict::largest_exponent));

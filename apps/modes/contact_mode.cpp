@@ -13,7 +13,7 @@ constexpr double rest = 1e-7;     // an angle and S that stay within this are at
 constexpr double regular = 1e-5;  // periods that agree to this make a motion periodic
 constexpr double nearly = 1e-2;   // so near must the limit of periods that still change be, relative
 constexpr double dying = 0.9;     // slip dies out if what it loses falls by this from first to last quarter
-constexpr int fewest_periods = 3;
+constexpr int enough_periods = 3;
 
 /// Where S is constant and psi turns all the same there is no swirl, or none that shows: the body rolls on evenly.
 analysis::Kind kind_of(analysis::SwingKind swing, bool slides, bool on_edge, bool constant) {
@@ -26,11 +26,11 @@ analysis::Kind kind_of(analysis::SwingKind swing, bool slides, bool on_edge, boo
 }
 
 void describe_periods(const analysis::Swing& swing, bool limit_known, analysis::Classification& verdict) {
-    const bool enough = swing.periods >= fewest_periods;
-    verdict.evidence.push_back({"periods seen", static_cast<double>(swing.periods), fewest_periods,
+    const bool enough = swing.periods >= enough_periods;
+    verdict.evidence.push_back({"periods seen", static_cast<double>(swing.periods), enough_periods,
                                 enough ? "enough to compare" : "too few to call it periodic",
-                                enough ? "fewer than " + std::to_string(fewest_periods) + ": undecided"
-                                       : "at least " + std::to_string(fewest_periods) + ": their spread would decide"});
+                                enough ? "fewer than " + std::to_string(enough_periods) + ": undecided"
+                                       : "at least " + std::to_string(enough_periods) + ": their spread would decide"});
     if (!enough) return;
     const bool periodic = swing.period_spread <= regular;
     verdict.evidence.push_back({"spread of the periods", swing.period_spread, regular,
@@ -89,7 +89,7 @@ bool ContactTail::slip_dies() const {
 /// The pendulum that a disk settles on which still slips now and then: it loses energy and the pendulum is near. (The
 /// work of slips that are few and small is no measure: a quarter may hold one more of them than another.)
 std::optional<RimPendulum> ContactTail::settles_on(const analysis::Swing& swing) const {
-    if (!slides_ || !rolling_ || height_late_ > height_early_ * (1 + 1e-12) || swing.periods < fewest_periods)
+    if (!slides_ || !rolling_ || height_late_ > height_early_ * (1 + 1e-12) || swing.periods < enough_periods)
         return {};
     const auto settled = settled_pendulum(scene_, rim_pendulum(scene_, *rolling_));
     if (!settled) return {};

@@ -64,7 +64,7 @@ void search_period(const PeriodWork& work, const std::vector<CyclePoints>& traje
     const FindOptions& options = work.options;
     PeriodSearch result;
     result.period = work.period;
-    analysis::KnownCycles known(work.map, 0, same_cycle, true);
+    analysis::KnownCycles known(work.map, 0, analysis::same_cycle, true);
     auto candidates = returning_candidates(work.map, work.period, trajectories, options.candidates);
     auto random =
         random_candidates(work.scene, work.map, work.period, 0, options.candidates.starts, options.candidates);
@@ -96,7 +96,6 @@ FoundOrbits find_orbits(const Scene<double>& scene, const analysis::ShootingMap&
         PeriodWork work{scene, map, options, k, {}};
         work.search.period = k;
         work.search.accept = accepted;
-        work.search.same = same_cycle;
         work.search.timed = &timed;
         work.search.threads = options.threads;
         work.search.stop = options.candidates.stop;

@@ -10,8 +10,7 @@
 
 namespace swirl::apps::orbits {
 
-inline constexpr double accepted = 1e-11;   ///< residual of a cycle; those found end near 10⁻¹⁵
-inline constexpr double same_cycle = 1e-6;  ///< nearer ones are one
+inline constexpr double accepted = 1e-11;  ///< residual of a cycle; those found end near 10⁻¹⁵
 
 struct FindOptions {
     CandidateOptions candidates;

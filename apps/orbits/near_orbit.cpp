@@ -54,11 +54,11 @@ Solution solve_from(const NearSearch& search, const CyclePoints& guess) {
             best.iterations = std::max(best.iterations, shot.iterations);
         }
         if (!shot.converged) return;
-        const auto points = analysis::minimal_cycle(search.map, shot.points, same_cycle);
+        const auto points = analysis::minimal_cycle(search.map, shot.points, analysis::same_cycle);
         if (static_cast<int>(points.size()) != search.period) return;
         double distance = std::numeric_limits<double>::infinity();
         for (const auto& point : points) distance = std::min(distance, search.map.distance(point, search.near));
-        if (distance < best.distance - same_cycle)  // both to rounding on one cycle: the map's own
+        if (distance < best.distance - analysis::same_cycle)  // both to rounding on one cycle: the map's own
             best = {points, shot.residual, distance, shot.iterations};
     };
     take(analysis::solve_shooting(search.map, guess, 0, accepted));
@@ -131,7 +131,7 @@ Solution nearest_cycle(const NearSearch& search, const std::function<bool()>& st
         ++found.tried;
         Solution solution = solve_from(search, guess);
         found.converged += solution.points.empty() ? 0 : 1;
-        if (solution.distance < best.distance - same_cycle || best.points.empty()) {
+        if (solution.distance < best.distance - analysis::same_cycle || best.points.empty()) {
             solution.residual =
                 solution.points.empty() ? std::min(best.residual, solution.residual) : solution.residual;
             best = std::move(solution);
@@ -155,7 +155,7 @@ FoundOrbits find_near(const Scene<double>& scene, const analysis::ShootingMap& m
     FoundOrbits found;
     const auto timed = timed_map_of(scene);
     const Eigen::VectorXd near = coordinates_of(z, scene.is_disk());
-    analysis::KnownCycles known(map, 0, same_cycle, false);
+    analysis::KnownCycles known(map, 0, analysis::same_cycle, false);
     for (int k = first_period; k <= last_period && !stop(); ++k) {
         const Solution best = nearest_cycle({scene, map, timed, accuracy, near, k}, stop, found);
         found.iterations = best.iterations;

@@ -23,7 +23,6 @@ using analysis::CyclePoints, analysis::StraddleEnd;
 constexpr int longest_saddle = 32;        // impacts
 constexpr double comes_again = 1e-3;      // an orbit that does may be near a cycle
 constexpr double is_there = 1e-6;         // so near it has come to it
-constexpr double same_cycle = 1e-6;       // of their points
 constexpr double same_torus_mean = 2e-4;  // of S, relative to 1 or |S|: over few turns of its slowest angle
 constexpr std::size_t first_look = 2048;  // impacts after which a torus is looked for, and each time twice as many
 
@@ -156,7 +155,7 @@ bool is_same_saddle(const analysis::ShootingMap& map, const Saddle& a, const Sad
     if (a.kind != b.kind) return false;
     if (a.kind == analysis::Kind::quasi_periodic)
         return agree(a.mean_spin, b.mean_spin) && agree(a.mean_spin_per_impact, b.mean_spin_per_impact);
-    return analysis::distance_between(map, a.points, b.points) < same_cycle;
+    return analysis::distance_between(map, a.points, b.points) < analysis::same_cycle;
 }
 
 }  // namespace swirl::apps::sweep

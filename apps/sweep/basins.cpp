@@ -1,5 +1,6 @@
 #include "apps/sweep/basins.hpp"
 
+#include "analysis/special_values.hpp"
 #include "apps/modes/attractors.hpp"
 #include "apps/modes/mode_fields.hpp"
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace swirl::apps::sweep {
@@ -80,14 +80,13 @@ Basins basins_of(std::span<const RunResult> results, std::span<const char> visit
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return found[a].cells > found[b].cells; });
     std::vector<std::int64_t> place(order.size());
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const std::size_t from : order) {
         place[from] = static_cast<std::int64_t>(all.basins.size());
         Basin basin{found[from].attractor, found[from].starts};
-        if (!has_exact_spin(basin.attractor)) basin.attractor.mean_spin = unknown;
+        if (!has_exact_spin(basin.attractor)) basin.attractor.mean_spin = analysis::nan;
         const auto cells = static_cast<double>(results.size());
         basin.share = static_cast<double>(found[from].cells) / cells;
-        basin.interval = visited.empty() ? wilson_interval(basin.share, cells) : Interval{unknown, unknown};
+        basin.interval = visited.empty() ? wilson_interval(basin.share, cells) : Interval{analysis::nan, analysis::nan};
         all.basins.push_back(basin);
     }
     for (auto& basin : all.of_cell)

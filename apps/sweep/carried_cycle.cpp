@@ -12,9 +12,8 @@ using analysis::CyclePoints;
 
 namespace {
 
-constexpr double closes = 1e-10;  // a cycle's residual, as in a diagram's branches
-constexpr double comes_again = 1e-8;
-constexpr double same_cycle = 1e-6;
+constexpr double closes = 1e-10;      // a cycle's residual, as in a diagram's branches
+constexpr double is_multiple = 1e-8;  // a cycle run through more than once, by how it closes
 constexpr int most_halvings = 4;
 
 Scene<double> scene_between(const Scene<double>& a, const Scene<double>& b, double part) {
@@ -31,7 +30,7 @@ CyclePoints solved_in(const Scene<double>& scene, Accuracy accuracy, const Cycle
     const analysis::ShootingMap map = shooting_map_of(scene, accuracy);
     const auto shot = analysis::solve_shooting(map, from, 0, closes);
     if (!shot.converged) return {};
-    return analysis::minimal_cycle(map, shot.points, comes_again).size() == from.size() ? shot.points : CyclePoints{};
+    return analysis::minimal_cycle(map, shot.points, is_multiple).size() == from.size() ? shot.points : CyclePoints{};
 }
 
 CyclePoints in_steps(const Scene<double>& from, const Scene<double>& to, Accuracy accuracy, int steps,
@@ -49,7 +48,7 @@ CarriedCycle carried(const Scene<double>& from, const Scene<double>& to, Accurac
         CarriedCycle there{in_steps(from, to, accuracy, steps, points)};
         if (there.points.empty()) continue;
         const CyclePoints back = in_steps(to, from, accuracy, steps, there.points);
-        if (back.empty() || !(analysis::distance_between(home, back, points) < same_cycle)) continue;
+        if (back.empty() || !(analysis::distance_between(home, back, points) < analysis::same_cycle)) continue;
         const auto shooting = analysis::shooting_residual(shooting_map_of(to, accuracy), there.points, 0);
         if (!shooting.alive) continue;
         there.mean_spin = shooting.integral / shooting.duration;

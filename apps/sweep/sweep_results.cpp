@@ -1,17 +1,16 @@
 #include "apps/sweep/sweep_results.hpp"
 
+#include "analysis/special_values.hpp"
+
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace swirl::apps::sweep {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> measured(std::span<const RunResult> runs, double RunResult::*member) {
     std::vector<double> values;
@@ -21,7 +20,7 @@ std::vector<double> measured(std::span<const RunResult> runs, double RunResult::
 }
 
 double mean_of(const std::vector<double>& values) {
-    return values.empty() ? unknown : gsl_stats_mean(values.data(), 1, values.size());
+    return values.empty() ? analysis::nan : gsl_stats_mean(values.data(), 1, values.size());
 }
 
 }  // namespace
@@ -57,7 +56,7 @@ CellSummary summary_of(std::span<const RunResult> runs) {
     const auto spins = measured(runs, &RunResult::mean_spin);
     cell.mean_spin = mean_of(spins);
     cell.mean_spin_error =
-        spins.size() < 2 ? unknown
+        spins.size() < 2 ? analysis::nan
                          : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
     cell.mean_spin_per_impact = mean_of(measured(runs, &RunResult::mean_spin_per_impact));
     cell.recurrence_rate = mean_of(measured(runs, &RunResult::recurrence_rate));

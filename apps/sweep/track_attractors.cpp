@@ -1,3 +1,4 @@
+#include "analysis/special_values.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/parallel_pieces.hpp"
 #include "apps/modes/attractors.hpp"
@@ -8,7 +9,6 @@
 #include "apps/sweep/tracks.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -101,13 +101,12 @@ public:
             }
         ++(cycle.stable ? tracking_.unseen : tracking_.not_attracting);
         if (!cycle.stable) return;
-        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
         Node unseen{from.attractor, 0, cycle.points};
         unseen.attractor.share = 0;
         unseen.attractor.interval = wilson_interval(0, static_cast<double>(runs));
         unseen.attractor.mean_spin = unseen.attractor.first.mean_spin = cycle.mean_spin;
         unseen.attractor.first.mean_spin_per_impact = cycle.mean_spin_per_impact;
-        unseen.attractor.spin_error = unknown;
+        unseen.attractor.spin_error = analysis::nan;
         unseen.attractor.cell = way.to;
         number(unseen);
         unite(from, unseen);

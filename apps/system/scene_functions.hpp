@@ -29,7 +29,7 @@ struct SceneFunctions {
     Derivative (*through_contact)(const void* map, const SectionPoint<double>& z, const Step& known, long& series);
 };
 
-/// The functions of one map, in double; defined in scene_functions_of_disks.cpp and scene_functions_of_polygons.cpp.
+/// The functions of one map, in double; defined in scene_functions_in_double.hpp.
 template <Shape shape, ImpactRule rule>
 const SceneFunctions<section_dimension<shape>>& double_functions();
 /// The same with steps in another arithmetic, or with another search (rounded_scene.hpp); defined in

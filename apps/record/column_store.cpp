@@ -159,7 +159,7 @@ void ColumnStore::describe() {
         std::vector<std::int64_t> values;
         for (std::size_t i = 0; i < description.flag_meanings.size(); ++i)
             values.push_back(static_cast<std::int64_t>(i));
-        write("flag_values", values);
+        hdf5::write_integers(dataset_.id(), "flag_values", values, format_of(layout_.type).stored, layout_.file);
         write("flag_meanings", fmt::format("{}", fmt::join(description.flag_meanings, " ")));
     }
 }

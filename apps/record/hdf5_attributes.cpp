@@ -116,6 +116,11 @@ void write_attribute(hid_t object, const std::string& name, const AttributeValue
     std::visit(Writer{target}, value);
 }
 
+void write_integers(hid_t object, const std::string& name, const std::vector<std::int64_t>& values, hid_t stored,
+                    const std::string& file) {
+    create_list({object, name, file}, stored, H5T_NATIVE_INT64, values.size(), values.data());
+}
+
 AttributeValue read_attribute(hid_t object, const std::string& name, const std::string& file) {
     const Target target{object, name, file};
     const std::string action = target.action("read");

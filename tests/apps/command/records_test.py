@@ -75,6 +75,11 @@ class Records(unittest.TestCase):
         self.assertEqual(wrong, [])
         self.assertGreater(numbers, 200)
 
+    def test_flag_values_are_of_the_type_of_their_column(self):
+        flags = [(place, data) for place, data in self.columns() if "flag_values" in data.attrs]
+        self.assertEqual([place for place, data in flags if data.attrs["flag_values"].dtype != data.dtype], [])
+        self.assertGreater(len(flags), 10)
+
     def test_xarray_opens_every_group_without_a_warning(self):
         for record in self.records:
             groups = ["/"]

@@ -43,6 +43,7 @@ def check_impacts(impacts):
     assert impacts.contact_mode.dtype == np.uint8 and (impacts.contact_mode.values == i % 2).all()
     assert impacts.contact_mode.attrs["flag_meanings"] == "sliding c-sticking"
     assert list(impacts.contact_mode.attrs["flag_values"]) == [0, 1]
+    assert impacts.contact_mode.attrs["flag_values"].dtype == np.uint8  # CF: the variable's own type
     assert impacts.simultaneous.dtype == bool and (impacts.simultaneous.values == (i % 3 == 0)).all()
     assert impacts.turns.dtype == np.int64 and (impacts.turns.values == np.int64(1) << (i % 63)).all()
 

@@ -119,7 +119,7 @@ HWY_INLINE LaneState state_at_wall(LaneFactor per_alpha, const LaneFlight& fligh
 
 /// Without the proof: contact_of_next_vertex in the lanes in which the circle does not return, contact_of_vertex_behind
 /// in those in which the nearest vertex recedes there. Those where it is found.
-///   unfinished  lanes in which the scalar search goes on
+///   unfinished  lanes in which contact_of_vertex_behind goes on
 HWY_INLINE Mask find_behind(ProofTask& task, Lane fourth, Mask no_return, Mask recedes, Mask& unfinished) {
     const Mask asked = either(no_return, recedes);
     unfinished = Lane(1) < Lane(0);
@@ -129,7 +129,9 @@ HWY_INLINE Mask find_behind(ProofTask& task, Lane fourth, Mask no_return, Mask r
     search.nearest.number = choose(no_return, Lane(0), search.nearest.number);
     search.looks = choose(no_return, Lane(0), search.looks);
     search.latest = choose(no_return, Lane(0), search.latest);
-    return seek_vertex_behind(task.vertices, task.flight, fourth, asked, search, unfinished);
+    const Mask found = seek_vertex_behind(task.vertices, task.flight, fourth, asked, search, unfinished);
+    unfinished = hn::And(unfinished, recedes);
+    return found;
 }
 
 /// Lanes `i` … of a block, as many as a vector has.

@@ -59,7 +59,7 @@ template <class T>
 }
 
 /// From there to a moment so close to the contact of the vertex nearest to the wall that `correction`, the way left,
-/// needs no further look. False if there is none, or too long before the `latest` moment of the search
+/// needs no further look. False if there is none, or it lies too long before the `latest` moment of the search
 /// (`nearest_share`).
 template <class T>
 [[gnu::always_inline]] inline bool seek_vertex(const Body<T>& body, const Flight<T>& flight, T& latest, Instant<T>& at,

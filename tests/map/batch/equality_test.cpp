@@ -59,6 +59,39 @@ TYPED_TEST(BatchEquality, WithEveryInstructionSet) {
     EXPECT_GT(names.size(), 1u) << "this processor has one instruction set only that Highway knows";
 }
 
+using Polygon = CollisionMap<double, Shape::polygon, ImpactRule::poisson>;
+
+/// Many short orbits of one elastic scene, from states that leave the wall with −u_n = slowest … fastest.
+Compared compare_starts(int sides, double slowest, double fastest, double spin, long long impacts) {
+    const Scene<double> scene{sides, 0.4, 0.8, 0.5, 1, Law::poisson, uniform_inertia_factor<double>(sides)};
+    Random random(7);
+    Orbits<Polygon> set;
+    for (long k = 0; k < sample_count(1000); ++k)
+        set.add(scene, post_impact_state(random_point(random, scene, random.log_between(slowest, fastest), 1, spin)),
+                impacts);
+    return compare(set.orbits);
+}
+
+TEST(BatchEqualityOfStarts, HopsFarShorterThanTheCircumscribedCirclesReturn) {
+    for (const int sides : {3, 6}) {
+        const Compared hops = compare_starts(sides, 1e-7, 1e-2, 3, 20);
+        std::cout << sides << " sides: " << hops.use.vain << " of " << hops.use.left << " left after vain searches\n";
+        EXPECT_EQ(hops.different, 0) << sides;
+        EXPECT_GT(hops.by_lanes, hops.impacts / 2) << sides;
+        EXPECT_GT(hops.use.vain, 0) << sides;
+    }
+}
+
+TEST(BatchEqualityOfStarts, SpinsThatTurnTheBodyBeyondTheTables) {
+    for (const double spin : {30.0, 300.0, 1e4}) {
+        const Compared spins = compare_starts(6, 1e-3, 2, spin, 3);  // impacts soon slow the spin
+        std::cout << "S to " << spin << ": " << spins.use.left << " of " << spins.impacts << " impacts left\n";
+        EXPECT_EQ(spins.different, 0) << spin;
+        EXPECT_GT(spins.by_lanes, 0) << spin;
+        EXPECT_GT(spins.use.left, 0) << spin;
+    }
+}
+
 /// 1,000 scenes, 10⁷ impacts for each rule.
 TYPED_TEST(BatchEqualityNightly, HasTheBitsOfTheScalarMap) {
     expect_equal<TypeParam>(3, 1000, 10'000);

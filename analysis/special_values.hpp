@@ -1,4 +1,4 @@
-// The two numbers that are none, under one name each.
+// NaN and infinity, under one name each.
 #pragma once
 
 #include <limits>

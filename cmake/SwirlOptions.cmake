@@ -13,8 +13,8 @@ if(SWIRL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 # swirl_unite(TARGET): compiles its sources ten at a time, as one. Reading headers and instantiating templates are more than
-# half of a file's compile time. Names in unnamed namespaces then are to be unique, and what two files need has one home. A
-# source with options of its own stays alone.
+# half of a file's compile time. A name in an unnamed namespace that two of the ten have is an error, and which ten they are
+# changes with the list of sources: what two files need has one home. A source with options of its own stays alone.
 function(swirl_unite target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SWIRL_UNITY} UNITY_BUILD_BATCH_SIZE 10)
 endfunction()

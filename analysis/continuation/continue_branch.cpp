@@ -111,7 +111,7 @@ private:
         CyclePoints points = here().points;
         const double residual = map_.has_parameter && p != bound ? polish_cycle(map_, points, bound) : 1;
         if (residual < CorrectorOptions{}.accept && begin_curve(map_, points, bound, here().tangent, last) &&
-            distance_between(map_, points, here().points) < 1e-6) {
+            distance_between(map_, points, here().points) < same_cycle) {
             if (is_smooth_to(last))
                 accept(last, std::abs(p - bound), 1);
             else

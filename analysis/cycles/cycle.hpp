@@ -37,7 +37,7 @@ Eigen::MatrixXd family_directions(const ShootingResidual& shooting, int dimensio
 /// The smallest cyclic part that closes to `closure`.
 CyclePoints minimal_cycle(const ShootingMap& map, const CyclePoints& points, double closure);
 
-/// Cycles nearer to each other than this are one: those found end near 10⁻¹⁵ of their own.
+/// Cycles nearer to each other than this are one; the residual of those found ends near 10⁻¹⁵.
 inline constexpr double same_cycle = 1e-6;
 
 /// The largest distance between points of two cycles of one period, for the best cyclic shift; +∞ for other periods.

@@ -108,7 +108,7 @@ bool belongs_to(const ShootingMap& map, const FamilyCurve& curve, const CyclePoi
             options.keep_word = false;
             options.farthest = std::numeric_limits<double>::infinity();  // how far from b is asked next
             if (std::abs(h) < 0.03 && correct(map, member, h, there, options) == Correction::converged &&
-                distance_between(map, there.points, b) < 1e-6)
+                distance_between(map, there.points, b) < same_cycle)
                 return true;
             std::rotate(shifted.begin(), shifted.begin() + 1, shifted.end());
         }

@@ -1,4 +1,5 @@
 #include "analysis/lyapunov/block_sums.hpp"
+
 #include "analysis/special_values.hpp"
 
 #include <gsl/gsl_fit.h>

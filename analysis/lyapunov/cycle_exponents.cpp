@@ -1,8 +1,8 @@
 #include "analysis/lyapunov/cycle_exponents.hpp"
-#include "analysis/special_values.hpp"
 
 #include "analysis/lyapunov/lost_ranks.hpp"
 #include "analysis/lyapunov/wide_schur.hpp"
+#include "analysis/special_values.hpp"
 
 #include <boost/multiprecision/eigen.hpp>
 

@@ -1,8 +1,8 @@
 #include "analysis/lyapunov/exponent_record.hpp"
-#include "analysis/special_values.hpp"
 
 #include "analysis/argument_error.hpp"
 #include "analysis/rotation/weighted_birkhoff.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>

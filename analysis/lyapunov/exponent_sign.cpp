@@ -1,4 +1,5 @@
 #include "analysis/lyapunov/exponent_sign.hpp"
+
 #include "analysis/special_values.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "analysis/recurrence/metric.hpp"
 
 #include "analysis/argument_error.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +79,6 @@ double distance_of_key(double key, Norm norm, int dimension) {
 
 double key_bound(double threshold, Norm norm, bool strict, int dimension) {
     if (!(threshold >= 0)) refuse("threshold", threshold, ">= 0");
-    const double infinity = std::numeric_limits<double>::infinity();
     const double distance = strict ? std::nextafter(threshold, -infinity) : threshold;
     if (norm != Norm::euclidean || dimension == 1 || distance <= 0 || std::isinf(distance)) return distance;
     // The largest double whose rounded square root is still <= distance lies within a few ulp of the square.

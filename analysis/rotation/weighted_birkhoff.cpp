@@ -1,4 +1,5 @@
 #include "analysis/rotation/weighted_birkhoff.hpp"
+
 #include "analysis/special_values.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
+#include "analysis/special_values.hpp"
 #include "apps/boundaries/boundaries_command.hpp"
 #include "apps/branches/branches.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/system/section_coordinates.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace swirl::apps::boundaries {
@@ -23,8 +23,6 @@ std::vector<double> all_coordinates_of(const CycleRow& row) {
     for (const auto& z : row.cycle->points) values.insert(values.end(), z.begin(), z.end());
     return values;
 }
-
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 /// What is known of a cycle on a border beside its points; NaN and "none" of the others.
 std::vector<Field<CycleRow>> border_fields(std::size_t longest) {
@@ -46,7 +44,7 @@ std::vector<Field<CycleRow>> border_fields(std::size_t longest) {
     const auto vertex = [](const Row& row) { return row.cycle->border ? row.cycle->border->vertex : 0; };
     const auto time = [](const Row& row) {
         return row.cycle->border && row.cycle->border->touch == Touch::grazing ? row.cycle->border->touch_time
-                                                                               : nan_value;
+                                                                               : analysis::nan;
     };
     return {
         F{"touch", touch, "", "what is the case on the first flight of a cycle on a border"}

@@ -62,7 +62,7 @@ analysis::CyclePoints cycle_from(const ContinueOptions& options, const Scene<dou
     if (guess.empty()) return {};
     const auto shot = analysis::solve_shooting(map, guess, p, accepted);
     if (!shot.converged) return {};
-    const auto cycle = analysis::minimal_cycle(map, shot.points, 1e-6);
+    const auto cycle = analysis::minimal_cycle(map, shot.points, analysis::same_cycle);
     return static_cast<int>(cycle.size()) == options.period ? cycle : analysis::CyclePoints{};
 }
 

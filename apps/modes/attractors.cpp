@@ -1,8 +1,6 @@
 #include "apps/modes/attractors.hpp"
 
-#include "analysis/special_values.hpp"
-
-#include <gsl/gsl_statistics_double.h>
+#include "apps/modes/means.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,16 +44,11 @@ void summarise(std::span<const RunVerdict> runs, SharedAttractor& attractor) {
             if (std::isfinite(runs[r].*member)) values.push_back(runs[r].*member);
         return values;
     };
-    const auto mean = [](const std::vector<double>& values) {
-        return values.empty() ? analysis::nan : gsl_stats_mean(values.data(), 1, values.size());
-    };
     const auto spins = measured(&RunVerdict::mean_spin);
-    attractor.mean_spin = mean(spins);
-    attractor.mean_spin_error =
-        spins.size() < 2 ? analysis::nan
-                         : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
-    attractor.recurrence_rate = mean(measured(&RunVerdict::recurrence_rate));
-    attractor.largest_exponent = mean(measured(&RunVerdict::largest_exponent));
+    attractor.mean_spin = mean_of(spins);
+    attractor.mean_spin_error = error_of_mean(spins);
+    attractor.recurrence_rate = mean_of(measured(&RunVerdict::recurrence_rate));
+    attractor.largest_exponent = mean_of(measured(&RunVerdict::largest_exponent));
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include "apps/sweep/sweep_results.hpp"
 
-#include "analysis/special_values.hpp"
-
-#include <gsl/gsl_statistics_double.h>
+#include "apps/modes/means.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +15,6 @@ std::vector<double> measured(std::span<const RunResult> runs, double RunResult::
     for (const auto& run : runs)
         if (std::isfinite(run.*member)) values.push_back(run.*member);
     return values;
-}
-
-double mean_of(const std::vector<double>& values) {
-    return values.empty() ? analysis::nan : gsl_stats_mean(values.data(), 1, values.size());
 }
 
 }  // namespace
@@ -55,9 +49,7 @@ CellSummary summary_of(std::span<const RunResult> runs) {
     }
     const auto spins = measured(runs, &RunResult::mean_spin);
     cell.mean_spin = mean_of(spins);
-    cell.mean_spin_error =
-        spins.size() < 2 ? analysis::nan
-                         : gsl_stats_sd(spins.data(), 1, spins.size()) / std::sqrt(static_cast<double>(spins.size()));
+    cell.mean_spin_error = error_of_mean(spins);
     cell.mean_spin_per_impact = mean_of(measured(runs, &RunResult::mean_spin_per_impact));
     cell.recurrence_rate = mean_of(measured(runs, &RunResult::recurrence_rate));
     cell.largest_exponent = mean_of(measured(runs, &RunResult::largest_exponent));

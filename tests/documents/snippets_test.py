@@ -34,7 +34,7 @@ def snippets():
 
 def flags():
     """Those of a file of apps/, without its output and its precompiled header."""
-    entry = next(entry for entry in json.loads(COMMANDS.read_text()) if entry["file"].endswith("apps/system/scene_map.cpp"))
+    entry = next(entry for entry in json.loads(COMMANDS.read_text()) if entry["file"].endswith("apps/main.cpp"))
     words, kept = shlex.split(entry["command"]), []
     skip = False
     for word in words[1:]:

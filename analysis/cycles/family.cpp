@@ -125,7 +125,7 @@ bool is_reachable(const ShootingMap& map, double p, const CyclePoints& a, const 
         for (std::size_t i = 0; i < here.size(); ++i)
             across.segment(static_cast<Eigen::Index>(i) * map.dimension, map.dimension) = map.difference(b[i], here[i]);
         const double distance = across.lpNorm<Eigen::Infinity>();
-        if (distance < 1e-6) return true;
+        if (distance < same_cycle) return true;
         if (!(distance < left - 0.1 * std::min(left, longest))) return false;  // it leads away
         left = distance;
         if (distance > longest) across *= longest / distance;

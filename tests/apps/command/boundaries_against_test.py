@@ -2,10 +2,8 @@
 
 import unittest
 
+from boundary_planes import HEXAGON, SMALL
 from driving import InFolder, document, run
-
-HEXAGON = "--sides 6 --mu 0.5 --restitution 0.95"
-SMALL = f"{HEXAGON} --plane alpha=0.4:0.6 --plane beta=0.25:0.5 --max-period 1 --lines 1"
 
 
 class Against(InFolder):

@@ -27,13 +27,26 @@ constexpr std::size_t most_at_once = 1024;
 constexpr std::size_t longest_result = std::size_t{1} << 30;  // a message of MPI has up to 2³¹ − 1 bytes
 constexpr std::size_t most_bytes_at_once = std::size_t{1} << 20;
 
+/// Answers rank 0's end, and leaves MPI with the others only if none of them was lost.
+void take_leave(Ranks& ranks) {
+    ranks.send(0, message_of(MessageKind::gone));
+    const auto limit = std::chrono::steady_clock::now() + 2 * farewell;
+    while (!is_interrupted() && std::chrono::steady_clock::now() < limit) {
+        const auto message = ranks.receive();
+        if (message && kind_of(message->bytes) == MessageKind::all_gone) return;
+        if (message && kind_of(message->bytes) == MessageKind::some_lost) break;
+        std::this_thread::sleep_for(glance);
+    }
+    ranks.lose();
+}
+
 /// Tells rank 0 why this rank can't work, and waits for its end.
 void refuse_to_serve(Ranks& ranks, const std::string& why) {
     constexpr std::size_t longest = 1000;
     ranks.send(0, message_of(MessageKind::refused, why.substr(0, longest)));
     while (!is_interrupted()) {
         if (const auto message = ranks.receive(); message && kind_of(message->bytes) == MessageKind::end)
-            return ranks.send(0, message_of(MessageKind::gone));
+            return take_leave(ranks);
         std::this_thread::sleep_for(glance);
     }
 }
@@ -62,7 +75,7 @@ void serve(Ranks& ranks, int threads, const NamedWork& work) {
         }
         if (!some.empty()) say(message_of(some));
         while (const auto message = ranks.receive()) {
-            if (kind_of(message->bytes) == MessageKind::end) return ranks.send(0, message_of(MessageKind::gone));
+            if (kind_of(message->bytes) == MessageKind::end) return take_leave(ranks);
             workers.add(pieces_in(message->bytes));
             asked = false;
         }
@@ -100,7 +113,10 @@ HandOut::~HandOut() {
         std::this_thread::sleep_for(glance);
     }
     const auto went = [](const Other& other) { return other.has_gone; };
-    if (!std::all_of(others_.begin() + 1, others_.end(), went)) ranks_.lose();
+    const bool all_went = std::all_of(others_.begin() + 1, others_.end(), went);
+    for (int to = 1; to < ranks_.count(); ++to)
+        ranks_.send(to, message_of(all_went ? MessageKind::all_gone : MessageKind::some_lost));
+    if (!all_went) ranks_.lose();
 }
 
 /// The next pieces: few when few are left, so that all ranks end together, but as many as go together while there are
@@ -156,6 +172,8 @@ void HandOut::read(const Message& message, std::string_view name) {
         case MessageKind::work:
         case MessageKind::end:
         case MessageKind::gone:
+        case MessageKind::all_gone:
+        case MessageKind::some_lost:
             break;
     }
 }

@@ -19,7 +19,9 @@ enum class MessageKind : unsigned char {
     refused,     ///< to rank 0: why that rank can't work
     work,        ///< from rank 0: numbers of pieces
     end,         ///< from rank 0
-    gone         ///< to rank 0, the last: its answer to the end
+    gone,        ///< to rank 0, the last: its answer to the end
+    all_gone,    ///< from rank 0, the last: every rank has answered, so that all can leave MPI together
+    some_lost    ///< from rank 0, the last: one has not, and MPI_Finalize would wait for it
 };
 
 std::vector<std::byte> message_of(MessageKind kind, std::string_view words = {});

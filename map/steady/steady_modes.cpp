@@ -95,8 +95,8 @@ void search_sticking(Search& search) {
 template <class SpinAt>
 void search_line(Search& search, double chi, bool slides, const SpinAt& spin_at) {
     for (const SteadyBranch branch : {SteadyBranch::plus, SteadyBranch::minus}) {
-        const bool is_minus = branch == SteadyBranch::minus;
-        if (is_minus && (search.scene.beta == 0 || search.options.attracting)) continue;  // the same; none attracts
+        const bool only_repels = search.options.attracting && !slides;
+        if (branch == SteadyBranch::minus && (search.scene.beta == 0 || only_repels)) continue;  // at β = 0 the same
         if (!(geometry_at(search.scene, branch, chi).radius > 0)) continue;
         // The line begins at j = 0, τ = 0, where the impact vanishes; roots of j = 0 near it (e → 1) need closer looks.
         const double longest = search.options.longest_flight, shorter = std::min(short_flight, longest);
@@ -190,7 +190,7 @@ void keep_earliest(Search& search) {
 void find_points(const Scene<double>& scene, const SteadyOptions& options, SteadyModes& result) {
     Search search{scene, options, {}, options.longest_flight};
     search_sticking(search);
-    if (!options.attracting) search_sliding(search);
+    search_sliding(search);
     if (scene.restitution == 1)  // χ = 0: the law holds for every Q
         search_line(search, 0, false,
                     [&](const SteadyGeometry<double>& at, double tau) { return sticking_spin(scene, at, tau); });

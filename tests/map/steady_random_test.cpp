@@ -178,6 +178,15 @@ bool attracts(const SteadyMode& mode) {
     return std::abs(mode.multipliers.front()) < 1 - 1e-6;
 }
 
+std::vector<SteadyMode> found_quickly(const Scene<double>& scene) {
+    SteadyOptions quick;
+    quick.longest_flight = longest_attracting_flight;
+    quick.attracting = true;
+    std::vector<SteadyMode> found = steady_modes(scene, quick).modes;
+    std::erase_if(found, [](const SteadyMode& mode) { return !attracts(mode); });
+    return found;
+}
+
 /// The quick search finds what attracts, and nothing that the whole one does not.
 void compare_attracting(long scenes, std::uint64_t seed) {
     Draw draw{std::mt19937_64(seed)};
@@ -185,12 +194,9 @@ void compare_attracting(long scenes, std::uint64_t seed) {
     double longest = 0;
     for (long i = 0; i < scenes; ++i) {
         const Scene<double> scene = random_scene(draw, i);
-        SteadyOptions quick;
-        quick.longest_flight = longest_attracting_flight;
-        quick.attracting = true;
-        std::vector<SteadyMode> all = steady_modes(scene).modes, some = steady_modes(scene, quick).modes;
+        std::vector<SteadyMode> all = steady_modes(scene).modes;
         std::erase_if(all, [](const SteadyMode& mode) { return !attracts(mode); });
-        std::erase_if(some, [](const SteadyMode& mode) { return !attracts(mode); });
+        const std::vector<SteadyMode> some = found_quickly(scene);
         const auto has = [](const std::vector<SteadyMode>& modes, const SteadyMode& one) {
             return std::any_of(modes.begin(), modes.end(), [&](const SteadyMode& mode) {
                 return mode.branch == one.branch && mode.j == one.j && std::fabs(mode.tau - one.tau) < 1e-9;
@@ -216,18 +222,27 @@ void compare_attracting(long scenes, std::uint64_t seed) {
 TEST(SteadyAttracting, TheQuickSearchFindsThem) {
     compare_attracting(tests::sample_count(40), 11);
 }
+
 /// At small e a few attract on the − branch: a triangle's fixed point of S = −0.354871936, multiplier 0.679.
 TEST(SteadyAttracting, TheQuickSearchFindsOneOnTheMinusBranch) {
-    const Scene<double> scene{3, 0.6425, 0.1945, 0.2279, 0.01, Law::poisson, uniform_inertia_factor<double>(3)};
-    SteadyOptions quick;
-    quick.longest_flight = longest_attracting_flight;
-    quick.attracting = true;
-    std::vector<SteadyMode> found = steady_modes(scene, quick).modes;
-    std::erase_if(found, [](const SteadyMode& mode) { return !attracts(mode); });
+    const auto found =
+        found_quickly({3, 0.6425, 0.1945, 0.2279, 0.01, Law::poisson, uniform_inertia_factor<double>(3)});
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found.front().branch, SteadyBranch::minus);
     EXPECT_NEAR(found.front().point.spin, -0.35487193612986, 1e-12);
 }
+
+/// Two in 1,400 slide: one vertex on, τ = 3.3493, with |tan χ| = μ; beside one that sticks.
+TEST(SteadyAttracting, TheQuickSearchFindsOneThatSlides) {
+    const double mu = 0.1617515627;
+    const auto found = found_quickly(
+        {3, 0.8090463513, 0.1745154876, mu, 0.0822257955, Law::newton, uniform_inertia_factor<double>(3)});
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_LT(std::abs(std::tan(found[0].chi)), 0.99 * mu);
+    EXPECT_NEAR(std::abs(std::tan(found[1].chi)), mu, 1e-12);
+    EXPECT_NEAR(found[1].point.spin, 1 - 2 * pi<double>() / (3 * found[1].tau), 1e-12);
+}
+
 TEST(SteadyAttractingNightly, TheQuickSearchFindsThemInFiveThousandScenes) {
     compare_attracting(5000, 12);
 }

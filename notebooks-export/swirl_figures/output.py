@@ -5,7 +5,7 @@ import os
 import stat
 from pathlib import Path
 
-from .style import styled
+from .style import DOTS_PER_INCH, styled
 
 #: What a figure says of its origin: `swirl plot` replaces such a file without being told to.
 MARK = "drawn by swirl plot"
@@ -14,11 +14,24 @@ SUFFIXES = {".png": {"Software": MARK}, ".svg": {"Date": None, "Creator": MARK},
             ".pdf": {"CreationDate": None, "Creator": MARK}}
 
 
+#: Bytes of a vector file that programs open at once; where the images in it make it larger, they get fewer dots an inch.
+LARGEST = 5_000_000
+FEWER_DOTS = (DOTS_PER_INCH, 110, 80)
+
+
 @styled
-def _bytes_of(figure, suffix):
+def _bytes_at(figure, suffix, dots_per_inch):
     content = io.BytesIO()
-    figure.savefig(content, format=suffix[1:], metadata=SUFFIXES[suffix])
+    figure.savefig(content, format=suffix[1:], metadata=SUFFIXES[suffix], dpi=dots_per_inch)
     return content.getvalue()
+
+
+def _bytes_of(figure, suffix):
+    for dots_per_inch in FEWER_DOTS:
+        content = _bytes_at(figure, suffix, dots_per_inch)
+        if suffix == ".png" or len(content) < LARGEST:
+            break
+    return content
 
 
 def _take_permissions(partial, path):

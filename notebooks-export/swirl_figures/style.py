@@ -15,6 +15,9 @@ CYCLE = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK, "#7A5C00", "#332288
 
 MODE_COLOURS = {"steady": BLUE, "quasi-steady": YELLOW, "chaotic": VERMILION, "undecided": "#BDBDBD"}
 
+#: Of pixels, also of images within vector files.
+DOTS_PER_INCH = 160
+
 #: What tells time; it reads in grey, and without its palest end on white.
 TIMES = LinearSegmentedColormap.from_list("times", matplotlib.colormaps["cividis_r"](range(30, 256)))
 
@@ -66,7 +69,7 @@ def settings(font_size):
         "axes.linewidth": 0.7,
         "mathtext.fontset": "dejavusans",
         "legend.frameon": False,
-        "savefig.dpi": 160,
+        "savefig.dpi": DOTS_PER_INCH,
         "figure.dpi": 100,
         "pdf.fonttype": 42,
         "svg.hashsalt": "swirl",  # equal records give equal files

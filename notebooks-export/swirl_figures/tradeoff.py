@@ -12,6 +12,9 @@ from .symbols import MEAN_SPIN, scene_title
 #: Inches of width in which the panels of evidence and model stand beside that of the arithmetic; in less, below it.
 _BESIDE = 8.0
 
+#: Inches of width in which the legend below the arithmetic's panel has two columns; in less, one.
+_TWO_COLUMNS = 5.4
+
 
 def _time(seconds):
     """231 ns, 62 µs."""
@@ -66,7 +69,7 @@ def _list_marks(axes, record, knee, compact):
     if knee:
         handles.append(Line2D([], [], marker="o", ls="", ms=10, mfc="none", mec="0.15", mew=1.2,
                               label=_knee_in_words(record, compact)))
-    below = {"loc": "upper center", "bbox_to_anchor": (0.45, -0.2), "ncols": 1 if is_narrow(axes.figure) else 2}
+    below = {"loc": "upper center", "bbox_to_anchor": (0.45, -0.2), "ncols": 2 if width_of(axes.figure) > _TWO_COLUMNS else 1}
     axes.legend(handles=handles, **(below if compact else {"loc": "upper left"}))
 
 

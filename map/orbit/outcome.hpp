@@ -9,7 +9,7 @@ enum class Outcome {
     completed,    ///< everything that was asked for
     no_contact,   ///< the body never meets the wall (again): proven
     in_contact,   ///< the body stays in contact: no impact for the time `contact_horizon`
-    contact_cut,  ///< in contact when it was given up, before `contact_horizon`: a motion of more than a million steps
+    contact_cut,  ///< in contact when it was given up, before `contact_horizon`: a motion of more than 10⁵ steps
     resting,      ///< e = 1, a disk or no friction: starts on the wall without normal velocity and is held there;
                   ///< β = 0: the motion has decayed to rest
     diverged,     ///< faster than 1e75: Newton's law with friction can create energy at every impact

@@ -28,6 +28,10 @@ Tally follow(const Scene<double>& scene, const LabStart<double>& start, double u
             for (const ContactSegment& segment : orbit.contacts()) tally.steps += segment.steps;
             if (!went_on) {
                 tally.outcome = orbit.outcome();
+                // A contact that outlasts the horizon of orbits, but is not followed to this one, is in contact, too.
+                const auto& contacts = orbit.contacts();
+                const bool outlasts = !contacts.empty() && contacts.back().end >= contact_horizon;
+                if (tally.outcome == Outcome::contact_cut && outlasts) tally.outcome = Outcome::in_contact;
                 if (tally.outcome == Outcome::in_contact) tally.time = until;
                 break;
             }

@@ -31,11 +31,12 @@ constexpr std::size_t most_bytes_at_once = std::size_t{1} << 20;
 void take_leave(Ranks& ranks) {
     ranks.send(0, message_of(MessageKind::gone));
     const auto limit = std::chrono::steady_clock::now() + 2 * farewell;
-    while (!is_interrupted() && std::chrono::steady_clock::now() < limit) {
+    while (!is_interrupted()) {
+        const bool too_late = std::chrono::steady_clock::now() >= limit;  // a suspended process looks once more
         const auto message = ranks.receive();
         if (message && kind_of(message->bytes) == MessageKind::all_gone) return;
-        if (message && kind_of(message->bytes) == MessageKind::some_lost) break;
-        std::this_thread::sleep_for(glance);
+        if (message ? kind_of(message->bytes) == MessageKind::some_lost : too_late) break;
+        if (!message) std::this_thread::sleep_for(glance);
     }
     ranks.lose();
 }

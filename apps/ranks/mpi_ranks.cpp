@@ -58,7 +58,8 @@ Ranks::~Ranks() {
     if (count_ == 1 || is_interrupted()) return;
     // What is on its way to a rank that is gone may never arrive.
     const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-    while (!sendings().empty() && (!lost_ || std::chrono::steady_clock::now() < limit)) forget_what_is_sent();
+    while (!sendings().empty() && !is_interrupted() && (!lost_ || std::chrono::steady_clock::now() < limit))
+        forget_what_is_sent();
     if (!lost_) MPI_Finalize();
 }
 

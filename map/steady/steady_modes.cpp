@@ -52,6 +52,7 @@ struct Grid {
 constexpr Grid fine{200, 64}, coarse{10, 16};
 constexpr double shortest_flight_time = 1e-7;  // u_n ≈ Rτ/2 is below `least_speed` for R < 20
 constexpr double short_flight = 0.01;
+constexpr std::size_t most_sliding = 10'000;  // where only those that attract are sought: few of them do
 
 /// A solution of both equations.
 struct Candidate {
@@ -64,9 +65,17 @@ struct Candidate {
 struct Search {
     const Scene<double>& scene;
     const SteadyOptions& options;
-    std::vector<Candidate> candidates;
+    std::size_t most;  ///< candidates
     double complete_to;
+    std::vector<Candidate> candidates{};
 };
+
+/// The contact slips throughout: u_t keeps the side that friction was given, sign χ.
+bool keeps_slipping(const Scene<double>& scene, const Candidate& c) {
+    const SteadyGeometry<double> at = geometry_at(scene, c.branch, c.chi);
+    const double lag = spin_of(scene, c.tau, c.j) - sticking_spin(scene, at, c.tau);  // u_t = α cos χ (S − S_sticking)
+    return c.chi > 0 ? lag >= 0 : lag <= 0;
+}
 
 /// One curve: χ(τ) and S(τ, χ) on an interval of τ.
 template <class ChiAt, class SpinAt>
@@ -77,9 +86,12 @@ void search_curve(Search& search, SteadyBranch branch, Interval interval, bool s
     };
     const Grid& grid = search.options.attracting ? coarse : fine;
     const int cells = grid.least + static_cast<int>(grid.per_time * (interval.to - interval.from));
-    const WholeNumbers whole = whole_numbers(j_at, interval.from, interval.to, cells, search.options.most);
+    const WholeNumbers whole = whole_numbers(j_at, interval.from, interval.to, cells, search.most);
     if (whole.complete_to < interval.to) search.complete_to = std::min(search.complete_to, whole.complete_to);
-    for (const auto& [tau, j] : whole.found) search.candidates.push_back({branch, j, tau, chi_of(tau), slides});
+    for (const auto& [tau, j] : whole.found) {
+        const Candidate candidate{branch, j, tau, chi_of(tau), slides};
+        if (!slides || keeps_slipping(search.scene, candidate)) search.candidates.push_back(candidate);
+    }
 }
 
 void search_sticking(Search& search) {
@@ -138,13 +150,6 @@ void polish(const Scene<double>& scene, Candidate& candidate) {
         candidate.tau = tau, candidate.chi = chi;
 }
 
-/// The contact slips throughout: u_t keeps the side that friction was given, sign χ.
-bool keeps_slipping(const Scene<double>& scene, const Candidate& c) {
-    const SteadyGeometry<double> at = geometry_at(scene, c.branch, c.chi);
-    const double lag = spin_of(scene, c.tau, c.j) - sticking_spin(scene, at, c.tau);  // u_t = α cos χ (S − S_sticking)
-    return c.chi > 0 ? lag >= 0 : lag <= 0;
-}
-
 bool is_same(const SteadyMode& a, const SteadyMode& b) {
     constexpr double apart = 1e-9;
     return a.branch == b.branch && a.j == b.j && std::fabs(a.tau - b.tau) <= apart * a.tau &&
@@ -162,7 +167,6 @@ SectionPoint<double> leaving(const Body<double>& body, SectionPoint<double> z) {
 void verify(const Search& search, SteadyModes& result) {
     const MapOfScene map = map_of(search.scene);
     for (Candidate candidate : search.candidates) {
-        if (candidate.slides && !keeps_slipping(search.scene, candidate)) continue;
         if (!candidate.slides && candidate.chi != 0) polish(search.scene, candidate);
         const auto& [branch, j, tau, chi, slides] = candidate;
         const SectionPoint<double> z = section_point_of(search.scene, branch, tau, chi, spin_of(search.scene, tau, j));
@@ -179,22 +183,29 @@ void verify(const Search& search, SteadyModes& result) {
 void keep_earliest(Search& search) {
     auto& all = search.candidates;
     std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.tau < b.tau; });
-    if (all.size() > search.options.most) {
-        const double last = all[search.options.most - 1].tau, next = all[search.options.most].tau;
+    if (all.size() > search.most) {
+        const double last = all[search.most - 1].tau, next = all[search.most].tau;
         search.complete_to = std::min(search.complete_to, 0.5 * (last + next));  // their last digits are still to come
-        all.resize(search.options.most);
+        all.resize(search.most);
     }
     while (!all.empty() && all.back().tau > search.complete_to) all.pop_back();
 }
 
 void find_points(const Scene<double>& scene, const SteadyOptions& options, SteadyModes& result) {
-    Search search{scene, options, {}, options.longest_flight};
+    Search search{scene, options, options.most, options.longest_flight};
     search_sticking(search);
-    search_sliding(search);
+    if (!options.attracting) search_sliding(search);
     if (scene.restitution == 1)  // χ = 0: the law holds for every Q
         search_line(search, 0, false,
                     [&](const SteadyGeometry<double>& at, double tau) { return sticking_spin(scene, at, tau); });
     keep_earliest(search);
+    if (options.attracting) {  // of many sides thousands slide, which must not crowd out those that stick
+        Search sliding{scene, options, std::min(options.most, most_sliding), options.longest_flight};
+        search_sliding(sliding);
+        keep_earliest(sliding);
+        search.candidates.insert(search.candidates.end(), sliding.candidates.begin(), sliding.candidates.end());
+        search.complete_to = std::min(search.complete_to, sliding.complete_to);
+    }
     result.candidates = search.candidates.size();
     result.complete_to = search.complete_to;
     verify(search, result);

@@ -4,8 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace swirl::tests {
+
+namespace {
+
+/// A contact that outlasts the horizon of orbits, but takes too many series to be followed to a later one, is in
+/// contact, too; one whose pieces become ever shorter is not.
+bool lasts(const std::vector<ContactSegment>& contacts) {
+    if (contacts.empty()) return false;
+    const double end = contacts.back().end;
+    return end >= contact_horizon && static_cast<double>(contacts.size()) <= 10 * end;
+}
+
+}  // namespace
 
 Tally follow(const Scene<double>& scene, const LabStart<double>& start, double until, long most, bool looks) {
     return with_collision_map(scene, [&](const auto& map) {
@@ -28,10 +41,8 @@ Tally follow(const Scene<double>& scene, const LabStart<double>& start, double u
             for (const ContactSegment& segment : orbit.contacts()) tally.steps += segment.steps;
             if (!went_on) {
                 tally.outcome = orbit.outcome();
-                // A contact that outlasts the horizon of orbits, but is not followed to this one, is in contact, too.
-                const auto& contacts = orbit.contacts();
-                const bool outlasts = !contacts.empty() && contacts.back().end >= contact_horizon;
-                if (tally.outcome == Outcome::contact_cut && outlasts) tally.outcome = Outcome::in_contact;
+                if (tally.outcome == Outcome::contact_cut && lasts(orbit.contacts()))
+                    tally.outcome = Outcome::in_contact;
                 if (tally.outcome == Outcome::in_contact) tally.time = until;
                 break;
             }

@@ -70,13 +70,6 @@ struct Search {
     std::vector<Candidate> candidates{};
 };
 
-/// The contact slips throughout: u_t keeps the side that friction was given, sign χ.
-bool keeps_slipping(const Scene<double>& scene, const Candidate& c) {
-    const SteadyGeometry<double> at = geometry_at(scene, c.branch, c.chi);
-    const double lag = spin_of(scene, c.tau, c.j) - sticking_spin(scene, at, c.tau);  // u_t = α cos χ (S − S_sticking)
-    return c.chi > 0 ? lag >= 0 : lag <= 0;
-}
-
 /// One curve: χ(τ) and S(τ, χ) on an interval of τ.
 template <class ChiAt, class SpinAt>
 void search_curve(Search& search, SteadyBranch branch, Interval interval, bool slides, const ChiAt& chi_of,
@@ -88,10 +81,7 @@ void search_curve(Search& search, SteadyBranch branch, Interval interval, bool s
     const int cells = grid.least + static_cast<int>(grid.per_time * (interval.to - interval.from));
     const WholeNumbers whole = whole_numbers(j_at, interval.from, interval.to, cells, search.most);
     if (whole.complete_to < interval.to) search.complete_to = std::min(search.complete_to, whole.complete_to);
-    for (const auto& [tau, j] : whole.found) {
-        const Candidate candidate{branch, j, tau, chi_of(tau), slides};
-        if (!slides || keeps_slipping(search.scene, candidate)) search.candidates.push_back(candidate);
-    }
+    for (const auto& [tau, j] : whole.found) search.candidates.push_back({branch, j, tau, chi_of(tau), slides});
 }
 
 void search_sticking(Search& search) {
@@ -150,6 +140,13 @@ void polish(const Scene<double>& scene, Candidate& candidate) {
         candidate.tau = tau, candidate.chi = chi;
 }
 
+/// The contact slips throughout: u_t keeps the side that friction was given, sign χ.
+bool keeps_slipping(const Scene<double>& scene, const Candidate& c) {
+    const SteadyGeometry<double> at = geometry_at(scene, c.branch, c.chi);
+    const double lag = spin_of(scene, c.tau, c.j) - sticking_spin(scene, at, c.tau);  // u_t = α cos χ (S − S_sticking)
+    return c.chi > 0 ? lag >= 0 : lag <= 0;
+}
+
 bool is_same(const SteadyMode& a, const SteadyMode& b) {
     constexpr double apart = 1e-9;
     return a.branch == b.branch && a.j == b.j && std::fabs(a.tau - b.tau) <= apart * a.tau &&
@@ -167,6 +164,7 @@ SectionPoint<double> leaving(const Body<double>& body, SectionPoint<double> z) {
 void verify(const Search& search, SteadyModes& result) {
     const MapOfScene map = map_of(search.scene);
     for (Candidate candidate : search.candidates) {
+        if (candidate.slides && !keeps_slipping(search.scene, candidate)) continue;
         if (!candidate.slides && candidate.chi != 0) polish(search.scene, candidate);
         const auto& [branch, j, tau, chi, slides] = candidate;
         const SectionPoint<double> z = section_point_of(search.scene, branch, tau, chi, spin_of(search.scene, tau, j));

@@ -33,10 +33,14 @@ void take_leave(Ranks& ranks) {
     const auto limit = std::chrono::steady_clock::now() + 2 * farewell;
     while (!is_interrupted()) {
         const bool too_late = std::chrono::steady_clock::now() >= limit;  // a suspended process looks once more
-        const auto message = ranks.receive();
-        if (message && kind_of(message->bytes) == MessageKind::all_gone) return;
-        if (message ? kind_of(message->bytes) == MessageKind::some_lost : too_late) break;
-        if (!message) std::this_thread::sleep_for(glance);
+        if (const auto message = ranks.receive()) {
+            if (kind_of(message->bytes) == MessageKind::all_gone) return;
+            if (kind_of(message->bytes) == MessageKind::some_lost) break;
+        } else if (too_late) {
+            break;
+        } else {
+            std::this_thread::sleep_for(glance);
+        }
     }
     ranks.lose();
 }

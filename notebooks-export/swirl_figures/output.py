@@ -14,9 +14,9 @@ SUFFIXES = {".png": {"Software": MARK}, ".svg": {"Date": None, "Creator": MARK},
             ".pdf": {"CreationDate": None, "Creator": MARK}}
 
 
-#: Bytes of a vector file that programs open at once. Where the images in it make it larger, they get fewer dots an inch:
-#: half and a quarter of the bytes.
+#: Bytes of a vector file that programs open at once.
 LARGEST = 5_000_000
+#: Dots an inch where the images in it make it larger: half, then a quarter as many in an area.
 FEWER_DOTS = (110, 80)
 
 

@@ -243,7 +243,7 @@ TEST(SteadyAttracting, TheQuickSearchFindsOneThatSlides) {
     EXPECT_NEAR(found[1].point.spin, 1 - 2 * pi<double>() / (3 * found[1].tau), 1e-12);
 }
 
-/// Of 30,000 sides a hundred thousand solutions slide before the first τ that sticks.
+/// With 30,000 sides so many solutions slide that none of these was left where all were counted together.
 TEST(SteadyAttracting, TheQuickSearchFindsThemBesideThoseThatSlide) {
     const auto found =
         found_quickly({30'000, 0.1, 0.5, 4e-5, 0.9999, Law::poisson, uniform_inertia_factor<double>(30'000)});

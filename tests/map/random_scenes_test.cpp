@@ -113,6 +113,7 @@ std::string in_words(const RandomScene& c) {
 template <class Cost>
 std::vector<double> costs_of(const std::vector<RandomScene>& cases, const Cost& cost) {
     std::vector<double> costs;
+    costs.reserve(cases.size());
     for (const auto& c : cases) costs.push_back(c.per_event(cost(c)));
     return costs;
 }

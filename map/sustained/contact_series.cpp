@@ -1,7 +1,9 @@
 #include "map/sustained/contact_series.hpp"
 
 #include "map/map_list.hpp"
+#include "map/numbers/exact_sum.hpp"
 #include "map/sustained/contact_jets.hpp"
+#include "map/sustained/series_product.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,56 +32,30 @@ constexpr Inverses<T> inverses() {
 template <class T>
 const Inverses<T> per = inverses<T>();
 
-/// Σ a[i] b[k − i] for i from 0 to k: in four sums, as each addition waits for the one before it, and the newest
-/// coefficients, a[k] and b[k], last.
-template <class T>
-T product(const Series<T>& a, const Series<T>& b, int k) {
-    if (k == 0) return a[0] * b[0];
-    T s0(0), s1(0), s2(0), s3(0);
-    int i = 1;
-    for (; i + 3 < k; i += 4) {
-        s0 += a[i] * b[k - i];
-        s1 += a[i + 1] * b[k - i - 1];
-        s2 += a[i + 2] * b[k - i - 2];
-        s3 += a[i + 3] * b[k - i - 3];
-    }
-    if (i < k) s0 += a[i] * b[k - i];
-    if (i + 1 < k) s1 += a[i + 1] * b[k - i - 1];
-    if (i + 2 < k) s2 += a[i + 2] * b[k - i - 2];
-    return ((s0 + s1) + (s2 + s3)) + (a[0] * b[k] + a[k] * b[0]);
-}
-
-/// The k-th coefficient of a square.
-template <class T>
-T square(const Series<T>& a, int k) {
-    T s0(0), s1(0);
-    int i = 0;
-    for (; 2 * i + 2 < k; i += 2) {
-        s0 += a[i] * a[k - i];
-        s1 += a[i + 1] * a[k - i - 1];
-    }
-    if (2 * i < k) s0 += a[i] * a[k - i];
-    const T twice = T(2) * (s0 + s1);
-    return k % 2 == 0 ? T(twice + a[k / 2] * a[k / 2]) : twice;
-}
-
-/// Sine and cosine of a series: s′ = cθ′, c′ = −sθ′.
+/// Sine and cosine of a series, times a size: s′ = cθ′, c′ = −sθ′.
 template <class T>
 struct Turn {
-    Series<T> sine{}, cosine{};
-    Series<T> rate{};  ///< (k + 1) θₖ₊₁
+    TwoSeries<T> both{};  ///< (s, c)
+    Series<T> rate{};     ///< (k + 1) θₖ₊₁
+
+    T sine(int k) const { return both[k][0]; }
+    T cosine(int k) const { return both[k][1]; }
 
     /// `rest` is the rounding error of the angle: after many turns it exceeds the rounding of its sine.
-    void begin(const T& angle, const T& rest = T(0)) {
+    void begin(const T& size, const T& angle, const T& rest = T(0)) {
         const T s = sin(angle), c = cos(angle);
-        sine[0] = s + rest * c;
-        cosine[0] = c - rest * s;
+        both[0] = size * Two<T>(s + rest * c, c - rest * s);
     }
-    void extend(const Series<T>& angle, int k) {
+    /// θₖ is known.
+    void extend(const T& angle, int k) {
         if (k == 0) return;
-        rate[k - 1] = Plain<T>(k) * angle[k];
-        sine[k] = product<T>(rate, cosine, k - 1) * per<T>[k];
-        cosine[k] = -product<T>(rate, sine, k - 1) * per<T>[k];
+        rate[k - 1] = Plain<T>(k) * angle;
+        const Two<T> by_rate = product(rate, both, k - 1);
+        both[k] = Two<T>(by_rate[1] * per<T>[k], -by_rate[0] * per<T>[k]);
+    }
+    /// θ′ = −1.
+    void extend_steadily(int k) {
+        if (k > 0) both[k] = Two<T>(-cosine(k - 1) * per<T>[k], sine(k - 1) * per<T>[k]);
     }
 };
 
@@ -88,91 +64,128 @@ struct Builder {
     const ContactScene<T>& scene;
     ContactMotion motion;
     ContactSeries<T>& z;
-    Turn<T> psi{}, chi{};
-    Series<T> spin2{}, rate{}, other{}, spin_rate{};
+    Turn<T> swirl{};   ///< β(sin ψ, cos ψ) = (−w_t, w_n)
+    Turn<T> r{};       ///< α(sin χ, cos χ) = (r_t, r_n)
+    Turn<T> torque{};  ///< of a vertex that sticks: its sine is S′
+    Series<T> spin2{}, rate{}, tangential{}, lever{}, spin_rate{};
+    TwoSeries<T> rates{}, pushed{};
+    T per_stiffness_now{};
 
     const Body<T>& body = scene.body;
     const bool sticks = motion == ContactMotion::sticking;
     const T smu = sticks ? T(0) : T(scene.mu * Plain<T>(sign_of(motion)));
     const T kappa = scene.inertia_factor();
     const T rolling = -kappa / (T(1) + kappa), grip = T(1) + T(1) / kappa;  // of a disk: f/w_t, and u_t′ by f
-    const T beta = body.beta, alpha = body.alpha;
+    const T alpha = body.alpha, by_force = alpha * body.per_inertia;
     // Of an edge: the directions of its contacts from its middle, and about the container's centre its inertia, the
     // centre's share of what leans on it, Λ's factor and how friction divides between the two λ.
     const T c = cos(scene.half_chord), per_s = T(1) / sin(scene.half_chord), d = body.outer;
     const T per_inertia = T(1) / (body.inertia + d * d), lean_share = body.inertia * per_inertia;
     const T uneven = c - d * per_inertia, per_stiffness = T(1) / (c + smu * smu * uneven);
 
+    void begin(Support support, const ContactState<T>& start, const T& psi_rest) {
+        const T& beta = body.beta;
+        swirl.begin(beta, support == Support::edge ? T(start.psi + scene.half_chord) : start.psi, psi_rest);
+        if (support != Support::vertex) return;
+        r.begin(alpha, start.chi);
+        if (!sticks) return;
+        const ExactSum<T> sum = exact_sum(start.psi, start.chi);
+        torque.begin(alpha * beta / (body.inertia + alpha * alpha), sum.sum, T(sum.rest + psi_rest));
+    }
+
     /// Orders k of the rates are known: the next of what they are the rates of.
-    void integrate(int k, const T& psi_rate, const T& chi_rate, const T& ut_rate) {
+    ///   slip_power  of f u_t
+    void integrate(int k, const T& psi_rate, const T& chi_rate, const T& ut_rate, const T& slip_power) {
         const Plain<T> next = per<T>[k + 1];
         z.psi[k + 1] = next * (psi_rate - T(k == 0 ? 1 : 0));
         z.chi[k + 1] = next * chi_rate;
         z.ut[k + 1] = next * ut_rate;
         z.spin[k + 1] = next * spin_rate[k];
         z.turned[k + 1] = next * z.spin[k];
-        if (scene.mu == T(0)) return;
-        // A slip of zero is zero in every order.
-        const T slip_power = sticks ? T(0) : product<T>(z.friction, z.ut, k);
         z.work[k + 1] = next * (slip_power - z.friction[k]);
     }
 
+    /// A slip of zero is zero in every order.
+    T slip_power(int k) const { return sticks || scene.mu == T(0) ? T(0) : product(z.friction, z.ut, k); }
+
     void rim(int k) {
-        psi.extend(z.psi, k);
-        const T wn = beta * psi.cosine[k], wt = -beta * psi.sine[k];
+        swirl.extend(z.psi[k], k);
+        const T wn = swirl.cosine(k), wt = -swirl.sine(k);
         rate[k] = (z.ut[k] - alpha * z.spin[k]) * body.per_inner;
-        z.normal[k] = wn + body.inner * square<T>(rate, k);
+        z.normal[k] = wn + body.inner * square(rate, k);
         z.friction[k] = sticks ? T(rolling * wt) : T(-smu * z.normal[k]);
-        spin_rate[k] = alpha * body.per_inertia * z.friction[k];
-        integrate(k, rate[k], T(0), sticks ? T(0) : T(wt + z.friction[k] * grip));
+        spin_rate[k] = by_force * z.friction[k];
+        integrate(k, rate[k], T(0), sticks ? T(0) : T(wt + z.friction[k] * grip), slip_power(k));
     }
 
-    void vertex(int k) {
-        psi.extend(z.psi, k);
-        chi.extend(z.chi, k);
-        const T wn = beta * psi.cosine[k], wt = -beta * psi.sine[k];
-        spin2[k] = square<T>(z.spin, k);
-        const T inward = alpha * product<T>(spin2, chi.cosine, k), along = alpha * product<T>(spin2, chi.sine, k);
-        if (sticks) {
-            // Its own turn alone: r_t w_n − r_n w_t, both of them products of series.
-            const T torque = alpha * beta * (product<T>(chi.sine, psi.cosine, k) + product<T>(chi.cosine, psi.sine, k));
-            spin_rate[k] = torque / (body.inertia + alpha * alpha);
-            z.normal[k] = wn - alpha * product<T>(spin_rate, chi.sine, k) - inward;
-            z.friction[k] = -wt - alpha * product<T>(spin_rate, chi.cosine, k) + along;
-            return integrate(k, T(0), z.spin[k], T(0));
-        }
-        // S′ = αλ (sin χ − sμ cos χ)/I and B₂ − sμB₃ = 1 + (α²/I) sin χ (sin χ − sμ cos χ).
-        other[k] = chi.sine[k] - smu * chi.cosine[k];
-        z.stiffness[k] = T(k == 0 ? 1 : 0) + alpha * alpha * body.per_inertia * product<T>(chi.sine, other, k);
-        T balance = wn + square<T>(z.ut, k) - inward;
-        z.normal[k] = T(0);
-        balance -= product<T>(z.stiffness, z.normal, k);
-        z.normal[k] = balance / z.stiffness[0];
+    /// Its own turn alone: S′ = αβ sin(ψ + χ)/(I + α²).
+    void vertex_that_sticks(int k) {
+        swirl.extend_steadily(k);
+        r.extend(z.chi[k], k);
+        torque.extend(T(z.psi[k] + z.chi[k]), k);
+        spin2[k] = square(z.spin, k);
+        spin_rate[k] = torque.sine(k);
+        const Two<T> inwards = product(spin2, r.both, k), along = product(spin_rate, r.both, k);
+        z.normal[k] = swirl.cosine(k) - (along[0] + inwards[1]);
+        z.friction[k] = swirl.sine(k) - (along[1] - inwards[0]);
+        integrate(k, T(0), z.spin[k], T(0), T(0));
+    }
+
+    /// With the lever r_t − sμr_n: S′ = λ lever/I, λ + S′r_t = w_n + u_t² − S²r_n and B₂ − sμB₃ = 1 + r_t lever/I. The
+    /// products with λ and S′ want their own k-th coefficients last.
+    void vertex_that_slides(int k) {
+        swirl.extend(z.psi[k], k);
+        r.extend(z.chi[k], k);
+        tangential[k] = r.sine(k);
+        lever[k] = r.sine(k) - smu * r.cosine(k);
+        rates[k] = Two<T>(z.spin[k], z.ut[k]);
+        pushed[k] = Two<T>(lever[k], z.ut[k]);
+        const Two<T> squares = square(rates, k);
+        spin2[k] = squares[0];
+        z.stiffness[k] = T(k == 0 ? 1 : 0) + body.per_inertia * product(tangential, lever, k);
+        if (k == 0) per_stiffness_now = T(1) / z.stiffness[0];
+        const Two<T> inwards = product(spin2, r.both, k), along = product(spin_rate, r.both, k);
+        const Two<T> by_normal = product(z.normal, pushed, k);
+        const T pull = swirl.cosine(k) + squares[1] - inwards[1] - along[0];
+        z.normal[k] = (pull - (body.per_inertia * tangential[0]) * by_normal[0]) * per_stiffness_now;
         z.friction[k] = -smu * z.normal[k];
-        spin_rate[k] = alpha * body.per_inertia * product<T>(z.normal, other, k);
-        integrate(k, z.ut[k], z.spin[k] - z.ut[k],
-                  wt + z.friction[k] + alpha * product<T>(spin_rate, chi.cosine, k) - along);
+        spin_rate[k] = body.per_inertia * (by_normal[0] + z.normal[k] * lever[0]);
+        const T ut_rate = (along[1] - swirl.sine(k) - inwards[0]) + (z.friction[k] + spin_rate[k] * r.cosine(0));
+        const T power = scene.mu == T(0) ? T(0) : T(-smu * (by_normal[1] + z.normal[k] * z.ut[0]));
+        integrate(k, z.ut[k], z.spin[k] - z.ut[k], ut_rate, power);
     }
 
-    /// `psi` is ψ_c here: ψ and half the angle between the contacts. At rest nothing but ψ moves.
+    /// ψ is ψ_c here: ψ and half the angle between the contacts. At rest nothing but ψ moves.
     void edge(int k) {
-        psi.extend(z.psi, k);
-        const T wn = beta * psi.cosine[k], wt = -beta * psi.sine[k];
+        swirl.extend(z.psi[k], k);
+        const T wn = swirl.cosine(k), wt = -swirl.sine(k);
         if (sticks) {
             z.friction[k] = -d * wt;
-            return integrate(k, z.spin[k], T(0), T(0));
+            return integrate(k, z.spin[k], T(0), T(0), T(0));
         }
         const T lean = -wt * lean_share;
-        spin2[k] = square<T>(z.spin, k);
-        const T sum = (wn + d * spin2[k] - smu * lean) * per_stiffness;
-        const T difference = (smu * sum * uneven + lean) * per_s;
-        z.normal[k] = T(0.5) * (sum + difference);
-        z.second[k] = T(0.5) * (sum - difference);
-        z.friction[k] = -smu * sum;
+        spin2[k] = square(z.spin, k);
+        const T sum_of_two = (wn + d * spin2[k] - smu * lean) * per_stiffness;
+        const T difference = (smu * sum_of_two * uneven + lean) * per_s;
+        z.normal[k] = T(0.5) * (sum_of_two + difference);
+        z.second[k] = T(0.5) * (sum_of_two - difference);
+        z.friction[k] = -smu * sum_of_two;
         spin_rate[k] = (z.friction[k] + d * wt) * per_inertia;
-        integrate(k, z.spin[k], T(0), spin_rate[k]);
+        integrate(k, z.spin[k], T(0), spin_rate[k], slip_power(k));
     }
 };
+
+/// Σ cₖ tᵏ over k ≥ 1: odd and even powers beside each other, as each step of Horner's rule waits for the one before.
+///   of  what is taken of a coefficient: T → T
+template <class T, class Of>
+T sum_of_powers(const Series<T>& series, const T& t, const Of& of) {
+    constexpr int order = series_order<T>;
+    static_assert(order % 2 == 0);
+    const T square_of_t = t * t;
+    Two<T> sum(of(series[order - 1]), of(series[order]));
+    for (int k = order - 3; k >= 1; k -= 2) sum = Two<T>(of(series[k]), of(series[k + 1])) + square_of_t * sum;
+    return t * (sum[0] + t * sum[1]);
+}
 
 }  // namespace
 
@@ -185,24 +198,23 @@ ContactSeries<T> contact_series(const ContactScene<T>& scene, Support support, C
     series.ut[0] = start.ut;
     series.spin[0] = start.spin;
     Builder<T> builder{scene, motion, series};
-    builder.psi.begin(support == Support::edge ? T(start.psi + scene.half_chord) : start.psi, psi_rest);
-    builder.chi.begin(start.chi);
+    builder.begin(support, start, psi_rest);
     for (int k = 0; k < series_order<T>; ++k) {
         if (support == Support::rim)
             builder.rim(k);
-        else if (support == Support::vertex)
-            builder.vertex(k);
-        else
+        else if (support == Support::edge)
             builder.edge(k);
+        else if (builder.sticks)
+            builder.vertex_that_sticks(k);
+        else
+            builder.vertex_that_slides(k);
     }
     return series;
 }
 
 template <class T>
 T change_at(const Series<T>& series, const T& t) {
-    T sum(0);
-    for (int k = series_order<T>; k >= 1; --k) sum = t * (series[k] + sum);
-    return sum;
+    return sum_of_powers(series, t, [](const T& c) { return c; });
 }
 
 template <class T>
@@ -226,9 +238,7 @@ T bend_of(const Series<T>& series, const T& t) {
 
 template <class T>
 T reach_of(const Series<T>& series, const T& t) {
-    T sum(0);
-    for (int k = series_order<T>; k >= 1; --k) sum = t * (abs(series[k]) + sum);
-    return sum;
+    return sum_of_powers(series, t, [](const T& c) { return T(abs(c)); });
 }
 
 template <class T>

@@ -47,6 +47,8 @@ public:
           series_(contact_series(problem.scene, problem.support, problem.motion, from.contact(), from.rest[0])) {}
 
     const ContactSeries<T>& series() const { return series_; }
+    /// The state at its begin.
+    const State<T>& from() const { return from_; }
 
     /// The state t later.
     State<T> at(const T& t) const {

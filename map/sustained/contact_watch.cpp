@@ -191,7 +191,7 @@ OpenConditions<T> open_conditions(const Problem<T>& problem, const ContactSeries
 template <class T>
 bool strikes_at_once(const Problem<T>& problem, const Step<T>& step) {
     if (problem.support != Support::vertex) return false;
-    const State<T> start = step.at(T(0));
+    const State<T>& start = step.from();
     if (start.room(problem.scene.widest_chi) > 0) return false;
     const T outwards = start.value[1] < 0 ? T(-step.series().chi[1]) : step.series().chi[1];
     const T rates = 1 + abs(start.value[2]) + abs(start.value[3]);

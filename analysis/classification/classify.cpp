@@ -1,5 +1,7 @@
 #include "analysis/classification/classify.hpp"
 
+#include "analysis/special_values.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -70,6 +72,13 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
     if (findings.exponent_outcome != LyapunovOutcome::completed) {
         result.evidence.push_back({"largest exponent", Classification::unknown, 0,
                                    std::string(name_of(findings.exponent_outcome)), "positive: chaotic"});
+        return;
+    }
+    if (e.exponent == -infinity) {
+        result.evidence.push_back({"largest exponent", e.exponent, 0,
+                                   "a step on the way, such as a rest, or several landings annihilate every direction: "
+                                   "neighbouring orbits become one",
+                                   "finite: its sign would tell"});
         return;
     }
     const double sigmas = options.sigmas;

@@ -4,6 +4,7 @@
 
 #include "analysis/classification/classify.hpp"
 #include "analysis/classification/follow_until_settled.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -123,6 +124,13 @@ inline Evidence evidence_of_search_cut(const Effort& search) {
             "--exhaustive: searched to the end"};
 }
 
+/// The exponent of a tail of which a step forgets (DF = 0): −∞, without a derivative.
+inline void take_forgotten(Findings& findings, Classification& result) {
+    findings.exponent.sign = ExponentSign::negative;
+    findings.exponent.exponent = result.largest_exponent = -infinity;
+    findings.exponent.standard_error = nan;
+}
+
 /// The verdict on a tail whose orbit has not settled: that of `classify_tail`, without what can't change it. Where it
 /// can't return to itself nothing looks for a period, and where that leaves chaos nothing else is asked. What searches
 /// for a cycle may cost is limited in the same way.
@@ -146,10 +154,14 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, Clas
         cycle = find_period(map, tail, options.period, search);
         take_cycle(map, cycle, options, observable, findings, result);
     }
-    const bool stands_for_all = cycle.period == 0 && !runs_away(series_of(map, tail, observable));
-    take_exponent(stands_for_all ? exponent_of_few(map, tail, affordable, sign_options(options))
-                                 : exponent_from(map, tail.first, affordable),
-                  options, findings, result);
+    if (tail.forgot) {
+        take_forgotten(findings, result);
+    } else {
+        const bool stands_for_all = cycle.period == 0 && !runs_away(series_of(map, tail, observable));
+        take_exponent(stands_for_all ? exponent_of_few(map, tail, affordable, sign_options(options))
+                                     : exponent_from(map, tail.first, affordable),
+                      options, findings, result);
+    }
     if (cycle.period == 0 && findings.exponent.sign == ExponentSign::positive) {
         decide(findings, options, result);
     } else {

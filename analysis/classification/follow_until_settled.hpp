@@ -42,6 +42,7 @@ inline double most_effort_of_looks(std::int64_t steps) {
 template <SectionMap M>
 void forget_kept(Tail<M>& tail) {
     tail.effort = 0;
+    tail.forgot = false;
     tail.states.clear();
     tail.durations.clear();
     tail.integrals.clear();
@@ -98,6 +99,7 @@ FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, 
         add_points(map, seen);
     }
     seen.last = tail.last;
+    seen.durations.assign(tail.durations.end() - count, tail.durations.end());
     return settled_cycle(map, seen, options, effort);
 }
 

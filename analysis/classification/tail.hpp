@@ -21,6 +21,7 @@ struct Tail {
     State<M> last{};                           ///< the state at points.back()
     std::int64_t steps = 0;                    ///< steps taken in all, the transient included
     double effort = 0;                         ///< what those that are kept cost (Advance::effort)
+    bool forgot = false;                       ///< one of those that are kept forgets (Advance::forgets)
     bool cut = false;                          ///< fewer steps than were asked for: they cost too much
     bool ended = false;                        ///< the map ended before all steps were taken
     bool stopped = false;                      ///< it was stopped before: what is there is no tail
@@ -47,6 +48,7 @@ bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail
         }
         ++tail.steps;
         tail.effort += step.effort;
+        tail.forgot |= step.forgets;
         if (keep == Keep::points)
             tail.points.push_back(coordinates(map, z));
         else

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace swirl::apps {
 
@@ -73,14 +74,16 @@ analysis::ChaoticStay stay_of(const Scene<double>& scene, Accuracy accuracy, dou
     return {with_scene_map(scene, last_away, contact_horizon, accuracy), true};
 }
 
-/// ln of how much the difference of two neighbouring orbits has grown by an impact.
+/// ln of how much the difference of two neighbouring orbits has grown by an impact; where a rest makes it zero another
+/// begins, and the largest counts.
 template <int D>
 double ln_growth(const SceneMap<D>& map, const Start<double>& start, std::int64_t impact,
                  const std::function<bool()>& is_over) {
     const OrbitBegin begin = begin_orbit(map, start);
     auto z = begin.state;
-    analysis::Vector<D> difference = analysis::Vector<D>::Ones().normalized();
-    double grown = 0;
+    const analysis::Vector<D> apart = analysis::Vector<D>::Ones().normalized();
+    analysis::Vector<D> difference = apart;
+    double grown = 0, before = -std::numeric_limits<double>::infinity();
     for (std::int64_t n = begin.impacts; n < impact && !is_over(); ++n) {
         const auto step = map.linearise(z);
         if (!step.alive) break;
@@ -88,11 +91,15 @@ double ln_growth(const SceneMap<D>& map, const Start<double>& start, std::int64_
         const analysis::Vector<D> next = step.derivative * difference;
         const double size = next.norm();
         if (!std::isfinite(size)) continue;  // at a border of the map there is no derivative
-        if (size == 0) return -std::numeric_limits<double>::infinity();
+        if (size == 0) {
+            before = std::max(before, std::exchange(grown, 0));
+            difference = apart;
+            continue;
+        }
         grown += std::log(size);
         difference = next / size;
     }
-    return grown;
+    return std::max(before, grown);
 }
 
 /// The same, and nothing of a run that left without having been in chaos.

@@ -118,7 +118,8 @@ auto return_in_jets(const ReturnMap<Map>& map, const Scene<J>& scene, const Post
 
 }  // namespace detail
 
-/// DF(z), where `known` is F(z) and leads through contact; NaN if z, as it is rounded here, ends it by another event.
+/// DF(z), where `known` is F(z) and leads through contact: 0 through a rest (`has_rested`), else NaN if z, as it is
+/// rounded here, ends it by another event.
 ///   series  is added how many power series it took, those in Jets by what they cost, if it is given
 template <class Map>
 auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<double>& z,
@@ -127,6 +128,7 @@ auto derivative_through_contact(const ReturnMap<Map>& map, const SectionPoint<do
     constexpr long cost_in_jets = 8;
     using J = ContactJet<dimension>;
     using Derivative = Eigen::Matrix<double, dimension, dimension>;
+    if (has_rested(known)) return Derivative(Derivative::Zero());
     const detail::KnownContact contact(map, post_impact_state(z), known);
     Derivative derivative = Derivative::Constant(std::numeric_limits<double>::quiet_NaN());
     if (!contact.is(known)) return derivative;

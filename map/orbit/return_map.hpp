@@ -7,6 +7,7 @@
 #include "map/sustained/contact_phase.hpp"
 #include "map/sustained/release.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace swirl {
@@ -27,6 +28,16 @@ long contact_steps(const ReturnStep<T>& step) {
     long steps = 0;
     for (const ContactSegment& segment : step.contacts) steps += segment.steps;
     return steps;
+}
+
+/// Did the body rest on an edge on the way? Then only ψ changed, ψ′ = −1, until the ψ at which the scene's numbers
+/// alone end such a rest: the state after it is the same whatever was before, and DF = 0.
+template <class T>
+bool has_rested(const ReturnStep<T>& step) {
+    return std::any_of(step.contacts.begin(), step.contacts.end(), [](const ContactSegment& segment) {
+        return segment.support == Support::edge && segment.motion == ContactMotion::sticking &&
+               segment.end > segment.start;
+    });
 }
 
 /// How long contact may last without an impact before the orbit ends as `in_contact`, in 1/ω_s. A body that moves so

@@ -1,5 +1,6 @@
 // One oracle per regime for the naming of modes: fixed, periodic, quasi-periodic, chaotic, transient, ended.
 #include "analysis/classification/classify.hpp"
+#include "analysis/classification/classify_followed.hpp"
 #include "tests/analysis/maps/circle_map.hpp"
 #include "tests/analysis/maps/henon.hpp"
 #include "tests/analysis/maps/linear_map.hpp"
@@ -10,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <limits>
 
 namespace swirl::analysis {
 namespace {
@@ -110,6 +112,56 @@ TEST(Classify, ASuperstableOrbitNeedsOneReturn) {
     const auto verdict = classify(map, Vector<1>{0.3}, 0);
     EXPECT_EQ(verdict.mode, Mode::quasi_steady);
     EXPECT_EQ(verdict.period, period);
+}
+
+/// Chaos, the logistic map at r = 4, that forgets all on [0, width): from there it leads to 0.3.
+struct ForgetfulChaos {
+    static constexpr int dimension = 1;
+    double width;
+    double effort = 1;  ///< of a step; of a derivative twenty times that
+    Advance<1> advance(const Vector<1>& z) const {
+        const bool forgets = z[0] < width;
+        return {Vector<1>{forgets ? 0.3 : 4 * z[0] * (1 - z[0])}, 1, 0, true, 0, effort, forgets};
+    }
+    Linearised<1> linearise(const Vector<1>& z) const {
+        return {advance(z).state, 1, 0, true, Matrix<1>{z[0] < width ? 0.0 : 4 - 8 * z[0]}, 0, 20 * effort};
+    }
+    static double angle_period(int) { return 0; }
+    /// How many of 10,000 steps after 10,000 forget.
+    int times(double start) const {
+        Vector<1> z{start};
+        int count = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const auto step = advance(z);
+            count += i >= 10'000 && step.forgets;
+            z = step.state;
+        }
+        return count;
+    }
+};
+
+/// Sooner or later all orbits are on one superstable cycle, which is too long to be seen: no chaos, though the exponent
+/// of parts of the orbit is ln 2.
+TEST(Classify, ChaosThatForgetsIsNotCalledChaosByPartsOfTheOrbit) {
+    const ForgetfulChaos once{1e-8}, never{1e-12};
+    ASSERT_EQ(once.times(0.3), 1);
+    ASSERT_EQ(never.times(0.3), 0);
+    for (const auto& verdict : {classify(once, Vector<1>{0.3}, 0), classify_sequentially(once, Vector<1>{0.3}, 0)}) {
+        EXPECT_EQ(verdict.mode, Mode::undecided);
+        EXPECT_EQ(verdict.period, 0);
+        EXPECT_EQ(verdict.largest_exponent, -std::numeric_limits<double>::infinity());
+    }
+    for (const auto& verdict : {classify(never, Vector<1>{0.3}, 0), classify_sequentially(never, Vector<1>{0.3}, 0)})
+        EXPECT_EQ(verdict.mode, Mode::chaotic);
+}
+
+/// Nor where derivatives are so dear that they are taken of the tail's first steps only.
+TEST(Classify, ChaosThatForgetsIsNotCalledChaosWhereDerivativesAreDear) {
+    const ForgetfulChaos once{1e-8, 100};
+    ASSERT_EQ(once.times(0.32), 1);
+    const auto verdict = classify_sequentially(once, Vector<1>{0.32}, 0);
+    EXPECT_EQ(verdict.mode, Mode::undecided);
+    EXPECT_EQ(verdict.largest_exponent, -std::numeric_limits<double>::infinity());
 }
 
 /// In polar coordinates r′ = r (1 + a (r² − c²)(d² − r²)): the focus attracts, by 1 − a c² d² a step, within the

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -75,11 +76,21 @@ bool linear_part_rules(const M& map, const Tail<M>& window, const FoundCycle<M>&
 /// so small that what is still to come does not show.
 inline constexpr double member_known = 1e-9;
 
+/// Do returns after k steps take ever less time along the window, by half and more? They do where impacts accumulate:
+/// the states converge, but within a finite time, after which the orbit goes on elsewhere. On a cycle they take its
+/// period.
+template <SectionMap M>
+bool accumulates(const Tail<M>& window, std::int64_t k) {
+    const auto time = [&](auto from) { return std::accumulate(from, from + static_cast<std::ptrdiff_t>(k), 0.0); };
+    return 2 * time(window.durations.end() - static_cast<std::ptrdiff_t>(k)) < time(window.durations.begin());
+}
+
 /// Is what Newton's method found what the orbit settles on?
 template <SectionMap M>
 bool is_certain(const M& map, const Tail<M>& window, const PeriodOptions& options, const FoundCycle<M>& cycle,
                 Effort& effort) {
     if (cycle.period == 0 || !cycle.attracting || cycle.distance > cycle.farthest) return false;
+    if (accumulates(window, cycle.period)) return false;
     const bool closed = cycle.closure <= options.closure;  // rounding is all that is left: nothing shrinks any more
     if (!closed && !cycle.approached) return false;
     if (cycle.family ? cycle.farthest > member_known : !linear_part_rules(map, window, cycle, effort)) return false;

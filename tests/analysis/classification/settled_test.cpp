@@ -83,6 +83,27 @@ TEST(Settled, ABorderWithinTheBallIsSeen) {
     }
 }
 
+/// z′ = 0.9 z in a time that falls with z, as impacts that accumulate.
+struct Accumulates {
+    static constexpr int dimension = 1;
+    double time_at_zero;
+    Advance<1> advance(const Vector<1>& z) const { return {Vector<1>(0.9 * z), time_at_zero + z[0], 0, true}; }
+    Linearised<1> linearise(const Vector<1>& z) const {
+        return {advance(z).state, time_at_zero + z[0], 0, true, Matrix<1>{0.9}};
+    }
+    static double angle_period(int) { return 0; }
+};
+
+/// Steps of ever less time lead to no fixed point, though the states converge: they are over in a finite time. In steps
+/// that last they do.
+TEST(Settled, ImpactsThatAccumulateLeadToNoCycle) {
+    const auto follow = [](double time_at_zero) {
+        return follow_until_settled(Accumulates{time_at_zero}, Vector<1>{1}, 1000, 1000, PeriodOptions{}, true);
+    };
+    EXPECT_EQ(follow(0).cycle.period, 0);
+    EXPECT_EQ(follow(1).cycle.period, 1);
+}
+
 TEST(Settled, WhatEndsIsTakenAsItEnds) {
     maps::LinearMap<2> map;
     map.A = 1.01 * Matrix<2>::Identity();

@@ -93,6 +93,22 @@ TEST(Sequential, VerdictsAreThoseOfAllImpacts) {
     EXPECT_LT(found.few, found.all);
 }
 
+/// At e = 1 friction may take the normal velocity of a vertex that it holds: impacts accumulate, from the 230th to the
+/// 294th, and the states converge as if to a steady mode; then the orbit leaves, and is chaotic.
+TEST(Sequential, ImpactsThatAccumulateWithoutLossAreNoSteadyMode) {
+    const Scene<double> scene{4,
+                              0.71931492973447608,
+                              1.2080156001517186,
+                              0.77965240952592096,
+                              1,
+                              Law::poisson,
+                              uniform_inertia_factor<double>(4)};
+    const LabStart<double> start = random_start(scene.beta, paper_speed, 1158, 0);
+    const NamedMode few = name_mode(scene, start, {});
+    EXPECT_EQ(few.verdict.kind, analysis::Kind::chaotic);
+    EXPECT_EQ(few.impacts, 20'001);
+}
+
 TEST(SequentialNightly, VerdictsAreThoseOfAllImpactsInFourThousandScenes) {
     const Comparison found = compare(4000, 20261123);
     EXPECT_LE(found.different, found.scenes / 1000);

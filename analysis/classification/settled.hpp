@@ -47,7 +47,8 @@ double beyond_linear(const M& map, const LinearPart<M>& part, std::int64_t k, co
     State<M> z = state_at(map, Vector<M::dimension>(coordinates(map, part.point) + x));
     if (follow(map, z, k, {}, effort) < k) return std::numeric_limits<double>::infinity();
     const Vector<M::dimension> moved = difference(map, coordinates(map, z), part.image);
-    return part.norm.of(Eigen::VectorXd(moved - part.product * x));
+    const Vector<M::dimension> beyond = moved - part.product * x;
+    return part.norm.of(beyond);
 }
 
 /// Does Fᵏ lead the ball about the cycle's point, of twice the radius at which the orbit is, into itself? It is asked

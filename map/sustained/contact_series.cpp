@@ -96,7 +96,7 @@ struct Builder {
     /// Orders k of the rates are known: the next of what they are the rates of.
     ///   slip_power  of f u_t
     void integrate(int k, const T& psi_rate, const T& chi_rate, const T& ut_rate, const T& slip_power) {
-        const Plain<T> next = per<T>[k + 1];
+        const Plain<T>& next = per<T>[k + 1];
         z.psi[k + 1] = next * (psi_rate - T(k == 0 ? 1 : 0));
         z.chi[k + 1] = next * chi_rate;
         z.ut[k + 1] = next * ut_rate;

@@ -259,10 +259,10 @@ Failure<T> first_failure(const Problem<T>& problem, const Step<T>& step, const T
         const T from = h * (part - 1) / parts_per_step, to = h * part / parts_per_step;
         const typename OpenConditions<T>::Values after = conditions.at(to);
         for (const T& moment : conditions.dips(from, to, before, after))
-            if (const Failure<T> failure = failure_by(problem, step, from, moment); failure.found) return failure;
+            if (Failure<T> failure = failure_by(problem, step, from, moment); failure.found) return failure;
         before = after;
         if (conditions.hold(after)) continue;
-        if (const Failure<T> failure = failure_by(problem, step, from, to); failure.found) return failure;
+        if (Failure<T> failure = failure_by(problem, step, from, to); failure.found) return failure;
     }
     return {};
 }

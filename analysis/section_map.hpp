@@ -1,12 +1,13 @@
 // The only thing that analysis/ knows of a dynamical system: a map of a section to itself.
 #pragma once
 
+#include "analysis/special_values.hpp"
+
 #include <Eigen/Core>
 
 #include <concepts>
 #include <cstdint>
 #include <functional>
-#include <limits>
 
 namespace swirl::analysis {
 
@@ -129,7 +130,7 @@ using Stop = std::function<bool()>;
 /// What following an orbit has cost, in ordinary steps (Advance::effort), and how much it may.
 struct Effort {
     double spent = 0;
-    double most = std::numeric_limits<double>::infinity();
+    double most = infinity;
 
     bool is_spent() const { return spent >= most; }
 };

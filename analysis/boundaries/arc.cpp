@@ -1,12 +1,12 @@
 #include "analysis/boundaries/arc.hpp"
 
 #include "analysis/linear_algebra/dense.hpp"
+#include "analysis/special_values.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace swirl::analysis {
@@ -44,7 +44,7 @@ bool find_tangent(const ArcSystem& system, const Eigen::VectorXd& along, ArcPoin
 Correction solve(const ArcSystem& system, Eigen::VectorXd y, ArcPoint& point,
                  const std::function<Eigen::VectorXd(const ArcPoint&)>& step_at) {
     constexpr int most = 14;
-    double last = std::numeric_limits<double>::infinity();
+    double last = infinity;
     for (int i = 0; i < most; ++i) {
         point.y = y;
         if (!system.equations(point.y, point.at)) return Correction::map_ended;
@@ -62,7 +62,7 @@ Correction solve(const ArcSystem& system, Eigen::VectorXd y, ArcPoint& point,
 }  // namespace
 
 double outside_plane(const Eigen::Vector2d& low, const Eigen::Vector2d& high, const Eigen::Vector2d& p) {
-    if (!p.allFinite()) return std::numeric_limits<double>::infinity();
+    if (!p.allFinite()) return infinity;
     const Eigen::Array2d width = (high - low).array();
     return ((low - p).array() / width).max((p - high).array() / width).maxCoeff();
 }

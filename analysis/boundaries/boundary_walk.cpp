@@ -3,10 +3,10 @@
 #include "analysis/continuation/step_length.hpp"
 #include "analysis/cycles/cycle.hpp"
 #include "analysis/cycles/stability.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -109,7 +109,7 @@ private:
     /// From the cycle's first half to its second; infinite for an odd period.
     Eigen::VectorXd apart(const ArcPoint& point) const {
         const Eigen::Index half = system_.coordinates() / 2;
-        if (system_.period % 2 != 0) return Eigen::VectorXd::Constant(1, std::numeric_limits<double>::infinity());
+        if (system_.period % 2 != 0) return Eigen::VectorXd::Constant(1, infinity);
         return angles_apart(system_, point.y.segment(half, half), point.y.head(half));
     }
     /// How the two halves lie to each other, against how they lie here: negative if they were exchanged on the way,
@@ -197,8 +197,7 @@ private:
             if (outside(at) > 1e-9 || !is_what_it_seems(system_, test.kind, at)) continue;
             BoundarySpecial special{test.kind, boundary_point_at(system_, at, options_.forms),
                                     boundary_.points.size() - 1};
-            if (!has_coefficient(system_.kind, test.kind))
-                special.cycle.coefficient = std::numeric_limits<double>::quiet_NaN();
+            if (!has_coefficient(system_.kind, test.kind)) special.cycle.coefficient = nan;
             found.emplace_back(arc_.product(here().tangent, at.y - here().y), std::move(special));
         }
         std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -245,7 +244,7 @@ double distance_between(const AugmentedSystem& system, const Eigen::VectorXd& a,
         std::rotate(y.begin(), y.begin() + place, y.begin() + n);
         return y;
     };
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     Eigen::Index nearest = 0;
     for (Eigen::Index shift = 0; shift < n; shift += d) {
         const Eigen::VectorXd shifted = begun_at(b, shift);

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "analysis/cycles/shooting_residual.hpp"
+#include "analysis/special_values.hpp"
 
 #include <Eigen/Core>
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace swirl::analysis {
@@ -20,7 +20,7 @@ struct PlaneStep {
     Eigen::MatrixXd by_parameters;  ///< ∂F/∂p, D × 2
     std::int64_t letter = 0;        ///< which smooth branch of the map was taken
     double duration = 1;            ///< time that the step took
-    double margin = std::numeric_limits<double>::infinity();  ///< ShootingStep::margin
+    double margin = infinity;       ///< ShootingStep::margin
 };
 
 /// z ↦ F(z; p).

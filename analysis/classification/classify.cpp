@@ -70,8 +70,8 @@ void describe_cycle(const Findings& findings, const ClassifyOptions& options, Cl
 void describe_exponent(const Findings& findings, const ClassifyOptions& options, Classification& result) {
     const SignEvidence& e = findings.exponent;
     if (findings.exponent_outcome != LyapunovOutcome::completed) {
-        result.evidence.push_back({"largest exponent", Classification::unknown, 0,
-                                   std::string(name_of(findings.exponent_outcome)), "positive: chaotic"});
+        result.evidence.push_back(
+            {"largest exponent", nan, 0, std::string(name_of(findings.exponent_outcome)), "positive: chaotic"});
         return;
     }
     if (e.exponent == -infinity) {

@@ -9,10 +9,10 @@
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
 #include "analysis/recurrence/rates.hpp"
 #include "analysis/rotation/rotation_number.hpp"
+#include "analysis/special_values.hpp"
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,8 +31,6 @@ struct ClassifyOptions {
 
 /// Everything that a verdict rests on. NaN where something could not be measured.
 struct Classification {
-    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
     Mode mode = Mode::undecided;
     Kind kind = Kind::none;
     bool ended = false;         ///< the map ended before the tail was whole
@@ -41,13 +39,13 @@ struct Classification {
     std::int64_t period = 0;    ///< 0: none
     std::vector<double> point;  ///< of the cycle
     std::vector<std::complex<double>> multipliers;
-    double mean = unknown;  ///< time mean of the observable (over whole periods where there is one)
-    double mean_per_step = unknown;
-    double recurrence_rate = unknown;  ///< RC, the main diagonal counted
-    double recurrence_rate_without_diagonal = unknown;
-    double largest_exponent = unknown;  ///< per step
-    double largest_exponent_error = unknown;
-    double rotation = unknown;  ///< turns per step, of a quasi-periodic orbit
+    double mean = nan;  ///< time mean of the observable (over whole periods where there is one)
+    double mean_per_step = nan;
+    double recurrence_rate = nan;  ///< RC, the main diagonal counted
+    double recurrence_rate_without_diagonal = nan;
+    double largest_exponent = nan;  ///< per step
+    double largest_exponent_error = nan;
+    double rotation = nan;  ///< turns per step, of a quasi-periodic orbit
     std::vector<Evidence> evidence;
 };
 
@@ -201,6 +199,13 @@ inline void take_exponent(const LyapunovSpectrum& spectrum, const ClassifyOption
     result.largest_exponent_error = findings.exponent.standard_error;
 }
 
+/// The exponent of a tail of which a step forgets (DF = 0): −∞, without a derivative.
+inline void take_forgotten(Findings& findings, Classification& result) {
+    findings.exponent.sign = ExponentSign::negative;
+    findings.exponent.exponent = result.largest_exponent = -infinity;
+    findings.exponent.standard_error = nan;
+}
+
 /// The largest exponent of `steps` steps from a state on.
 template <SectionMap M>
 LyapunovSpectrum exponent_from(const M& map, const State<M>& first, std::int64_t steps) {
@@ -269,7 +274,10 @@ Classification classify_tail(const M& map, const Tail<M>& tail, int observable, 
     detail::Findings findings;
     detail::take_cycle(map, find_period(map, tail, options.period), options, observable, findings, result);
     const auto steps = static_cast<std::int64_t>(tail.points.size());
-    detail::take_exponent(detail::exponent_from(map, tail.first, steps), options, findings, result);
+    if (tail.forgot)
+        detail::take_forgotten(findings, result);
+    else
+        detail::take_exponent(detail::exponent_from(map, tail.first, steps), options, findings, result);
     Effort effort;
     detail::look_further(map, tail, observable, options, findings, result, effort);
     return result;

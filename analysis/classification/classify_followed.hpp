@@ -124,13 +124,6 @@ inline Evidence evidence_of_search_cut(const Effort& search) {
             "--exhaustive: searched to the end"};
 }
 
-/// The exponent of a tail of which a step forgets (DF = 0): −∞, without a derivative.
-inline void take_forgotten(Findings& findings, Classification& result) {
-    findings.exponent.sign = ExponentSign::negative;
-    findings.exponent.exponent = result.largest_exponent = -infinity;
-    findings.exponent.standard_error = nan;
-}
-
 /// The verdict on a tail whose orbit has not settled: that of `classify_tail`, without what can't change it. Where it
 /// can't return to itself nothing looks for a period, and where that leaves chaos nothing else is asked. What searches
 /// for a cycle may cost is limited in the same way.

@@ -7,8 +7,9 @@
 // Statist. Assoc. 48 (1953) 486 (censored exponential lives).
 #pragma once
 
+#include "analysis/special_values.hpp"
+
 #include <cstdint>
-#include <limits>
 #include <span>
 
 namespace swirl::analysis {
@@ -20,13 +21,13 @@ struct ChaoticStay {
 };
 
 struct EscapeRate {
-    std::int64_t left = 0;                                       ///< k
-    std::int64_t remaining = 0;                                  ///< still in chaos
-    double steps = 0;                                            ///< T
-    double rate = 0;                                             ///< k/T, per step
-    double least_rate = 0;                                       ///< at 95 %
-    double most_rate = std::numeric_limits<double>::infinity();  ///< at 95 %; for k = 0, 3/T
-    double half_life = std::numeric_limits<double>::infinity();  ///< steps: ln 2/rate
+    std::int64_t left = 0;        ///< k
+    std::int64_t remaining = 0;   ///< still in chaos
+    double steps = 0;             ///< T
+    double rate = 0;              ///< k/T, per step
+    double least_rate = 0;        ///< at 95 %
+    double most_rate = infinity;  ///< at 95 %; for k = 0, 3/T
+    double half_life = infinity;  ///< steps: ln 2/rate
     /// How likely it is, at one rate for all, that no more left in the later half of the longest stay than did: small
     /// where those that remain keep to an attractor of their own.
     double late_share = 1;

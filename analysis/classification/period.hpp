@@ -250,8 +250,8 @@ FoundCycle<M> cycle_of_closed(const M& map, const Tail<M>& tail, std::int64_t k,
 
 /// The smallest k ≤ max_period whose cycle the orbit is on, or is settling on: either it returns to `closure` after k
 /// steps, or Newton's method from its last state finds an attracting k-cycle within the distance that its own return
-/// suggests, which the tail has come nearer to. Period 0 if neither. What `effort` ends is not polished: an orbit that
-/// returns is then its own evidence, and one that settles has period 0.
+/// suggests, which the tail has come nearer to. Period 0 if neither, or if steps accumulate (`accumulates`). What
+/// `effort` ends is not polished: an orbit that returns is then its own evidence, and one that settles has period 0.
 /// Cost: max_period² comparisons at worst, few in practice; 20 k derivatives per candidate.
 template <SectionMap M>
 FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options, Effort& effort) {
@@ -261,12 +261,13 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     std::vector<std::pair<double, std::int64_t>> near;
     for (std::int64_t k = 1; k <= longest; ++k) {
         const double returned = detail::return_distance(map, tail, k, k, options.vicinity);
+        if (returned > options.vicinity || accumulates(map, tail, k)) continue;
         if (returned <= options.closure) {
             auto found = detail::cycle_of_closed(map, tail, k, returned, options, effort);
             if (found.attracting || found.closure_persists) return found;
             break;  // passes an unstable cycle: the multiples of k do, too
         }
-        if (returned <= options.vicinity) near.emplace_back(returned, k);
+        near.emplace_back(returned, k);
     }
     std::sort(near.begin(), near.end());
     FoundCycle<M> best;

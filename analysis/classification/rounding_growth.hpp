@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/classification/tail.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ double rounding_growth(const M& map, State<M> z, std::int64_t k) {
     for (std::int64_t i = 0; i < k; ++i) {
         if (away < apart) neighbour = state_at(map, Vector<M::dimension>(point + aside));
         const auto step = map.advance(z), beside = map.advance(neighbour);
-        if (!step.alive || !beside.alive) return std::numeric_limits<double>::infinity();
+        if (!step.alive || !beside.alive) return infinity;
         z = step.state;
         neighbour = beside.state;
         point = coordinates(map, z);

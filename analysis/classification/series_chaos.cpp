@@ -1,4 +1,5 @@
 #include "analysis/classification/classify_series.hpp"
+#include "analysis/special_values.hpp"
 #include "analysis/spectrum/fft.hpp"
 
 #include <gsl/gsl_cdf.h>
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -53,7 +53,7 @@ std::vector<double> divergence(std::span<const double> x, int dimension, std::si
     const std::size_t window = static_cast<std::size_t>(dimension) * delay;
     std::vector<double> sums(horizon + 1, 0), counts(horizon + 1, 0);
     for (std::size_t i = 0; i < points; ++i) {
-        double nearest = std::numeric_limits<double>::infinity();
+        double nearest = infinity;
         std::size_t neighbour = i;
         for (std::size_t j = 0; j < points; ++j) {
             if ((i > j ? i - j : j - i) <= window) continue;
@@ -66,8 +66,7 @@ std::vector<double> divergence(std::span<const double> x, int dimension, std::si
             if (d > 0) sums[t] += std::log(d), counts[t] += 1;
         }
     }
-    for (std::size_t t = 0; t <= horizon; ++t)
-        sums[t] = counts[t] > 0 ? sums[t] / counts[t] : std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t t = 0; t <= horizon; ++t) sums[t] = counts[t] > 0 ? sums[t] / counts[t] : nan;
     return sums;
 }
 
@@ -79,21 +78,20 @@ double plateau_of(const std::vector<double>& curve) {
 
 /// Slope of the straight rise between the first sample and 70 % of the way to the plateau; NaN if there is none.
 double rise_of(const std::vector<double>& curve) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     constexpr double least_rise = 1.5;  // a factor 4.5 in distance
     constexpr std::size_t fewest_points = 4;
     constexpr double largest_bend = 0.06;  // scatter about the line, over the rise
     const double rise = plateau_of(curve) - curve[1];
-    if (!(rise >= least_rise)) return none;
+    if (!(rise >= least_rise)) return nan;
     std::size_t end = 1;
     while (end < curve.size() && curve[end] < curve[1] + 0.7 * rise) ++end;
-    if (end - 1 < fewest_points) return none;
+    if (end - 1 < fewest_points) return nan;
     std::vector<double> times(end - 1);
     std::iota(times.begin(), times.end(), 1.0);
     double c0, slope, c00, c01, c11, squares;
     gsl_fit_linear(times.data(), 1, curve.data() + 1, 1, times.size(), &c0, &slope, &c00, &c01, &c11, &squares);
     const double scatter = std::sqrt(squares / static_cast<double>(times.size()));
-    return scatter <= largest_bend * rise ? slope : none;
+    return scatter <= largest_bend * rise ? slope : nan;
 }
 
 std::vector<std::size_t> ranks_of(std::span<const double> x) {
@@ -163,7 +161,7 @@ SeriesExponent exponent_of_series(std::span<const double> series) {
     }
     SeriesExponent result;
     result.dimensions = static_cast<int>(slopes.size());
-    result.exponent = result.spread = std::numeric_limits<double>::quiet_NaN();
+    result.exponent = result.spread = nan;
     if (slopes.empty()) return result;
     std::sort(slopes.begin(), slopes.end());
     result.exponent = slopes[slopes.size() / 2];
@@ -183,7 +181,7 @@ SurrogateTest test_surrogates(std::span<const double> series) {
     const std::size_t delay = std::min(decorrelation(x), x.size() / 16);
     SurrogateTest test;
     test.error = prediction_error(x, delay);
-    test.smallest_of_surrogates = std::numeric_limits<double>::infinity();
+    test.smallest_of_surrogates = infinity;
     std::mt19937_64 random(1);
     for (int i = 0; i < test.surrogates; ++i)
         test.smallest_of_surrogates =

@@ -4,12 +4,11 @@
 
 #include "analysis/classification/period.hpp"
 #include "analysis/linear_algebra/contraction_norm.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -45,7 +44,7 @@ template <SectionMap M>
 double beyond_linear(const M& map, const LinearPart<M>& part, std::int64_t k, const Vector<M::dimension>& x,
                      Effort& effort) {
     State<M> z = state_at(map, Vector<M::dimension>(coordinates(map, part.point) + x));
-    if (follow(map, z, k, {}, effort) < k) return std::numeric_limits<double>::infinity();
+    if (follow(map, z, k, {}, effort) < k) return infinity;
     const Vector<M::dimension> moved = difference(map, coordinates(map, z), part.image);
     const Vector<M::dimension> beyond = moved - part.product * x;
     return part.norm.of(beyond);
@@ -77,21 +76,11 @@ bool linear_part_rules(const M& map, const Tail<M>& window, const FoundCycle<M>&
 /// so small that what is still to come does not show.
 inline constexpr double member_known = 1e-9;
 
-/// Do returns after k steps take ever less time along the window, by half and more? They do where impacts accumulate:
-/// the states converge, but within a finite time, after which the orbit goes on elsewhere. On a cycle they take its
-/// period.
-template <SectionMap M>
-bool accumulates(const Tail<M>& window, std::int64_t k) {
-    const auto time = [&](auto from) { return std::accumulate(from, from + static_cast<std::ptrdiff_t>(k), 0.0); };
-    return 2 * time(window.durations.end() - static_cast<std::ptrdiff_t>(k)) < time(window.durations.begin());
-}
-
 /// Is what Newton's method found what the orbit settles on?
 template <SectionMap M>
 bool is_certain(const M& map, const Tail<M>& window, const PeriodOptions& options, const FoundCycle<M>& cycle,
                 Effort& effort) {
     if (cycle.period == 0 || !cycle.attracting || cycle.distance > cycle.farthest) return false;
-    if (accumulates(window, cycle.period)) return false;
     const bool closed = cycle.closure <= options.closure;  // rounding is all that is left: nothing shrinks any more
     if (!closed && !cycle.approached) return false;
     if (cycle.family ? cycle.farthest > member_known : !linear_part_rules(map, window, cycle, effort)) return false;
@@ -113,7 +102,7 @@ FoundCycle<M> settled_cycle(const M& map, const Tail<M>& window, const PeriodOpt
     std::vector<std::pair<double, std::int64_t>> near;
     for (std::int64_t k = 1; k <= std::min(options.max_period, n / 3); ++k) {
         const double returned = detail::return_distance(map, window, k, k, options.vicinity);
-        if (returned > options.vicinity) continue;
+        if (returned > options.vicinity || accumulates(map, window, k)) continue;
         const bool closed = returned <= options.closure;
         if (closed || detail::returns_shrink(map, window, k, 0, 1)) near.emplace_back(returned, k);
         if (closed) break;  // its multiples are closed, too

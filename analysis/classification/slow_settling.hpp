@@ -1,16 +1,17 @@
 // Does a quantity that changes ever more slowly come to a limit, and how far is it still from it?
 #pragma once
 
+#include "analysis/special_values.hpp"
+
 #include <cmath>
-#include <limits>
 #include <span>
 
 namespace swirl::analysis {
 
 /// A rate of change ∝ n^(−p): with p > 1 the changes to come have a sum.
 struct SlowSettling {
-    double exponent = 0;                                         ///< p; 0 where the changes do not fall steadily
-    double remaining = std::numeric_limits<double>::infinity();  ///< what is still to come after the last value
+    double exponent = 0;          ///< p; 0 where the changes do not fall steadily
+    double remaining = infinity;  ///< what is still to come after the last value
 };
 
 /// From the means of a quantity over four equal quarters of the second half of a history (n from 1 to 2): the changes

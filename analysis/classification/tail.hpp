@@ -2,11 +2,12 @@
 #pragma once
 
 #include "analysis/section_map.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace swirl::analysis {
@@ -35,7 +36,7 @@ enum class Keep { points, states };
 /// @return false where the map ended, or it was stopped: as the tail says; or where they have cost `most_effort`
 template <SectionMap M>
 bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail<M>& tail, const Stop& stop = {},
-                  double most_effort = std::numeric_limits<double>::infinity()) {
+                  double most_effort = infinity) {
     constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
     for (std::int64_t i = 0; i < count; ++i) {
         if (tail.effort >= most_effort) return false;
@@ -123,8 +124,7 @@ Vector<M::dimension> difference(const M& map, const Vector<M::dimension>& a, con
 
 /// The largest coordinate of the difference; or, beyond `give_up`, any that is. Angles, which cost most, come last.
 template <SectionMap M>
-double distance(const M& map, const Vector<M::dimension>& a, const Vector<M::dimension>& b,
-                double give_up = std::numeric_limits<double>::infinity()) {
+double distance(const M& map, const Vector<M::dimension>& a, const Vector<M::dimension>& b, double give_up = infinity) {
     double largest = 0;
     for (const bool angles : {false, true})
         for (int i = 0; i < M::dimension && largest <= give_up; ++i) {
@@ -134,6 +134,24 @@ double distance(const M& map, const Vector<M::dimension>& a, const Vector<M::dim
             if (!(d <= largest)) largest = d;
         }
     return largest;
+}
+
+/// Do the orbit's returns after k steps take less time as they grow smaller: half of it, or less, of what they took
+/// when they were four times as large? Where steps accumulate they do: the states converge within a finite time, after
+/// which the orbit goes on elsewhere. What settles on a cycle comes to take the cycle's time.
+template <SectionMap M>
+bool accumulates(const M& map, const Tail<M>& tail, std::int64_t k) {
+    const auto n = static_cast<std::int64_t>(tail.points.size());
+    const auto return_to = [&](std::int64_t j) {
+        return distance(map, tail.points[static_cast<std::size_t>(j)], tail.points[static_cast<std::size_t>(j - k)]);
+    };
+    const auto time_to = [&](std::int64_t j) {
+        return std::accumulate(tail.durations.begin() + (j - k), tail.durations.begin() + j, 0.0);
+    };
+    const double last = return_to(n - 1);
+    for (std::int64_t j = n - 1 - k; j >= k; j -= k)
+        if (return_to(j) >= 4 * last) return 2 * time_to(n - 1) <= time_to(j);
+    return false;
 }
 
 }  // namespace swirl::analysis

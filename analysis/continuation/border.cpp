@@ -1,11 +1,11 @@
 #include "analysis/continuation/border.hpp"
 
 #include "analysis/cycles/cycle.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace swirl::analysis {
 
@@ -56,7 +56,7 @@ bool seen_from(const ShootingMap& map, const CurvePoint& last, Eigen::Index coor
 }
 
 double margin_of(const ShootingResidual& shooting) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (const auto& step : shooting.steps) least = std::min(least, step.margin);
     return least;
 }

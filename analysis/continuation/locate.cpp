@@ -1,12 +1,12 @@
 #include "analysis/continuation/locate.hpp"
 
 #include "analysis/continuation/multipliers.hpp"
+#include "analysis/special_values.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace swirl::analysis {
@@ -82,8 +82,7 @@ bool is_what_it_seems(const SpecialPoint& special) {
 bool locate(const ShootingMap& map, const CurvePoint& base, double h, double f0, double f1,
             const std::function<double(const CurvePoint&)>& value, CurvePoint& found) {
     const auto at = [&](double s) {
-        return correct(map, base, s, found) == Correction::converged ? value(found)
-                                                                     : std::numeric_limits<double>::quiet_NaN();
+        return correct(map, base, s, found) == Correction::converged ? value(found) : nan;
     };
     double low = 0, high = h;
     if (f0 == 0 || f1 == 0) return std::isfinite(at(f0 == 0 ? 0.0 : h));

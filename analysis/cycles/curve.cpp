@@ -2,10 +2,10 @@
 
 #include "analysis/cycles/null_space.hpp"
 #include "analysis/linear_algebra/dense.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace swirl::analysis {
@@ -96,7 +96,7 @@ Correction correct_by(const ShootingMap& map, const CurvePoint& base, double h, 
     origin.head(size) = stacked(base.points);
     if (map.has_parameter) origin[size] = base.p;
     Eigen::VectorXd y = origin + h * base.tangent;
-    double last = std::numeric_limits<double>::infinity();
+    double last = infinity;
     for (int i = 0; i < options.most_iterations; ++i) {
         point.points = unstacked(y.head(size), map.dimension);
         point.p = map.has_parameter ? y[size] : base.p;

@@ -4,9 +4,9 @@
 #include "analysis/cycles/null_space.hpp"
 #include "analysis/linear_algebra/dense.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace swirl::analysis {
 
@@ -68,7 +68,7 @@ CyclePoints minimal_cycle(const ShootingMap& map, const CyclePoints& points, dou
 }
 
 double distance_between(const ShootingMap& map, const CyclePoints& a, const CyclePoints& b) {
-    double best = std::numeric_limits<double>::infinity();
+    double best = infinity;
     if (a.size() != b.size()) return best;
     for (std::size_t shift = 0; shift < a.size(); ++shift) {
         double largest = 0;

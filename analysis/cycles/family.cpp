@@ -1,10 +1,11 @@
 #include "analysis/cycles/family.hpp"
 
+#include "analysis/special_values.hpp"
+
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace swirl::analysis {
 
@@ -80,9 +81,7 @@ std::vector<CyclePoints> pinned_members(const ShootingMap& map, const FamilyCurv
         const auto gap = [&](double h) {
             CorrectorOptions corrector;
             corrector.keep_word = false;
-            return correct(map, a, h, member, corrector) == Correction::converged
-                       ? value(member) - goal
-                       : std::numeric_limits<double>::quiet_NaN();
+            return correct(map, a, h, member, corrector) == Correction::converged ? value(member) - goal : nan;
         };
         std::uintmax_t most = 100;
         const auto root = boost::math::tools::toms748_solve(gap, 0.0, length, low, high,
@@ -106,7 +105,7 @@ bool belongs_to(const ShootingMap& map, const FamilyCurve& curve, const CyclePoi
             const double h = curve_product(member.tangent, across, false, shifted.size());
             CorrectorOptions options;
             options.keep_word = false;
-            options.farthest = std::numeric_limits<double>::infinity();  // how far from b is asked next
+            options.farthest = infinity;  // how far from b is asked next
             if (std::abs(h) < 0.03 && correct(map, member, h, there, options) == Correction::converged &&
                 distance_between(map, there.points, b) < same_cycle)
                 return true;
@@ -119,7 +118,7 @@ bool belongs_to(const ShootingMap& map, const FamilyCurve& curve, const CyclePoi
 bool is_reachable(const ShootingMap& map, double p, const CyclePoints& a, const CyclePoints& b) {
     constexpr double longest = 0.1;
     CyclePoints here = a;
-    double left = std::numeric_limits<double>::infinity();
+    double left = infinity;
     for (int step = 0; step < 200; ++step) {
         Eigen::VectorXd across(static_cast<Eigen::Index>(here.size()) * map.dimension);
         for (std::size_t i = 0; i < here.size(); ++i)

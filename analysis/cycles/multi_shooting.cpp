@@ -1,5 +1,7 @@
 #include "analysis/cycles/multi_shooting.hpp"
 
+#include "analysis/special_values.hpp"
+
 #include <ceres/cost_function.h>
 #include <ceres/iteration_callback.h>
 #include <ceres/problem.h>
@@ -7,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace swirl::analysis {
@@ -102,7 +103,7 @@ ShootingResult solve_shooting(const ShootingMap& map, const CyclePoints& guess, 
                               const ShootingOptions& options) {
     ShootingResult result;
     result.points = guess;
-    result.residual = std::numeric_limits<double>::infinity();
+    result.residual = infinity;
     if (!shooting_residual(map, guess, p).alive) return result;
     const auto k = guess.size();
     ceres::Problem problem;
@@ -129,7 +130,7 @@ ShootingResult solve_near_grazing(const ShootingMap& map, const TimedMap& timed,
                                   double accept, const ShootingOptions& options) {
     ShootingResult result;
     result.points = guess;
-    result.residual = std::numeric_limits<double>::infinity();
+    result.residual = infinity;
     CyclePoints with_times;
     for (std::size_t i = 0; i < guess.size(); ++i) {
         Eigen::VectorXd extended(timed.map.dimension);

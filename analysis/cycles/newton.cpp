@@ -1,14 +1,13 @@
 #include "analysis/cycles/newton.hpp"
 
 #include "analysis/linear_algebra/dense.hpp"
-
-#include <limits>
+#include "analysis/special_values.hpp"
 
 namespace swirl::analysis {
 
 double newton(const Equation& equation, Eigen::VectorXd& x, const NewtonOptions& options) {
     constexpr double small = 1e-9;  // singular values below that of the largest are a family's
-    double best = std::numeric_limits<double>::infinity();
+    double best = infinity;
     Eigen::VectorXd kept = x, gap;
     Eigen::MatrixXd derivative;
     for (int i = 0; i < options.most; ++i) {

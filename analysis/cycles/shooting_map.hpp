@@ -2,13 +2,13 @@
 #pragma once
 
 #include "analysis/section_map.hpp"
+#include "analysis/special_values.hpp"
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -25,7 +25,7 @@ struct ShootingStep {
     double integral = 0;           ///< of an observable over the step's duration, for maps that have one
     /// A smooth quantity that falls to zero where the step ceases to exist (an impact's normal velocity). The map may
     /// end a little before, at its `least_margin`.
-    double margin = std::numeric_limits<double>::infinity();
+    double margin = infinity;
 };
 
 /// z ↦ F(z; p). A map without a parameter ignores p.

@@ -1,19 +1,18 @@
 #include "analysis/recurrence/measures.hpp"
 
+#include "analysis/special_values.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace swirl::analysis::recurrence {
 namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 struct Summary {
     std::uint64_t lines = 0, points = 0;  // of at least the minimal length
     std::uint64_t all_points = 0;         // of every length
     std::size_t longest = 0;
-    double entropy = undefined;
+    double entropy = nan;
 
     double mean() const { return lines == 0 ? 0 : static_cast<double>(points) / static_cast<double>(lines); }
 };
@@ -82,7 +81,7 @@ double recurrence_rate(const LineHistograms& lines, const Settings& settings) {
 double trend(const LineHistograms& lines, const Settings& settings) {
     const auto n = static_cast<std::ptrdiff_t>(lines.diagonal_points.size());
     const std::ptrdiff_t first = 1 + lines.theiler, last = n - settings.trend_border;
-    if (last < first) return undefined;
+    if (last < first) return nan;
     const auto rate = [&](std::ptrdiff_t d) {
         const double length = static_cast<double>(n - (d - 1)) * (d == 1 ? 1 : 2);
         return static_cast<double>(lines.diagonal_points[static_cast<std::size_t>(d - 1)]) / length;
@@ -96,7 +95,7 @@ double trend(const LineHistograms& lines, const Settings& settings) {
         numerator += weight * (rate(d) - mean);
         denominator += weight * weight;
     }
-    return denominator > 0 ? 1000 * numerator / denominator : undefined;
+    return denominator > 0 ? 1000 * numerator / denominator : nan;
 }
 
 }  // namespace
@@ -114,7 +113,7 @@ Measures measures(const LineHistograms& lines, const Settings& settings) {
     m.DET = share(diagonal.points, settings.determinism_of_all_points ? lines.points : diagonal.all_points);
     m.L = diagonal.mean();
     m.Lmax = static_cast<double>(diagonal.longest);
-    m.DIV = diagonal.longest > 0 ? 1 / m.Lmax : settings.empty_is_zero ? 0 : undefined;
+    m.DIV = diagonal.longest > 0 ? 1 / m.Lmax : settings.empty_is_zero ? 0 : nan;
     m.ENTR = diagonal.entropy;
     m.LAM = share(vertical.points, vertical.all_points);
     m.TT = vertical.mean();
@@ -124,7 +123,7 @@ Measures measures(const LineHistograms& lines, const Settings& settings) {
     m.RTE = times.entropy;
     if (settings.time_entropy_scale == TimeEntropyScale::log_longest) {
         const double scale = std::log(static_cast<double>(times.longest)) / log_base(settings.logarithm);
-        m.RTE = times.longest > 1 ? m.RTE / scale : undefined;
+        m.RTE = times.longest > 1 ? m.RTE / scale : nan;
     }
     m.TREND = trend(lines, settings);
     return m;

@@ -2,6 +2,7 @@
 
 #include "analysis/argument_error.hpp"
 #include "analysis/recurrence/pair_census.hpp"
+#include "analysis/special_values.hpp"
 
 #include <gsl/gsl_statistics_double.h>
 #include <hwy/contrib/sort/vqsort.h>
@@ -141,7 +142,7 @@ double threshold_of_rate(const Points& points, double rate, const Settings& sett
                                     : detail::select_key(points, settings.norm, gap, rank);
     }
     const double distance = distance_of_key(key, settings.norm, points.dimension);
-    return settings.strict ? std::nextafter(distance, std::numeric_limits<double>::infinity()) : distance;
+    return settings.strict ? std::nextafter(distance, infinity) : distance;
 }
 
 }  // namespace swirl::analysis::recurrence

@@ -154,7 +154,7 @@ RotationNumber rotation_number_by_delay(std::span<const double> samples, const R
     }
     const double centre = weighted_birkhoff_average(samples).average;
     std::vector<double> turns(samples.size() - 1);
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     double sum = 0;
     for (std::size_t j = 0; j < turns.size(); ++j) {
         const double x = samples[j] - centre;

@@ -1,12 +1,13 @@
 #include "analysis/spectrum/lines.hpp"
 
+#include "analysis/special_values.hpp"
+
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_movstat.h>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <new>
 #include <utility>
@@ -96,7 +97,7 @@ SpectralPeak refine(const PowerSpectrum& spectrum, std::size_t k, double window_
         peak.amplitude /= std::sqrt(bin_average_gain(peak.frequency * spectrum.spacing / spectrum.settings.cycle_time));
     }
     peak.power = peak.amplitude * peak.amplitude / (spectrum.two_sided || nyquist ? 1 : 2);
-    peak.spread = spectrum.spread.empty() ? std::numeric_limits<double>::quiet_NaN() : spectrum.spread[k];
+    peak.spread = spectrum.spread.empty() ? nan : spectrum.spread[k];
     return peak;
 }
 
@@ -113,7 +114,7 @@ std::vector<SpectralPeak> peaks_above(const PowerSpectrum& spectrum, const std::
         if (power <= factor * floor[k] || power < options.smallest_power * strongest) continue;
         if (!spectrum.spread.empty() && spectrum.spread[k] > options.largest_spread) continue;
         peaks.push_back(refine(spectrum, k, window_power));
-        peaks.back().prominence = floor[k] > 0 ? power / floor[k] : std::numeric_limits<double>::infinity();
+        peaks.back().prominence = floor[k] > 0 ? power / floor[k] : infinity;
     }
     std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.power > b.power; });
     return peaks;

@@ -1,12 +1,12 @@
 #include "analysis/spectrum/resample.hpp"
 
 #include "analysis/argument_error.hpp"
+#include "analysis/special_values.hpp"
 
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -58,7 +58,7 @@ double value_at(const Samples& in, std::size_t i, double t, Interpolation interp
     const double to = in.times[i + 1];
     if (std::abs(t - from) <= slack) return in.values[i];
     if (std::abs(t - to) <= slack) return in.values[i + 1];
-    if (to - from > longest) return std::numeric_limits<double>::quiet_NaN();
+    if (to - from > longest) return nan;
     if (interpolation == Interpolation::hold) return in.values[i];
     return in.values[i] + (t - from) / (to - from) * (in.values[i + 1] - in.values[i]);
 }

@@ -1,7 +1,8 @@
 #include "analysis/spectrum/spectral_entropy.hpp"
 
+#include "analysis/special_values.hpp"
+
 #include <cmath>
-#include <limits>
 
 namespace swirl::analysis {
 
@@ -13,7 +14,7 @@ double spectral_entropy(const PowerSpectrum& spectrum) {
         total += spectrum.power[k];
         count += 1;
     }
-    if (!(total > 0)) return std::numeric_limits<double>::quiet_NaN();
+    if (!(total > 0)) return nan;
     double entropy = 0;
     for (std::size_t k = 0; k < spectrum.power.size(); ++k) {
         const double share = spectrum.power[k] / total;

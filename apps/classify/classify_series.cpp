@@ -2,6 +2,7 @@
 
 #include "analysis/classification/classify_angle.hpp"
 #include "analysis/classification/classify_series.hpp"
+#include "analysis/special_values.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/input/angle_stretch.hpp"
@@ -56,14 +57,14 @@ struct SeriesVerdict {
 
 Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
     using Verdict = analysis::Classification;
-    const double none = Verdict::unknown, spacing = v.used.spacing;
+    const double spacing = v.used.spacing;
     const bool flow = v.options.sampled_flow;
     const auto of = [](auto member) { return [member](const SeriesVerdict& row) { return row.verdict.*member; }; };
     const auto per_time = [&](double Verdict::*member) {
-        return [=](const SeriesVerdict& row) { return flow ? row.verdict.*member / spacing : none; };
+        return [=](const SeriesVerdict& row) { return flow ? row.verdict.*member / spacing : analysis::nan; };
     };
     const auto per_impact = [&](double Verdict::*member) {
-        return [=](const SeriesVerdict& row) { return flow ? none : row.verdict.*member; };
+        return [=](const SeriesVerdict& row) { return flow ? analysis::nan : row.verdict.*member; };
     };
     return {{},
             {{"mode", of(&Verdict::mode), no_column},
@@ -71,8 +72,8 @@ Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
              period_field<SeriesVerdict>(of(&Verdict::period)),
              {"mean_S",
               [=](const SeriesVerdict& row) {
-                  if (row.whole.quantity == distance_of_position) return none;
-                  return flow ? row.verdict.mean : row.used.time.empty() ? none : time_mean(row.used);
+                  if (row.whole.quantity == distance_of_position) return analysis::nan;
+                  return flow ? row.verdict.mean : row.used.time.empty() ? analysis::nan : time_mean(row.used);
               },
               no_column},
              {"mean_S_per_impact", per_impact(&Verdict::mean_per_step), no_column},
@@ -149,7 +150,7 @@ void judge_angle(SeriesVerdict& v) {
     v.verdict = analysis::classify_angle(stretch.angles, stretch.spacing * v.whole.swirl_rate, v.options,
                                          v.whole.angle.resolution);
     if (v.whole.is_unwrapped()) return;
-    v.verdict.mean = analysis::Classification::unknown;
+    v.verdict.mean = analysis::nan;
     leave_undecided(v, {"largest turn from row to row, in half periods", v.whole.largest_turn, sure_turn,
                         "too near 1 to tell which way it turned", "at most 0.9: lines and continuum would decide"});
 }

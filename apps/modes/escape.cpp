@@ -1,6 +1,7 @@
 #include "apps/modes/escape.hpp"
 
 #include "analysis/classification/tail.hpp"
+#include "analysis/special_values.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/start_options.hpp"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 
 namespace swirl::apps {
@@ -83,7 +83,7 @@ double ln_growth(const SceneMap<D>& map, const Start<double>& start, std::int64_
     auto z = begin.state;
     const analysis::Vector<D> apart = analysis::Vector<D>::Ones().normalized();
     analysis::Vector<D> difference = apart;
-    double grown = 0, before = -std::numeric_limits<double>::infinity();
+    double grown = 0, before = -analysis::infinity;
     for (std::int64_t n = begin.impacts; n < impact && !is_over(); ++n) {
         const auto step = map.linearise(z);
         if (!step.alive) break;

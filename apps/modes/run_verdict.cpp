@@ -1,5 +1,7 @@
 #include "apps/modes/run_verdict.hpp"
 
+#include "analysis/special_values.hpp"
+
 #include <cmath>
 
 namespace swirl::apps {
@@ -8,8 +10,7 @@ namespace {
 
 /// NaN without a cycle; its multipliers come by falling modulus.
 double ln_multiplier_of(const analysis::Classification& verdict) {
-    return verdict.multipliers.empty() ? analysis::Classification::unknown
-                                       : std::log(std::abs(verdict.multipliers.front()));
+    return verdict.multipliers.empty() ? analysis::nan : std::log(std::abs(verdict.multipliers.front()));
 }
 
 }  // namespace

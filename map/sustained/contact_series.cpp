@@ -73,6 +73,7 @@ struct Builder {
 
     const Body<T>& body = scene.body;
     const bool sticks = motion == ContactMotion::sticking;
+    const bool dissipates = !sticks && scene.mu != T(0);
     const T smu = sticks ? T(0) : T(scene.mu * Plain<T>(sign_of(motion)));
     const T kappa = scene.inertia_factor();
     const T rolling = -kappa / (T(1) + kappa), grip = T(1) + T(1) / kappa;  // of a disk: f/w_t, and u_t′ by f
@@ -105,8 +106,7 @@ struct Builder {
         z.work[k + 1] = next * (slip_power - z.friction[k]);
     }
 
-    /// A slip of zero is zero in every order.
-    T slip_power(int k) const { return sticks || scene.mu == T(0) ? T(0) : product(z.friction, z.ut, k); }
+    T slip_power(int k) const { return dissipates ? product(z.friction, z.ut, k) : T(0); }
 
     void rim(int k) {
         swirl.extend(z.psi[k], k);
@@ -151,7 +151,7 @@ struct Builder {
         z.friction[k] = -smu * z.normal[k];
         spin_rate[k] = body.per_inertia * (by_normal[0] + z.normal[k] * lever[0]);
         const T ut_rate = (along[1] - swirl.sine(k) - inwards[0]) + (z.friction[k] + spin_rate[k] * r.cosine(0));
-        const T power = scene.mu == T(0) ? T(0) : T(-smu * (by_normal[1] + z.normal[k] * z.ut[0]));
+        const T power = dissipates ? T(-smu * (by_normal[1] + z.normal[k] * z.ut[0])) : T(0);
         integrate(k, z.ut[k], z.spin[k] - z.ut[k], ut_rate, power);
     }
 

@@ -78,6 +78,9 @@ struct OpenCondition {
         return against ? T(rate - copysign(T(1), value_at(*against, t)) * derivative_at(*against, t)) : rate;
     }
 
+    /// How far the condition may be below the lower of its values at the ends of a time `width`, within it.
+    T may_fall(const T& width) const { return T(0.125) * bend * width * width; }
+
     /// The moment between two ends of a part at which the condition is lowest, if it fails there beyond rounding (some
     /// 10⁻¹³ of its terms) though it holds at both.
     ///   before, after  the values at the two
@@ -101,7 +104,7 @@ private:
     /// where the first derivative does not change its sign; the other intervals are halved.
     void seek(const T& from, const T& to, const T& before, const T& after, int halvings, Lowest& lowest) const {
         const T width = to - from;
-        if (std::min(before, after) - T(0.125) * bend * width * width > lowest.value) return;
+        if (std::min(before, after) - may_fall(width) > lowest.value) return;
         const T leaving = rate_at(from), arriving = rate_at(to);
         if (leaving >= bend * width || arriving <= -bend * width) return;
         if (leaving < 0 && arriving > 0) {
@@ -154,6 +157,13 @@ struct OpenConditions {
     bool hold(const Values& values) const {
         for (std::size_t i = 0; i < count; ++i)
             if (!(values[i] > list[i].rounding)) return false;
+        return !all;
+    }
+
+    /// Do all hold between two moments `width` apart, by the bound of their second derivatives?
+    bool hold_between(const T& width, const Values& before, const Values& after) const {
+        for (std::size_t i = 0; i < count; ++i)
+            if (!(std::min(before[i], after[i]) - list[i].may_fall(width) > list[i].rounding)) return false;
         return !all;
     }
 
@@ -211,6 +221,27 @@ Failure<T> failure_by(const Problem<T>& problem, const Step<T>& step, const T& f
     return first;
 }
 
+/// The first failure in the parts [first, last) of a step of length h: halved for as long as they are not proven to
+/// hold, down to single parts.
+///   before, after  the conditions at the two ends
+template <class T>
+Failure<T> failure_in_parts(const Problem<T>& problem, const Step<T>& step, const OpenConditions<T>& conditions,
+                            const T& h, int first, int last, const typename OpenConditions<T>::Values& before,
+                            const typename OpenConditions<T>::Values& after) {
+    const auto moment_of = [&](int part) { return T(h * part / parts_per_step); };
+    const T from = moment_of(first), to = moment_of(last);
+    if (conditions.hold_between(T(to - from), before, after)) return {};
+    if (last - first > 1) {
+        const int middle = (first + last) / 2;
+        const auto between = conditions.at(moment_of(middle));
+        const Failure<T> failure = failure_in_parts(problem, step, conditions, h, first, middle, before, between);
+        return failure.found ? failure : failure_in_parts(problem, step, conditions, h, middle, last, between, after);
+    }
+    for (const T& moment : conditions.dips(from, to, before, after))
+        if (Failure<T> failure = failure_by(problem, step, from, moment); failure.found) return failure;
+    return conditions.hold(after) ? Failure<T>{} : failure_by(problem, step, from, to);
+}
+
 }  // namespace
 
 template <class T>
@@ -254,17 +285,7 @@ Failure<T> first_failure(const Problem<T>& problem, const Step<T>& step, const T
     if (strikes_at_once(problem, step)) return {T(0), strike_condition, true};
     const OpenConditions<T> conditions = open_conditions(problem, step.series(), h);
     if (!conditions.all && conditions.count == 0) return {};
-    typename OpenConditions<T>::Values before = conditions.at(T(0));
-    for (int part = 1; part <= parts_per_step; ++part) {
-        const T from = h * (part - 1) / parts_per_step, to = h * part / parts_per_step;
-        const typename OpenConditions<T>::Values after = conditions.at(to);
-        for (const T& moment : conditions.dips(from, to, before, after))
-            if (Failure<T> failure = failure_by(problem, step, from, moment); failure.found) return failure;
-        before = after;
-        if (conditions.hold(after)) continue;
-        if (Failure<T> failure = failure_by(problem, step, from, to); failure.found) return failure;
-    }
-    return {};
+    return failure_in_parts(problem, step, conditions, h, 0, parts_per_step, conditions.at(T(0)), conditions.at(h));
 }
 
 #define SWIRL_COMPILE_CONTACT_WATCH(T)                                                                \

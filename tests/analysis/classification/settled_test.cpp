@@ -104,6 +104,16 @@ TEST(Settled, ImpactsThatAccumulateLeadToNoCycle) {
     EXPECT_EQ(follow(1).cycle.period, 1);
 }
 
+/// Nor where all steps are looked at: the returns of the last 60 close to 10⁻⁹ all along.
+TEST(Settled, ImpactsThatAccumulateLeadToNoCycleInATailThatClosesEither) {
+    const auto period = [](double time_at_zero) {
+        const Accumulates map{time_at_zero};
+        return find_period(map, follow_tail(map, Vector<1>{1}, 200, 60)).period;
+    };
+    EXPECT_EQ(period(0), 0);
+    EXPECT_EQ(period(1), 1);
+}
+
 TEST(Settled, WhatEndsIsTakenAsItEnds) {
     maps::LinearMap<2> map;
     map.A = 1.01 * Matrix<2>::Identity();

@@ -259,9 +259,14 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     const std::int64_t longest =
         std::min<std::int64_t>(options.max_period, static_cast<std::int64_t>(tail.points.size()) / 2);
     std::vector<std::pair<double, std::int64_t>> near;
+    std::int64_t accumulating = 0;  // so do its multiples
     for (std::int64_t k = 1; k <= longest; ++k) {
         const double returned = detail::return_distance(map, tail, k, k, options.vicinity);
-        if (returned > options.vicinity || accumulates(map, tail, k)) continue;
+        if (returned > options.vicinity || (accumulating > 0 && k % accumulating == 0)) continue;
+        if (accumulates(map, tail, k)) {
+            accumulating = k;
+            continue;
+        }
         if (returned <= options.closure) {
             auto found = detail::cycle_of_closed(map, tail, k, returned, options, effort);
             if (found.attracting || found.closure_persists) return found;

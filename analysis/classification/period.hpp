@@ -259,20 +259,15 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     const std::int64_t longest =
         std::min<std::int64_t>(options.max_period, static_cast<std::int64_t>(tail.points.size()) / 2);
     std::vector<std::pair<double, std::int64_t>> near;
-    std::int64_t accumulating = 0;  // so do its multiples
     for (std::int64_t k = 1; k <= longest; ++k) {
         const double returned = detail::return_distance(map, tail, k, k, options.vicinity);
-        if (returned > options.vicinity || (accumulating > 0 && k % accumulating == 0)) continue;
-        if (accumulates(map, tail, k)) {
-            accumulating = k;
-            continue;
-        }
         if (returned <= options.closure) {
             auto found = detail::cycle_of_closed(map, tail, k, returned, options, effort);
-            if (found.attracting || found.closure_persists) return found;
-            break;  // passes an unstable cycle: the multiples of k do, too
+            const bool lasts = !accumulates(map, tail, found.period, options.vicinity);
+            if (lasts && (found.attracting || found.closure_persists)) return found;
+            break;  // passes an unstable cycle, or steps accumulate: the multiples of k do, too
         }
-        near.emplace_back(returned, k);
+        if (returned <= options.vicinity) near.emplace_back(returned, k);
     }
     std::sort(near.begin(), near.end());
     FoundCycle<M> best;
@@ -281,6 +276,7 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
         if (!detail::returns_shrink(map, tail, near[i].second, 1, 1)) continue;
         const auto found = detail::cycle_near(map, tail, near[i].second, near[i].first, options, effort);
         if (found.period == 0 || !found.attracting || !found.approached || found.distance > found.farthest) continue;
+        if (accumulates(map, tail, found.period, options.vicinity)) continue;
         if (best.period == 0 || found.period < best.period) best = found;
     }
     return best;

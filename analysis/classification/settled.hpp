@@ -81,6 +81,7 @@ template <SectionMap M>
 bool is_certain(const M& map, const Tail<M>& window, const PeriodOptions& options, const FoundCycle<M>& cycle,
                 Effort& effort) {
     if (cycle.period == 0 || !cycle.attracting || cycle.distance > cycle.farthest) return false;
+    if (accumulates(map, window, cycle.period, options.vicinity)) return false;
     const bool closed = cycle.closure <= options.closure;  // rounding is all that is left: nothing shrinks any more
     if (!closed && !cycle.approached) return false;
     if (cycle.family ? cycle.farthest > member_known : !linear_part_rules(map, window, cycle, effort)) return false;
@@ -102,7 +103,7 @@ FoundCycle<M> settled_cycle(const M& map, const Tail<M>& window, const PeriodOpt
     std::vector<std::pair<double, std::int64_t>> near;
     for (std::int64_t k = 1; k <= std::min(options.max_period, n / 3); ++k) {
         const double returned = detail::return_distance(map, window, k, k, options.vicinity);
-        if (returned > options.vicinity || accumulates(map, window, k)) continue;
+        if (returned > options.vicinity) continue;
         const bool closed = returned <= options.closure;
         if (closed || detail::returns_shrink(map, window, k, 0, 1)) near.emplace_back(returned, k);
         if (closed) break;  // its multiples are closed, too

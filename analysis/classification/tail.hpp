@@ -136,22 +136,37 @@ double distance(const M& map, const Vector<M::dimension>& a, const Vector<M::dim
     return largest;
 }
 
-/// Do the orbit's returns after k steps take less time as they grow smaller: half of it, or less, of what they took
-/// when they were four times as large? Where steps accumulate they do: the states converge within a finite time, after
-/// which the orbit goes on elsewhere. What settles on a cycle comes to take the cycle's time.
+/// Do the orbit's returns after k steps take less time as they grow smaller? Where steps accumulate both fall by the
+/// same factor q: the states converge within a finite time, after which the orbit goes on elsewhere. On a cycle returns
+/// fall, and the time stays. Asked of the last return and the first since when all were within `vicinity`: yes if the
+/// time has fallen by half as much as the return, (1 − q)/2; where returns do not fall, by a tenth; where they are
+/// rounding, by a thousandth. Yes also where the state returns to 10⁻⁹ only for want of time, moving by 10⁻³ or more in
+/// a unit of it: there the times may be rounding, too.
 template <SectionMap M>
-bool accumulates(const M& map, const Tail<M>& tail, std::int64_t k) {
-    const auto n = static_cast<std::int64_t>(tail.points.size());
+bool accumulates(const M& map, const Tail<M>& tail, std::int64_t k, double vicinity) {
+    constexpr double rounding = 1e-13, still = 1e-9, moves = 1e-3;
     const auto return_to = [&](std::int64_t j) {
         return distance(map, tail.points[static_cast<std::size_t>(j)], tail.points[static_cast<std::size_t>(j - k)]);
     };
     const auto time_to = [&](std::int64_t j) {
         return std::accumulate(tail.durations.begin() + (j - k), tail.durations.begin() + j, 0.0);
     };
-    const double last = return_to(n - 1);
-    for (std::int64_t j = n - 1 - k; j >= k; j -= k)
-        if (return_to(j) >= 4 * last) return 2 * time_to(n - 1) <= time_to(j);
-    return false;
+    const std::int64_t last = static_cast<std::int64_t>(tail.points.size()) - 1;
+    if (last < k) return false;
+    const double at_last = return_to(last);
+    if (at_last <= still && at_last >= moves * time_to(last)) return true;
+    std::int64_t first = last;
+    double before = 0;
+    while (first - k >= k) {
+        const double earlier = return_to(first - k);
+        if (earlier > vicinity) break;
+        before = earlier;
+        first -= k;
+    }
+    if (first == last) return false;
+    const double now = std::max(at_last, rounding);
+    const double fall = before <= 10 * rounding ? 2e-3 : now < before ? 1 - now / before : 0.2;
+    return time_to(last) <= (1 - fall / 2) * time_to(first);
 }
 
 }  // namespace swirl::analysis

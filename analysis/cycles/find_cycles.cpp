@@ -1,7 +1,8 @@
 #include "analysis/cycles/find_cycles.hpp"
 
+#include "analysis/threads.hpp"
+
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
@@ -20,8 +21,7 @@ std::vector<Solved> solve_all(const ShootingMap& map, double p, const std::vecto
                               const SearchOptions& options, SearchCounts& counts) {
     std::vector<Solved> solved(candidates.size());
     std::mutex mutex;
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-    arena.execute([&] {
+    on_threads(options.threads, [&] {
         tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
             if (options.stop && options.stop()) return;
             ShootingResult shot = solve_shooting(map, candidates[i], p, options.accept, options.shooting);

@@ -1,7 +1,8 @@
 #include "analysis/cycles/known_cycles.hpp"
 
+#include "analysis/threads.hpp"
+
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -70,8 +71,7 @@ std::vector<std::int64_t> KnownCycles::times_found() const {
 std::vector<Cycle> KnownCycles::completed(int threads) const {
     std::vector<Cycle> cycles = cycles_;
     std::vector<char> done(cycles.size(), 0);
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-    arena.execute([&] {
+    on_threads(threads, [&] {
         tbb::parallel_for(std::size_t{0}, cycles.size(),
                           [&](std::size_t i) { done[i] = complete_cycle(map_, p_, cycles[i]) ? 1 : 0; });
     });

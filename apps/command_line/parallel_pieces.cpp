@@ -1,9 +1,9 @@
 #include "apps/command_line/parallel_pieces.hpp"
 
+#include "analysis/threads.hpp"
 #include "apps/command_line/interruption.hpp"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <chrono>
 #include <future>
@@ -41,9 +41,9 @@ bool run_pieces(std::size_t count, int threads, Progress& progress,
     const auto pieces = std::make_shared<Pieces>();
     pieces->work = work;
     std::packaged_task<void()> run_all([pieces, count, threads, &progress] {
-        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-        arena.execute(
-            [&] { tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { run_piece(*pieces, i, progress); }); });
+        analysis::on_threads(threads, [&] {
+            tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { run_piece(*pieces, i, progress); });
+        });
     });
     std::future<void> ended = run_all.get_future();
     std::thread runner(std::move(run_all));

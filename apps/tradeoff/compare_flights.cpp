@@ -3,8 +3,12 @@
 #include "apps/command_line/parallel_pieces.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace swirl::apps::tradeoff {
 
@@ -48,18 +52,21 @@ FoundContact contact_of(const RungStep& step, const RungStep& exact) {
     if (!is_flight(step)) return FoundContact::missed;
     const Collision<double>&a = step.rounded.collision, &b = exact.rounded.collision;
     const double late = a.flight_time - b.flight_time;
-    if (!(late <= late_contact)) return FoundContact::missed;
-    if (late < -late_contact) return FoundContact::misordered;
+    const double apart = std::min(late_contact, b.flight_time / 2);
+    if (!(late <= apart)) return FoundContact::missed;
+    if (late < -apart) return FoundContact::misordered;
     const bool is_another = a.vertex_step != b.vertex_step && !a.simultaneous && !b.simultaneous;
     return is_another ? FoundContact::misordered : FoundContact::first;
 }
 
-/// The steps of a rung from a drawn state: as many as asked for, fewer where it leaves flights.
-std::vector<RungStep> steps_of(const RungMap& map, PostImpactState<Quad> z, int count) {
+/// The steps of a rung from a drawn state: as many as asked for, fewer where it leaves flights, or is over.
+std::vector<RungStep> steps_of(
+    const RungMap& map, PostImpactState<Quad> z, int count,
+    const std::function<bool()>& is_over = [] { return false; }) {
     std::vector<RungStep> steps;
     for (int k = 0; k < count; ++k) {
         steps.push_back(map.advance(z));
-        if (!is_flight(steps.back())) break;
+        if (is_over() || !is_flight(steps.back())) break;
         z = steps.back().after;
     }
     return steps;
@@ -113,14 +120,38 @@ FlightComparison summary_of(const RungErrors& pieces, double epsilon) {
     return found;
 }
 
+/// Of what is left of the flights' share of the budget, what a rung that is only compared with may take of it.
+constexpr double share_of_one = 0.3;
+
 /// What the pieces of work need: it outlives the call, as they may.
 struct Work {
+    using Clock = std::chrono::steady_clock;
+
     Scene<double> scene;
     std::vector<DrawnFlight> flights;
     std::span<const Rung> rungs;
     std::vector<RungMap> maps;
     std::vector<RungErrors> errors;  ///< [rung][piece]
     const Budget* budget;
+    double most_of_one = 0;                              ///< seconds that one rung may take
+    mutable std::vector<std::atomic<Clock::rep>> taken;  ///< by each rung so far
+
+    /// A rung that none is recommended of, and that took so long that the others would not be done.
+    bool is_left_out(std::size_t r) const {
+        return !rungs[r].is_exact && std::chrono::duration<double>(Clock::duration(taken[r])).count() > most_of_one;
+    }
+
+    FlightError compare_one(std::size_t r, const DrawnFlight& flight, int count,
+                            const std::vector<RungStep>& exact) const {
+        if (is_left_out(r)) return {};
+        auto last = Clock::now();
+        const auto steps = steps_of(maps[r], rungs[r].begin(scene, flight.state), count, [&] {
+            const auto now = Clock::now();
+            taken[r] += (now - std::exchange(last, now)).count();
+            return is_left_out(r);
+        });
+        return is_left_out(r) ? FlightError{} : compare(steps, exact, flight.condition);
+    }
 
     /// The errors of each rung on a piece's flights; nothing once the budget is spent.
     std::vector<std::vector<FlightError>> piece(std::size_t number) const {
@@ -130,10 +161,7 @@ struct Work {
             const DrawnFlight& flight = flights[i];
             const int count = flight.begins_ten ? ten : 1;
             const auto exact = steps_of(maps.back(), rungs.back().begin(scene, flight.state), count);
-            for (std::size_t r = 0; r < found.size(); ++r) {
-                const auto steps = steps_of(maps[r], rungs[r].begin(scene, flight.state), count);
-                found[r].push_back(compare(steps, exact, flight.condition));
-            }
+            for (std::size_t r = 0; r < found.size(); ++r) found[r].push_back(compare_one(r, flight, count, exact));
         }
         return found;
     }
@@ -144,8 +172,15 @@ struct Work {
 ComparedFlights compare_flights(const Scene<double>& scene, const std::vector<DrawnFlight>& flights,
                                 std::span<const Rung> rungs, const Budget& budget, const OutputOptions& output) {
     const std::size_t pieces = (flights.size() + in_a_piece - 1) / in_a_piece;
-    const auto work = std::make_shared<Work>();
-    *work = {scene, flights, rungs, {}, std::vector<RungErrors>(rungs.size() - 1, RungErrors(pieces)), &budget};
+    const double left = counted_share * budget.seconds() - budget.spent();
+    const auto work = std::make_shared<Work>(Work{scene,
+                                                  flights,
+                                                  rungs,
+                                                  {},
+                                                  std::vector<RungErrors>(rungs.size() - 1, RungErrors(pieces)),
+                                                  &budget,
+                                                  share_of_one * left,
+                                                  std::vector<std::atomic<Work::Clock::rep>>(rungs.size())});
     for (const Rung& rung : rungs) work->maps.push_back(rung.make(scene, {}));
     Progress progress("tradeoff: errors", static_cast<double>(pieces), output.quiet);
     ComparedFlights compared;
@@ -156,9 +191,14 @@ ComparedFlights compare_flights(const Scene<double>& scene, const std::vector<Dr
             for (std::size_t r = 0; r < found.size(); ++r) work->errors[r][number] = std::move(found[r]);
         };
     });
-    for (std::size_t r = 0; r + 1 < rungs.size(); ++r)
-        compared.rungs.push_back(summary_of(work->errors[r], rungs[r].epsilon));
-    if (!compared.rungs.empty()) compared.flights = compared.rungs.front().flights;
+    for (std::size_t r = 0; r + 1 < rungs.size(); ++r) {
+        compared.rungs.emplace_back();
+        if (work->is_left_out(r))
+            compared.whole = false;
+        else
+            compared.rungs.back() = summary_of(work->errors[r], rungs[r].epsilon);
+        if (compared.rungs.back()) compared.flights = compared.rungs.back()->flights;
+    }
     return compared;
 }
 

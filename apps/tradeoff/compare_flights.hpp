@@ -7,6 +7,7 @@
 #include "apps/tradeoff/rung.hpp"
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace swirl::apps::tradeoff {
@@ -21,10 +22,11 @@ struct ErrorSpread {
 /// found; those that were not are counted.
 struct FlightComparison {
     std::int64_t flights = 0;  ///< that both could be asked for: no contact in the top rung's step
-    /// Passed over: no contact was found, or one that is later than the first by more than `late_contact`.
+    /// Passed over: no contact was found, or one that is later than the first by more than `late_contact`
+    /// or half the flight.
     std::int64_t missed = 0;
     /// Another vertex' contact was taken for the first, at nearly its time (unless two touch within rounding of each
-    /// other), or one that is earlier by more than `late_contact`.
+    /// other), or one that is earlier by more than that.
     std::int64_t misordered = 0;
     analysis::RateInterval missed_rate, misordered_rate;
     ErrorSpread one, ten;  ///< after one flight, and after ten in a row
@@ -32,14 +34,15 @@ struct FlightComparison {
     double largest_in_condition = std::nan("");  ///< of error/(ε condition), ε the rung's own
 };
 
-/// A contact at a time that is farther off than this is another contact: 1.1° of the swirl, more than a search in steps
-/// of 0.01 is late by.
+/// A contact at a time that is farther off than this is another contact, and so is one that is farther off than half
+/// the flight: 1.1° of the swirl, more than a search in steps of 0.01 is late by.
 inline constexpr double late_contact = 0.02;
 
 struct ComparedFlights {
-    std::vector<FlightComparison> rungs;  ///< one a rung but for the last, with which they are compared
-    std::int64_t flights = 0;             ///< compared
-    bool whole = true;                    ///< false: the budget was spent before all drawn ones were
+    /// One a rung but for the last, with which they are compared; none of a rung that would have taken the time of all.
+    std::vector<std::optional<FlightComparison>> rungs;
+    std::int64_t flights = 0;  ///< compared
+    bool whole = true;         ///< false: the budget was spent before all drawn ones were
 };
 
 /// Equal flights give equal results, whatever the number of threads.

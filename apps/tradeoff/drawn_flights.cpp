@@ -25,9 +25,12 @@ struct Seen {
 };
 
 template <int D>
-double condition_of(const analysis::Matrix<D>& derivative, const analysis::Vector<D>& from,
-                    const analysis::Vector<D>& to) {
-    const analysis::Vector<D> sensitivity = derivative.cwiseAbs() * from.cwiseAbs().cwiseMax(1);
+double condition_of(const SceneMap<D>& map, const PostImpactState<double>& z, const ReturnStep<double>& step) {
+    const analysis::Vector<D> from = map.coordinates(z), to = map.coordinates(step.collision.after);
+    const Body<double>& body = map.body();
+    const analysis::Vector<D> sensitivity = map.through_flight(z, step).cwiseAbs() * from.cwiseAbs().cwiseMax(1) +
+                                            body.alpha * map.along(z, step, Parameter::alpha).cwiseAbs() +
+                                            body.beta * map.along(z, step, Parameter::beta).cwiseAbs();
     return 1 + sensitivity.cwiseQuotient(to.cwiseAbs().cwiseMax(1)).maxCoeff();
 }
 
@@ -41,9 +44,7 @@ std::vector<Seen> look_along(const SceneMap<D>& map, PostImpactState<double> z, 
         const ReturnStep<double> step = map.return_step(z);
         if (!map.goes_on(step)) break;
         Seen one{z, step.contacts.empty(), 1};
-        if (one.is_flight)
-            one.condition =
-                condition_of<D>(map.through_flight(z, step), map.coordinates(z), map.coordinates(step.collision.after));
+        if (one.is_flight) one.condition = condition_of<D>(map, z, step);
         seen.push_back(one);
         z = step.collision.after;
     }

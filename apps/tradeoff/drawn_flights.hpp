@@ -18,8 +18,9 @@ struct DrawnFlight {
     PostImpactState<double> state;  ///< just after the impact that it begins with
     int in_a_row = 1;               ///< flights that follow one another from there, this one counted, at most ten
     bool begins_ten = false;        ///< one of the chains of ten, which do not overlap
-    /// How much a relative change of the state grows over the flight and its impact, in the largest coordinate: max_i
-    /// Σ_j |∂F_i/∂z_j| max(1, |z_j|) / max(1, |F_i|), and 1 for the rounding of the result itself.
+    /// How much a relative change of the state, of α and of β grows over the flight and its impact, in the largest
+    /// coordinate: max_i (Σ_j |∂F_i/∂z_j| max(1, |z_j|) + α |∂F_i/∂α| + β |∂F_i/∂β|) / max(1, |F_i|), and 1 for the
+    /// rounding of the result itself.
     double condition = 1;
 };
 

@@ -28,11 +28,17 @@ std::int64_t enough(const std::vector<EvidenceRung>& rungs) {
     return least;
 }
 
+/// To two digits: "0.31", "3.1", "31", "100".
+std::string in_percent(double share) {
+    return 100 * share < 10 ? fmt::format("{:.2g}", 100 * share) : fmt::format("{:.0f}", 100 * share);
+}
+
 /// "2 of 64 starts have another mode, 11 % at most at 95 %"
 std::string changed_in_words(const EvidenceRung& rung) {
-    return fmt::format("{} of {} start{} {} another mode, {:.2g} % at most at 95 %",
+    return fmt::format("{} of {} start{} {} another mode, {} % at most at 95 %",
                        rung.changed > 0 ? fmt::format("{}", rung.changed) : "none", rung.runs,
-                       rung.runs == 1 ? "" : "s", rung.changed > 1 ? "have" : "has", 100 * rung.changed_rate.most);
+                       rung.runs == 1 ? "" : "s", rung.changed > 1 ? "have" : "has",
+                       in_percent(rung.changed_rate.most));
 }
 
 /// What there is to say of the number of impacts.
@@ -58,7 +64,9 @@ std::string digits_in_words(const Tradeoff& found, const ArithmeticRung& row) {
     const ArithmeticRung& last = found.rungs.back();
     std::string words;
     const double one = row.flights ? row.flights->one.largest : 0, of_ten = row.flights ? row.flights->ten.largest : 0;
-    if (one > 0) words = fmt::format(" (one step is off by at most {:.1g}", one);
+    if (one > 0)
+        words = fmt::format(" ({}one step is off by at most {:.1g}",
+                            found.drawn.after_transient ? "" : "on beginnings of orbits ", one);
     if (one > 0) words += of_ten > 0 ? fmt::format(", ten by {:.1g})", of_ten) : ")";
     words += ": orbits and continue round every step to double, so that more digits do not sharpen their cycles";
     if (&row == &last) return words;

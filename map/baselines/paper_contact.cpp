@@ -12,14 +12,16 @@ namespace {
 constexpr int bisections = 10;
 constexpr int most_newton_steps = 50;
 
-/// The points of a flight, and the count of moments looked at.
+/// The points of a flight, and the counts of moments looked at and of gaps.
 struct Points {
     const Body<double>& body;
     const Flight<double>& flight;
     int steps = 0;
+    long gaps = 0;
 
     detail::TouchingPoint at(int k, double time) {
         ++steps;
+        ++gaps;
         return detail::touching_point(body, flight, detail::moment_of(body, flight, time), k);
     }
     /// The appendix' R_c − ‖X_i − O‖ < ε.
@@ -92,7 +94,7 @@ bool is_physical(Points& points, int k, double time) {
     const detail::TouchingPoint point = detail::touching_point(points.body, points.flight, at, k);
     if (!(dot(point.place, point.rate) > 0)) return false;
     if (detail::all_inside(points.body, at)) return true;
-    for (int j = 0; j < detail::touching_points(points.body); ++j) {
+    for (int j = 0; j < detail::touching_points(points.body); ++j, ++points.gaps) {
         const detail::TouchingPoint other = detail::touching_point(points.body, points.flight, at, j);
         if (detail::magnitude(other.place) - 1 > paper_tolerance) return false;
     }
@@ -110,6 +112,7 @@ FirstContact<double> paper_contact(const Body<double>& body, const Flight<double
     for (std::size_t i = 1; i < times.size(); ++i) {
         if (!(times[i] > times[i - 1])) continue;
         for (int k = 0; k < detail::touching_points(body); ++k) {
+            if (points.gaps > detail::most_gaps) return detail::given_up(points.steps);
             const double near = bisected(points, k, times[i - 1], times[i]);
             const double time = near > 0 ? newton(points, k, near) : -1;
             if (!(time > 0) || (vertex >= 0 && time >= earliest) || !is_physical(points, k, time)) continue;

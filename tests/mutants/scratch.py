@@ -28,8 +28,8 @@ COPIED = ("map", "tests/map", "tests/references", "tests/sample_count.hpp")
 # Other authors of the same physics, to be compared with it, not seen by its own tests; kernels take minutes to compile.
 NOT_OF_THE_MAP = re.compile(r"map/(batch|proof|proof_check|intervals)/")
 # Of tests: proofs and kernels as above, what is timed, and what needs analysis/ too.
-NOT_A_PROGRAM = re.compile(r"tests/map/(batch/|certainty/|intervals_test|proof_test|elastic_return_test|elastic_limit_test|"
-                           r"baselines/missed_contacts_test)")
+NOT_A_PROGRAM = re.compile(r"tests/map/(batch/|certainty/|intervals_test|proof_test|all_fixed_points_test|"
+                           r"elastic_return_test|elastic_limit_test|baselines/missed_contacts_test)")
 BY_JETS = ["tests/map/differentiated_disks.cpp", "tests/map/differentiated_polygons.cpp"]
 BESIDE = {  # a test program's other sources
     "derivative_test": BY_JETS,

@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace swirl::analysis {
 namespace {
@@ -83,35 +86,73 @@ TEST(Settled, ABorderWithinTheBallIsSeen) {
     }
 }
 
-/// z′ = 0.9 z in a time that falls with z, as impacts that accumulate.
+/// z′ = q z in a time that falls with z, as impacts that accumulate. The coordinate is 1 + z, so that small returns are
+/// rounded.
 struct Accumulates {
     static constexpr int dimension = 1;
-    double time_at_zero;
-    Advance<1> advance(const Vector<1>& z) const { return {Vector<1>(0.9 * z), time_at_zero + z[0], 0, true}; }
+    double q, time_at_zero;
+    Advance<1> advance(const Vector<1>& z) const {
+        const double left = z[0] - 1;
+        return {Vector<1>(1 + q * left), time_at_zero + left, 0, true};
+    }
     Linearised<1> linearise(const Vector<1>& z) const {
-        return {advance(z).state, time_at_zero + z[0], 0, true, Matrix<1>{0.9}};
+        const Advance<1> step = advance(z);
+        return {step.state, step.duration, 0, true, Matrix<1>{q}};
     }
     static double angle_period(int) { return 0; }
 };
 
+constexpr std::array factors{0.5, 0.9, 0.97, 0.98, 0.985, 0.99, 0.995, 0.999};
+constexpr std::array distances{1.0, 1e-3, 1e-6, 1e-9, 1e-12};
+
 /// Steps of ever less time lead to no fixed point, though the states converge: they are over in a finite time. In steps
 /// that last they do.
 TEST(Settled, ImpactsThatAccumulateLeadToNoCycle) {
-    const auto follow = [](double time_at_zero) {
-        return follow_until_settled(Accumulates{time_at_zero}, Vector<1>{1}, 1000, 1000, PeriodOptions{}, true);
+    for (const double q : factors)
+        for (const double begin : distances) {
+            const auto period = [&](double time_at_zero) {
+                // As many impacts as take z from `begin` to where rounding holds it up.
+                const double end = 1e-14 / (1 - q);
+                const auto lasts = static_cast<std::int64_t>(std::log(std::min(end / begin, 1.0)) / std::log(q));
+                const Accumulates map{q, time_at_zero};
+                return follow_until_settled(map, Vector<1>{1 + begin}, 0, lasts, PeriodOptions{}, true).cycle.period;
+            };
+            EXPECT_EQ(period(0), 0) << q << ' ' << begin;
+        }
+    const auto lasting = [](double q) {
+        return follow_until_settled(Accumulates{q, 1}, Vector<1>{2}, 1000, 1000, PeriodOptions{}, true).cycle.period;
     };
-    EXPECT_EQ(follow(0).cycle.period, 0);
-    EXPECT_EQ(follow(1).cycle.period, 1);
+    for (const double q : {0.5, 0.9, 0.97}) EXPECT_EQ(lasting(q), 1) << q;
+}
+
+/// z′ = z + 10⁻¹³.
+struct Creeps {
+    static constexpr int dimension = 1;
+    double time;
+    Advance<1> advance(const Vector<1>& z) const { return {Vector<1>(z[0] + 1e-13), time, 0, true}; }
+    Linearised<1> linearise(const Vector<1>& z) const { return {advance(z).state, time, 0, true, Matrix<1>{0.98}}; }
+    static double angle_period(int) { return 0; }
+};
+
+/// Nor does a state that hardly moves because hardly any time passes: 10⁻¹³ in 10⁻¹³.
+TEST(Settled, AStateThatHasNoTimeToMoveIsOnNoCycle) {
+    const auto period = [](double time) {
+        return find_period(Creeps{time}, follow_tail(Creeps{time}, Vector<1>{1}, 0, 100)).period;
+    };
+    EXPECT_EQ(period(1e-13), 0);
+    EXPECT_EQ(period(1), 1);
 }
 
 /// Nor where all steps are looked at: the returns of the last 60 close to 10⁻⁹ all along.
 TEST(Settled, ImpactsThatAccumulateLeadToNoCycleInATailThatClosesEither) {
-    const auto period = [](double time_at_zero) {
-        const Accumulates map{time_at_zero};
-        return find_period(map, follow_tail(map, Vector<1>{1}, 200, 60)).period;
+    const auto period = [](double q, double begin, double time_at_zero) {
+        const Accumulates map{q, time_at_zero};
+        return find_period(map, follow_tail(map, Vector<1>{1 + begin}, 0, 60)).period;
     };
-    EXPECT_EQ(period(0), 0);
-    EXPECT_EQ(period(1), 1);
+    for (const double q : factors) {
+        EXPECT_EQ(period(q, 1e-10, 0), 0) << q;
+        EXPECT_EQ(period(q, 1e-10, 1), 1) << q;
+    }
 }
 
 TEST(Settled, WhatEndsIsTakenAsItEnds) {

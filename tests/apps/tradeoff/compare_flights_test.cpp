@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
+#include <span>
+#include <thread>
+#include <vector>
 
 namespace swirl::apps::tradeoff {
 namespace {
@@ -34,6 +38,14 @@ Rung rung() {
     return {"", "", false, 0x1p-52, &ending<outcome, hundredths, vertex, simultaneous>, &begin};
 }
 
+ComparedFlights compared(std::span<const Rung> rungs, double budget) {
+    DrawnFlight flight;
+    flight.state = {{1, 0}, {1, 0}, -1, 0, 0};
+    OutputOptions output;
+    output.quiet = true;
+    return compare_flights(Scene<double>{}, std::vector(3, flight), rungs, Budget(budget), output);
+}
+
 TEST(CompareFlights, AContactThatIsPassedOverIsMissedAndOneInAnothersPlaceIsOutOfOrder) {
     constexpr Outcome hit = Outcome::completed;
     const std::array rungs = {rung<Outcome::no_contact, 100, 1>(),  // none
@@ -44,22 +56,45 @@ TEST(CompareFlights, AContactThatIsPassedOverIsMissedAndOneInAnothersPlaceIsOutO
                               rung<hit, 101, 1>(),                  // the first, not well
                               rung<hit, 100, 2, true>(),            // two at once
                               rung<hit, 100, 1>()};
-    DrawnFlight flight;
-    flight.state = {{1, 0}, {1, 0}, -1, 0, 0};
-    const Budget budget(60);
-    OutputOptions output;
-    output.quiet = true;
-    const auto found = compare_flights(Scene<double>{}, std::vector(3, flight), rungs, budget, output).rungs;
+    const auto found = compared(rungs, 60).rungs;
     ASSERT_EQ(found.size(), 7u);
     const std::array<std::int64_t, 7> missed = {3, 3, 3, 0, 0, 0, 0}, misordered = {0, 0, 0, 3, 3, 0, 0};
     for (std::size_t r = 0; r < found.size(); ++r) {
-        EXPECT_EQ(found[r].flights, 3) << r;
-        EXPECT_EQ(found[r].missed, missed[r]) << r;
-        EXPECT_EQ(found[r].misordered, misordered[r]) << r;
-        EXPECT_EQ(std::isnan(found[r].one.largest), missed[r] + misordered[r] > 0) << r;
-        EXPECT_EQ(found[r].missed_rate.least > 0, missed[r] > 0) << r;
-        EXPECT_EQ(found[r].misordered_rate.least > 0, misordered[r] > 0) << r;
+        EXPECT_EQ(found[r]->flights, 3) << r;
+        EXPECT_EQ(found[r]->missed, missed[r]) << r;
+        EXPECT_EQ(found[r]->misordered, misordered[r]) << r;
+        EXPECT_EQ(std::isnan(found[r]->one.largest), missed[r] + misordered[r] > 0) << r;
+        EXPECT_EQ(found[r]->missed_rate.least > 0, missed[r] > 0) << r;
+        EXPECT_EQ(found[r]->misordered_rate.least > 0, misordered[r] > 0) << r;
     }
+}
+
+/// A flight of 0.01 whose contact is found 0.01 later: nothing is within half of it.
+TEST(CompareFlights, OfAShortFlightAContactHalfAFlightLaterIsAnother) {
+    constexpr Outcome hit = Outcome::completed;
+    const std::array rungs = {rung<hit, 2, 1>(), rung<hit, 1, 1>()};
+    EXPECT_EQ(compared(rungs, 60).rungs.front()->missed, 3);
+}
+
+/// Takes a fifth of a second for a step.
+RungMap slow(const Scene<double>& scene, std::span<const PostImpactState<double>> states) {
+    RungMap map = ending<Outcome::completed, 100, 1, false>(scene, states);
+    map.advance = [advance = map.advance](const PostImpactState<Quad>& z) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        return advance(z);
+    };
+    return map;
+}
+
+TEST(CompareFlights, ARungThatTakesTheTimeOfAllIsLeftOutAlone) {
+    const std::array rungs = {Rung{"", "", false, 0x1p-52, &slow, &begin}, rung<Outcome::completed, 100, 1>(),
+                              rung<Outcome::completed, 100, 1>()};
+    const ComparedFlights found = compared(rungs, 0.5);
+    EXPECT_FALSE(found.rungs[0].has_value());
+    EXPECT_FALSE(found.whole);
+    ASSERT_TRUE(found.rungs[1].has_value());
+    EXPECT_EQ(found.rungs[1]->flights, 3);
+    EXPECT_EQ(found.flights, 3);
 }
 
 }  // namespace

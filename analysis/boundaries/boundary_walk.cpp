@@ -259,7 +259,7 @@ double distance_between(const AugmentedSystem& system, const Eigen::VectorXd& a,
     return least;
 }
 
-Eigen::VectorXd normalised(const AugmentedSystem& system, Eigen::VectorXd y) {
+Eigen::VectorXd normalised(const AugmentedSystem& system, const Eigen::VectorXd& y) {
     return angles_apart(system, y, Eigen::VectorXd::Zero(y.size()));
 }
 

@@ -15,6 +15,6 @@ double distance_between(const AugmentedSystem& system, const Eigen::VectorXd& a,
                         Eigen::VectorXd* turned = nullptr, Eigen::VectorXd* tangent = nullptr);
 
 /// y with the angles of its points in (−π, π].
-Eigen::VectorXd normalised(const AugmentedSystem& system, Eigen::VectorXd y);
+Eigen::VectorXd normalised(const AugmentedSystem& system, const Eigen::VectorXd& y);
 
 }  // namespace swirl::analysis

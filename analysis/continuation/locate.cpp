@@ -141,6 +141,7 @@ std::vector<SpecialPoint> special_points_between(const ShootingMap& map, const B
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<SpecialPoint> result;
+    result.reserve(found.size());
     for (auto& [s, special] : found) result.push_back(std::move(special));
     return result;
 }

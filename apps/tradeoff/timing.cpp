@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace swirl::apps::tradeoff {
 
@@ -40,7 +41,7 @@ struct Series {
         if (seconds.empty()) return found;
         std::sort(seconds.begin(), seconds.end());
         const auto quantile = [this](double share) {
-            return seconds[static_cast<std::size_t>(share * static_cast<double>(seconds.size() - 1) + 0.5)];
+            return seconds[static_cast<std::size_t>(std::lround(share * static_cast<double>(seconds.size() - 1)))];
         };
         found.lower = quantile(0.25);
         found.median = quantile(0.5);
@@ -53,6 +54,7 @@ struct Series {
 
 std::vector<Timing> time_in_turn(const std::vector<TimedWork>& works, const Budget& budget, Progress& progress) {
     std::vector<Series> all;
+    all.reserve(works.size());
     for (const TimedWork& work : works) all.push_back({&work});
     for (auto& series : all) series.run();  // warms up caches, and finds the length of a batch
     for (auto& series : all) {
@@ -65,6 +67,7 @@ std::vector<Timing> time_in_turn(const std::vector<TimedWork>& works, const Budg
         progress.at(std::min(budget.spent(), budget.seconds()));
     }
     std::vector<Timing> timings;
+    timings.reserve(all.size());
     for (auto& series : all) timings.push_back(series.timing());
     return timings;
 }

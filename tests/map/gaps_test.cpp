@@ -1,6 +1,7 @@
 // Gaps and their derivatives along a flight, and what a certificate says of a gap between two moments.
 #include "map/first_contact/bounds.hpp"
 #include "map/first_contact/certificate.hpp"
+#include "map/first_contact/vertex_proofs.hpp"
 #include "map/first_contact/vertices.hpp"
 #include "map/model/section.hpp"
 #include "tests/map/contact_scenes.hpp"
@@ -81,6 +82,24 @@ TEST(Gaps, OfPolygonsAndTheirDerivativesAreThoseOfTheFlightIn113Bits) {
         const Vec2<double> arm = from.body.turned_to_vertex(at.arm, other);
         expect_alike(detail::gap_of(from.body, from.flight, at, {other, arm, {}}),
                      gap_by_differences<Shape::polygon>(from.wide, from.in_quad, time, other), from.fast, "another");
+    }
+}
+
+/// On the side of the centre, and numbered from 0 to N − 1 past either end.
+TEST(NeighbourOfAVertex, IsTheNextOneOnTheCentresSide) {
+    Random random(6);
+    for (int k = 0; k < 400; ++k) {
+        const FromWall from = draw(random, random.one_of({3, 4, 6}));
+        const int sides = from.scene.sides, vertex = k % sides;
+        const Instant<double> at = instant_at<Shape::polygon>(from.flight, random.between(0.1, 2));
+        const Vec2<double> arm = from.body.turned_to_vertex(at.arm, vertex);
+        const auto found = detail::neighbour_of(from.body, from.flight, at, {vertex, arm, {}});
+        const int ahead = (vertex + 1) % sides, behind = (vertex + sides - 1) % sides;
+        EXPECT_EQ(found.vertex, cross(arm, at.centre) >= 0 ? ahead : behind);
+        const Vec2<double> expected = from.body.turned_to_vertex(at.arm, found.vertex);
+        EXPECT_EQ(found.arm.x, expected.x);
+        EXPECT_EQ(found.arm.y, expected.y);
+        EXPECT_EQ(found.gap.value, detail::gap_of(from.body, from.flight, at, found).value);
     }
 }
 

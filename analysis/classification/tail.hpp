@@ -140,8 +140,8 @@ double distance(const M& map, const Vector<M::dimension>& a, const Vector<M::dim
 /// same factor q: the states converge within a finite time, after which the orbit goes on elsewhere. On a cycle returns
 /// fall, and the time stays. Asked of the last return and the first since when all were within `vicinity`: yes if the
 /// time has fallen by half as much as the return, (1 − q)/2; where returns do not fall, by a tenth; where they are
-/// rounding, by a thousandth. Yes also where the state returns to 10⁻⁹ only for want of time, moving by 10⁻³ or more in
-/// a unit of it: there the times may be rounding, too.
+/// rounding, by a thousandth. Yes also where the last return is within 10⁻⁹ only because it took so little time: it
+/// moves at a rate of 10⁻³ or more. The times themselves may be rounding there.
 template <SectionMap M>
 bool accumulates(const M& map, const Tail<M>& tail, std::int64_t k, double vicinity) {
     constexpr double rounding = 1e-13, still = 1e-9, moves = 1e-3;

@@ -1,13 +1,12 @@
 #include "apps/recurrence/recurrence_command.hpp"
 
+#include "analysis/threads.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/recurrence/recurrence_document.hpp"
-
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,11 +138,8 @@ int quantify_recurrence(RecurrenceOptions& options) {
     for (const std::string& file : {options.input.record, is_hdf5_file(options.cross) ? options.cross : ""})
         warn_without_checksum(file, options.output.quiet);
     exit_when_interrupted();
-    const tbb::global_control threads(
-        tbb::global_control::max_allowed_parallelism,
-        options.output.threads > 0 ? static_cast<std::size_t>(options.output.threads)
-                                   : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    const Quantification result = quantify(options, points, cross);
+    const Quantification result =
+        analysis::on_threads(options.output.threads, [&] { return quantify(options, points, cross); });
     const RecurrenceReport report{options, points, cross, result};
     if (record) {
         if (points.orbit) scale_columns(*record, *points.orbit);

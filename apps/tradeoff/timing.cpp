@@ -61,8 +61,7 @@ std::vector<Timing> time_in_turn(const std::vector<TimedWork>& works, const Budg
         series.seconds.clear();
         series.collisions = 0;
     }
-    for (int round = 0; round < 1 || (round < fewest_rounds && !budget.is_spent(overdrawn)) || !budget.is_spent();
-         ++round) {
+    for (int round = 0; round == 0 || !budget.is_spent(round < fewest_rounds ? overdrawn : 1); ++round) {
         for (auto& series : all) series.run();
         progress.at(std::min(budget.spent(), budget.seconds()));
     }

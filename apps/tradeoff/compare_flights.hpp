@@ -23,7 +23,7 @@ struct ErrorSpread {
 struct FlightComparison {
     std::int64_t flights = 0;  ///< that both could be asked for: no contact in the top rung's step
     /// Passed over: no contact was found, or one that is later than the first by more than `late_contact`
-    /// or half the flight.
+    /// or half the flight, and by more than rounding (`most_roundings`).
     std::int64_t missed = 0;
     /// Another vertex' contact was taken for the first, at nearly its time (unless two touch within rounding of each
     /// other), or one that is earlier by more than that.
@@ -37,6 +37,10 @@ struct FlightComparison {
 /// A contact at a time that is farther off than this is another contact, and so is one that is farther off than half
 /// the flight: 1.1° of the swirl, more than a search in steps of 0.01 is late by.
 inline constexpr double late_contact = 0.02;
+
+/// ε c, c the step's condition: a step whose error is below so many of these is known as well as its rung's numbers
+/// allow.
+inline constexpr double most_roundings = 50;
 
 struct ComparedFlights {
     /// One a rung but for the last, with which they are compared; none of a rung that would have taken the time of all.

@@ -26,9 +26,8 @@ struct Amounts {
 /// Fewer impacts are enough where, at 95 %, less than this share of the starts has another mode on the most.
 inline constexpr double may_change = 0.1;
 
-/// At the knee a step errs by at most so many roundings of a double. Double's own errors are below, but for hops before
-/// a landing.
-inline constexpr double roundings_at_knee = 50;
+/// At the knee a step errs by at most so many roundings of a double. Double's own errors are below.
+inline constexpr double roundings_at_knee = most_roundings;
 
 /// A rung of arithmetic. `flights` is empty of the last, with which the others are compared; so are differences to it.
 struct ArithmeticRung {

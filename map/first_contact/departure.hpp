@@ -46,14 +46,16 @@ inline Vec2<T> turn_beyond_first_order(const T& angle) {
 }
 
 /// The rounding of a vertex's g, in units of ε: of all that it has moved, and, if it did not begin on the wall as
-/// (1, 0), of |x|².
+/// (1, 0), of |x|² or of how far it is from the one that did (`short_side_gap`).
 template <class T>
 inline T rounded_size(const Body<T>& body, const Flight<T>& flight, const T& time, int vertex) {
     using std::fabs;
     const T speed = fabs(flight.velocity.x) + fabs(flight.velocity.y);
     const T turning = body.beta + body.alpha * fabs(flight.spin);
     const T moved = time * speed + std::min(T(time * turning), T(T(2) * (body.alpha + body.beta)));
-    return flight.struck && vertex == 0 ? moved : T(moved + T(1));
+    if (flight.struck && vertex == 0) return moved;
+    if (!flight.struck || !body.short_sides) return moved + T(1);
+    return moved + std::min(T(T(std::min(vertex, body.sides - vertex)) * body.side), T(T(2) * body.alpha));
 }
 
 /// Whether a vertex that is on the wall at the start leaves it without normal velocity (else its displacement has the

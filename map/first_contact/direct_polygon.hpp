@@ -61,7 +61,7 @@ template <class T>
 /// From there to a moment so close to the contact of the vertex nearest to the wall that `correction`, the way left,
 /// needs no further look. False if there is none, or it lies too long before the `latest` moment of the search
 /// (`nearest_share`).
-template <class T>
+template <Sides sides, class T>
 [[gnu::always_inline]] inline bool seek_vertex(const Body<T>& body, const Flight<T>& flight, T& latest, Instant<T>& at,
                                                Candidate<T>& nearest, T& correction, int& steps) {
     using std::fabs;
@@ -72,7 +72,7 @@ template <class T>
         const bool seen = steps > 1 && is_nearest(body, at.centre, body.turned_to_vertex(at.arm, nearest.vertex));
         if (!seen) nearest.vertex = vertex_towards(body, at.centre, at.arm);
         nearest.arm = body.turned_to_vertex(at.arm, nearest.vertex);
-        nearest.gap = gap_of(body, flight, at, nearest);
+        nearest.gap = gap_of<sides>(body, flight, at, nearest);
         const Gap<T>& g = nearest.gap;
         correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(fraction<T>(1, 6) * g.jerk));
         if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
@@ -102,7 +102,7 @@ template <class T>
 
 /// The circle's return leads to the vertex nearest to the wall there; its root is sought, then the whole flight proven
 /// clear. False if anything fails; the two searches below and the advance by safe steps then decide.
-template <class T>
+template <Sides sides, class T>
 [[gnu::always_inline]] inline bool direct_contact_polygon(const Body<T>& body, const Flight<T>& flight,
                                                           FirstContact<T>& contact) {
     const CirclePath<T> path = circle_path(flight, Vec2<T>(flight.beta * flight.phase));
@@ -111,7 +111,7 @@ template <class T>
     Candidate<T> nearest;
     T correction, latest;
     if (!instant_of_return(flight, path, start, at, latest)) return false;
-    if (!seek_vertex(body, flight, latest, at, nearest, correction, contact.steps)) return false;
+    if (!seek_vertex<sides>(body, flight, latest, at, nearest, correction, contact.steps)) return false;
 
     const Gap<T> struck = struck_gap_at_start(flight);
     if (!(struck.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
@@ -123,6 +123,15 @@ template <class T>
     }
     strike_after(body, flight, at, correction, nearest.vertex, contact);
     return true;
+}
+
+/// The same of a polygon whose sides are short.
+/// @return `no_contact` if anything fails
+template <class T>
+[[gnu::noinline]] FirstContact<T> direct_contact_of_short_sides(const Body<T>& body, const Flight<T>& flight) {
+    FirstContact<T> contact;
+    direct_contact_polygon<Sides::any>(body, flight, contact);
+    return contact;
 }
 
 /// What the proofs need of a start.
@@ -192,7 +201,8 @@ template <class T>
     Candidate<T> next;
     T correction, latest;
     if (!instant_of_return(flight, start.path, start.circle, at, latest)) return contact;
-    if (seek_vertex(body, flight, latest, at, next, correction, contact.steps) || !(next.gap.rate <= 0)) return contact;
+    if (seek_vertex<Sides::any>(body, flight, latest, at, next, correction, contact.steps) || !(next.gap.rate <= 0))
+        return contact;
     next.vertex = vertex_behind(body, flight, next.vertex);
     strike_by_vertex(body, flight, start, latest, at, next, contact);
     return contact;

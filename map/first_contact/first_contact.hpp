@@ -10,16 +10,19 @@ namespace swirl {
 
 namespace detail {
 
-/// True if the direct search found a contact and proved it the first. `contact` is local to the caller and nothing
-/// takes its address, so that it stays in registers.
+/// True if the direct search found a contact and proved it the first; polygons of short sides have one of their own.
+/// `contact` is local to the caller and nothing takes its address, so that it stays in registers.
 template <Shape shape, class T>
 [[gnu::always_inline]] inline bool direct_contact(const Body<T>& body, const Flight<T>& flight,
                                                   FirstContact<T>& contact) {
     if (!flight.struck) return false;
-    if constexpr (shape == Shape::disk)
+    if constexpr (shape == Shape::disk) {
         return direct_contact_disk(body, flight, contact);
-    else
-        return direct_contact_polygon(body, flight, contact);
+    } else {
+        if (body.short_sides) [[unlikely]]
+            return false;
+        return direct_contact_polygon<Sides::not_short>(body, flight, contact);
+    }
 }
 
 template <Shape shape, class T>
@@ -42,9 +45,14 @@ inline FirstContact<T> contact_without_return(const Body<T>& body, const Flight<
 /// Of a flight that `direct_contact` does not decide.
 template <Shape shape, class T>
 inline FirstContact<T> undecided_contact(const Body<T>& body, const Flight<T>& flight) {
-    if constexpr (shape == Shape::polygon)
+    if constexpr (shape == Shape::polygon) {
+        if (flight.struck && body.short_sides)
+            if (const auto usual = direct_contact_of_short_sides(body, flight);
+                usual.outcome == FirstContactOutcome::contact)
+                return usual;
         if (const auto behind = contact_of_vertex_behind(body, flight); behind.outcome == FirstContactOutcome::contact)
             return behind;
+    }
     return contact_without_return<shape>(body, flight);
 }
 

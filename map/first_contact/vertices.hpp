@@ -69,11 +69,29 @@ inline void turn_to_nearest(const Body<T>& body, const Vec2<T>& centre, const Ve
     c.arm = body.turned_to_vertex(reference, c.vertex);
 }
 
+/// g of a vertex whose place is x₀ + d, d = a₀(cis(2πk/N) − 1), from that of the vertex that has struck:
+///     g = g₀ + 2x₀·d + |d|².
+/// Between neighbours g is of the order of d² where the body lies along the wall; as |x|² − 1 it would be known to ε
+/// only, this way to ε|d|, which is what a rounding of χ changes it by.
 template <class T>
+[[gnu::noinline]] T short_side_gap(const Body<T>& body, const Instant<T>& at, int vertex) {
+    const Vec2<T> moved = at.moved + at.arm_moved;
+    const Vec2<T> apart = times(at.arm, body.turn_to_vertex(vertex));
+    return (T(2) * moved.x + dot(moved, moved)) + (T(2) * apart.x + dot(apart, apart) + T(2) * dot(moved, apart));
+}
+
+/// Which bodies a search is compiled for: the usual one does not ask whether sides are short.
+enum class Sides { any, not_short };
+
+template <Sides sides = Sides::any, class T>
 inline Gap<T> gap_of(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at,
                      const Candidate<T>& candidate) {
     if (flight.struck && candidate.vertex == 0) return struck_gap(flight, at);
     Gap<T> gap = vertex_gap(flight, at, candidate.arm);
+    if (sides == Sides::any && body.short_sides && flight.struck) {
+        gap.value = short_side_gap(body, at, candidate.vertex);
+        return gap;
+    }
     gap.value = gap.value + T(2) * dot(at.centre + candidate.arm, body.rest_of_vertex(at.arm, candidate.vertex));
     return gap;
 }

@@ -29,6 +29,7 @@ struct VertexTable {
 template <class T>
 struct Body {
     int sides = disk_sides;
+    bool short_sides = false;  ///< below `longest_short_side`
     T alpha{}, beta{};
     T inertia{};      ///< I = κ α² (m = 1)
     T per_inertia{};  ///< 1/I: what is divided by at every impact is kept as a reciprocal
@@ -48,6 +49,8 @@ struct Body {
     std::shared_ptr<const VertexTable<T>> table;  ///< which these are of: bodies of the same N may share it
 
     static constexpr int table_limit = 1024;
+    /// Below it gaps are known better relative to the vertex that has struck (`short_side_gap`).
+    static constexpr double longest_short_side = 1.0 / 32;
 
     /// v turned by 2πk/N, 0 ≤ k < N.
     Vec2<T> turned_to_vertex(const Vec2<T>& v, int k) const {
@@ -66,10 +69,24 @@ struct Body {
         if (rests.empty()) return T(0);
         return cross(vertices[static_cast<std::size_t>(k)], rests[static_cast<std::size_t>(k)]);
     }
+    /// cis(2πk/N) − 1 to a few ε of itself, 0 ≤ k < N.
+    Vec2<T> turn_to_vertex(int k) const {
+        if (rests.empty()) {
+            const Vec2<Plain<T>> turn = turn_minus_one(angle_of_vertex(k));
+            return {T(turn.x), T(turn.y)};
+        }
+        const Vec2<T>& direction = vertices[static_cast<std::size_t>(k)];
+        const Vec2<T>& rest = rests[static_cast<std::size_t>(k)];
+        return {(direction.x - T(1)) + rest.x, direction.y + rest.y};
+    }
     Vec2<T> direction_by_formula(int k) const {
-        const int centred = 2 * k > sides ? k - sides : k;  // the shorter way round keeps the argument small
-        const Vec2<Plain<T>> direction = cis(Plain<T>(2 * pi<T>() * centred / sides));
+        const Vec2<Plain<T>> direction = cis(angle_of_vertex(k));
         return {T(direction.x), T(direction.y)};
+    }
+    /// 2πk/N, the shorter way round.
+    Plain<T> angle_of_vertex(int k) const {
+        const int centred = 2 * k > sides ? k - sides : k;
+        return Plain<T>(2 * pi<T>() * centred / sides);
     }
     /// k reduced to 0 … N − 1.
     int vertex_number(long long k) const {
@@ -131,6 +148,7 @@ inline Body<T> make_body(const Scene<T>& scene, const Body<T>* similar = nullptr
     body.per_spacing = T(1) / body.spacing;
     body.half_slope = half.y / half.x;
     body.side = T(2) * scene.alpha * half.y;
+    body.short_sides = body.side < T(Body<T>::longest_short_side);
     body.next_turn = {T(-2) * half.y * half.y, T(2) * half.y * half.x};
     if (scene.sides > Body<T>::table_limit || !std::is_same_v<T, Plain<T>>) return body;
     body.table = similar && similar->table && similar->sides == scene.sides ? similar->table : vertex_table(body);

@@ -191,6 +191,46 @@ TEST(FirstContactNightly, NoneIsMissedOnAMillionScannedFlights) {
 }
 
 /// The scan itself must be able to fail: it finds an excursion through the wall however short.
+/// Flights of a chaotic hexagon that the direct search leaves; what the further searches find is the first contact.
+struct Undecided {
+    long all = 0, behind = 0, next = 0;
+};
+
+Undecided undecided_flights(long impacts) {
+    const Scene<double> scene{6, 0.3, 0.5, 0.5, 1, Law::poisson, uniform_inertia_factor<double>(6)};
+    const CollisionMap<double, Shape::polygon, ImpactRule::poisson> map(scene);
+    const auto check = [&](const Flight<double>& flight, const FirstContact<double>& found, long& count) {
+        if (found.outcome != FirstContactOutcome::contact) return false;
+        const auto certain = detail::certain_contact<Shape::polygon>(map.body(), flight);
+        EXPECT_EQ(found.vertex, certain.vertex);
+        EXPECT_NEAR(found.at.time, certain.at.time, 1e-9 * (1 + certain.at.time));  // some ε/u_n
+        ++count;
+        return true;
+    };
+    Undecided flights;
+    auto z = map.advance(flight_from(map.body(), LabStart<double>{0.5, 0, 0.1, 0.2, 0.3, 0.1})).after;
+    for (long k = 0; k < impacts; ++k) {
+        const Flight<double> flight = flight_from(map.body(), z);
+        FirstContact<double> direct;
+        if (!detail::direct_contact<Shape::polygon>(map.body(), flight, direct)) {
+            ++flights.all;
+            if (!check(flight, detail::contact_of_vertex_behind(map.body(), flight), flights.behind))
+                check(flight, detail::contact_of_next_vertex(map.body(), flight), flights.next);
+        }
+        z = map.advance(z).after;
+    }
+    return flights;
+}
+
+TEST(FurtherSearches, DecideMostFlightsThatTheDirectOneLeaves) {
+    const Undecided flights = undecided_flights(100'000);
+    std::printf("%ld of 100,000 flights left: %ld by the vertex behind, %ld by the next one\n", flights.all,
+                flights.behind, flights.next);
+    EXPECT_GT(flights.all, 1000);
+    EXPECT_GT(5 * flights.behind, flights.all);
+    EXPECT_GT(3 * flights.next, 2 * (flights.all - flights.behind));
+}
+
 TEST(ContainerScan, SeesAShortExcursion) {
     // A disk at rest in the laboratory, β = 0.2: the wall comes nearest at t = π, to 10⁻⁹ beyond the disk.
     const Real beta = 0.2L, alpha = 0.5L;

@@ -77,6 +77,40 @@ void look_at(const Family& family, Random& random, Figure& figure) {
 
 constexpr double allowed_error = 50;  // ε × condition
 
+/// The steps of one orbit, as far as it goes without chatter or contact.
+Figure along_an_orbit(const Scene<double>& scene, const SectionPoint<double>& start, long steps) {
+    Figure figure;
+    with_both_maps(scene, [&](const auto& map, const auto& wide_map) {
+        auto z = post_impact_state(start);
+        while (figure.steps < steps) {
+            const auto next = map.advance(z);
+            if (next.outcome != FirstContactOutcome::contact) return;
+            const auto step = tests::one_step_error(map, wide_map, z);
+            ++figure.steps;
+            figure.compared += step.compared;
+            figure.others += !step.compared;
+            figure.worst = std::max(figure.worst, step.error);
+            figure.condition = std::max(figure.condition, step.condition);
+            z = next.after;
+        }
+    });
+    return figure;
+}
+
+/// Orbits that hop along the wall from a vertex to the next.
+void check_hops(int sides, double alpha, double beta, double e) {
+    const Scene<double> scene{sides, alpha, beta, 0.5, e, Law::poisson, uniform_inertia_factor<double>(sides)};
+    const long steps = tests::sample_count(500);
+    const Figure figure = along_an_orbit(scene, {0.3, 0, -0.9, 0.4, 0.2}, steps);
+    std::printf(
+        "%7d sides, alpha %-6g %4ld steps compared, %ld decided otherwise; error at most %8.3g epsilon x condition "
+        "(which is at most %.2g)\n",
+        sides, alpha, figure.compared, figure.others, figure.worst, figure.condition);
+    EXPECT_LE(figure.worst, allowed_error) << sides;
+    EXPECT_GE(2 * figure.compared, figure.steps) << sides;
+    EXPECT_GE(2 * figure.steps, steps) << sides;
+}
+
 /// A start that only one arithmetic decides so is close to a border, or ends without a contact: at least half do not.
 void check(const Family& family, long full = 150) {
     Random random(77);
@@ -169,6 +203,12 @@ TEST(Extremes, HopsFarShorterThanTheCircumscribedCirclesReturn) {
     family.name = "hops of a hexagon";
     family.sides = 6;
     check(family, 1000);
+}
+TEST(Extremes, HopsFromNeighbourToNeighbour) {
+    for (const int sides : {50, 100, 300, 1000, 10'000, 1'000'000}) check_hops(sides, 0.4, 0.5, 0.9);
+    check_hops(300, 0.4, 0.5, 1);
+    check_hops(3, 1e-9, 0.5, 0.9);
+    check_hops(6, 0.01, 0.5, 0.9);
 }
 TEST(Extremes, SpeedsAndSpins) {
     check(with_speed("speed 1e-12, beta 1e-12", 1e-12, 1e-12, 1e-12));

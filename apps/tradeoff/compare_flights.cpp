@@ -74,8 +74,11 @@ std::vector<RungStep> steps_of(
 
 /// Of flights as short as rounding itself half the time is no other contact.
 bool is_off_by_rounding(const RungStep& step, const RungStep& exact, double rounding) {
-    return is_flight(step) && step.rounded.collision.vertex_step == exact.rounded.collision.vertex_step &&
-           error_of(step.after, exact.after) <= most_roundings * rounding;
+    const Collision<double>&a = step.rounded.collision, &b = exact.rounded.collision;
+    const double most = most_roundings * rounding;
+    return is_flight(step) && a.vertex_step == b.vertex_step &&
+           std::fabs(a.flight_time - b.flight_time) <= most * std::max(1.0, b.flight_time) &&
+           error_of(step.after, exact.after) <= most;
 }
 
 ///   epsilon  of the rung

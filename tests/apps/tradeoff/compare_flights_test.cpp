@@ -38,8 +38,9 @@ Rung rung() {
     return {"", "", false, 0x1p-52, &ending<outcome, hundredths, vertex, simultaneous>, &begin};
 }
 
-ComparedFlights compared(std::span<const Rung> rungs, double budget) {
+ComparedFlights compared(std::span<const Rung> rungs, double budget, double condition = 1) {
     DrawnFlight flight;
+    flight.condition = condition;
     flight.state = {{1, 0}, {1, 0}, -1, 0, 0};
     OutputOptions output;
     output.quiet = true;
@@ -74,6 +75,17 @@ TEST(CompareFlights, OfAShortFlightAContactHalfAFlightLaterIsAnother) {
     constexpr Outcome hit = Outcome::completed;
     const std::array rungs = {rung<hit, 2, 1>(), rung<hit, 1, 1>()};
     EXPECT_EQ(compared(rungs, 60).rungs.front()->missed, 3);
+}
+
+/// Unless rounding, 50 ε c, is as long: at c = 10¹³ that is 0.1 beside the 0.01 of the flight, at 10¹¹ 0.001.
+TEST(CompareFlights, OfAFlightAsShortAsRoundingAContactHalfAFlightLaterIsTheSame) {
+    constexpr Outcome hit = Outcome::completed;
+    const std::array rungs = {rung<hit, 2, 1>(), rung<hit, 2, 2>(), rung<hit, 1, 1>()};
+    const auto well = compared(rungs, 60, 1e13).rungs;
+    EXPECT_EQ(well[0]->missed + well[0]->misordered, 0);
+    EXPECT_EQ(well[0]->one.largest, 0);
+    EXPECT_EQ(well[1]->missed, 3);  // another vertex
+    EXPECT_EQ(compared(rungs, 60, 1e11).rungs[0]->missed, 3);
 }
 
 /// Takes a fifth of a second for a step.

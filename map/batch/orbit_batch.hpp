@@ -117,8 +117,7 @@ private:
             Orbit& orbit = orbits_[place];
             if (orbit.done >= orbit.wanted || orbit.outcome != Outcome::completed) continue;
             const Map& map = orbit.map->map();
-            // Polygons with too many vertices for a table, or whose gaps are those of `short_side_gap`.
-            if (Map::shape == Shape::polygon && (map.body().vertices.empty() || map.body().short_sides)) {
+            if (Map::shape == Shape::polygon && map.body().vertices.empty()) {  // too many for a table
                 while (step_alone(orbit, orbit.state, false) && orbit.done < orbit.wanted) {
                 }
                 continue;

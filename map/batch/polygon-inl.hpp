@@ -142,8 +142,7 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
     ProofTask task;
     task.body = load_body(scenes, i);
     task.flight = flight_from(task.body, load(scenes.spread_alpha, i), z);
-    task.vertices = {block.vertices, hn::Load(Whole(), scenes.first_vertex + i), load(scenes.sides, i),
-                     load(scenes.per_spacing, i)};
+    task.vertices = vertex_rows(block, i);
     task.speed = magnitude(z.vn) + magnitude(z.vt);
     const LaneBody& body = task.body;
     const LaneFlight& flight = task.flight;

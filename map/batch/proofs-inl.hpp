@@ -52,8 +52,9 @@ HWY_INLINE Mask touch_together(const LaneGap& first, const LaneGap& second, Lane
 }
 
 /// The gap of the vertex `number`, whichever that is.
-HWY_INLINE LaneGap gap_of_vertex(const Rows& row, Lane spin, const LaneInstant& at, Lane number) {
-    return gap_of(spin, at, turned_to(at.arm, number, row.value), times(at.arm, row.rest), equal(number, Lane(0)));
+HWY_INLINE LaneGap gap_of_vertex(const VertexRows& vertices, const Rows& row, Lane spin, const LaneInstant& at,
+                                 Lane number) {
+    return gap_of(vertices, spin, at, number, row, turned_to(at.arm, number, row.value));
 }
 
 /// neighbour_of.
@@ -61,7 +62,7 @@ HWY_INLINE LaneGap gap_of_neighbour(const VertexRows& vertices, Lane spin, const
                                     const Plane& arm) {
     const Lane k = number + choose(cross(arm, at.centre) >= Lane(0), Lane(1), Lane(-1));
     const Lane around = choose(k < Lane(0), k + vertices.sides, choose(equal(k, vertices.sides), Lane(0), k));
-    return gap_of_vertex(rows_of_vertex(vertices, around), spin, at, around);
+    return gap_of_vertex(vertices, rows_of_vertex(vertices, around), spin, at, around);
 }
 
 /// derivative_bounds<6, polygon>.vertex.
@@ -107,6 +108,9 @@ public:
           vertices_(task.vertices) {
         vertices_.first = bits_in(of(Lane(hn::BitCast(Tag(), task.vertices.first))));
         vertices_.sides = of(task.vertices.sides);
+        const Lane is_short = of(choose(task.vertices.short_sides, Lane(1), Lane(0)));
+        vertices_.short_sides = equal(is_short, Lane(1));
+        vertices_.some_short = any(vertices_.short_sides);
     }
 
     /// every_vertex_clear from the start to the contact.
@@ -124,8 +128,8 @@ private:
             const Mask beyond = number >= vertices_.sides;
             const Lane vertex = choose(beyond, Lane(0), number);
             const Rows row = rows_of_vertex(vertices_, vertex);
-            const LaneGap before = gap_of_vertex(row, flight_.spin, from, vertex);
-            LaneGap after = gap_of_vertex(row, flight_.spin, to, vertex);
+            const LaneGap before = gap_of_vertex(vertices_, row, flight_.spin, from, vertex);
+            LaneGap after = gap_of_vertex(vertices_, row, flight_.spin, to, vertex);
             after.value = choose(equal(number, striking), smaller(after.value, Lane(0)), after.value);
             if (any(no(either(beyond, clear_between(before, after, to.time - from.time, sixth_))))) return false;
         }

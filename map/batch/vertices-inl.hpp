@@ -86,7 +86,17 @@ struct VertexRows {
     const double* numbers;
     Wholes first;
     Lane sides, per_spacing;
+    Mask short_sides;
+    bool some_short;  ///< in a lane at least
 };
+
+HWY_INLINE VertexRows vertex_rows(const LaneBlock& block, int i) {
+    const LaneScenes& scenes = block.scenes;
+    const Mask short_sides = load(scenes.side, i) < Lane(Body<double>::longest_short_side);
+    return {block.vertices,        hn::Load(Whole(), scenes.first_vertex + i),
+            load(scenes.sides, i), load(scenes.per_spacing, i),
+            short_sides,           any(short_sides)};
+}
 
 struct LaneVertex {
     Lane number;  ///< 0 … N − 1
@@ -118,16 +128,26 @@ HWY_INLINE Rows rows_of_vertex(const VertexRows& vertices, Lane number) {
     return rows_of(vertices.numbers, hn::Add(vertices.first, k));
 }
 
+/// short_side_gap of the vertex `row`, from that of the one that has struck.
+HWY_INLINE Lane short_side_gap(const LaneInstant& at, const Plane& moved, Lane struck, const Rows& row) {
+    const Plane turn{(row.value.x - Lane(1)) + row.rest.x, row.value.y + row.rest.y};
+    const Plane apart = times(at.arm, turn);
+    return struck + (Lane(2) * apart.x + dot(apart, apart) + Lane(2) * dot(moved, apart));
+}
+
 /// vertex_gap, of the struck vertex (number 0) with `struck_gap`'s value.
-HWY_INLINE LaneGap gap_of(Lane spin, const LaneInstant& at, const Plane& arm, const Plane& rest, Mask is_struck) {
+HWY_INLINE LaneGap gap_of(const VertexRows& vertices, Lane spin, const LaneInstant& at, Lane number, const Rows& row,
+                          const Plane& arm) {
     const Lane spin2 = spin * spin;
     const Plane x = at.centre + arm;
     const Plane rate = at.drift + spin * quarter_turned(arm);
     const Plane bend = at.swirl - spin2 * arm;
     const Plane jerk = quarter_turned(at.swirl - (spin2 * spin) * arm);
     const Plane moved = at.moved + at.arm_moved;
-    const Lane value = (dot(x, x) - Lane(1)) + Lane(2) * dot(x, rest);
-    return {choose(is_struck, Lane(2) * moved.x + dot(moved, moved), value), Lane(2) * dot(x, rate),
+    const Lane struck = Lane(2) * moved.x + dot(moved, moved);
+    Lane value = (dot(x, x) - Lane(1)) + Lane(2) * dot(x, times(at.arm, row.rest));
+    if (vertices.some_short) value = choose(vertices.short_sides, short_side_gap(at, moved, struck, row), value);
+    return {choose(equal(number, Lane(0)), struck, value), Lane(2) * dot(x, rate),
             Lane(2) * (dot(rate, rate) + dot(x, bend)), Lane(2) * (Lane(3) * dot(rate, bend) + dot(x, jerk))};
 }
 
@@ -206,8 +226,7 @@ HWY_INLINE void seek_vertex(const VertexRows& vertices, Lane half_slope, const L
             turn_towards(vertices, search.at, nearest);
         else
             stay_or_turn(vertices, half_slope, search.at, nearest);
-        nearest.gap = gap_of(flight.spin, search.at, nearest.arm, times(search.at.arm, nearest.row.rest),
-                             equal(nearest.number, Lane(0)));
+        nearest.gap = gap_of(vertices, flight.spin, search.at, nearest.number, nearest.row, nearest.arm);
         const LaneGap& g = nearest.gap;
         search.correction = correction_of(g);
         open = all(open, nearest.known);
@@ -244,7 +263,7 @@ HWY_INLINE Mask seek_vertex_behind(const VertexRows& vertices, const LaneFlight&
     unfinished = all_found;
     for (int look = 1;; ++look) {
         next.arm = turned_to(at.arm, next.number, next.row.value);
-        next.gap = gap_of(flight.spin, at, next.arm, times(at.arm, next.row.rest), equal(next.number, Lane(0)));
+        next.gap = gap_of(vertices, flight.spin, at, next.number, next.row, next.arm);
         const LaneGap& g = next.gap;
         const Lane correction = correction_of(g);
         open = all(open, g.rate > Lane(0), magnitude(correction) <= Lane(longest_correction));

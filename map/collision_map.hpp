@@ -59,7 +59,8 @@ public:
             advance_with_certainty(flight, collision);
     }
 
-    /// The same as `advance` where the direct search is known to find nothing: without it.
+    /// The same as `advance` where the direct search is known to find nothing, or is not for these polygons: without
+    /// it.
     [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const {
         take(flight, detail::undecided_contact<shape>(body_, flight), collision);
     }

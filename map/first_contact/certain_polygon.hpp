@@ -56,6 +56,14 @@ AtWall at_wall(const Body<T>& body, const Flight<T>& flight, const Instant<T>& a
     return is_near(pair.first, first_size) || is_near(pair.second, second_size) ? AtWall::near : AtWall::no;
 }
 
+/// What the gaps of the two are known to ε of, for `choose`.
+template <class T>
+inline T size_of_two(const Body<T>& body, const Flight<T>& flight, const T& time, const NearestTwo<T>& pair) {
+    if (!flight.struck || !body.short_sides) return T(1);
+    return std::max(rounded_size(body, flight, time, pair.first.vertex),
+                    rounded_size(body, flight, time, pair.second.vertex));
+}
+
 /// Sets a contact that was reached from beyond back to its time.
 template <class T>
 inline void step_back(const Body<T>& body, const Flight<T>& flight, const NearestTwo<T>& pair,
@@ -80,7 +88,7 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
     T stride(0);
     while (contact.steps < step_limit) {  // ends at: contact, proof of none, or the limit
         ++contact.steps;
-        const Gap<T> circle = centre_gap(body, flight, contact.at);
+        const Gap<T> circle = circumcircle_gap(body, flight, contact.at);
         NextStep<T> next;
         if (!last && circle.value < 0 && (circle.value < -ring || circle.rate < 0)) {
             const T shelter = sheltered_time(body, flight, contact.at);
@@ -92,7 +100,7 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
             // Not where the swirl has turned and the vertex recedes: its neighbour, far from the wall, would be taken.
             last = last && std::min(time_left(pair.first.gap), time_left(pair.second.gap)) <= stride + T(0.5);
             if (last || touches(pair.first.gap) || touches(pair.second.gap)) {
-                choose(pair, contact);
+                choose(pair, size_of_two(body, flight, contact.at.time, pair), contact);
                 if (!last) step_back(body, flight, pair, contact);
                 return;
             }
@@ -101,7 +109,7 @@ void advance_to_contact_polygon(const Body<T>& body, const Flight<T>& flight, co
                                     : AtWall::no;
             if (here == AtWall::first) return take(pair.first, contact);
             if (here == AtWall::second) return take(pair.second, contact);
-            if (here == AtWall::both) return choose(pair, contact);
+            if (here == AtWall::both) return choose(pair, size_of_two(body, flight, contact.at.time, pair), contact);
             next = step_among_vertices(body, flight, bounds, contact.at, pair, magnitude(contact.at.centre));
             if (here == AtWall::near && step_at_wall < next.length) next = {T(step_at_wall), false, true};
         }

@@ -80,6 +80,21 @@ template <class T>
     return (T(2) * moved.x + dot(moved, moved)) + (T(2) * apart.x + dot(apart, apart) + T(2) * dot(moved, apart));
 }
 
+/// The circumscribed circle's gap, from that of the vertex that has struck where sides are short: with a₀ its arm at
+/// the start and X₀ = (1, 0) − a₀,
+///     |X|² − (1 − α)² = 2(α − a₀ₓ) + 2X₀·moved + |moved|²,  α − a₀ₓ = a₀ᵧ²/(α + a₀ₓ).
+/// Known to ε only it would seem clear of the wall where it has vertices outside.
+template <class T>
+inline Gap<T> circumcircle_gap(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
+    Gap<T> gap = centre_gap(body, flight, at);
+    const Vec2<T>& arm = flight.arm;
+    if (flight.struck && body.short_sides && arm.x > T(0)) {
+        const T at_start = T(2) * arm.y * arm.y / (body.alpha + arm.x);
+        gap.value = at_start + (T(2) * dot(flight.centre, at.moved) + dot(at.moved, at.moved));
+    }
+    return gap;
+}
+
 /// Which bodies a search is compiled for: the usual one does not ask whether sides are short.
 enum class Sides { any, not_short };
 
@@ -149,15 +164,15 @@ inline const Candidate<T>* touching_neighbour(const NearestTwo<T>& pair, const T
     return touches ? &other : nullptr;
 }
 
-/// True if both touch within rounding of the same time. A gap is known to some ε and so its root to ε/g′, beside the
-/// rounding of the time itself.
+/// True if both touch within rounding of the same time. A gap is known to some ε `size` and so its root to that by g′,
+/// beside the rounding of the time itself.
 template <class T>
-inline bool touch_together(const Gap<T>& first, const Gap<T>& second, const T& time) {
+inline bool touch_together(const Gap<T>& first, const Gap<T>& second, const T& time, const T& size = T(1)) {
     using std::fabs;
     if (!(first.rate > 0 && second.rate > 0)) return false;
-    // |g₁/g₁′ − g₂/g₂′| ≤ 16ε (1/min g′ + τ), without the divisions
+    // |g₁/g₁′ − g₂/g₂′| ≤ 16ε (size/min g′ + τ), without the divisions
     const T apart = fabs(first.value * second.rate - second.value * first.rate);
-    return apart <= T(16) * epsilon<T>() * (std::max(first.rate, second.rate) + first.rate * second.rate * time);
+    return apart <= T(16) * epsilon<T>() * (size * std::max(first.rate, second.rate) + first.rate * second.rate * time);
 }
 
 template <class T>
@@ -168,11 +183,12 @@ inline void take(const Candidate<T>& vertex, FirstContact<T>& contact) {
 }
 
 /// Decides which of the two strikes: the earlier; on an exact tie the larger u_n, then the lower number.
+///   size  of what the two gaps are the sum of
 template <class T>
-inline void choose(const NearestTwo<T>& pair, FirstContact<T>& contact) {
+inline void choose(const NearestTwo<T>& pair, const T& size, FirstContact<T>& contact) {
     const T first = time_left(pair.first.gap);
     const T second = time_left(pair.second.gap);
-    contact.simultaneous = touch_together(pair.first.gap, pair.second.gap, contact.at.time);
+    contact.simultaneous = touch_together(pair.first.gap, pair.second.gap, contact.at.time, size);
     bool take_second = second < first;
     if (first == second) {
         const T difference = pair.second.gap.rate - pair.first.gap.rate;  // g′ = 2 u_n

@@ -190,7 +190,6 @@ TEST(FirstContactNightly, NoneIsMissedOnAMillionScannedFlights) {
     check_flights(2, tests::sample_count(1'000'000), 1);
 }
 
-/// The scan itself must be able to fail: it finds an excursion through the wall however short.
 /// Flights of a chaotic hexagon that the direct search leaves; what the further searches find is the first contact.
 struct Undecided {
     long all = 0, behind = 0, next = 0;
@@ -231,6 +230,7 @@ TEST(FurtherSearches, DecideMostFlightsThatTheDirectOneLeaves) {
     EXPECT_GT(3 * flights.next, 2 * (flights.all - flights.behind));
 }
 
+/// The scan itself must be able to fail: it finds an excursion through the wall however short.
 TEST(ContainerScan, SeesAShortExcursion) {
     // A disk at rest in the laboratory, β = 0.2: the wall comes nearest at t = π, to 10⁻⁹ beyond the disk.
     const Real beta = 0.2L, alpha = 0.5L;

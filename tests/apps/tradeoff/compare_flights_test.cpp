@@ -33,6 +33,17 @@ PostImpactState<Quad> begin(const Scene<double>&, const PostImpactState<double>&
     return state_in<Quad>(state);
 }
 
+/// The same vertex at half the flight later, and S off by 1.
+RungMap off_in_spin(const Scene<double>& scene, std::span<const PostImpactState<double>> states) {
+    RungMap map = ending<Outcome::completed, 2, 1, false>(scene, states);
+    map.advance = [advance = map.advance](const PostImpactState<Quad>& from) {
+        RungStep step = advance(from);
+        step.after.spin += 1;
+        return step;
+    };
+    return map;
+}
+
 template <Outcome outcome, int hundredths, int vertex, bool simultaneous = false>
 Rung rung() {
     return {"", "", false, 0x1p-52, &ending<outcome, hundredths, vertex, simultaneous>, &begin};
@@ -80,11 +91,13 @@ TEST(CompareFlights, OfAShortFlightAContactHalfAFlightLaterIsAnother) {
 /// Unless rounding, 50 ε c, is as long: at c = 10¹³ that is 0.1 beside the 0.01 of the flight, at 10¹¹ 0.001.
 TEST(CompareFlights, OfAFlightAsShortAsRoundingAContactHalfAFlightLaterIsTheSame) {
     constexpr Outcome hit = Outcome::completed;
-    const std::array rungs = {rung<hit, 2, 1>(), rung<hit, 2, 2>(), rung<hit, 1, 1>()};
+    const std::array rungs = {rung<hit, 2, 1>(), rung<hit, 2, 2>(), Rung{"", "", false, 0x1p-52, &off_in_spin, &begin},
+                              rung<hit, 1, 1>()};
     const auto well = compared(rungs, 60, 1e13).rungs;
     EXPECT_EQ(well[0]->missed + well[0]->misordered, 0);
     EXPECT_EQ(well[0]->one.largest, 0);
     EXPECT_EQ(well[1]->missed, 3);  // another vertex
+    EXPECT_EQ(well[2]->missed, 3);  // another impact
     EXPECT_EQ(compared(rungs, 60, 1e11).rungs[0]->missed, 3);
 }
 

@@ -101,7 +101,8 @@ Orbits<CollisionMap<double, shape, rule>> random_orbits(std::uint64_t seed, int 
         const Law law = rule == ImpactRule::newton    ? Law::newton
                         : rule == ImpactRule::stronge ? Law::stronge
                                                       : Law::poisson;
-        const Scene<double> scene = random_scene(random, sides, mu, restitution, law);
+        Scene<double> scene = random_scene(random, sides, mu, restitution, law);
+        if (k % 10 == 9) scene.alpha = random.log_between(1e-6, 0.03);  // short sides, of few vertices too
         const SectionPoint<double> start = random_point(random, scene, random.log_between(0.01, 2));
         orbits.add(scene, post_impact_state(start), impacts);
     }

@@ -97,8 +97,9 @@ Figure along_an_orbit(const Scene<double>& scene, const SectionPoint<double>& st
     return figure;
 }
 
-/// Orbits that hop along the wall from a vertex to the next.
-void check_hops(int sides, double alpha, double beta, double e) {
+/// Orbits that hop along the wall from a vertex to the next: all contacts are of the vertex that strikes in 113 bits.
+///   most  ε × condition
+void check_hops(int sides, double alpha, double beta, double e, double most = 4) {
     const Scene<double> scene{sides, alpha, beta, 0.5, e, Law::poisson, uniform_inertia_factor<double>(sides)};
     const long steps = tests::sample_count(500);
     const Figure figure = along_an_orbit(scene, {0.3, 0, -0.9, 0.4, 0.2}, steps);
@@ -106,9 +107,9 @@ void check_hops(int sides, double alpha, double beta, double e) {
         "%7d sides, alpha %-6g %4ld steps compared, %ld decided otherwise; error at most %8.3g epsilon x condition "
         "(which is at most %.2g)\n",
         sides, alpha, figure.compared, figure.others, figure.worst, figure.condition);
-    EXPECT_LE(figure.worst, allowed_error) << sides;
-    EXPECT_GE(2 * figure.compared, figure.steps) << sides;
-    EXPECT_GE(2 * figure.steps, steps) << sides;
+    EXPECT_LE(figure.worst, most) << sides;
+    EXPECT_EQ(figure.others, 0) << sides;
+    EXPECT_EQ(figure.compared, steps) << sides;
 }
 
 /// A start that only one arithmetic decides so is close to a border, or ends without a contact: at least half do not.
@@ -205,9 +206,11 @@ TEST(Extremes, HopsFarShorterThanTheCircumscribedCirclesReturn) {
     check(family, 1000);
 }
 TEST(Extremes, HopsFromNeighbourToNeighbour) {
-    for (const int sides : {50, 100, 300, 1000, 10'000, 1'000'000}) check_hops(sides, 0.4, 0.5, 0.9);
+    check_hops(50, 0.4, 0.5, 0.9, allowed_error);  // whose sides are not short
+    for (const int sides : {100, 300, 1000, 10'000, 1'000'000}) check_hops(sides, 0.4, 0.5, 0.9);
     check_hops(300, 0.4, 0.5, 1);
-    check_hops(3, 1e-9, 0.5, 0.9);
+    for (const double alpha : {1e-3, 1e-5, 1e-6}) check_hops(1'000'000, alpha, 0.5, 0.9);
+    for (const double alpha : {1e-9, 1e-13}) check_hops(3, alpha, 0.5, 0.9);
     check_hops(6, 0.01, 0.5, 0.9);
 }
 TEST(Extremes, SpeedsAndSpins) {

@@ -72,11 +72,16 @@ std::vector<RungStep> steps_of(
     return steps;
 }
 
+/// Of two that strike at once either may be the first: its state says nothing of the other's rounding.
+bool is_of_same_vertex(const RungStep& step, const RungStep& exact) {
+    return step.rounded.collision.vertex_step == exact.rounded.collision.vertex_step;
+}
+
 /// Of flights as short as rounding itself half the time is no other contact.
 bool is_off_by_rounding(const RungStep& step, const RungStep& exact, double rounding) {
     const Collision<double>&a = step.rounded.collision, &b = exact.rounded.collision;
     const double most = most_roundings * rounding;
-    return is_flight(step) && a.vertex_step == b.vertex_step &&
+    return is_flight(step) && is_of_same_vertex(step, exact) &&
            std::fabs(a.flight_time - b.flight_time) <= most * std::max(1.0, b.flight_time) &&
            error_of(step.after, exact.after) <= most;
 }
@@ -92,6 +97,7 @@ FlightError compare(const std::vector<RungStep>& steps, const std::vector<RungSt
     if (error.contact != FoundContact::first && !is_off_by_rounding(steps.front(), exact.front(), epsilon * condition))
         return error;
     error.contact = FoundContact::first;
+    if (!is_of_same_vertex(steps.front(), exact.front())) return error;
     error.one = error_of(steps.front().after, exact.front().after);
     if (exact.size() < ten || steps.size() < ten || !is_flight(exact.back())) return error;
     for (std::size_t k = 1; k < ten; ++k)

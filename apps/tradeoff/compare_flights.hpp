@@ -19,7 +19,7 @@ struct ErrorSpread {
 
 /// The error of a flight is the largest difference among the section coordinates just after its impact, angles as
 /// angles, velocities and spin relative to their size where that is above 1. Errors are of first contacts that were
-/// found; those that were not are counted.
+/// found, of the same vertex; those that were not found are counted.
 struct FlightComparison {
     std::int64_t flights = 0;  ///< that both could be asked for: no contact in the top rung's step
     /// Passed over: no contact was found, or one that is later than the first by more than `late_contact`

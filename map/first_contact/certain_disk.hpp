@@ -45,13 +45,14 @@ template <class T>
     }
 }
 
-/// The rounding of the disk's g, in units of ε: of what it has moved, or of |X|² if it did not begin on the wall.
+/// The rounding of the disk's g, in units of ε: of 2X·moved, as small as the room that the disk has, and of |X|² if it
+/// did not begin on the wall.
 template <class T>
 inline T rounded_size_of_disk(const Body<T>& body, const Flight<T>& flight, const T& time) {
     using std::fabs;
-    if (!flight.struck) return T(1);
     const T speed = fabs(flight.velocity.x) + fabs(flight.velocity.y);
-    return time * speed + std::min(time, T(2)) * body.beta;
+    const T moved = time * speed + std::min(time, T(2)) * body.beta;
+    return body.inner * (flight.struck ? moved : T(body.inner + moved));
 }
 
 /// Advances by safe steps until the disk touches, from a moment on its way. `contact.at` is that moment.

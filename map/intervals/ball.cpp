@@ -77,12 +77,6 @@ Ball asin(const Ball& x) {
     return result;
 }
 
-Ball atan(const Ball& x) {
-    Ball result;
-    arb_atan(result.raw(), x.raw(), ball_precision);
-    return result;
-}
-
 Ball abs(const Ball& x) {
     Ball result;
     arb_abs(result.raw(), x.raw());

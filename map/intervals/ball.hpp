@@ -94,7 +94,6 @@ Ball hull(const Ball& a, const Ball& b);
 Ball sqrt(const Ball& x);
 Ball acos(const Ball& x);
 Ball asin(const Ball& x);
-Ball atan(const Ball& x);
 Ball abs(const Ball& x);
 Ball square(const Ball& x);
 /// The angle of (x, y), for balls that do not meet the negative x-axis.

@@ -46,12 +46,18 @@ def exported(build):
     subprocess.run([PROFDATA, "merge", "-sparse", *raw, "-o", counts / "all.profdata"], check=True)
     first, *others = binaries(build)
     command = [COV, "export", "-format=lcov", f"-instr-profile={counts / 'all.profdata'}", first]
-    command += [f"-object={other}" for other in others] + [str(ROOT / folder) for folder in ("map", "analysis", "apps")]
+    command += [f"-object={other}" for other in others]
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()
 
 
+def keep_larger(counts, key, count):
+    counts[key] = max(counts.get(key, 0), count)
+
+
 def read(lines):
-    """{file: {"lines": {number: count}, "branches": {(line, block, branch): count}, "calls": {name: count}, "begins": {name: line}}}"""
+    """{file: {"lines": {number: count}, "branches": {(line, block, branch): count}, "calls": {name: count}, "begins": {name: line}}}
+
+    A file comes under two names where some objects know it by its path and others from their build folder."""
     files = {}
     for line in lines:
         key, _, rest = line.partition(":")
@@ -59,17 +65,17 @@ def read(lines):
             file = files.setdefault(os.path.relpath(rest, ROOT), defaultdict(dict))
         elif key == "DA":
             number, count = rest.split(",")[:2]
-            file["lines"][int(number)] = int(count)
+            keep_larger(file["lines"], int(number), int(count))
         elif key == "BRDA":
             *place, count = rest.split(",")
-            file["branches"][tuple(place)] = 0 if count == "-" else int(count)
+            keep_larger(file["branches"], tuple(place), 0 if count == "-" else int(count))
         elif key == "FN":
             number, name = rest.split(",", 1)
             file["begins"][name] = int(number)
         elif key == "FNDA":
             count, name = rest.split(",", 1)
-            file["calls"][name] = int(count)
-    return files
+            keep_larger(file["calls"], name, int(count))
+    return {name: file for name, file in files.items() if name.split(os.sep)[0] in ("map", "analysis", "apps")}
 
 
 def share(counts):

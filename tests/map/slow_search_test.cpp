@@ -1,5 +1,6 @@
 // The first contact of bodies that are slow against the swirl, in double against 113 bits.
 #include "map/first_contact/first_contact.hpp"
+#include "tests/map/extremes/one_step.hpp"
 #include "tests/map/random_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -85,6 +86,34 @@ TEST(SlowSearch, DrawnSlowBodiesAreFoundAtTheWallWhenTheyComeToIt) {
                 longest, latest, outside);
     EXPECT_LE(outside, 1e-14);
     EXPECT_GT(longest, 1e40);
+}
+
+/// A disk with little room, in a wide swirl: after `ordinary_steps` steps it was taken to be at the wall within the
+/// rounding of what it had moved, where g is that times the room it has: up to 39 % early.
+TEST(SlowSearch, ADiskThatAllButFillsTheContainerIsFoundAtTheWall) {
+    Random random(9);
+    double worst = 0;
+    int found = 0;
+    while (found < 300) {
+        const double room = random.log_between(1e-12, 1e-8), speed = random.log_between(1e-14, 1e-2);
+        const Scene<double> scene{disk_sides, 1 - room, random.between(0.05, 3), 0, 1, Law::poisson, 0.5};
+        const double leaving = speed * random.log_between(1e-9, 1);
+        const auto z = post_impact_state(tests::random_point(random, scene, leaving, speed, 3.0));
+        const Body<double> body = make_body(scene);
+        const auto contact = detail::certain_contact_disk(body, flight_from(body, z));
+        if (contact.outcome != FirstContactOutcome::contact || contact.steps <= detail::ordinary_steps) continue;
+        const Body<Quad> wide = make_body(tests::widened(scene));
+        const Flight<Quad> flight = flight_from(wide, tests::widened(z));
+        const Quad gap = centre_gap(wide, flight, instant_at<Shape::disk>(flight, Quad(contact.at.time))).value;
+        // The state's own rounding moves the start by ε, g by that times the room; and g is summed up of squares.
+        const double moved = contact.at.time * (std::abs(z.vn) + std::abs(z.vt) + scene.beta);
+        const double allowed = 16 * 0x1p-52 * moved * (room + moved);
+        worst = std::max(worst, std::abs(static_cast<double>(gap)) / allowed);
+        ++found;
+    }
+    std::printf("%d flights of more than %d steps: g at the contact at most %.2g of what is allowed\n", found,
+                detail::ordinary_steps, worst);
+    EXPECT_LE(worst, 1);
 }
 
 }  // namespace

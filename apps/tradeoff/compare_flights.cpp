@@ -48,6 +48,10 @@ bool is_flight(const RungStep& step) {
     return step.outcome == Outcome::completed && step.rounded.contacts.empty();
 }
 
+bool is_of_same_vertex(const RungStep& step, const RungStep& exact) {
+    return step.rounded.collision.vertex_step == exact.rounded.collision.vertex_step;
+}
+
 FoundContact contact_of(const RungStep& step, const RungStep& exact) {
     if (!is_flight(step)) return FoundContact::missed;
     const Collision<double>&a = step.rounded.collision, &b = exact.rounded.collision;
@@ -55,7 +59,7 @@ FoundContact contact_of(const RungStep& step, const RungStep& exact) {
     const double apart = std::min(late_contact, b.flight_time / 2);
     if (!(late <= apart)) return FoundContact::missed;
     if (late < -apart) return FoundContact::misordered;
-    const bool is_another = a.vertex_step != b.vertex_step && !a.simultaneous && !b.simultaneous;
+    const bool is_another = !is_of_same_vertex(step, exact) && !a.simultaneous && !b.simultaneous;
     return is_another ? FoundContact::misordered : FoundContact::first;
 }
 
@@ -72,12 +76,7 @@ std::vector<RungStep> steps_of(
     return steps;
 }
 
-/// Of two that strike at once either may be the first: its state says nothing of the other's rounding.
-bool is_of_same_vertex(const RungStep& step, const RungStep& exact) {
-    return step.rounded.collision.vertex_step == exact.rounded.collision.vertex_step;
-}
-
-/// Of flights as short as rounding itself half the time is no other contact.
+/// Of a flight as short as rounding itself a contact half the flight later is the same one.
 bool is_off_by_rounding(const RungStep& step, const RungStep& exact, double rounding) {
     const Collision<double>&a = step.rounded.collision, &b = exact.rounded.collision;
     const double most = most_roundings * rounding;
@@ -97,6 +96,7 @@ FlightError compare(const std::vector<RungStep>& steps, const std::vector<RungSt
     if (error.contact != FoundContact::first && !is_off_by_rounding(steps.front(), exact.front(), epsilon * condition))
         return error;
     error.contact = FoundContact::first;
+    // Of two vertices that strike at once either may be the first: the states after them are not to be compared.
     if (!is_of_same_vertex(steps.front(), exact.front())) return error;
     error.one = error_of(steps.front().after, exact.front().after);
     if (exact.size() < ten || steps.size() < ten || !is_flight(exact.back())) return error;

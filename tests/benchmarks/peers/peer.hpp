@@ -39,6 +39,16 @@ public:
         }
         return count;
     }
+    /// What is timed: `count` impacts in a row from the start numbered `first`; where the orbit is lost, on from the
+    /// next start, as long as there is one. Returns how many were found.
+    virtual long follow_from(const std::vector<State>& starts, std::size_t first, std::size_t count) {
+        long found = 0;
+        for (std::size_t at = first; found < static_cast<long>(count) && at < starts.size(); ++at) {
+            State state = starts[at];
+            found += follow(state, static_cast<int>(count) - static_cast<int>(found));
+        }
+        return found;
+    }
     /// The same with every impact; fewer of them where one is not found.
     virtual std::vector<Impact> row(State state, std::size_t count) {
         std::vector<Impact> impacts;
@@ -54,8 +64,9 @@ public:
 /// Flights longer than this are given up by the peers that integrate; those compared last some 1/ω_s.
 inline constexpr double longest_flight = 100;
 
-/// `double`, `quad`, `paper`, `brent` or `fixed-step`; `newton` and `stronge` are `double` under those laws of impact,
-/// the others have Poisson's. Null for another name.
+/// `double`, `quad`, `paper`, `brent` or `fixed-step`; `abreast` is `double`, 64 orbits at once in the lanes of
+/// vectors, in one thread; `newton` and `stronge` are `double` under those laws of impact, the others have Poisson's.
+/// Null for another name.
 std::unique_ptr<Peer> make_swirl_peer(const std::string& name, const Scene<double>& scene);
 std::unique_ptr<Peer> make_sundials_peer(const Scene<double>& scene, const Settings& settings);
 std::unique_ptr<Peer> make_box2d_peer(const Scene<double>& scene, const Settings& settings);

@@ -109,19 +109,12 @@ private:
             print(quad->next(start));
         }
     }
-    /// Where a peer loses the orbit it goes on from the next start, as long as there is one.
     void follow(Peer& peer, std::size_t first, std::size_t count, double seconds) const {
         long found = 0;
         const std::clock_t begin = std::clock();  // the processor's: other processes may run meanwhile
         double passed = 0;
         do {
-            std::size_t at = first;
-            for (std::size_t left = count; left > 0 && at < starts_.size(); ++at) {
-                State state = starts_[at];
-                const auto done = static_cast<std::size_t>(peer.follow(state, static_cast<int>(left)));
-                found += static_cast<long>(done);
-                left -= done;
-            }
+            found += peer.follow_from(starts_, first, count);
             passed = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
         } while (passed < seconds);
         std::printf("%.9g %ld\n", passed / static_cast<double>(found), found);

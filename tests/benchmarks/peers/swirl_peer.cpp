@@ -1,5 +1,6 @@
 // Swirl's own maps: exact in double and quad, and the searches of map/baselines.
 #include "map/baselines/baseline_map.hpp"
+#include "map/batch/orbit_batch.hpp"
 #include "peer.hpp"
 
 #include <stdexcept>
@@ -61,6 +62,35 @@ private:
     Map map_;
 };
 
+/// Many orbits at once; one impact is that of one lane.
+template <class Map>
+class AbreastPeer final : public Peer {
+public:
+    static constexpr std::size_t orbits = 64;
+    explicit AbreastPeer(Map map) : map_(std::move(map)), step_(map_) {}
+
+    Impact next(const State& start) override {
+        std::vector<BatchedOrbit<Map>> one{{&step_, start, 1}};
+        Impact impact;
+        follow_batch(std::span(one), [&](const BatchedOrbit<Map>& orbit, const BatchedImpact& seen) {
+            const Body<double>& body = map_.body();
+            const int vertex = Map::shape == Shape::disk ? 0 : body.vertex_number(seen.vertex_step);
+            impact = {true, seen.flight_time, vertex, orbit.state};
+        });
+        return impact;
+    }
+    long follow_from(const std::vector<State>& starts, std::size_t first, std::size_t count) override {
+        std::vector<BatchedOrbit<Map>> all;
+        for (std::size_t at = first; at < starts.size() && all.size() < orbits; ++at)
+            all.push_back({&step_, starts[at], static_cast<long long>(count)});
+        return static_cast<long>(follow_batch(std::span(all)).impacts);
+    }
+
+private:
+    Map map_;
+    ReturnMap<Map> step_;
+};
+
 template <class Map>
 std::unique_ptr<Peer> peer_of(const Map& map) {
     return std::make_unique<SwirlPeer<Map>>(map);
@@ -74,6 +104,11 @@ std::unique_ptr<Peer> make_swirl_peer(const std::string& name, const Scene<doubl
         const Scene<Quad> wide{scene.sides,       scene.alpha, scene.beta,          scene.mu,
                                scene.restitution, scene.law,   scene.inertia_factor};
         return with_collision_map(wide, [](const auto& map) { return peer_of(map); });
+    }
+    if (name == "abreast") {
+        return with_collision_map(scene, [](const auto& map) -> std::unique_ptr<Peer> {
+            return std::make_unique<AbreastPeer<std::decay_t<decltype(map)>>>(map);
+        });
     }
     if (name == "double" || name == "newton" || name == "stronge") {
         Scene<double> own = scene;

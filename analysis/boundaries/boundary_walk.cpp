@@ -4,6 +4,7 @@
 #include "analysis/cycles/cycle.hpp"
 #include "analysis/cycles/stability.hpp"
 #include "analysis/special_values.hpp"
+#include "analysis/within_period.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +20,7 @@ Eigen::VectorXd angles_apart(const AugmentedSystem& system, const Eigen::VectorX
     Eigen::VectorXd d = a - b;
     const Eigen::Index dimension = system.map.dimension;
     for (Eigen::Index i = 0; i < std::min(system.coordinates(), d.size()); ++i)
-        if (const double period = system.map.angle_periods[static_cast<std::size_t>(i % dimension)]; period > 0)
-            d[i] = std::remainder(d[i], period);
+        d[i] = within_period(d[i], system.map.angle_periods[static_cast<std::size_t>(i % dimension)]);
     return d;
 }
 

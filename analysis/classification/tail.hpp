@@ -3,6 +3,7 @@
 
 #include "analysis/section_map.hpp"
 #include "analysis/special_values.hpp"
+#include "analysis/within_period.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,10 +116,7 @@ Tail<M> follow_tail(const M& map, State<M> z, std::int64_t transient, std::int64
 template <SectionMap M>
 Vector<M::dimension> difference(const M& map, const Vector<M::dimension>& a, const Vector<M::dimension>& b) {
     Vector<M::dimension> d = a - b;
-    for (int i = 0; i < M::dimension; ++i) {
-        const double period = map.angle_period(i);
-        if (period > 0) d[i] = std::remainder(d[i], period);
-    }
+    for (int i = 0; i < M::dimension; ++i) d[i] = within_period(d[i], map.angle_period(i));
     return d;
 }
 
@@ -130,7 +128,7 @@ double distance(const M& map, const Vector<M::dimension>& a, const Vector<M::dim
         for (int i = 0; i < M::dimension && largest <= give_up; ++i) {
             const double period = map.angle_period(i);
             if ((period > 0) != angles) continue;
-            const double d = std::abs(angles ? std::remainder(a[i] - b[i], period) : a[i] - b[i]);
+            const double d = std::abs(within_period(a[i] - b[i], period));
             if (!(d <= largest)) largest = d;
         }
     return largest;

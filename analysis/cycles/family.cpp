@@ -1,6 +1,7 @@
 #include "analysis/cycles/family.hpp"
 
 #include "analysis/special_values.hpp"
+#include "analysis/within_period.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -72,10 +73,8 @@ std::vector<CyclePoints> pinned_members(const ShootingMap& map, const FamilyCurv
         if (low == 0) found.push_back(a.points);
         if (!(low * high < 0)) continue;
         Eigen::VectorXd across = stacked(b.points) - stacked(a.points);
-        for (Eigen::Index j = 0; j < across.size(); ++j) {
-            const double period = map.angle_periods[static_cast<std::size_t>(j % map.dimension)];
-            if (period > 0) across[j] = std::remainder(across[j], period);
-        }
+        for (Eigen::Index j = 0; j < across.size(); ++j)
+            across[j] = within_period(across[j], map.angle_periods[static_cast<std::size_t>(j % map.dimension)]);
         const double length = curve_product(a.tangent, across, false, a.points.size());
         CurvePoint member;
         const auto gap = [&](double h) {

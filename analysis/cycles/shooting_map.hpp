@@ -3,6 +3,7 @@
 
 #include "analysis/section_map.hpp"
 #include "analysis/special_values.hpp"
+#include "analysis/within_period.hpp"
 
 #include <Eigen/Core>
 
@@ -46,9 +47,7 @@ struct ShootingMap {
     /// a − b, angles as angles, in (−P/2, P/2].
     Eigen::VectorXd difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
         Eigen::VectorXd d = a - b;
-        for (int i = 0; i < dimension; ++i)
-            if (angle_periods[static_cast<std::size_t>(i)] > 0)
-                d[i] = std::remainder(d[i], angle_periods[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < dimension; ++i) d[i] = within_period(d[i], angle_periods[static_cast<std::size_t>(i)]);
         return d;
     }
 

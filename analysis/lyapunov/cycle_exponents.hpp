@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/section_map.hpp"
+#include "analysis/within_period.hpp"
 
 #include <Eigen/Core>
 
@@ -59,12 +60,8 @@ CycleExponents cycle_exponents(const M& map, const State<M>& state, std::int64_t
     CycleExponents result = cycle_exponents(derivatives, rank_tolerance);
     result.time = time;
     const Vector<D> open = coordinates(map, z) - coordinates(map, state);
-    for (int i = 0; i < D; ++i) {
-        const double period = map.angle_period(i);
-        double difference = open[i];
-        if (period > 0) difference = std::remainder(difference, period);
-        result.closure = std::max(result.closure, std::abs(difference));
-    }
+    for (int i = 0; i < D; ++i)
+        result.closure = std::max(result.closure, std::abs(within_period(open[i], map.angle_period(i))));
     return result;
 }
 

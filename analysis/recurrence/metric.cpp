@@ -2,6 +2,7 @@
 
 #include "analysis/argument_error.hpp"
 #include "analysis/special_values.hpp"
+#include "analysis/within_period.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,8 +46,7 @@ Points embed_series(std::span<const double> series, int dimension, int delay, do
                   static_cast<std::size_t>(delay),
                   std::vector<double>(static_cast<std::size_t>(dimension), period),
                   true};
-    if (period > 0)
-        for (double& v : points.values) v = std::remainder(v, period);
+    for (double& v : points.values) v = within_period(v, period);
     return points;
 }
 
@@ -66,10 +66,8 @@ Points section_points(std::span<const double> row_major, int dimension, std::spa
     Points points{std::vector<double>(row_major.size()), n, dimension, n, std::vector<double>(d, 0), false};
     std::copy(periods.begin(), periods.end(), points.periods.begin());
     for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t m = 0; m < d; ++m) {
-            const double v = row_major[i * d + m];
-            points.values[i + m * n] = points.periods[m] > 0 ? std::remainder(v, points.periods[m]) : v;
-        }
+        for (std::size_t m = 0; m < d; ++m)
+            points.values[i + m * n] = within_period(row_major[i * d + m], points.periods[m]);
     return points;
 }
 

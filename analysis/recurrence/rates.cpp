@@ -3,6 +3,7 @@
 #include "analysis/argument_error.hpp"
 #include "analysis/recurrence/pair_census.hpp"
 #include "analysis/special_values.hpp"
+#include "analysis/within_period.hpp"
 
 #include <gsl/gsl_statistics_double.h>
 #include <hwy/contrib/sort/vqsort.h>
@@ -34,7 +35,7 @@ double deviation_of(std::span<const double> values, double period, Deviation dev
             c += std::cos(v * to_radians);
         }
         const double mean = std::atan2(s, c) / to_radians;
-        for (double v : values) differences.push_back(std::remainder(v - mean, period));
+        for (double v : values) differences.push_back(within_period(v - mean, period));
         values = differences;
     }
     return deviation == Deviation::sample

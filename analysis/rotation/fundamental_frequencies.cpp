@@ -87,6 +87,7 @@ double refine(std::span<const double> weighted, double guess, double reach) {
     // d|A|²/df ∝ Im(A* slope) is followed to full precision. Searched in units of `reach`.
     constexpr int half_precision = 20;
     constexpr double margin = 1e-4;
+    constexpr double known = 0x1p-54;  // turns: half of what rounding leaves of a frequency near ½
     std::uintmax_t iterations = 100;
     const auto at = [&](double u) { return fourier_sum(weighted, guess + u * reach); };
     const double coarse = boost::math::tools::brent_find_minima([&](double u) { return -std::abs(at(u).value); }, -1.0,
@@ -100,8 +101,10 @@ double refine(std::span<const double> weighted, double guess, double reach) {
     const double high = slope(coarse + margin);
     if (low * high >= 0) return guess + coarse * reach;
     iterations = 100;
-    const auto bracket = boost::math::tools::toms748_solve(slope, coarse - margin, coarse + margin, low, high,
-                                                           boost::math::tools::eps_tolerance<double>(48), iterations);
+    // Not relative to u, which is near 0 where the guess is good: the slope would be followed far below its rounding.
+    const auto is_known = [&](double a, double b) { return (b - a) * reach <= known; };
+    const auto bracket =
+        boost::math::tools::toms748_solve(slope, coarse - margin, coarse + margin, low, high, is_known, iterations);
     return guess + (bracket.first + bracket.second) / 2 * reach;
 }
 

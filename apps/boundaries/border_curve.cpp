@@ -3,6 +3,7 @@
 #include "analysis/continuation/multipliers.hpp"
 #include "analysis/cycles/stability.hpp"
 #include "analysis/linear_algebra/dense.hpp"
+#include "analysis/within_period.hpp"
 #include "apps/boundaries/border_system.hpp"
 #include "apps/boundaries/born_curves.hpp"
 #include "apps/boundaries/critical_word.hpp"
@@ -42,7 +43,7 @@ std::vector<analysis::ArcTest> tests_of(const WordMap& map, const BorderCycle& l
 Eigen::VectorXd turned_to(const WordMap& map, const Eigen::VectorXd& a, Eigen::VectorXd b, Eigen::Index coordinates) {
     for (Eigen::Index i = 0; i < coordinates; ++i)
         if (const double period = map.angle_periods[static_cast<std::size_t>(i % map.dimension)]; period > 0)
-            b[i] = a[i] + std::remainder(b[i] - a[i], period);
+            b[i] = a[i] + analysis::within_period(b[i] - a[i], period);
     return b;
 }
 

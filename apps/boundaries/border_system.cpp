@@ -1,5 +1,6 @@
 #include "apps/boundaries/border_system.hpp"
 
+#include "analysis/within_period.hpp"
 #include "apps/system/shooting_map.hpp"
 
 #include <cmath>
@@ -82,9 +83,8 @@ void add_cycle(const WordMap& map, const BorderCycle& like, const BorderLayout& 
         const WordStep step =
             map.step(y.segment(i * d, d), y[layout.time(i)], p, like.vertices[static_cast<std::size_t>(i)]);
         for (Eigen::Index c = 0; c < d; ++c) {
-            const double period = map.angle_periods[static_cast<std::size_t>(c)];
-            const double open = step.after[c] - y[next * d + c];
-            at.residual[i * d + c] = period > 0 ? std::remainder(open, period) : open;
+            at.residual[i * d + c] = analysis::within_period(step.after[c] - y[next * d + c],
+                                                             map.angle_periods[static_cast<std::size_t>(c)]);
             put(layout, i, layout.time(i), step.after_by.row(c), i * d + c, at.jacobian);
             at.jacobian(i * d + c, next * d + c) -= 1;
         }

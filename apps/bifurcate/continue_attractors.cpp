@@ -2,11 +2,15 @@
 #include "analysis/cycles/multi_shooting.hpp"
 #include "apps/bifurcate/bifurcate_command.hpp"
 #include "apps/command_line/interruption.hpp"
+#include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/progress.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
+#include <utility>
 
 namespace swirl::apps::bifurcate {
 
@@ -24,41 +28,53 @@ double spin_difference(const analysis::CyclePoints& a, const analysis::CyclePoin
     return best;
 }
 
+/// An attractor and the column where it is.
+struct Seen {
+    std::size_t order = 0;  ///< in the diagram
+    double parameter = 0;
+    analysis::CyclePoints states;
+    double distance = 0;
+};
+
+/// Branches of one period, in the order in which attractors lead to them. Attractors of another period lie on none of
+/// them, so that each period has a search of its own.
 class Search {
 public:
-    Search(const BifurcateOptions& options, Diagram& diagram)
-        : options_(options),
-          diagram_(diagram),
-          scene_(scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along,
-                                options.settings.accuracy)) {}
+    explicit Search(const SceneBranches& scene) : scene_(scene) {}
 
-    void look_at(double p, const Attractor& attractor) {
-        if (!is_on_cycle(attractor) || attractor.period > options_.longest_branch) return;
-        for (const auto& branch : diagram_.branches)
-            if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, attractor.states))
-                return compare(*cycle, attractor);
-        const auto shot = analysis::solve_shooting(scene_.map, attractor.states, p, 1e-10);
+    void look_at(const Seen& seen) {
+        const double p = seen.parameter;
+        for (const auto& branch : branches_)
+            if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, seen.states))
+                return compare(*cycle, seen);
+        const auto shot = analysis::solve_shooting(scene_.map, seen.states, p, 1e-10);
         if (shot.converged && is_in_family(shot.points, p)) {
-            ++diagram_.agreement.in_families;
+            ++agreement_.in_families;
             return;
         }
-        const bool found = shot.converged &&
-                           analysis::distance_between(scene_.map, shot.points, attractor.states) < analysis::same_cycle;
+        const bool found =
+            shot.converged && analysis::distance_between(scene_.map, shot.points, seen.states) < analysis::same_cycle;
         analysis::Branch branch;
         if (found && analysis::continue_branch(scene_.map, shot.points, p, scene_.options, branch)) {
-            if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, attractor.states))
-                compare(*cycle, attractor);
+            if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, seen.states))
+                compare(*cycle, seen);
             else
-                ++diagram_.agreement.without;
-            diagram_.branches.push_back(std::move(branch));
+                ++agreement_.without;
+            branches_.push_back(std::move(branch));
+            orders_.push_back(seen.order);
             return;
         }
-        ++diagram_.agreement.without;
+        ++agreement_.without;
     }
 
-    /// The branches that flips and branch points of those lead to, unstable ones too.
-    void switch_branches() {
-        follow_switches(scene_, diagram_.branches, 1, static_cast<std::size_t>(options_.longest_branch));
+    /// Moves what was found there: each branch with the order of the attractor that led to it.
+    void give(std::map<std::size_t, analysis::Branch>& branches, Agreement& agreement) {
+        for (std::size_t i = 0; i < branches_.size(); ++i) branches.emplace(orders_[i], std::move(branches_[i]));
+        agreement.compared += agreement_.compared;
+        agreement.without += agreement_.without;
+        agreement.in_families += agreement_.in_families;
+        agreement.largest = std::max(agreement.largest, agreement_.largest);
+        agreement.distance = std::max(agreement.distance, agreement_.distance);
     }
 
 private:
@@ -67,33 +83,62 @@ private:
         return shooting.alive && analysis::family_directions(shooting, scene_.map.dimension).cols() > 0;
     }
 
-    void compare(const analysis::BranchPoint& cycle, const Attractor& attractor) {
+    void compare(const analysis::BranchPoint& cycle, const Seen& seen) {
         if (!(std::abs(cycle.multipliers.front()) < 0.99)) return;
-        ++diagram_.agreement.compared;
-        diagram_.agreement.largest =
-            std::max(diagram_.agreement.largest, spin_difference(cycle.at.points, attractor.states));
-        diagram_.agreement.distance = std::max(diagram_.agreement.distance, attractor.distance);
+        ++agreement_.compared;
+        agreement_.largest = std::max(agreement_.largest, spin_difference(cycle.at.points, seen.states));
+        agreement_.distance = std::max(agreement_.distance, seen.distance);
     }
 
-    const BifurcateOptions& options_;
-    Diagram& diagram_;
-    SceneBranches scene_;
+    const SceneBranches& scene_;
+    std::vector<analysis::Branch> branches_;
+    std::vector<std::size_t> orders_;
+    Agreement agreement_;
 };
+
+/// What the searches read, which outlives one that an interruption has left alone.
+struct Searches {
+    SceneBranches scene;
+    std::vector<std::vector<Seen>> periods;  ///< the attractors of each
+};
+
+std::shared_ptr<const Searches> searches_for(const BifurcateOptions& options, const Diagram& diagram) {
+    const Scene<double> first = column_scene(options, diagram.along, diagram.along.low);
+    std::map<std::size_t, std::vector<Seen>> by_period;
+    std::size_t order = 0;
+    for (const auto& column : diagram.columns)
+        for (const auto& attractor : column.attractors) {
+            ++order;
+            if (!is_on_cycle(attractor) || attractor.period > options.longest_branch) continue;
+            by_period[attractor.states.size()].push_back(
+                {order, column.parameter, attractor.states, attractor.distance});
+        }
+    auto searches = std::make_shared<Searches>();
+    searches->scene = scene_branches(first, diagram.along, options.settings.accuracy);
+    for (auto& [period, seen] : by_period) searches->periods.push_back(std::move(seen));
+    return searches;
+}
 
 }  // namespace
 
 void continue_attractors(const BifurcateOptions& options, Diagram& diagram) {
-    Search search(options, diagram);
-    Progress progress("branches", static_cast<double>(diagram.columns.size()), options.output.quiet);
-    std::size_t seen = 0;
-    for (const auto& column : diagram.columns) {
-        for (const auto& attractor : column.attractors) {
-            if (is_interrupted()) return;
-            search.look_at(column.parameter, attractor);
+    const auto searches = searches_for(options, diagram);
+    std::map<std::size_t, analysis::Branch> found;
+    const RunPieces run = [&options](std::size_t count, const auto& work) {
+        Progress progress("branches", static_cast<double>(count), options.output.quiet);
+        run_pieces(count, options.output.threads, progress, work);
+    };
+    run(searches->periods.size(), [&found, &diagram, searches](std::size_t i) -> KeepResult {
+        const auto search = std::make_shared<Search>(searches->scene);
+        for (const Seen& seen : searches->periods[i]) {
+            if (is_interrupted()) break;
+            search->look_at(seen);
         }
-        progress.at(static_cast<double>(++seen));
-    }
-    search.switch_branches();
+        return [&found, &diagram, searches, search] { search->give(found, diagram.agreement); };
+    });
+    for (auto& [order, branch] : found) diagram.branches.push_back(std::move(branch));
+    // The branches that flips and branch points of those lead to, unstable ones too.
+    follow_switches(searches->scene, diagram.branches, 1, static_cast<std::size_t>(options.longest_branch), run);
 }
 
 }  // namespace swirl::apps::bifurcate

@@ -106,13 +106,16 @@ void follow_columns(const BifurcateOptions& options, Diagram& diagram) {
 }
 
 void find_steady_modes(const BifurcateOptions& options, Diagram& diagram) {
-    for (auto& column : diagram.columns) {
-        if (is_interrupted()) return;
+    Progress progress("bifurcate: steady modes", static_cast<double>(diagram.columns.size()), options.output.quiet);
+    run_pieces(diagram.columns.size(), options.output.threads, progress, [&](std::size_t c) -> KeepResult {
+        const DiagramColumn& column = diagram.columns[c];
         std::vector<SettledRun> runs;
         for (const Attractor& attractor : column.attractors)
             if (attractor.origin == Origin::random) runs.push_back({attractor.kind, attractor.mean_spin});
-        column.steady = steady_shares(column_scene(options, diagram.along, column.parameter), runs);
-    }
+        const auto modes = std::make_shared<std::vector<SteadyShare>>(
+            steady_shares(column_scene(options, diagram.along, column.parameter), runs));
+        return [&diagram, c, modes] { diagram.columns[c].steady = std::move(*modes); };
+    });
 }
 
 void keep_finished(Diagram& diagram) {

@@ -6,6 +6,10 @@
 #include "apps/system/shooting_map.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <utility>
 
 namespace swirl::apps {
 
@@ -46,34 +50,88 @@ std::string kind_of(const analysis::SpecialPoint& special) {
                                                          : std::string(analysis::name_of(special.kind));
 }
 
+void run_in_turn(std::size_t count, const std::function<KeepResult(std::size_t)>& work) {
+    for (std::size_t i = 0; i < count && !is_interrupted(); ++i)
+        if (const KeepResult keep = work(i)) keep();
+}
+
+namespace {
+
+/// A special point to switch at, and where it stands.
+struct Switch {
+    std::size_t branch = 0, place = 0;
+    analysis::SpecialPoint special;
+};
+
+/// Switches to cycles of one period, and the branches of that period, which they may lead back to.
+struct Switches {
+    std::vector<analysis::Branch> known;
+    std::vector<Switch> switches;
+};
+
+/// By period, of the branches from `begin` on.
+std::map<std::size_t, Switches> switches_of(const std::vector<analysis::Branch>& branches, std::size_t begin,
+                                            std::size_t longest) {
+    std::map<std::size_t, Switches> all;
+    for (std::size_t b = begin; b < branches.size(); ++b) {
+        const std::size_t period = branches[b].period();
+        const auto parent = static_cast<std::size_t>(std::max(branches[b].parent, 0));
+        const bool is_doubled = branches[b].parent >= 0 && branches[parent].period() == 2 * period;
+        for (std::size_t s = 0; s < branches[b].special.size(); ++s) {
+            const auto& special = branches[b].special[s];
+            const bool doubles = special.kind == analysis::SpecialKind::flip;
+            if (doubles ? is_doubled : special.kind != analysis::SpecialKind::branch_point) continue;
+            const std::size_t wanted = (doubles ? 2 : 1) * period;
+            if (wanted <= longest) all[wanted].switches.push_back({b, s, special});
+        }
+    }
+    for (const auto& branch : branches)
+        if (const auto same = all.find(branch.period()); same != all.end()) same->second.known.push_back(branch);
+    return all;
+}
+
+/// The branches that they lead to and that are not known yet.
+std::vector<analysis::Branch> branches_at(const SceneBranches& scene, const Switches& all) {
+    std::vector<analysis::Branch> found;
+    for (const Switch& at : all.switches) {
+        if (is_interrupted()) break;
+        const auto is_known = [&](const analysis::CurvePoint& start) {
+            const auto lies_on = [&](const analysis::Branch& known) {
+                return analysis::find_on_branch(scene.map, known, start.p, start.points).has_value();
+            };
+            return std::any_of(all.known.begin(), all.known.end(), lies_on) ||
+                   std::any_of(found.begin(), found.end(), lies_on);
+        };
+        analysis::Branch branch;
+        if (!analysis::switch_branch(scene.map, at.special, scene.options, branch, is_known)) continue;
+        branch.parent = static_cast<int>(at.branch);
+        branch.parent_special = static_cast<int>(at.place);
+        found.push_back(std::move(branch));
+    }
+    return found;
+}
+
+}  // namespace
+
 void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth,
-                     std::size_t longest) {
+                     std::size_t longest, const RunPieces& run) {
     std::size_t begin = 0;
     for (int level = 0; level < depth && scene.map.has_parameter; ++level) {
-        const std::size_t end = branches.size();
-        for (std::size_t b = begin; b < end; ++b) {
-            for (std::size_t s = 0; s < branches[b].special.size() && !is_interrupted(); ++s) {
-                const auto special = branches[b].special[s];
-                if (special.kind != analysis::SpecialKind::flip && special.kind != analysis::SpecialKind::branch_point)
-                    continue;
-                if (special.kind == analysis::SpecialKind::flip && branches[b].parent >= 0 &&
-                    branches[static_cast<std::size_t>(branches[b].parent)].period() == 2 * branches[b].period())
-                    continue;
-                const bool doubles = special.kind == analysis::SpecialKind::flip;
-                if ((doubles ? 2 : 1) * branches[b].period() > longest) continue;
-                analysis::Branch branch;
-                const auto is_known = [&](const analysis::CurvePoint& start) {
-                    return std::any_of(branches.begin(), branches.end(), [&](const analysis::Branch& known) {
-                        return analysis::find_on_branch(scene.map, known, start.p, start.points).has_value();
-                    });
-                };
-                if (!analysis::switch_branch(scene.map, special, scene.options, branch, is_known)) continue;
-                branch.parent = static_cast<int>(b);
-                branch.parent_special = static_cast<int>(s);
-                branches.push_back(std::move(branch));
-            }
-        }
-        begin = end;
+        // What a piece reads outlives the call, as it may where an interruption leaves the piece alone.
+        const auto of_scene = std::make_shared<const SceneBranches>(scene);
+        std::vector<std::shared_ptr<const Switches>> periods;
+        for (auto& [period, switches] : switches_of(branches, begin, longest))
+            periods.push_back(std::make_shared<const Switches>(std::move(switches)));
+        std::vector<analysis::Branch> found;
+        run(periods.size(), [of_scene, periods, &found](std::size_t i) -> KeepResult {
+            const auto own = std::make_shared<std::vector<analysis::Branch>>(branches_at(*of_scene, *periods[i]));
+            return [&found, own] { std::move(own->begin(), own->end(), std::back_inserter(found)); };
+        });
+        std::sort(found.begin(), found.end(), [](const analysis::Branch& a, const analysis::Branch& b) {
+            return std::pair(a.parent, a.parent_special) < std::pair(b.parent, b.parent_special);
+        });
+        begin = branches.size();
+        std::move(found.begin(), found.end(), std::back_inserter(branches));
     }
 }
 

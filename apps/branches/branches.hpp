@@ -4,8 +4,10 @@
 #include "analysis/continuation/continue_branch.hpp"
 #include "apps/command_line/accuracy.hpp"
 #include "apps/command_line/documents.hpp"
+#include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/parameter_range.hpp"
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -50,10 +52,16 @@ Eigen::Index place_of(const std::string& observable, Eigen::Index size);
 void print_branches(const SceneBranches& scene, const ParameterRange& along,
                     const std::vector<analysis::Branch>& branches);
 
-/// Follows switches of flips and branch points, `depth` times one after another. `branches` grows.
+/// How pieces of work are run: in turn, or as `run_pieces` does.
+using RunPieces = std::function<void(std::size_t count, const std::function<KeepResult(std::size_t)>& work)>;
+void run_in_turn(std::size_t count, const std::function<KeepResult(std::size_t)>& work);
+
+/// Follows switches of flips and branch points, `depth` times one after another. `branches` grows, the same however
+/// pieces are run.
 ///   longest  period of the branches that are switched to
+///   run      a piece for each period that is switched to
 void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth,
-                     std::size_t longest = std::numeric_limits<std::size_t>::max());
+                     std::size_t longest = std::numeric_limits<std::size_t>::max(), const RunPieces& run = run_in_turn);
 
 /// A section point as a JSON object.
 void write_point(JsonWriter& json, const Eigen::VectorXd& z);

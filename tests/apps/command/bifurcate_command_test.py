@@ -1,5 +1,6 @@
 """swirl bifurcate, from outside: bifurcate_command_test.py SWIRL"""
 
+import json
 import unittest
 
 import xarray
@@ -112,8 +113,14 @@ class Bifurcate(Refusing):
         self.assertLess(float(branches["value"].max()), 0)  # v_n of a state that leaves the wall with chi = psi = 0
 
     def test_threads_do_not_matter(self):
-        outputs = [run(f"bifurcate {WINDOW} --along alpha=0.3:0.4:6 --starts 3 --follow --json --threads {t}").stdout for t in (1, 2)]
+        outputs = [run(f"bifurcate {WINDOW} --along alpha=0.1:0.9:33 --starts 2 --follow --branches --json --threads {t}").stdout
+                   for t in (1, 2)]
         self.assertEqual(*outputs)
+        # The branches of each period are a piece of work, and so are those that are switched to.
+        branches = json.loads(outputs[0])["branches"]
+        for switched in (False, True):
+            periods = {branch["period"] for branch in branches if ("switched_from" in branch) == switched}
+            self.assertGreater(len(periods), 1)
 
     def test_falling_ranges_run_backwards(self):
         columns = document(f"bifurcate {WINDOW} --along alpha=0.41:0.37:3 --starts 1")["columns"]

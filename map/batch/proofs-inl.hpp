@@ -111,43 +111,70 @@ public:
         const Lane is_short = of(choose(task.vertices.short_sides, Lane(1), Lane(0)));
         vertices_.short_sides = equal(is_short, Lane(1));
         vertices_.some_short = any(vertices_.short_sides);
+        const int sides = static_cast<int>(hn::GetLane(vertices_.sides.v));
+        for (; vectors_ * lanes < sides; ++vectors_) {
+            Vertices& some = some_[vectors_];
+            const Lane number(hn::Iota(Tag(), vectors_ * lanes));
+            some.beyond = number >= vertices_.sides;
+            some.number = choose(some.beyond, Lane(0), number);
+            some.row = rows_of_vertex(vertices_, some.number);
+            some.striking = hn::AndNot(some.beyond, equal(some.number, striking_));
+        }
     }
 
     /// every_vertex_clear from the start to the contact.
-    HWY_INLINE bool is_clear(const LaneInstant& start, const LaneInstant& contact) const {
-        const LaneInstant from = of(start), to = of(contact);
-        return is_clear_whole(from, to, striking_) || is_clear_in_halves(from, to, striking_, most_halvings);
+    HWY_INLINE bool is_clear(const LaneInstant& contact) const {
+        const LaneInstant to = of(contact);
+        Gaps before, after;
+        fill(instant_at_start(flight_), before);
+        fill(to, after);
+        for (int v = 0; v < vectors_; ++v)
+            after.of[v].value = choose(some_[v].striking, smaller(after.of[v].value, Lane(0)), after.of[v].value);
+        const Lane from(0);
+        return is_clear_whole(before, after, to.time - from) ||
+               is_clear_in_halves(before, after, from, to.time, most_halvings);
     }
 
 private:
-    /// Every vertex between two moments.
-    HWY_INLINE bool is_clear_whole(const LaneInstant& from, const LaneInstant& to, Lane striking) const {
-        const int sides = static_cast<int>(hn::GetLane(vertices_.sides.v));
-        for (int k = 0; k < sides; k += static_cast<int>(hn::Lanes(Tag()))) {
-            const Lane number(hn::Iota(Tag(), k));
-            const Mask beyond = number >= vertices_.sides;
-            const Lane vertex = choose(beyond, Lane(0), number);
-            const Rows row = rows_of_vertex(vertices_, vertex);
-            const LaneGap before = gap_of_vertex(vertices_, row, flight_.spin, from, vertex);
-            LaneGap after = gap_of_vertex(vertices_, row, flight_.spin, to, vertex);
-            after.value = choose(equal(number, striking), smaller(after.value, Lane(0)), after.value);
-            if (any(no(either(beyond, clear_between(before, after, to.time - from.time, sixth_))))) return false;
-        }
+    static constexpr int lanes = static_cast<int>(hn::MaxLanes(Tag()));
+    static constexpr int most_vectors = (few_sides + lanes - 1) / lanes;
+
+    /// As many vertices as a vector has lanes.
+    struct Vertices {
+        Lane number;
+        Rows row;
+        Mask beyond;    ///< there is none with this number
+        Mask striking;  ///< the one that strikes
+    };
+    /// Every vertex's at a moment.
+    struct Gaps {
+        LaneGap of[most_vectors];
+    };
+
+    HWY_INLINE void fill(const LaneInstant& at, Gaps& gaps) const {
+        for (int v = 0; v < vectors_; ++v)
+            gaps.of[v] = gap_of_vertex(vertices_, some_[v].row, flight_.spin, at, some_[v].number);
+    }
+
+    /// Every vertex between two moments that are `h` apart.
+    HWY_INLINE bool is_clear_whole(const Gaps& before, const Gaps& after, Lane h) const {
+        for (int v = 0; v < vectors_; ++v)
+            if (any(no(either(some_[v].beyond, clear_between(before.of[v], after.of[v], h, sixth_))))) return false;
         return true;
     }
 
     /// On either half of the way, each in its own halves where that is not enough. Moments that the tables do not reach
     /// leave it unproven, as the caller knows.
-    HWY_NOINLINE bool is_clear_in_halves(const LaneInstant& from, const LaneInstant& to, const Lane& striking,
+    HWY_NOINLINE bool is_clear_in_halves(const Gaps& before, const Gaps& after, const Lane& from, const Lane& to,
                                          int halvings) const {
-        const Lane time = Lane(0.5) * (from.time + to.time);
+        const Lane time = Lane(0.5) * (from + to);
         if (any(no(all(time < Lane(32), magnitude(flight_.spin * time) < Lane(32))))) return false;
-        const LaneInstant half_way = instant_at(flight_, time);
-        const Lane none(-1);
-        return (is_clear_whole(from, half_way, none) ||
-                (halvings > 1 && is_clear_in_halves(from, half_way, none, halvings - 1))) &&
-               (is_clear_whole(half_way, to, striking) ||
-                (halvings > 1 && is_clear_in_halves(half_way, to, striking, halvings - 1)));
+        Gaps half_way;
+        fill(instant_at(flight_, time), half_way);
+        return (is_clear_whole(before, half_way, time - from) ||
+                (halvings > 1 && is_clear_in_halves(before, half_way, from, time, halvings - 1))) &&
+               (is_clear_whole(half_way, after, to - time) ||
+                (halvings > 1 && is_clear_in_halves(half_way, after, time, to, halvings - 1)));
     }
 
     HWY_INLINE Lane of(Lane a) const { return Lane(hn::TableLookupLanes(a.v, lane_)); }
@@ -165,17 +192,18 @@ private:
     LaneFlight flight_;
     Lane sixth_, striking_;
     VertexRows vertices_;
+    int vectors_ = 0;  ///< that hold its vertices
+    Vertices some_[most_vectors];
 };
 
 /// every_vertex_clear from the start on, flight by flight. Few vertices only.
 HWY_INLINE Mask every_vertex_clear(const ProofTask& task, const LaneInstant& end, Mask asked) {
     asked = hn::And(asked, task.vertices.sides <= Lane(few_sides));
     if (!any(asked)) return asked;
-    const LaneInstant start = instant_at_start(task.flight);
     std::uint32_t clear = 0;
     for (std::uint32_t lanes = bits_of(asked); lanes != 0; lanes &= lanes - 1) {
         const int lane = std::countr_zero(lanes);
-        if (OneFlight(task, lane).is_clear(start, end)) clear |= 1u << lane;
+        if (OneFlight(task, lane).is_clear(end)) clear |= 1u << lane;
     }
     return mask_of(clear);
 }

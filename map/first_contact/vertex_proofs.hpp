@@ -6,6 +6,10 @@
 #include "map/first_contact/certificate.hpp"
 #include "map/first_contact/vertices.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 namespace swirl {
 
 namespace detail {
@@ -137,23 +141,32 @@ inline bool clear_by_pairs(const Body<T>& body, const Flight<T>& flight, const I
            nonpositive_until(neighbour.value, T(-neighbour.rate), neighbour.bend, ring.in, bounds.third);
 }
 
-/// Proves every vertex clear between two moments, or on either half of that interval.
+/// The gaps of all vertices at a moment, of a polygon with few.
 template <class T>
-bool every_vertex_clear(const Body<T>& body, const Flight<T>& flight, const Instant<T>& from, const Instant<T>& to,
-                        int striking, int halvings) {
-    const T sixth = derivative_bounds<6, Shape::polygon>(body, flight).vertex;
-    bool clear = true;
-    for (int k = 0; clear && k < body.sides; ++k) {
-        const Gap<T> first = gap_of(body, flight, from, {k, body.turned_to_vertex(from.arm, k), {}});
-        Gap<T> last = gap_of(body, flight, to, {k, body.turned_to_vertex(to.arm, k), {}});
-        if (k == striking) last.value = std::min(last.value, T(0));
-        clear = clear_between(first, last, T(to.time - from.time), sixth);
-    }
-    if (clear) return true;
+using EveryGap = std::array<Gap<T>, few_sides>;
+
+template <class T>
+inline EveryGap<T> every_gap(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
+    EveryGap<T> gaps;
+    for (int k = 0; k < body.sides; ++k)
+        gaps[static_cast<std::size_t>(k)] = gap_of(body, flight, at, {k, body.turned_to_vertex(at.arm, k), {}});
+    return gaps;
+}
+
+/// Proves every vertex clear between two moments, or on either half of that interval.
+///   sixth  bounds the sixth derivative of each one's gap
+template <class T>
+bool every_vertex_clear(const Body<T>& body, const Flight<T>& flight, const EveryGap<T>& before,
+                        const EveryGap<T>& after, const T& from, const T& to, const T& sixth, int halvings) {
+    std::size_t k = 0;
+    const auto sides = static_cast<std::size_t>(body.sides);
+    while (k < sides && clear_between(before[k], after[k], T(to - from), sixth)) ++k;
+    if (k == sides) return true;
     if (halvings == 0) return false;
-    const Instant<T> half_way = instant_at<Shape::polygon>(flight, T(T(0.5) * (from.time + to.time)));
-    return every_vertex_clear(body, flight, from, half_way, -1, halvings - 1) &&
-           every_vertex_clear(body, flight, half_way, to, striking, halvings - 1);
+    const T time = T(0.5) * (from + to);
+    const EveryGap<T> half_way = every_gap(body, flight, instant_at<Shape::polygon>(flight, time));
+    return every_vertex_clear(body, flight, before, half_way, from, time, sixth, halvings - 1) &&
+           every_vertex_clear(body, flight, half_way, after, time, to, sixth, halvings - 1);
 }
 
 /// The further proofs, tried where `clear_by_circumcircle` fails: both vertices' own derivatives, then the quintics of
@@ -175,7 +188,11 @@ template <class T>
     if (body.sides > few_sides) return false;
     Instant<T> end = at;
     advance<Shape::polygon>(flight, end, correction);
-    return every_vertex_clear(body, flight, start, end, nearest.vertex, most_halvings);
+    EveryGap<T> after = every_gap(body, flight, end);
+    T& at_wall = after[static_cast<std::size_t>(nearest.vertex)].value;
+    at_wall = std::min(at_wall, T(0));
+    return every_vertex_clear(body, flight, every_gap(body, flight, start), after, T(0), end.time,
+                              derivative_bounds<6, Shape::polygon>(body, flight).vertex, most_halvings);
 }
 
 }  // namespace detail

@@ -5,6 +5,8 @@
 
 #include <unistd.h>
 
+#include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <ctime>
 
@@ -15,8 +17,10 @@ namespace {
 // Half a second less what it takes to start, to write and to leave on a machine that is busy.
 constexpr long patience_ns = 300'000'000;
 
-volatile std::sig_atomic_t interrupted = 0;
-volatile std::sig_atomic_t finishing = 0;
+// Written by a handler, on whichever thread the signal comes to, and read by all of them.
+std::atomic<bool> interrupted = false;
+std::atomic<bool> finishing = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "handlers may use these alone");
 timer_t patience;
 bool has_patience = false;
 
@@ -32,8 +36,10 @@ void set_patience(long nanoseconds) {
 }
 
 void note(int) {
-    interrupted = 1;
-    if (finishing == 0) set_patience(patience_ns);
+    const int error = errno;  // of the call that the signal has come into
+    interrupted = true;
+    if (!finishing) set_patience(patience_ns);
+    errno = error;
 }
 
 void handle(void (*handler)(int)) {
@@ -46,11 +52,11 @@ void handle(void (*handler)(int)) {
 
 void exit_when_interrupted() {
     handle(leave);
-    if (interrupted != 0) leave(0);
+    if (interrupted) leave(0);
 }
 
 void note_interruptions() {
-    finishing = 0;
+    finishing = false;
     if (!has_patience) {
         sigevent event{};
         event.sigev_notify = SIGEV_SIGNAL;
@@ -62,11 +68,11 @@ void note_interruptions() {
 }
 
 bool is_interrupted() {
-    return interrupted != 0;
+    return interrupted;
 }
 
 void finish_up() {
-    finishing = 1;
+    finishing = true;
     if (has_patience) set_patience(0);
 }
 

@@ -112,7 +112,7 @@ Tail<M> follow_tail(const M& map, State<M> z, std::int64_t transient, std::int64
     return tail;
 }
 
-/// a − b, angles as angles, in (−P/2, P/2].
+/// a − b, angles as angles, in [−P/2, P/2].
 template <SectionMap M>
 Vector<M::dimension> difference(const M& map, const Vector<M::dimension>& a, const Vector<M::dimension>& b) {
     Vector<M::dimension> d = a - b;

@@ -44,7 +44,7 @@ struct ShootingMap {
     /// surfaces.
     std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step_from_surface = {};
 
-    /// a − b, angles as angles, in (−P/2, P/2].
+    /// a − b, angles as angles, in [−P/2, P/2].
     Eigen::VectorXd difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
         Eigen::VectorXd d = a - b;
         for (int i = 0; i < dimension; ++i) d[i] = within_period(d[i], angle_periods[static_cast<std::size_t>(i)]);

@@ -87,7 +87,8 @@ double refine(std::span<const double> weighted, double guess, double reach) {
     // d|A|²/df ∝ Im(A* slope) is followed to full precision. Searched in units of `reach`.
     constexpr int half_precision = 20;
     constexpr double margin = 1e-4;
-    constexpr double known = 0x1p-54;  // turns: half of what rounding leaves of a frequency near ½
+    // Half an ulp of the frequency, or what the rounding of the sums (64 ε) leaves of the slope's root.
+    const double known = std::max(0x1p-53 * guess, 0x1p-47 * reach);
     std::uintmax_t iterations = 100;
     const auto at = [&](double u) { return fourier_sum(weighted, guess + u * reach); };
     const double coarse = boost::math::tools::brent_find_minima([&](double u) { return -std::abs(at(u).value); }, -1.0,

@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace swirl::apps::bifurcate {
@@ -36,45 +37,42 @@ struct Seen {
     double distance = 0;
 };
 
+/// What an attractor adds.
+struct Found {
+    std::size_t order = 0;
+    Agreement agreement;
+    std::optional<analysis::Branch> branch;  ///< one that was not known
+};
+
 /// Branches of one period, in the order in which attractors lead to them. Attractors of another period lie on none of
 /// them, so that each period has a search of its own.
 class Search {
 public:
     explicit Search(const SceneBranches& scene) : scene_(scene) {}
 
-    void look_at(const Seen& seen) {
+    Found look_at(const Seen& seen) {
         const double p = seen.parameter;
+        Found result{seen.order, {}, {}};
         for (const auto& branch : branches_)
-            if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, seen.states))
-                return compare(*cycle, seen);
+            if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, seen.states)) {
+                result.agreement = compared(*cycle, seen);
+                return result;
+            }
         const auto shot = analysis::solve_shooting(scene_.map, seen.states, p, 1e-10);
         if (shot.converged && is_in_family(shot.points, p)) {
-            ++agreement_.in_families;
-            return;
+            result.agreement.in_families = 1;
+            return result;
         }
         const bool found =
             shot.converged && analysis::distance_between(scene_.map, shot.points, seen.states) < analysis::same_cycle;
+        result.agreement.without = 1;
         analysis::Branch branch;
-        if (found && analysis::continue_branch(scene_.map, shot.points, p, scene_.options, branch)) {
-            if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, seen.states))
-                compare(*cycle, seen);
-            else
-                ++agreement_.without;
-            branches_.push_back(std::move(branch));
-            orders_.push_back(seen.order);
-            return;
-        }
-        ++agreement_.without;
-    }
-
-    /// Moves what was found there: each branch with the order of the attractor that led to it.
-    void give(std::map<std::size_t, analysis::Branch>& branches, Agreement& agreement) {
-        for (std::size_t i = 0; i < branches_.size(); ++i) branches.emplace(orders_[i], std::move(branches_[i]));
-        agreement.compared += agreement_.compared;
-        agreement.without += agreement_.without;
-        agreement.in_families += agreement_.in_families;
-        agreement.largest = std::max(agreement.largest, agreement_.largest);
-        agreement.distance = std::max(agreement.distance, agreement_.distance);
+        if (!found || !analysis::continue_branch(scene_.map, shot.points, p, scene_.options, branch)) return result;
+        if (const auto cycle = analysis::find_on_branch(scene_.map, branch, p, seen.states))
+            result.agreement = compared(*cycle, seen);
+        branches_.push_back(branch);
+        result.branch = std::move(branch);
+        return result;
     }
 
 private:
@@ -83,26 +81,35 @@ private:
         return shooting.alive && analysis::family_directions(shooting, scene_.map.dimension).cols() > 0;
     }
 
-    void compare(const analysis::BranchPoint& cycle, const Seen& seen) {
-        if (!(std::abs(cycle.multipliers.front()) < 0.99)) return;
-        ++agreement_.compared;
-        agreement_.largest = std::max(agreement_.largest, spin_difference(cycle.at.points, seen.states));
-        agreement_.distance = std::max(agreement_.distance, seen.distance);
+    static Agreement compared(const analysis::BranchPoint& cycle, const Seen& seen) {
+        Agreement agreement;
+        if (!(std::abs(cycle.multipliers.front()) < 0.99)) return agreement;
+        agreement.compared = 1;
+        agreement.largest = spin_difference(cycle.at.points, seen.states);
+        agreement.distance = seen.distance;
+        return agreement;
     }
 
     const SceneBranches& scene_;
     std::vector<analysis::Branch> branches_;
-    std::vector<std::size_t> orders_;
-    Agreement agreement_;
 };
 
-/// What the searches read, which outlives one that an interruption has left alone.
+void add(const Agreement& one, Agreement& all) {
+    all.compared += one.compared;
+    all.without += one.without;
+    all.in_families += one.in_families;
+    all.largest = std::max(all.largest, one.largest);
+    all.distance = std::max(all.distance, one.distance);
+}
+
+/// What the searches read and what they find: those that an interruption leaves alone outlive the call.
 struct Searches {
     SceneBranches scene;
     std::vector<std::vector<Seen>> periods;  ///< the attractors of each
+    Gathered<Found> found;
 };
 
-std::shared_ptr<const Searches> searches_for(const BifurcateOptions& options, const Diagram& diagram) {
+std::shared_ptr<Searches> searches_for(const BifurcateOptions& options, const Diagram& diagram) {
     const Scene<double> first = column_scene(options, diagram.along, diagram.along.low);
     std::map<std::size_t, std::vector<Seen>> by_period;
     std::size_t order = 0;
@@ -123,20 +130,24 @@ std::shared_ptr<const Searches> searches_for(const BifurcateOptions& options, co
 
 void continue_attractors(const BifurcateOptions& options, Diagram& diagram) {
     const auto searches = searches_for(options, diagram);
-    std::map<std::size_t, analysis::Branch> found;
     const RunPieces run = [&options](std::size_t count, const auto& work) {
         Progress progress("branches", static_cast<double>(count), options.output.quiet);
         run_pieces(count, options.output.threads, progress, work);
     };
-    run(searches->periods.size(), [&found, &diagram, searches](std::size_t i) -> KeepResult {
-        const auto search = std::make_shared<Search>(searches->scene);
+    run(searches->periods.size(), [searches](std::size_t i) -> KeepResult {
+        Search search(searches->scene);
         for (const Seen& seen : searches->periods[i]) {
             if (is_interrupted()) break;
-            search->look_at(seen);
+            searches->found.add(search.look_at(seen));
         }
-        return [&found, &diagram, searches, search] { search->give(found, diagram.agreement); };
+        return [] {};
     });
-    for (auto& [order, branch] : found) diagram.branches.push_back(std::move(branch));
+    std::vector<Found> all = searches->found.take();
+    std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.order < b.order; });
+    for (Found& found : all) {
+        add(found.agreement, diagram.agreement);
+        if (found.branch) diagram.branches.push_back(std::move(*found.branch));
+    }
     // The branches that flips and branch points of those lead to, unstable ones too.
     follow_switches(searches->scene, diagram.branches, 1, static_cast<std::size_t>(options.longest_branch), run);
 }

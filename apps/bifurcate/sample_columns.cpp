@@ -91,9 +91,10 @@ void follow_columns(const BifurcateOptions& options, Diagram& diagram) {
     // Each way is one piece.
     std::array<std::vector<Attractor>, 2> ways;
     Progress progress("bifurcate", 2, true);
-    run_pieces(2, options.output.threads, progress, [&](std::size_t way) -> KeepResult {
-        const auto found = std::make_shared<std::vector<Attractor>>(
-            follow_way(options, diagram.along, way == 0 ? Origin::up : Origin::down));
+    const ParameterRange along = diagram.along;
+    run_pieces(2, options.output.threads, progress, [&options, along, &ways](std::size_t way) -> KeepResult {
+        const auto found =
+            std::make_shared<std::vector<Attractor>>(follow_way(options, along, way == 0 ? Origin::up : Origin::down));
         return [&ways, way, found] { ways[way] = std::move(*found); };
     });
     auto& [up, down] = ways;
@@ -107,13 +108,21 @@ void follow_columns(const BifurcateOptions& options, Diagram& diagram) {
 
 void find_steady_modes(const BifurcateOptions& options, Diagram& diagram) {
     Progress progress("bifurcate: steady modes", static_cast<double>(diagram.columns.size()), options.output.quiet);
-    run_pieces(diagram.columns.size(), options.output.threads, progress, [&](std::size_t c) -> KeepResult {
-        const DiagramColumn& column = diagram.columns[c];
+    struct Column {
+        Scene<double> scene;
         std::vector<SettledRun> runs;
+    };
+    // Of the pieces' own: one that an interruption leaves alone may outlive the diagram.
+    const auto columns = std::make_shared<std::vector<Column>>();
+    for (const DiagramColumn& column : diagram.columns) {
+        columns->push_back({column_scene(options, diagram.along, column.parameter), {}});
         for (const Attractor& attractor : column.attractors)
-            if (attractor.origin == Origin::random) runs.push_back({attractor.kind, attractor.mean_spin});
-        const auto modes = std::make_shared<std::vector<SteadyShare>>(
-            steady_shares(column_scene(options, diagram.along, column.parameter), runs));
+            if (attractor.origin == Origin::random)
+                columns->back().runs.push_back({attractor.kind, attractor.mean_spin});
+    }
+    run_pieces(columns->size(), options.output.threads, progress, [columns, &diagram](std::size_t c) -> KeepResult {
+        const auto modes =
+            std::make_shared<std::vector<SteadyShare>>(steady_shares((*columns)[c].scene, (*columns)[c].runs));
         return [&diagram, c, modes] { diagram.columns[c].steady = std::move(*modes); };
     });
 }

@@ -3,8 +3,6 @@
 #include "analysis/within_period.hpp"
 #include "apps/system/shooting_map.hpp"
 
-#include <cmath>
-
 namespace swirl::apps::boundaries {
 
 namespace {

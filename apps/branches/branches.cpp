@@ -90,8 +90,8 @@ std::map<std::size_t, Switches> switches_of(const std::vector<analysis::Branch>&
     return all;
 }
 
-/// The branches that they lead to and that are not known yet.
-std::vector<analysis::Branch> branches_at(const SceneBranches& scene, const Switches& all) {
+/// Gives the branches that they lead to and that are not known yet.
+void follow(const SceneBranches& scene, const Switches& all, Gathered<analysis::Branch>& gathered) {
     std::vector<analysis::Branch> found;
     for (const Switch& at : all.switches) {
         if (is_interrupted()) break;
@@ -106,27 +106,28 @@ std::vector<analysis::Branch> branches_at(const SceneBranches& scene, const Swit
         if (!analysis::switch_branch(scene.map, at.special, scene.options, branch, is_known)) continue;
         branch.parent = static_cast<int>(at.branch);
         branch.parent_special = static_cast<int>(at.place);
+        gathered.add(branch);
         found.push_back(std::move(branch));
     }
-    return found;
 }
 
 }  // namespace
 
 void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& branches, int depth,
                      std::size_t longest, const RunPieces& run) {
+    // Pieces that an interruption leaves alone outlive this call: they own what they read and write.
+    const auto of_scene = std::make_shared<const SceneBranches>(scene);
+    const auto gathered = std::make_shared<Gathered<analysis::Branch>>();
     std::size_t begin = 0;
-    for (int level = 0; level < depth && scene.map.has_parameter; ++level) {
-        // What a piece reads outlives the call, as it may where an interruption leaves the piece alone.
-        const auto of_scene = std::make_shared<const SceneBranches>(scene);
+    for (int level = 0; level < depth && scene.map.has_parameter && !is_interrupted(); ++level) {
         std::vector<std::shared_ptr<const Switches>> periods;
         for (auto& [period, switches] : switches_of(branches, begin, longest))
             periods.push_back(std::make_shared<const Switches>(std::move(switches)));
-        std::vector<analysis::Branch> found;
-        run(periods.size(), [of_scene, periods, &found](std::size_t i) -> KeepResult {
-            const auto own = std::make_shared<std::vector<analysis::Branch>>(branches_at(*of_scene, *periods[i]));
-            return [&found, own] { std::move(own->begin(), own->end(), std::back_inserter(found)); };
+        run(periods.size(), [of_scene, periods, gathered](std::size_t i) -> KeepResult {
+            follow(*of_scene, *periods[i], *gathered);
+            return [] {};
         });
+        auto found = gathered->take();
         std::sort(found.begin(), found.end(), [](const analysis::Branch& a, const analysis::Branch& b) {
             return std::pair(a.parent, a.parent_special) < std::pair(b.parent, b.parent_special);
         });

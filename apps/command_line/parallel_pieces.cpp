@@ -38,6 +38,7 @@ void run_piece(Pieces& pieces, std::size_t i, Progress& progress) {
 
 bool run_pieces(std::size_t count, int threads, Progress& progress,
                 const std::function<KeepResult(std::size_t)>& work) {
+    if (is_interrupted()) return false;
     const auto pieces = std::make_shared<Pieces>();
     pieces->work = work;
     std::packaged_task<void()> run_all([pieces, count, threads, &progress] {

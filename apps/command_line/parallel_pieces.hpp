@@ -5,6 +5,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace swirl::apps {
 
@@ -17,5 +20,25 @@ using KeepResult = std::function<void()>;
 /// process ends, as the options of a command do.
 /// @return false if not all are done: it was interrupted. Exceptions of a piece are passed on.
 bool run_pieces(std::size_t count, int threads, Progress& progress, const std::function<KeepResult(std::size_t)>& work);
+
+/// Results that a piece gives one by one, so that those before an interruption are kept, whatever it is at. Pieces that
+/// are left alone may still add to it: they share it.
+template <class Result>
+class Gathered {
+public:
+    void add(Result result) {
+        const std::lock_guard lock(mutex_);
+        results_.push_back(std::move(result));
+    }
+    /// All so far, in the order in which they came.
+    std::vector<Result> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(results_, {});
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<Result> results_;
+};
 
 }  // namespace swirl::apps

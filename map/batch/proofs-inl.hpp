@@ -112,13 +112,13 @@ public:
         vertices_.short_sides = equal(is_short, Lane(1));
         vertices_.some_short = any(vertices_.short_sides);
         const int sides = static_cast<int>(hn::GetLane(vertices_.sides.v));
-        for (; vectors_ * lanes < sides; ++vectors_) {
-            Vertices& some = some_[vectors_];
-            const Lane number(hn::Iota(Tag(), vectors_ * lanes));
-            some.beyond = number >= vertices_.sides;
-            some.number = choose(some.beyond, Lane(0), number);
-            some.row = rows_of_vertex(vertices_, some.number);
-            some.striking = hn::AndNot(some.beyond, equal(some.number, striking_));
+        for (; count_ * lanes < sides; ++count_) {
+            VertexGroup& group = groups_[count_];
+            const Lane number(hn::Iota(Tag(), count_ * lanes));
+            group.beyond = number >= vertices_.sides;
+            group.number = choose(group.beyond, Lane(0), number);
+            group.row = rows_of_vertex(vertices_, group.number);
+            group.striking = hn::AndNot(group.beyond, equal(group.number, striking_));
         }
     }
 
@@ -128,8 +128,9 @@ public:
         Gaps before, after;
         fill(instant_at_start(flight_), before);
         fill(to, after);
-        for (int v = 0; v < vectors_; ++v)
-            after.of[v].value = choose(some_[v].striking, smaller(after.of[v].value, Lane(0)), after.of[v].value);
+        for (int g = 0; g < count_; ++g)
+            after.group[g].value =
+                choose(groups_[g].striking, smaller(after.group[g].value, Lane(0)), after.group[g].value);
         const Lane from(0);
         return is_clear_whole(before, after, to.time - from) ||
                is_clear_in_halves(before, after, from, to.time, most_halvings);
@@ -137,10 +138,10 @@ public:
 
 private:
     static constexpr int lanes = static_cast<int>(hn::MaxLanes(Tag()));
-    static constexpr int most_vectors = (few_sides + lanes - 1) / lanes;
+    static constexpr int most_groups = (few_sides + lanes - 1) / lanes;
 
     /// As many vertices as a vector has lanes.
-    struct Vertices {
+    struct VertexGroup {
         Lane number;
         Rows row;
         Mask beyond;    ///< there is none with this number
@@ -148,18 +149,19 @@ private:
     };
     /// Every vertex's at a moment.
     struct Gaps {
-        LaneGap of[most_vectors];
+        LaneGap group[most_groups];
     };
 
     HWY_INLINE void fill(const LaneInstant& at, Gaps& gaps) const {
-        for (int v = 0; v < vectors_; ++v)
-            gaps.of[v] = gap_of_vertex(vertices_, some_[v].row, flight_.spin, at, some_[v].number);
+        for (int g = 0; g < count_; ++g)
+            gaps.group[g] = gap_of_vertex(vertices_, groups_[g].row, flight_.spin, at, groups_[g].number);
     }
 
     /// Every vertex between two moments that are `h` apart.
     HWY_INLINE bool is_clear_whole(const Gaps& before, const Gaps& after, Lane h) const {
-        for (int v = 0; v < vectors_; ++v)
-            if (any(no(either(some_[v].beyond, clear_between(before.of[v], after.of[v], h, sixth_))))) return false;
+        for (int g = 0; g < count_; ++g)
+            if (any(no(either(groups_[g].beyond, clear_between(before.group[g], after.group[g], h, sixth_)))))
+                return false;
         return true;
     }
 
@@ -192,8 +194,8 @@ private:
     LaneFlight flight_;
     Lane sixth_, striking_;
     VertexRows vertices_;
-    int vectors_ = 0;  ///< that hold its vertices
-    Vertices some_[most_vectors];
+    int count_ = 0;  ///< of groups
+    VertexGroup groups_[most_groups];
 };
 
 /// every_vertex_clear from the start on, flight by flight. Few vertices only.

@@ -189,7 +189,7 @@ template <class T>
     Instant<T> end = at;
     advance<Shape::polygon>(flight, end, correction);
     EveryGap<T> after = every_gap(body, flight, end);
-    T& at_wall = after[static_cast<std::size_t>(nearest.vertex)].value;
+    T& at_wall = after[static_cast<std::size_t>(nearest.vertex)].value;  // a number from 0 to N − 1
     at_wall = std::min(at_wall, T(0));
     return every_vertex_clear(body, flight, every_gap(body, flight, start), after, T(0), end.time,
                               derivative_bounds<6, Shape::polygon>(body, flight).vertex, most_halvings);

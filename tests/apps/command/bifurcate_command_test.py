@@ -157,6 +157,15 @@ class KeptColumns(Keeping):
         answer = self.interrupt(f"bifurcate {WINDOW} --along alpha=0.1:0.9:5000 --starts 0 --follow --threads 1", 1)
         self.assertGreater(len(answer["columns"]), 0)
 
+    def test_branches_are_kept(self):
+        """While some periods' are still continued; the record has those that the document has."""
+        pentagon = "--sides 5 --beta 0.5 --mu 0.3 --restitution 0.9 --along alpha=0.95:0.05:60 --longest-branch 64"
+        answer = self.interrupt(f"bifurcate {pentagon} --branches", 2)
+        self.assertEqual(answer["outcome"], "interrupted")
+        self.assertEqual(len(answer["columns"]), 60)
+        self.assertGreater(len(answer["branches"]), 0)
+        self.assertEqual(self.samples("branch_ends").sizes["branch"], len(answer["branches"]))
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

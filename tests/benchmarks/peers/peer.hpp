@@ -45,7 +45,7 @@ public:
         long found = 0;
         for (std::size_t at = first; found < static_cast<long>(count) && at < starts.size(); ++at) {
             State state = starts[at];
-            found += follow(state, static_cast<int>(count) - static_cast<int>(found));
+            found += follow(state, static_cast<int>(static_cast<long>(count) - found));
         }
         return found;
     }

@@ -94,6 +94,8 @@ def check_compiled(checks, name, starts, truths, compiled):
     checks.below(f"{name}, first_impacts.json, its starts against those drawn", apart, ENLARGED)
     first = difference(exact[:1], truths[:1])
     checks.below(f"{name}, first_impacts.json, its first impact against the map in quad", first, SAME)
+    alone, abreast = (compiled.next(peer, 0, 0, IMPACTS) for peer in ("double", "abreast"))
+    checks.below(f"{name}, abreast, against double", difference(abreast, alone), 0)
     for peer in ("double", "brent", "sundials"):
         checks.below(f"{name}, {peer}", difference(compiled.next(peer, TOLERANCE, SHORT, IMPACTS), exact), SAME)
     if name in SCENES:

@@ -4,6 +4,7 @@
 #include "map/collision_map.hpp"
 #include "map/map_list.hpp"
 #include "map/orbit/outcome.hpp"
+#include "map/orbit/speed_limits.hpp"
 #include "map/sustained/contact_phase.hpp"
 #include "map/sustained/release.hpp"
 
@@ -211,6 +212,9 @@ auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, c
     ReturnStep<T> return_step = after_contact(post_impact, phase);
     return_step.contact_work = phase.sums.work + completion.jacobi;
     end_if_nothing_changes(return_step);
+    const Collision<T>& c = return_step.collision;
+    if (return_step.outcome == Outcome::completed && is_out_of_range(c.after, c.impulse.normal))
+        return_step.outcome = Outcome::diverged;
     return return_step;
 }
 

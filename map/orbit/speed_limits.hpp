@@ -23,4 +23,13 @@ bool has_diverged(const Body<T>& body, const PostImpactState<T>& post_impact) {
              fabs(post_impact.spin) <= largest);
 }
 
+/// True if a velocity, the spin or the impulse is infinite or NaN: speeds that outgrow the numbers within contact,
+/// strike by strike (Newton's law with friction, an inertia factor far below rounding), leave infinities and NaN. There
+/// is no such impact.
+template <class T>
+bool is_out_of_range(const PostImpactState<T>& post_impact, const T& impulse) {
+    const T sum = post_impact.vn + post_impact.vt + post_impact.spin + impulse;
+    return !(sum - sum == T(0));
+}
+
 }  // namespace swirl

@@ -23,9 +23,9 @@ bool has_diverged(const Body<T>& body, const PostImpactState<T>& post_impact) {
              fabs(post_impact.spin) <= largest);
 }
 
-/// True if a velocity, the spin or the impulse is infinite or NaN: speeds that outgrow the numbers within contact,
-/// strike by strike (Newton's law with friction, an inertia factor far below rounding), leave infinities and NaN. There
-/// is no such impact.
+/// True if a velocity, the spin or the impulse is infinite or NaN: there is no such impact. Speeds that outgrow the
+/// numbers within contact, strike by strike (Newton's law with friction), or an inertia factor κ so far below rounding
+/// that powers of 1/κ overflow, lead there.
 template <class T>
 bool is_out_of_range(const PostImpactState<T>& post_impact, const T& impulse) {
     const T sum = post_impact.vn + post_impact.vt + post_impact.spin + impulse;

@@ -1,5 +1,6 @@
 #include "apps/input/angle_stretch.hpp"
 
+#include "analysis/within_period.hpp"
 #include "apps/command_line/errors.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ Turns turns_of(const MeasuredAngle& angle) {
     std::vector<double> turns;
     Turns all;
     for (std::size_t i = 1; i < angle.values.size(); ++i) {
-        const double turn = std::remainder(angle.values[i] - angle.values[i - 1], angle.period);
+        const double turn = analysis::within_period(angle.values[i] - angle.values[i - 1], angle.period);
         if (std::isnan(turn)) continue;
         turns.push_back(turn);
         all.mean += turn;
@@ -63,7 +64,7 @@ std::vector<double> unwrapped(const MeasuredAngle& angle, const Turns& turns, co
         const double before = result.back();
         const std::size_t rows = i - range.first - result.size() + 1;
         const double usual = rows == 1 ? 0 : turns.mean * static_cast<double>(rows);
-        const double turn = usual + std::remainder(angle.values[i] - before - usual, angle.period);
+        const double turn = usual + analysis::within_period(angle.values[i] - before - usual, angle.period);
         const double now =
             angle.values[i] + angle.period * std::round((before + turn - angle.values[i]) / angle.period);
         for (std::size_t k = 1; k < rows; ++k)

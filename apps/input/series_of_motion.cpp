@@ -1,5 +1,7 @@
 #include "apps/input/series_of_motion.hpp"
 
+#include "analysis/within_period.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -105,7 +107,7 @@ AngleRates rates_of_angle(const std::vector<double>& times, const std::vector<do
                           double swirl_rate) {
     AngleRates rates;
     for (std::size_t i = 1; i < angles.size(); ++i) {
-        const double turn = std::remainder(angles[i] - angles[i - 1], period);
+        const double turn = analysis::within_period(angles[i] - angles[i - 1], period);
         rates.times.push_back(times[i - 1] + (times[i] - times[i - 1]) / 2);
         rates.values.push_back(turn / (swirl_rate * (times[i] - times[i - 1])));
         if (!std::isnan(turn)) rates.largest_turn = std::max(rates.largest_turn, std::abs(turn) / (period / 2));

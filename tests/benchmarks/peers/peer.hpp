@@ -40,7 +40,8 @@ public:
         return count;
     }
     /// What is timed: `count` impacts in a row from the start numbered `first`; where the orbit is lost, on from the
-    /// next start, as long as there is one. Returns how many were found.
+    /// next start, as long as there is one. A peer that follows many orbits at once takes as many starts, from `first`
+    /// on, and makes `count` impacts of each. Returns how many were found.
     virtual long follow_from(const std::vector<State>& starts, std::size_t first, std::size_t count) {
         long found = 0;
         for (std::size_t at = first; found < static_cast<long>(count) && at < starts.size(); ++at) {

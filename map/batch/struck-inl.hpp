@@ -43,10 +43,11 @@ HWY_INLINE Mask leaves_quickly(Lane un, Lane chatter, const LaneState& z, Lane a
     return all(un * un > chatter, magnitude(un) > rounding);
 }
 
-/// Neither `has_diverged` nor `has_come_to_rest`, with room for rounding: the scalar code decides beyond.
+/// Neither `is_out_of_range` nor `has_diverged` nor `has_come_to_rest`, with room for rounding: the scalar code decides
+/// beyond. (A sum is NaN where one of its terms is.)
 HWY_INLINE Mask stays_in_range(const LaneState& z, Lane beta, Lane alpha) {
-    const Lane speed = larger(larger(magnitude(z.vn), magnitude(z.vt)), alpha * magnitude(z.spin));
-    const Mask moves = either(beta > Lane(0), speed > Lane(2 * smallest_magnitude));
+    const Lane speed = magnitude(z.vn) + magnitude(z.vt) + alpha * magnitude(z.spin);
+    const Mask moves = either(beta > Lane(0), speed > Lane(4 * smallest_magnitude));
     return all(speed < Lane(largest_magnitude / 2), magnitude(z.spin) < Lane(largest_magnitude / 2), moves);
 }
 

@@ -53,7 +53,6 @@ public:
     ///   horizon  for how long contact without an impact is followed
     bool advance(double horizon = contact_horizon, const ContactSink& sink = {}) {
         if (outcome_ != Outcome::completed) return false;
-        const PostImpactState<T> before = post_impact();
         if (flight_) {
             return_step_ = return_.advance(*flight_);
             outcome_ = return_step_.outcome;
@@ -62,11 +61,6 @@ public:
             outcome_ = return_.advance(return_step_, horizon, sink);
         }
         if (outcome_ != Outcome::completed) return false;
-        if (is_out_of_range(post_impact(), collision().impulse.normal)) {
-            return_step_.collision.after = before;
-            outcome_ = Outcome::diverged;
-            return false;
-        }
         ++impacts_;
         if (has_come_to_rest(map().body(), post_impact())) outcome_ = Outcome::resting;
         if (has_diverged(map().body(), post_impact())) outcome_ = Outcome::diverged;

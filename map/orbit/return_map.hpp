@@ -76,8 +76,8 @@ public:
     ReturnStep<T> advance(const PostImpactState<T>& post_impact, double horizon = contact_horizon,
                           const ContactSink& sink = {}) const;
 
-    /// The same from the end of a return step, in place: for long orbits, without a copy per impact. If the outcome is
-    /// not `completed`, only `contacts` changes, to those after its impact.
+    /// The same from the end of a return step, in place: for long orbits. If the outcome is not `completed`,
+    /// `collision.after` stays, and `contacts` are those after its impact.
     Outcome advance(ReturnStep<T>& return_step, double horizon = contact_horizon, const ContactSink& sink = {}) const {
         return advance_by(return_step, horizon, sink,
                           [this](Collision<T>& collision) { map_.advance(collision.after, collision); });
@@ -110,9 +110,15 @@ private:
         return contact_ && c.flight_time == T(0) && c.impulse.normal == T(0);
     }
 
+    static bool is_no_number(const Collision<T>& c) { return is_out_of_range(c.after, c.impulse.normal); }
+
     void end_if_nothing_changes(ReturnStep<T>& return_step) const {
         if (return_step.outcome == Outcome::completed && changes_nothing(return_step.collision))
             return_step.outcome = Outcome::unresolved;
+    }
+    static void end_before_no_number(ReturnStep<T>& return_step) {
+        if (return_step.outcome == Outcome::completed && is_no_number(return_step.collision))
+            return_step.outcome = Outcome::diverged;
     }
 
     /// The contact state where the search found `sustained` but `chatter_completion` did not: both within rounding of
@@ -154,6 +160,7 @@ auto ReturnMap<Map>::advance(const Flight<T>& flight) const -> ReturnStep<T> {
     map_.advance(flight, return_step.collision);
     return_step.turned = flight.spin * return_step.collision.flight_time;
     return_step.outcome = outcome_of(return_step.collision.outcome);
+    end_before_no_number(return_step);
     return return_step;
 }
 
@@ -176,17 +183,18 @@ template <class Fly>
 auto ReturnMap<Map>::advance_by(ReturnStep<T>& return_step, double horizon, const ContactSink& sink,
                                 const Fly& fly) const -> Outcome {
     Collision<T>& collision = return_step.collision;
-    if (!sums_chatter_ || !may_chatter(*contact_, collision.after)) [[likely]] {
-        const T spin = collision.after.spin;
+    const PostImpactState<T> post_impact = collision.after;
+    if (!sums_chatter_ || !may_chatter(*contact_, post_impact)) [[likely]] {
         fly(collision);
-        if (collision.outcome == FirstContactOutcome::contact && !changes_nothing(collision)) [[likely]] {
-            return_step.turned = spin * collision.flight_time;
+        if (collision.outcome == FirstContactOutcome::contact && !changes_nothing(collision) &&
+            !is_no_number(collision)) [[likely]] {
+            return_step.turned = post_impact.spin * collision.flight_time;
             return_step.contact_work = T(0);
             return_step.contacts.clear();
             return return_step.outcome = Outcome::completed;
         }
+        collision.after = post_impact;
     }
-    const PostImpactState<T> post_impact = collision.after;  // unchanged where none was found
     ReturnStep<T> next = advance(post_impact, horizon, sink);
     if (next.outcome != Outcome::completed) {
         return_step.contacts = std::move(next.contacts);
@@ -212,9 +220,7 @@ auto ReturnMap<Map>::advance_in_contact(const PostImpactState<T>& post_impact, c
     ReturnStep<T> return_step = after_contact(post_impact, phase);
     return_step.contact_work = phase.sums.work + completion.jacobi;
     end_if_nothing_changes(return_step);
-    const Collision<T>& c = return_step.collision;
-    if (return_step.outcome == Outcome::completed && is_out_of_range(c.after, c.impulse.normal))
-        return_step.outcome = Outcome::diverged;
+    end_before_no_number(return_step);
     return return_step;
 }
 

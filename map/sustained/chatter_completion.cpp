@@ -59,10 +59,12 @@ ContactState<T> without_normal_velocity(const ContactScene<T>& scene, const Post
     return state;
 }
 
-/// Where the impacts of the rest stick, which bring u_t to zero.
+/// Where the impacts of the rest bring u_t to zero, sooner or later.
 template <class T>
-void move_stuck(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, ContactState<T>& state) {
-    move_along_wall(scene, post_impact, T(free_acceleration(scene, post_impact, T(0))), state);
+void move_to_rest(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const Slip<T>& slip,
+                  ContactState<T>& state) {
+    if (scene.mu > T(0))
+        move_along_wall(scene, post_impact, T(free_acceleration(scene, post_impact, T(0))), slip, state);
 }
 
 template <class T>
@@ -70,9 +72,8 @@ ContactState<T> landed(const ContactScene<T>& scene, const PostImpactState<T>& p
     const Slip<T> slip = slip_of(scene, post_impact);
     ContactState<T> state = without_normal_velocity(scene, post_impact, slip, jacobi);
     if (scene.mu > 0 && (!slip.slides || state.ut * slip.sign <= 0)) state.ut = 0;
-    if (!sticks(scene, slip)) return state;
     const T before = jacobi_of(scene.body, post_impact_state(scene, state));
-    move_stuck(scene, post_impact, state);
+    move_to_rest(scene, post_impact, slip, state);
     jacobi += jacobi_of(scene.body, post_impact_state(scene, state)) - before;
     return state;
 }
@@ -193,7 +194,7 @@ ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<
     T jacobi(0);
     const Slip<T> slip = slip_of(scene, seen(base));
     ContactState<T> state = without_normal_velocity(scene, seen(near), slip, jacobi);
-    if (sticks(scene, slip)) move_stuck(scene, seen(near), state);
+    move_to_rest(scene, seen(near), slip, state);
     return state;
 }
 

@@ -14,6 +14,7 @@ namespace swirl::tests {
 struct Accumulation {
     bool found = false;
     bool sticks = true;  ///< every impact stopped the slip
+    bool rests = false;  ///< the last one did
     Quad time{}, psi{}, chi{}, ut{}, spin{};
 };
 
@@ -25,12 +26,13 @@ inline Accumulation impact_by_impact(const Scene<double>& s, PostImpactState<Qua
             const Quad ut = contact_kinematics(map.body(), post_impact).ut;
             if (-contact_kinematics(map.body(), post_impact).un < least) {
                 const SectionPoint<Quad> last = section_point(post_impact);
-                return Accumulation{true, end.sticks, end.time, last.psi, last.chi, ut, post_impact.spin};
+                return Accumulation{true, end.sticks, end.rests, end.time, last.psi, last.chi, ut, post_impact.spin};
             }
             const Collision<Quad> next = map.advance(post_impact);
             if (next.outcome != FirstContactOutcome::contact || next.vertex_step != 0) return Accumulation{};
             const ContactMode mode = next.impulse.mode;
-            end.sticks = end.sticks && (mode == ContactMode::c_sticking || mode == ContactMode::r_sticking);
+            end.rests = mode == ContactMode::c_sticking || mode == ContactMode::r_sticking;
+            end.sticks = end.sticks && end.rests;
             end.time += next.flight_time;
             post_impact = next.after;
         }
@@ -39,7 +41,7 @@ inline Accumulation impact_by_impact(const Scene<double>& s, PostImpactState<Qua
 }
 
 /// The largest difference of place and velocities from `end` if chatter is replaced by contact at once; negative if the
-/// contact changes its kind on the way.
+/// contact changes its kind on the way, but for a slip that stops where chatter's stops, too.
 template <class T>
 double difference_from(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const Accumulation& end) {
     using std::abs;
@@ -48,7 +50,11 @@ double difference_from(const ContactScene<T>& scene, const PostImpactState<T>& p
     const ContactState<T> landed = landed_like(scene, post_impact, completion, post_impact);
     const MotionChoice<T> choice = choose_motion(scene, support, landed, 0);
     if (!choice.stays) return -1;
-    const ContactEnd<T> contact = run_contact(scene, support, choice.motion, landed, T(end.time));
+    ContactEnd<T> contact = run_contact(scene, support, choice.motion, landed, T(end.time));
+    if (end.rests && contact.event == ContactEvent::stick) {
+        contact.state.ut = T(0);
+        contact = run_contact(scene, support, ContactMotion::sticking, contact.state, T(end.time - contact.sums.time));
+    }
     if (contact.event != ContactEvent::horizon) return -1;
     const Vec2<T> n = cis(contact.state.psi), exact = cis(T(end.psi));
     const T velocity =

@@ -108,6 +108,42 @@ TEST(Simultaneous, IsMeasuredOnTheFlightsOwnScale) {
     EXPECT_EQ(std::count(followed.simultaneous.begin(), followed.simultaneous.end(), true), 0);
 }
 
+/// Scenes whose inertia factor is so small that the powers of its reciprocal overflow, found by fuzzing: an impact in
+/// flight and one in contact would be NaN.
+struct NoNumber {
+    Scene<double> scene;
+    LabStart<double> start;
+};
+const NoNumber no_numbers[] = {
+    {{6, 0.9999999983512327, 2.5100829905920012e-58, 0.002424327201173087, 0, Law::newton, 7.53609227111714e-62},
+     {2.5100829905920012e-58, 0, -1.3157074751973064e-09, -6.872796495853828e-09, -1.4533550802013793,
+      -5.449849613638402e-12}},
+    {{3, 2.2653658627711155e-06, 1.3833531105652338e-44, 1.259709553248775, 1.1092548275540864e-307, Law::stronge,
+      1e-75},
+     {1.3833531105652338e-44, 0, -3.887925141037954e-40, -1.000005120619432e-75, 1.1918018572032452e-08,
+      0.4490206358022988}}};
+
+TEST(AnImpactThatIsNoNumber, EndsTheOrbitBeforeItWhoeverFollowsTheMap) {
+    for (const NoNumber& known : no_numbers)
+        with_collision_map(known.scene, [&](const auto& map) {
+            const ReturnMap returns(map);
+            ReturnStep<double> step = returns.advance(flight_from(map.body(), known.start));
+            Outcome outcome = step.outcome;
+            PostImpactState<double> last = step.collision.after;
+            for (int i = 0; i < 1000 && outcome == Outcome::completed; ++i) {
+                last = step.collision.after;
+                outcome = returns.advance(step);
+            }
+            EXPECT_EQ(outcome, Outcome::diverged);
+            if (step.outcome != Outcome::completed) return;  // the first impact already
+            EXPECT_TRUE(std::isfinite(last.vn + last.vt + last.spin));
+            EXPECT_EQ(step.collision.after.vn, last.vn);
+            EXPECT_EQ(step.collision.after.spin, last.spin);
+            EXPECT_EQ(step.collision.after.psi.x, last.psi.x);
+            EXPECT_EQ(returns.advance(last).outcome, Outcome::diverged);
+        });
+}
+
 TEST(Start, NumbersWhosePowersCannotBeHeldAreRefused) {
     const auto scene = scene_of(6, 0.4, 0.5, 0.5, 1);
     EXPECT_THROW(follow(scene, {0.5, 0, 1e-300, 0, 0, 0}, 1), std::invalid_argument);

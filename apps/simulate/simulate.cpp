@@ -15,8 +15,9 @@ const char* const simulate_details =
     R"(Outcomes: completed; no-contact (the body never meets the wall again: proven); in-contact (e < 1: the body came to
 stay on the wall, with no impact for 1,000 time units); contact-cut-short (the same for less: its motion there is too fast
 to be followed so long); resting (e = 1: held on the wall from the start; beta = 0: slower than 1e-75); diverged (Newton's
-law with friction creates energy without end); unresolved (one flight outlasted the search for its contact, or no contact
-motion was consistent); interrupted. All but the first exit with 3, interrupted with 130.
+law with friction creates energy without end, or the next impact would be no number: an inertia factor far below
+rounding); unresolved (one flight outlasted the search for its contact, or no contact motion was consistent); interrupted.
+All but the first exit with 3, interrupted with 130.
 
 All contacts are listed, whatever --skip and --every leave out of the impacts. J after an impact is J after the one before
 plus jacobi_restitution + jacobi_friction of the impact, and jacobi_friction + landing_jacobi of the contacts between.

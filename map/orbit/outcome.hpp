@@ -12,8 +12,9 @@ enum class Outcome {
     contact_cut,  ///< in contact when it was given up, before `contact_horizon`: a motion of more than 10⁵ steps
     resting,      ///< e = 1, a disk or no friction: starts on the wall without normal velocity and is held there;
                   ///< β = 0: the motion has decayed to rest
-    diverged,     ///< faster than 1e75: Newton's law with friction can create energy at every impact
-    unresolved    ///< a flight outlasted the step limit of the search, or no contact motion was consistent
+    diverged,   ///< faster than 1e75 (Newton's law with friction can create energy at every impact), or the next impact
+                ///< would be no number (`is_out_of_range`)
+    unresolved  ///< a flight outlasted the step limit of the search, or no contact motion was consistent
 };
 
 /// True if the body was on the wall at the end.

@@ -76,8 +76,8 @@ public:
     ReturnStep<T> advance(const PostImpactState<T>& post_impact, double horizon = contact_horizon,
                           const ContactSink& sink = {}) const;
 
-    /// The same from the end of a return step, in place: for long orbits. If the outcome is not `completed`,
-    /// `collision.after` stays, and `contacts` are those after its impact.
+    /// The same from the end of a return step, in place: for long orbits. If what is returned is not `completed`,
+    /// `collision.after` is what it was, `contacts` are those after that impact, and all else is meaningless.
     Outcome advance(ReturnStep<T>& return_step, double horizon = contact_horizon, const ContactSink& sink = {}) const {
         return advance_by(return_step, horizon, sink,
                           [this](Collision<T>& collision) { map_.advance(collision.after, collision); });
@@ -117,8 +117,9 @@ private:
             return_step.outcome = Outcome::unresolved;
     }
     static void end_before_no_number(ReturnStep<T>& return_step) {
-        if (return_step.outcome == Outcome::completed && is_no_number(return_step.collision))
-            return_step.outcome = Outcome::diverged;
+        if (return_step.outcome != Outcome::completed || !is_no_number(return_step.collision)) return;
+        return_step.outcome = Outcome::diverged;
+        return_step.collision = Collision<T>{};
     }
 
     /// The contact state where the search found `sustained` but `chatter_completion` did not: both within rounding of

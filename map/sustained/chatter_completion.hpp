@@ -7,8 +7,8 @@
 // 85). Meanwhile the two motions differ by at most vT in place: contact begins once that is below 16 ε of R_c, ε that
 // of the number type. There is no speed threshold. At the end of chattering they differ in place and velocities by the
 // second order in T, which `ChatterError::estimate` estimates (the first order cancels: the tangential displacement is
-// proportional to the normal one, which is zero at the end; what chatter that sticks has of second order is added,
-// sticking_chatter.hpp):
+// proportional to the normal one, which is zero at the end; what chatter that sticks, or comes to, has of second order
+// is added, sticking_chatter.hpp):
 //
 //     ½ Δu T² (r(r + |a′|/a) + r′)(1 + |c′|/c)
 //
@@ -91,8 +91,8 @@ template <class T>
 bool rests_still(const ContactScene<T>& scene, const ChatterCompletion<T>& completion);
 
 /// The state in contact of a post-impact state `near` to `base`, whose completion is given: u_n is removed with the
-/// same friction on the same support, for either sign of u_n. Smooth in `near`, so that it can be differentiated. On an
-/// edge the friction during the decay of rocking is neglected.
+/// same friction on the same support, for either sign of u_n. Smooth in `near` as long as the same impact stops the
+/// slip, so that it can be differentiated. On an edge the friction during the decay of rocking is neglected.
 template <class T>
 ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<T>& base,
                             const ChatterCompletion<T>& completion, const PostImpactState<T>& near);

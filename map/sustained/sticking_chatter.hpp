@@ -1,4 +1,4 @@
-// Chatter that sticks moves the body along the wall, which contact that sticks does not.
+// Chatter that sticks, or comes to, moves the body along the wall, which contact that sticks does not.
 //
 // Once an impact has stopped the slip each flight begins with u_t = 0 and lasts τ = 2v/a: the point that touches comes
 // down ½ a_t τ² farther, a and a_t the free accelerations towards the wall and along it. The next impact stops it and
@@ -8,13 +8,19 @@
 //     d = 2 a_t (v/a)²/(1 − e′²)                                                                         (order T²).
 //
 // (By e′ chatter lasts 2v/(a(1 − e′)): where e′ is close to 1 or beyond the sum does not hold.) Before that, while it
-// slips, a flight takes the point u_t τ + ½ a_t τ² along the wall: those few impacts are followed one by one, with a,
-// a_t and the lever arms of the landing. Contact in the same slip, once v is removed, would stop within u_t²/(2|u_t′|);
-// d is what chatter is more than that. With A and B the differences in ∫p dt and ∫q dt between chatter and contact,
-// B₂A + B₃B = 0 (both end at the wall) and B₃A + B₁B = d. So a polygon has turned by (r_n B + r_t A)/I = d r_n/(I +
-// α²), and a disk's centre has run d/B₁ along the wall. About the place of contact both motions have the same angular
-// momentum up to T³: of a polygon, with u = 0 at either end, that is (I + α²)S, less d S r_t for the vertex that has
-// moved by d; a rolling disk's S goes with its ν′.
+// slips, a flight takes the point u_t τ + ½ a_t τ² along the wall, with a, a_t and the lever arms of the landing. Under
+// all three laws an impact that slips throughout sends the body back at ev, so that after m of them
+//
+//     v_m = v eᵐ,  u_t,m = u_t + k v G,  way = (2v/a)(u_t G + k v (G² − H)/2) + ½ a_t (2v/a)² H
+//     G = (1 − eᵐ)/(1 − e),  H = (1 − e²ᵐ)/(1 − e²),  k = 2a_t/a + (B₃ − sμB₁)(1 + e)/(B₂ − sμB₃)
+//
+// (Σ eⁱ G_i = (G² − H)/2); those next to the impact that stops the slip are made one by one, and so are all
+// where impacts do not stick though contact would. Contact in the same slip, once v is removed, would stop within
+// −u_t²/(2u_t′); d is what chatter is more than that. With A and B the differences in ∫p dt and ∫q dt between chatter
+// and contact, B₂A + B₃B = 0 (both end at the wall) and B₃A + B₁B = d. So a polygon has turned by (r_n B + r_t A)/I = d
+// r_n/(I + α²), and a disk's centre has run d/B₁ along the wall. About the place of contact both motions have the same
+// angular momentum up to T³: of a polygon, with u = 0 at either end, that is (I + α²)S, less d S r_t for the vertex
+// that has moved by d; a rolling disk's S goes with its ν′.
 #pragma once
 
 #include "map/sustained/chatter_completion.hpp"
@@ -22,11 +28,16 @@
 #include "map/sustained/removal.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace swirl {
 
 /// Chatter may last so many times what it would by e for its sum to hold.
 inline constexpr int most_longer = 64;
+
+inline bool sticks(ContactMode mode) {
+    return mode == ContactMode::c_sticking || mode == ContactMode::r_sticking;
+}
 
 /// The rest of chatter, in the velocities of the point that touches; lever arms and accelerations are constant in it.
 template <class T>
@@ -43,41 +54,47 @@ struct WayToRest {
     T distance{};
 };
 
-/// From u_t = 0 on, in closed form.
+/// From u_t = 0 on, in closed form; nothing where the next impact does not stick.
 template <class T>
-WayToRest<T> way_while_stuck(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const T& v) {
+std::optional<WayToRest<T>> way_while_stuck(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const T& v) {
     ContactKinematics<T> u = rest.u;
     u.un = T(1);
     u.ut = T(2) * rest.along / rest.acceleration;
     const Impulse<T> next = impulse_by_law(scene, u, scene.restitution);
-    const bool stops = next.mode == ContactMode::c_sticking || next.mode == ContactMode::r_sticking;
+    if (!sticks(next.mode)) return {};
     const T rebound = u.b2() * next.normal + u.b3() * next.tangential - T(1);  // e′
-    const bool accumulates = plain(T(T(1) - scene.restitution)) <= most_longer * plain(T(T(1) - rebound));
-    if (!(stops && accumulates)) return {};
+    if (plain(T(T(1) - scene.restitution)) > most_longer * plain(T(T(1) - rebound))) return WayToRest<T>{};
     const T flight = v / rest.acceleration;  // half of the first one's duration
-    return {true, T(2) * rest.along * flight * flight / (T(1) - rebound * rebound)};
+    return WayToRest<T>{true, T(2) * rest.along * flight * flight / (T(1) - rebound * rebound)};
 }
 
-/// From a slip on, impact by impact until one stops it.
-///   least  of v: below it the slip is taken not to stop
+/// A slip in the rest of chatter before an impact stops it, and the way so far.
 template <class T>
-WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const Plain<T>& least) {
-    constexpr int most_impacts = 1000;  // v falls by e′ < 1 from one to the next, or this is no chatter
-    ContactKinematics<T> u = rest.u;
-    T v = -u.un, distance(0);
-    for (int i = 0; i < most_impacts && plain(v) > least; ++i) {
-        const T flight = T(2) * v / rest.acceleration;
-        distance += (u.ut + T(0.5) * rest.along * flight) * flight;
-        u.un = v;
-        u.ut += rest.along * flight;
-        const Impulse<T> j = impulse_by_law(scene, u, scene.restitution);
-        v = u.b2() * j.normal + u.b3() * j.tangential - v;
-        u.ut += u.b3() * j.normal + u.b1() * j.tangential;
-        if (j.mode != ContactMode::c_sticking && j.mode != ContactMode::r_sticking) continue;
-        const WayToRest<T> stuck = way_while_stuck(scene, rest, v);
-        return {stuck.rests, distance + stuck.distance};
-    }
-    return {};
+struct SlipSoFar {
+    T v, ut;  ///< just after an impact
+    T way{};
+};
+
+/// Past all impacts but the last two that slip throughout; nothing where the slip does not come to an end.
+///   rest  with a slip
+template <class T>
+std::optional<SlipSoFar<T>> slide_on(const ContactScene<T>& scene, const RestOfChatter<T>& rest) {
+    using std::floor, std::log, std::log1p, std::pow;
+    const ContactKinematics<T>& u = rest.u;
+    const T v = -u.un, e = scene.restitution, flight = T(2) * v / rest.acceleration;
+    const T along = plain(u.ut) > 0 ? T(-scene.mu) : scene.mu;  // q/p
+    const T c = u.b2() + u.b3() * along;
+    if (!(plain(c) > 0)) return {};
+    const T change = (u.b3() + u.b1() * along) * (T(1) + e) / c + T(2) * rest.along / rest.acceleration;
+    // u_t + change v G = 0 where G is `share` of its limit 1/(1 − e).
+    const Plain<T> share = -plain(u.ut) * (1 - plain(e)) / (plain(change) * plain(v));
+    if (!(share > 0 && share < 1)) return {};
+    const Plain<T> m = plain(e) > 0 ? Plain<T>(floor(Plain<T>(log1p(-share) / log(plain(e)))) - 1) : Plain<T>(0);
+    if (!(m > 0)) return SlipSoFar<T>{v, u.ut};
+    const T fallen = pow(e, m), g = (T(1) - fallen) / (T(1) - e), h = (T(1) - fallen * fallen) / (T(1) - e * e);
+    return SlipSoFar<T>{
+        v * fallen, u.ut + change * v * g,
+        flight * (u.ut * g + T(0.5) * change * v * (g * g - h)) + T(0.5) * rest.along * flight * flight * h};
 }
 
 /// The way of contact that slips from `state` on at its present rate until it rests.
@@ -86,9 +103,45 @@ template <class T>
 WayToRest<T> way_of_contact(const ContactScene<T>& scene, const ContactState<T>& state, const Plain<T>& longest) {
     if (plain(state.ut) == 0) return {true, T(0)};
     const auto motion = plain(state.ut) > 0 ? ContactMotion::sliding_forward : ContactMotion::sliding_backward;
-    const T rate = reaction_of(scene, scene.is_disk() ? Support::rim : Support::vertex, motion, state).ut_rate;
-    if (!(plain(state.ut) * plain(rate) < 0 && -plain(state.ut) / plain(rate) <= longest)) return {};
+    const Reaction<T> slips = reaction_of(scene, scene.is_disk() ? Support::rim : Support::vertex, motion, state);
+    const T& rate = slips.ut_rate;
+    const bool slows = plain(slips.stiffness) > 0 && plain(state.ut) * plain(rate) < 0;
+    if (!(slows && -plain(state.ut) / plain(rate) <= longest)) return {};
     return {true, T(-0.5) * state.ut * state.ut / rate};
+}
+
+/// From just after an impact until an impact stops the slip, and from there. Where impacts do not stick, because |B₃| >
+/// μB₁ or because they have less friction than contact has, they are followed one by one to the end, and contact from
+/// there.
+///   landing  in contact; its u_t is not read
+///   least    v and u_t up to this are rounding
+///   longest  as in `way_of_contact`
+template <class T>
+WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& rest, ContactState<T> landing,
+                         const Plain<T>& least, const Plain<T>& longest) {
+    using std::abs;
+    constexpr int most_impacts = 1000;
+    ContactKinematics<T> u = rest.u;
+    const bool slides_on = plain(abs(u.ut)) > least && plain(abs(u.b3())) <= plain(T(scene.mu * u.b1()));
+    std::optional<SlipSoFar<T>> slip = slides_on ? slide_on(scene, rest) : SlipSoFar<T>{T(-u.un), u.ut};
+    if (!slip) return {};
+    bool stuck = plain(abs(u.ut)) <= least;
+    for (int i = 0; i < most_impacts && plain(slip->v) > least; ++i) {
+        if (stuck)
+            if (const auto on = way_while_stuck(scene, rest, slip->v)) return {on->rests, slip->way + on->distance};
+        const T flight = T(2) * slip->v / rest.acceleration;
+        slip->way += (slip->ut + T(0.5) * rest.along * flight) * flight;
+        u.un = slip->v;
+        u.ut = slip->ut + rest.along * flight;
+        const Impulse<T> j = impulse_by_law(scene, u, scene.restitution);
+        slip->v = u.b2() * j.normal + u.b3() * j.tangential - u.un;
+        slip->ut = u.ut + u.b3() * j.normal + u.b1() * j.tangential;
+        stuck = sticks(j.mode);
+    }
+    if (plain(slip->v) > least) return {};
+    landing.ut = slip->ut;
+    const WayToRest<T> on = way_of_contact(scene, landing, longest);
+    return {on.rests, slip->way + on.distance};
 }
 
 /// Moves a landing by what the rest of chatter that stops the slip does.
@@ -96,8 +149,8 @@ WayToRest<T> way_of_contact(const ContactScene<T>& scene, const ContactState<T>&
 ///   acceleration  a > 0 at rest
 ///   slip          of the rest of chatter
 ///   state         in contact, u_n removed; u_t = 0 where `slip` sticks
-/// No move where v is rounding, where friction does not hold the point or does not stop the slip, and where e′ ≥ 1 or
-/// is so close to 1 that 1 − e > `most_longer` (1 − e′).
+/// No move where v is rounding, where friction does not hold the point in contact or does not stop the slip, where e′ ≥
+/// 1 or is so close to 1 that 1 − e > `most_longer` (1 − e′), and where impacts that slip are more than 1,000.
 template <class T>
 void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const T& acceleration,
                      const Slip<T>& slip, ContactState<T>& state) {
@@ -110,11 +163,10 @@ void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& pos
     const T along = -body.beta * sin(state.psi) - (scene.is_disk() ? T(0) : T(state.spin * state.spin * u.rt));
     const RestOfChatter<T> rest{u, acceleration, along};
     const Plain<T> lasts = -2 * plain(u.un) / (plain(acceleration) * (1 - plain(scene.restitution)));  // chatter, by e
-    const WayToRest<T> contact =
-        slip.slides ? way_of_contact(scene, state, most_longer * lasts) : WayToRest<T>{true, T(0)};
+    const Plain<T> longest = most_longer * lasts;
+    const WayToRest<T> contact = slip.slides ? way_of_contact(scene, state, longest) : WayToRest<T>{true, T(0)};
     if (!contact.rests) return;
-    const bool stopped = plain(abs(u.ut)) <= rounding;
-    const WayToRest<T> chatter = stopped ? way_while_stuck(scene, rest, T(-u.un)) : way_to_rest(scene, rest, rounding);
+    const WayToRest<T> chatter = way_to_rest(scene, rest, state, rounding, longest);
     if (!chatter.rests) return;
     const T d = chatter.distance - contact.distance;
     if (scene.is_disk()) {

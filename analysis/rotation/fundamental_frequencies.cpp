@@ -1,8 +1,7 @@
+#include "analysis/rotation/fourier_sum.hpp"
 #include "analysis/rotation/rotation_number.hpp"
 #include "analysis/rotation/weighted_birkhoff.hpp"
 #include "analysis/spectrum/fft.hpp"
-
-#include <Eigen/Core>
 
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -18,11 +16,8 @@ namespace swirl::analysis {
 
 namespace {
 
+using rotation_detail::FourierSum, rotation_detail::fourier_sum, rotation_detail::unit_phasor;
 using Complex = std::complex<double>;
-
-Complex unit_phasor(double turns) {
-    return std::polar(1.0, 2 * std::numbers::pi * (turns - std::floor(turns)));
-}
 
 std::vector<double> bump_weights(std::size_t n) {
     std::vector<double> weights(n);
@@ -32,53 +27,6 @@ std::vector<double> bump_weights(std::size_t n) {
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     for (double& weight : weights) weight /= sum;
     return weights;
-}
-
-struct FourierSum {
-    Complex value;  ///< A = Σ x_j e^{−2πi f j}
-    Complex slope;  ///< Σ (j − n/2) x_j e^{−2πi f j}: i/2π dA/df up to a turn of the phase of A
-};
-
-constexpr std::size_t together = 8;  // samples, each with a phasor of its own, so that none waits for another
-using Eight = Eigen::Array<double, together, 1>;
-
-/// The samples from `first` on, 0 beyond the last.
-Eight samples_from(std::span<const double> samples, std::size_t first) {
-    Eight some = Eight::Zero();
-    const auto here = samples.subspan(first).first(std::min(together, samples.size() - first));
-    std::copy(here.begin(), here.end(), some.begin());
-    return some;
-}
-
-/// Phasors are advanced by multiplication and set anew after 64 times, so that their rounding error stays below 64 ε.
-FourierSum fourier_sum(std::span<const double> samples, double frequency) {
-    constexpr std::size_t renewal = 64 * together;
-    const Complex step = unit_phasor(-frequency * static_cast<double>(together));
-    const double middle = static_cast<double>(samples.size()) / 2;
-    Eight real = Eight::Zero(), imaginary = Eight::Zero(), real_slope = Eight::Zero(), imaginary_slope = Eight::Zero();
-    for (std::size_t start = 0; start < samples.size(); start += renewal) {
-        Eight cosine, sine;
-        for (std::size_t k = 0; k < together; ++k) {
-            const Complex phasor = unit_phasor(-frequency * static_cast<double>(start + k));
-            cosine[static_cast<Eigen::Index>(k)] = phasor.real();
-            sine[static_cast<Eigen::Index>(k)] = phasor.imag();
-        }
-        Eight place = Eight::LinSpaced(0, together - 1) + (static_cast<double>(start) - middle);
-        const std::size_t end = std::min(start + renewal, samples.size());
-        for (std::size_t j = start; j < end; j += together) {
-            const Eight x = samples_from(samples, j);
-            const Eight along = x * cosine, across = x * sine;
-            real += along;
-            imaginary += across;
-            real_slope += place * along;
-            imaginary_slope += place * across;
-            place += static_cast<double>(together);
-            const Eight turned = cosine * step.real() - sine * step.imag();
-            sine = cosine * step.imag() + sine * step.real();
-            cosine = turned;
-        }
-    }
-    return {{real.sum(), imaginary.sum()}, {real_slope.sum(), imaginary_slope.sum()}};
 }
 
 /// The frequency within `reach` of `guess` at which the weighted Fourier sum is largest.
@@ -163,9 +111,10 @@ std::vector<FrequencyLine> fundamental_frequencies(std::span<const double> sampl
         line.half_difference = std::abs(first - last);
         lines.push_back(line);
         if (goes_on && !goes_on(line)) break;
+        const Complex begin = std::polar(1.0, line.phase);
         for (std::size_t j = 0; j < n; ++j) {
             const Complex phasor = unit_phasor(line.frequency * static_cast<double>(j));
-            rest[j] -= line.amplitude * (phasor * std::polar(1.0, line.phase)).real();
+            rest[j] -= line.amplitude * (phasor * begin).real();
         }
     }
     return lines;

@@ -139,6 +139,7 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, Clas
     }
     const std::int64_t affordable = steps_with_derivative(map, tail);
     if (affordable < n) options.period = affordable_periods(options.period, affordable / 100);
+    options.period.poor_starts = false;
     const std::int64_t longest = std::min(options.period.max_period, n / 2);
     FoundCycle<M> cycle;
     Effort search{0, most_effort_of_derivatives(n)};

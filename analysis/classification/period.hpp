@@ -26,6 +26,7 @@ struct PeriodOptions {
     double residual = 1e-12;         ///< |Fᵏ(z) − z| that Newton's method must reach
     double rounding = 1e-6;          ///< a cycle along which rounding grows to more than this is an accident of it
     bool exact_multipliers = true;   ///< always in 100 digits; false: only where double's own can't decide
+    bool poor_starts = true;         ///< false: of long candidates only as `most_rise` says
 };
 
 /// A state that is to be overwritten: zero where the states of a map are its coordinates.
@@ -61,10 +62,11 @@ namespace classification_detail {
 /// Farther than this from a cycle no orbit is taken for approaching it.
 constexpr double approach_begins = 0.1;
 
-/// Candidates longer than this must come nearer with Newton's first step and every one after it. Shorter ones may start
-/// poorly: of 1,096 that led to a cycle 12 did not come nearer at once. Of 894 longer ones, nearly all of tori, the 70
-/// that led to a cycle did; 788 of the others did not, and took nine tenths of all derivatives.
-constexpr std::int64_t longest_patient = 200;
+/// Without `poor_starts` Newton's method is given up for candidates longer than this where a residual is ten times the
+/// best before. In a map of a hexagon (μ = 0.5, e = 0.95, α = 0.5 … 0.6, β = 0.3 … 0.4; 2026-11-26) 824 of 894 such led
+/// to no cycle, and took nine tenths of all derivatives: now less than half of that. The 70 that did still do.
+constexpr std::int64_t longest_with_poor_start = 200;
+constexpr double most_rise = 10;
 
 /// Does the tail come nearer to the cycle from window to window (four of a sixteenth of the tail, or of a period each
 /// if that is longer; two of the longest periods; no farther back than where it was more than `approach_begins` away)?
@@ -140,7 +142,7 @@ bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::i
 /// on a torus, where Fᵏ − 1 is nearly singular. Returns the least residual reached, +∞ if there was none: the map
 /// ended, or `effort` was spent.
 template <SectionMap M>
-double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, double goal, Effort& effort) {
+double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, const PeriodOptions& options, Effort& effort) {
     const Vector<M::dimension> begin = point;
     const auto equation = [&](const Eigen::VectorXd& z, Eigen::VectorXd& gap, Eigen::MatrixXd& derivative) {
         const Vector<M::dimension> from = z;
@@ -153,9 +155,10 @@ double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, double 
         return true;
     };
     NewtonOptions newton_options;
-    newton_options.goal = 0.01 * goal;
+    newton_options.goal = 0.01 * options.residual;
     newton_options.most = 20;  // 6 are usual; 20 allow a poor start
-    newton_options.patience = k > longest_patient ? 0 : 3;
+    newton_options.patience = 3;
+    if (!options.poor_starts && k > longest_with_poor_start) newton_options.most_rise = most_rise;
     Eigen::VectorXd z = point;
     const double residual = newton(equation, z, newton_options);
     point = z;
@@ -210,7 +213,7 @@ FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, doub
                          const PeriodOptions& options, Effort& effort) {
     FoundCycle<M> found;
     found.point = tail.points.back();
-    found.residual = polish(map, found.point, k, options.residual, effort);
+    found.residual = polish(map, found.point, k, options, effort);
     if (!(found.residual <= options.residual)) return found;
     found.state = state_at(map, found.point);
     auto points = points_from(map, found.state, k);
@@ -257,7 +260,7 @@ FoundCycle<M> cycle_of_closed(const M& map, const Tail<M>& tail, std::int64_t k,
 /// steps, or Newton's method from its last state finds an attracting k-cycle within the distance that its own return
 /// suggests, which the tail has come nearer to. Period 0 if neither, or if steps accumulate (`accumulates`). What
 /// `effort` ends is not polished: an orbit that returns is then its own evidence, and one that settles has period 0.
-/// Cost: max_period² comparisons at worst, few in practice; 5 k derivatives per candidate, 2 k of a long one in vain.
+/// Cost: max_period² comparisons at worst, few in practice; 4 to 20 k derivatives per candidate.
 template <SectionMap M>
 FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options, Effort& effort) {
     namespace detail = classification_detail;

@@ -3,6 +3,8 @@
 #include "analysis/linear_algebra/dense.hpp"
 #include "analysis/special_values.hpp"
 
+#include <algorithm>
+
 namespace swirl::analysis {
 
 double newton(const Equation& equation, Eigen::VectorXd& x, const NewtonOptions& options) {
@@ -19,6 +21,8 @@ double newton(const Equation& equation, Eigen::VectorXd& x, const NewtonOptions&
             kept = x;
         }
         if (best <= options.goal || (!better && i > options.patience)) break;
+        // Below 100 times the goal what rises is rounding.
+        if (options.most_rise > 0 && residual > options.most_rise * std::max(best, 100 * options.goal)) break;
         x = x - minimum_norm_solution(derivative, gap, small);
     }
     x = kept;

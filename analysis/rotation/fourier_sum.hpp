@@ -15,7 +15,7 @@ struct FourierSum {
 std::complex<double> unit_phasor(double turns);
 
 /// A and its slope at `frequency` f, in turns a sample. Phasors are advanced by multiplication and set anew after 64
-/// times, so that their rounding error stays below 64 ε. Eight samples go together, each with a phasor of its own; by
+/// times, which adds some 64 ε to the rounding of f j. Eight samples go together, each with a phasor of its own; by
 /// the widest vectors that the processor has, with the same bits. Cost: some 15 operations a sample.
 FourierSum fourier_sum(std::span<const double> samples, double frequency);
 

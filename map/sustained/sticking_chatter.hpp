@@ -1,4 +1,4 @@
-// Chatter that sticks, or comes to, moves the body along the wall, which contact that sticks does not.
+// Chatter that sticks, or comes to stick, moves the body along the wall, which contact that sticks does not.
 //
 // Once an impact has stopped the slip each flight begins with u_t = 0 and lasts τ = 2v/a: the point that touches comes
 // down ½ a_t τ² farther, a and a_t the free accelerations towards the wall and along it. The next impact stops it and
@@ -68,33 +68,49 @@ std::optional<WayToRest<T>> way_while_stuck(const ContactScene<T>& scene, const 
     return WayToRest<T>{true, T(2) * rest.along * flight * flight / (T(1) - rebound * rebound)};
 }
 
-/// A slip in the rest of chatter before an impact stops it, and the way so far.
+/// A slip in the rest of chatter, and the way so far.
 template <class T>
 struct SlipSoFar {
     T v, ut;  ///< just after an impact
     T way{};
 };
 
-/// Past all impacts but the last two that slip throughout; nothing where the slip does not come to an end.
-///   rest  with a slip
+/// k: how much v changes u_t in a flight and the impact after it, which slips throughout.
+///   friction_ratio  q/p = −sμ
+template <class T>
+T change_by_sliding(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const T& friction_ratio) {
+    const ContactKinematics<T>& u = rest.u;
+    const T c = u.b2() + u.b3() * friction_ratio;
+    return (u.b3() + u.b1() * friction_ratio) * (T(1) + scene.restitution) / c + T(2) * rest.along / rest.acceleration;
+}
+
+/// After impacts that all slip throughout, in closed form.
+///   change  k
+///   fallen  eᵐ; 0: after all of them
+template <class T>
+SlipSoFar<T> slide(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const SlipSoFar<T>& from,
+                   const T& change, const T& fallen) {
+    const T& e = scene.restitution;
+    const T flight = T(2) * from.v / rest.acceleration, g = (T(1) - fallen) / (T(1) - e),
+            h = (T(1) - fallen * fallen) / (T(1) - e * e);
+    return {from.v * fallen, from.ut + change * from.v * g,
+            from.way + flight * (from.ut * g + T(0.5) * change * from.v * (g * g - h)) +
+                T(0.5) * rest.along * flight * flight * h};
+}
+
+/// Past all impacts but the last two that slip throughout; nothing where the slip never stops. Where |B₃| ≤ μB₁.
 template <class T>
 std::optional<SlipSoFar<T>> slide_on(const ContactScene<T>& scene, const RestOfChatter<T>& rest) {
     using std::floor, std::log, std::log1p, std::pow;
-    const ContactKinematics<T>& u = rest.u;
-    const T v = -u.un, e = scene.restitution, flight = T(2) * v / rest.acceleration;
-    const T along = plain(u.ut) > 0 ? T(-scene.mu) : scene.mu;  // q/p
-    const T c = u.b2() + u.b3() * along;
-    if (!(plain(c) > 0)) return {};
-    const T change = (u.b3() + u.b1() * along) * (T(1) + e) / c + T(2) * rest.along / rest.acceleration;
-    // u_t + change v G = 0 where G is `share` of its limit 1/(1 − e).
-    const Plain<T> share = -plain(u.ut) * (1 - plain(e)) / (plain(change) * plain(v));
+    const SlipSoFar<T> begin{T(-rest.u.un), rest.u.ut};
+    const T& e = scene.restitution;
+    const T change = change_by_sliding(scene, rest, plain(begin.ut) > 0 ? T(-scene.mu) : scene.mu);
+    // u_t + k v G = 0 where G is `share` of its limit 1/(1 − e).
+    const Plain<T> share = -plain(begin.ut) * (1 - plain(e)) / (plain(change) * plain(begin.v));
     if (!(share > 0 && share < 1)) return {};
     const Plain<T> m = plain(e) > 0 ? Plain<T>(floor(Plain<T>(log1p(-share) / log(plain(e)))) - 1) : Plain<T>(0);
-    if (!(m > 0)) return SlipSoFar<T>{v, u.ut};
-    const T fallen = pow(e, m), g = (T(1) - fallen) / (T(1) - e), h = (T(1) - fallen * fallen) / (T(1) - e * e);
-    return SlipSoFar<T>{
-        v * fallen, u.ut + change * v * g,
-        flight * (u.ut * g + T(0.5) * change * v * (g * g - h)) + T(0.5) * rest.along * flight * flight * h};
+    if (!(m > 0)) return begin;
+    return slide(scene, rest, begin, change, T(pow(e, m)));
 }
 
 /// The way of contact that slips from `state` on at its present rate until it rests.
@@ -110,25 +126,30 @@ WayToRest<T> way_of_contact(const ContactScene<T>& scene, const ContactState<T>&
     return {true, T(-0.5) * state.ut * state.ut / rate};
 }
 
-/// From just after an impact until an impact stops the slip, and from there. Where impacts do not stick, because |B₃| >
-/// μB₁ or because they have less friction than contact has, they are followed one by one to the end, and contact from
-/// there.
+/// From just after an impact until an impact stops the slip, and from there. Where impacts do not stick chatter ends
+/// slipping, and contact goes on from there: because |B₃| > μB₁ (followed one by one), or because they have (1 + e)/2
+/// of the friction that contact has (after the one that stopped the slip all of them slide).
 ///   landing  in contact; its u_t is not read
 ///   least    v and u_t up to this are rounding
 ///   longest  as in `way_of_contact`
+/// Cost: a few impacts; up to 1,000 where |B₃| > μB₁.
 template <class T>
 WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& rest, ContactState<T> landing,
                          const Plain<T>& least, const Plain<T>& longest) {
     using std::abs;
-    constexpr int most_impacts = 1000;
     ContactKinematics<T> u = rest.u;
-    const bool slides_on = plain(abs(u.ut)) > least && plain(abs(u.b3())) <= plain(T(scene.mu * u.b1()));
-    std::optional<SlipSoFar<T>> slip = slides_on ? slide_on(scene, rest) : SlipSoFar<T>{T(-u.un), u.ut};
-    if (!slip) return {};
+    const bool holds = plain(abs(u.b3())) <= plain(T(scene.mu * u.b1()));
     bool stuck = plain(abs(u.ut)) <= least;
+    std::optional<SlipSoFar<T>> slip = holds && !stuck ? slide_on(scene, rest) : SlipSoFar<T>{T(-u.un), u.ut};
+    if (!slip) return {};
+    const int most_impacts = holds ? 8 : 1000;  // two that slide, one that sticks, and room for rounding
     for (int i = 0; i < most_impacts && plain(slip->v) > least; ++i) {
-        if (stuck)
+        if (stuck) {
             if (const auto on = way_while_stuck(scene, rest, slip->v)) return {on->rests, slip->way + on->distance};
+            const T change = change_by_sliding(scene, rest, plain(rest.along) > 0 ? T(-scene.mu) : scene.mu);
+            if (holds) slip = slide(scene, rest, *slip, change, T(0));
+            if (holds) break;
+        }
         const T flight = T(2) * slip->v / rest.acceleration;
         slip->way += (slip->ut + T(0.5) * rest.along * flight) * flight;
         u.un = slip->v;
@@ -139,7 +160,7 @@ WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& r
         stuck = sticks(j.mode);
     }
     if (plain(slip->v) > least) return {};
-    landing.ut = slip->ut;
+    landing.ut = stuck && plain(abs(slip->ut)) <= least ? T(0) : slip->ut;
     const WayToRest<T> on = way_of_contact(scene, landing, longest);
     return {on.rests, slip->way + on.distance};
 }
@@ -150,7 +171,7 @@ WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& r
 ///   slip          of the rest of chatter
 ///   state         in contact, u_n removed; u_t = 0 where `slip` sticks
 /// No move where v is rounding, where friction does not hold the point in contact or does not stop the slip, where e′ ≥
-/// 1 or is so close to 1 that 1 − e > `most_longer` (1 − e′), and where impacts that slip are more than 1,000.
+/// 1 or is so close to 1 that 1 − e > `most_longer` (1 − e′), and where impacts that can't stick are more than 1,000.
 template <class T>
 void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const T& acceleration,
                      const Slip<T>& slip, ContactState<T>& state) {
@@ -159,7 +180,7 @@ void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& pos
     const ContactKinematics<T> u = contact_kinematics(body, post_impact);
     const Plain<T> rounding = plain(velocity_rounding(scene, post_impact));
     if (!(plain(T(-u.un)) > rounding) || !(plain(acceleration) > 0)) return;
-    if (slip.slides && !can_stick(scene, post_impact)) return;
+    if (!can_stick(scene, post_impact)) return;
     const T along = -body.beta * sin(state.psi) - (scene.is_disk() ? T(0) : T(state.spin * state.spin * u.rt));
     const RestOfChatter<T> rest{u, acceleration, along};
     const Plain<T> lasts = -2 * plain(u.un) / (plain(acceleration) * (1 - plain(scene.restitution)));  // chatter, by e

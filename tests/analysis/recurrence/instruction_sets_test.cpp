@@ -1,6 +1,7 @@
 // The same bits on every instruction set that this machine can run, from the plainest on.
 #include "analysis/recurrence/lines.hpp"
 #include "analysis/recurrence/rates.hpp"
+#include "tests/analysis/only_targets.hpp"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -8,18 +9,6 @@
 
 namespace swirl::analysis::recurrence {
 namespace {
-
-// The instruction sets in use are the best one of `targets`, until the guard ends.
-struct OnlyTargets {
-    explicit OnlyTargets(std::int64_t targets) {
-        hwy::SetSupportedTargetsForTest(targets);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-    ~OnlyTargets() {
-        hwy::SetSupportedTargetsForTest(0);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-};
 
 struct Result {
     std::vector<LineHistograms> lines;
@@ -46,14 +35,12 @@ TEST(InstructionSets, AllGiveTheSameCounts) {
     std::uniform_real_distribution<double> uniform(-1, 1);
     std::vector<double> series(700);
     for (double& v : series) v = uniform(random);
-    std::vector<std::int64_t> targets;
-    for (std::int64_t t = hwy::SupportedTargets(); t != 0; t &= t - 1) targets.push_back(t & -t);
     for (const int dimension : {1, 2, 3, 6})
         for (const double period : {0.0, 2.0}) {
             const Points points = embed_series(series, dimension, 1, period);
             const Result best = result_of(points);
-            for (const std::int64_t target : targets) {
-                const OnlyTargets only(target);
+            for (const std::int64_t target : tests::all_targets()) {
+                const tests::OnlyTargets only(target);
                 const Result other = result_of(points);
                 for (std::size_t k = 0; k < best.lines.size(); ++k) {
                     EXPECT_EQ(best.lines[k].diagonal, other.lines[k].diagonal) << hwy::TargetName(target);

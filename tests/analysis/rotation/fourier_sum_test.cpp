@@ -1,5 +1,6 @@
 // The Fourier sum by vectors has the bits of the same operations one after the other, and is the sum.
 #include "analysis/rotation/fourier_sum.hpp"
+#include "tests/analysis/only_targets.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Core>
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -48,28 +50,36 @@ FourierSum one_after_the_other(const std::vector<double>& samples, double freque
     return {{real.sum(), imaginary.sum()}, {real_slope.sum(), imaginary_slope.sum()}};
 }
 
-TEST(FourierSum, HasTheBitsOfOneSampleAfterTheOther) {
-    for (const std::size_t n : {1, 7, 8, 9, 511, 512, 513, 1000, 1031, 10'000})
+TEST(FourierSum, HasTheBitsOfOneSampleAfterTheOtherOnEveryInstructionSet) {
+    for (const std::size_t n : {0, 1, 7, 8, 9, 511, 512, 513, 1000, 1031, 10'000})
         for (const double frequency : {0.0, 0.1234567, 0.25, 0.4999, 0.5}) {
             const auto samples = random_samples(n);
-            const FourierSum found = fourier_sum(samples, frequency), plain = one_after_the_other(samples, frequency);
-            EXPECT_EQ(found.value, plain.value) << n << " samples, f = " << frequency;
-            EXPECT_EQ(found.slope, plain.slope) << n << " samples, f = " << frequency;
+            const FourierSum plain = one_after_the_other(samples, frequency);
+            for (const std::int64_t target : tests::all_targets()) {
+                const tests::OnlyTargets only(target);
+                const FourierSum found = fourier_sum(samples, frequency);
+                EXPECT_EQ(found.value, plain.value) << n << " samples, f = " << frequency << hwy::TargetName(target);
+                EXPECT_EQ(found.slope, plain.slope) << n << " samples, f = " << frequency << hwy::TargetName(target);
+            }
         }
 }
 
-TEST(FourierSum, IsTheSum) {
-    const auto samples = random_samples(1000);
+TEST(FourierSum, AndItsSlopeAreTheSums) {
+    constexpr std::size_t n = 1000;
+    const auto samples = random_samples(n);
     for (const double frequency : {0.0, 0.1234567, 0.31, 0.5}) {
-        std::complex<long double> sum = 0;
-        for (std::size_t j = 0; j < samples.size(); ++j) {
-            const long double turns = static_cast<long double>(frequency) * static_cast<long double>(j);
-            sum +=
-                static_cast<long double>(samples[j]) * std::polar(1.0L, -2 * std::numbers::pi_v<long double> * turns);
+        std::complex<long double> sum = 0, slope = 0;
+        for (std::size_t j = 0; j < n; ++j) {
+            const auto place = static_cast<long double>(j);
+            const auto turned = std::polar(1.0L, -2 * std::numbers::pi_v<long double> * frequency * place);
+            sum += static_cast<long double>(samples[j]) * turned;
+            slope += (place - n / 2) * static_cast<long double>(samples[j]) * turned;
         }
-        // 64 ε of the phasors, and the argument's rounding: 2π f n ε.
-        const double bound = (64 + 2 * std::numbers::pi * 500) * 0x1p-53 * 1000;
-        EXPECT_LE(std::abs(fourier_sum(samples, frequency).value - static_cast<Complex>(sum)), bound);
+        // 64 ε of the phasors, and the argument's rounding, 2π f n ε, of each of n terms.
+        const double bound = (64 + 2 * std::numbers::pi * 500) * 0x1p-53 * n;
+        const FourierSum found = fourier_sum(samples, frequency);
+        EXPECT_LE(std::abs(found.value - static_cast<Complex>(sum)), bound);
+        EXPECT_LE(std::abs(found.slope - static_cast<Complex>(slope)), bound * n / 2);
     }
 }
 

@@ -73,13 +73,13 @@ TEST(FourierSum, AndItsSlopeAreTheSums) {
             const auto place = static_cast<long double>(j);
             const auto turned = std::polar(1.0L, -2 * std::numbers::pi_v<long double> * frequency * place);
             sum += static_cast<long double>(samples[j]) * turned;
-            slope += (place - n / 2) * static_cast<long double>(samples[j]) * turned;
+            slope += (place - 0.5L * n) * static_cast<long double>(samples[j]) * turned;
         }
         // 64 ε of the phasors, and the argument's rounding, 2π f n ε, of each of n terms.
         const double bound = (64 + 2 * std::numbers::pi * 500) * 0x1p-53 * n;
         const FourierSum found = fourier_sum(samples, frequency);
         EXPECT_LE(std::abs(found.value - static_cast<Complex>(sum)), bound);
-        EXPECT_LE(std::abs(found.slope - static_cast<Complex>(slope)), bound * n / 2);
+        EXPECT_LE(std::abs(found.slope - static_cast<Complex>(slope)), 0.5 * bound * n);
     }
 }
 

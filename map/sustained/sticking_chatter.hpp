@@ -14,13 +14,13 @@
 //     v_m = v eᵐ,  u_t,m = u_t + k v G,  way = (2v/a)(u_t G + k v (G² − H)/2) + ½ a_t (2v/a)² H
 //     G = (1 − eᵐ)/(1 − e),  H = (1 − e²ᵐ)/(1 − e²),  k = 2a_t/a + (B₃ − sμB₁)(1 + e)/(B₂ − sμB₃)
 //
-// (Σ eⁱ G_i = (G² − H)/2); those next to the impact that stops the slip are made one by one, and so are all
-// where impacts do not stick though contact would. Contact in the same slip, once v is removed, would stop within
-// −u_t²/(2u_t′); d is what chatter is more than that. With A and B the differences in ∫p dt and ∫q dt between chatter
-// and contact, B₂A + B₃B = 0 (both end at the wall) and B₃A + B₁B = d. So a polygon has turned by (r_n B + r_t A)/I = d
-// r_n/(I + α²), and a disk's centre has run d/B₁ along the wall. About the place of contact both motions have the same
-// angular momentum up to T³: of a polygon, with u = 0 at either end, that is (I + α²)S, less d S r_t for the vertex
-// that has moved by d; a rolling disk's S goes with its ν′.
+// (Σ eⁱ G_i = (G² − H)/2); those next to the impact that stops the slip are made one by one. Where impacts do not stick
+// though contact would, chatter ends slipping, and contact goes on from there. Contact in the same slip, once v is
+// removed, would stop within −u_t²/(2u_t′); d is what chatter is more than that. With A and B the differences in ∫p dt
+// and ∫q dt between chatter and contact, B₂A + B₃B = 0 (both end at the wall) and B₃A + B₁B = d. So a polygon has
+// turned by (r_n B + r_t A)/I = d r_n/(I + α²), and a disk's centre has run d/B₁ along the wall. About the place of
+// contact both motions have the same angular momentum up to T³: of a polygon, with u = 0 at either end, that is (I +
+// α²)S, less d S r_t for the vertex that has moved by d; a rolling disk's S goes with its ν′.
 #pragma once
 
 #include "map/sustained/chatter_completion.hpp"
@@ -146,9 +146,11 @@ WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& r
     for (int i = 0; i < most_impacts && plain(slip->v) > least; ++i) {
         if (stuck) {
             if (const auto on = way_while_stuck(scene, rest, slip->v)) return {on->rests, slip->way + on->distance};
-            const T change = change_by_sliding(scene, rest, plain(rest.along) > 0 ? T(-scene.mu) : scene.mu);
-            if (holds) slip = slide(scene, rest, *slip, change, T(0));
-            if (holds) break;
+            if (holds) {
+                const T change = change_by_sliding(scene, rest, plain(rest.along) > 0 ? T(-scene.mu) : scene.mu);
+                slip = slide(scene, rest, *slip, change, T(0));
+                break;
+            }
         }
         const T flight = T(2) * slip->v / rest.acceleration;
         slip->way += (slip->ut + T(0.5) * rest.along * flight) * flight;

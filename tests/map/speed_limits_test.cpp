@@ -108,8 +108,8 @@ TEST(Simultaneous, IsMeasuredOnTheFlightsOwnScale) {
     EXPECT_EQ(std::count(followed.simultaneous.begin(), followed.simultaneous.end(), true), 0);
 }
 
-/// Scenes whose inertia factor is so small that the powers of its reciprocal overflow, found by fuzzing: an impact in
-/// flight and one in contact would be NaN.
+/// Scenes whose inertia factor is so small that the powers of its reciprocal overflow, found by fuzzing: an impact
+/// after contact, and the first of all in flight, would be NaN.
 struct NoNumber {
     Scene<double> scene;
     LabStart<double> start;

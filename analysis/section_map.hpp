@@ -41,6 +41,14 @@ struct Linearised {
     double effort = 2;  ///< as of Advance: an ordinary derivative costs as much as the step
 };
 
+/// What an orbit keeps of a step that it has taken.
+template <class State>
+struct KnownStep {
+    const State& state;  ///< that it led to
+    double duration = 1;
+    std::int64_t letter = 0;
+};
+
 namespace section_map_detail {
 
 template <class M>
@@ -105,6 +113,7 @@ State<M> state_at(const M& map, const Vector<M::dimension>& point) {
 ///                          it) count as constant over a step
 ///   map.follow(z, n, stop, effort)  optional: see `follow`
 ///   map.coordinate(z, i)   optional: coordinate i alone, for those that cost less than all
+///   map.linearise(z, known)  optional: see `linearise_known`
 template <class M>
 concept SectionMap = requires(const M& map, const State<M>& z, const Vector<M::dimension>& point, int i) {
     { M::dimension } -> std::convertible_to<int>;
@@ -122,6 +131,16 @@ bool goes_on(const M&, const Step& step) {
         return step.alive && step.state.allFinite();
     else
         return step.alive;
+}
+
+/// F(z) and DF(z) of a step that an orbit has taken. A map that need not take it again for its derivative has a
+/// `linearise(z, known)` of its own, whose DF may be off by rounding.
+template <SectionMap M>
+Linearised<M::dimension, State<M>> linearise_known(const M& map, const State<M>& z, const KnownStep<State<M>>& known) {
+    if constexpr (requires { map.linearise(z, known); })
+        return map.linearise(z, known);
+    else
+        return map.linearise(z);
 }
 
 /// Asked now and then by what takes long: true to end it. Empty: never.

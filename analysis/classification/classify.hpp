@@ -5,6 +5,7 @@
 #include "analysis/classification/mode.hpp"
 #include "analysis/classification/period.hpp"
 #include "analysis/classification/superstable_period.hpp"
+#include "analysis/classification/tail_exponent.hpp"
 #include "analysis/lyapunov/exponent_sign.hpp"
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
 #include "analysis/recurrence/rates.hpp"
@@ -204,15 +205,6 @@ inline void take_forgotten(Findings& findings, Classification& result) {
     findings.exponent.sign = ExponentSign::negative;
     findings.exponent.exponent = result.largest_exponent = -infinity;
     findings.exponent.standard_error = nan;
-}
-
-/// The largest exponent of `steps` steps from a state on.
-template <SectionMap M>
-LyapunovSpectrum exponent_from(const M& map, const State<M>& first, std::int64_t steps) {
-    LyapunovOptions options;
-    options.transient = 0;
-    options.steps = steps;
-    return largest_exponent(map, first, options);
 }
 
 /// Everything after the search for a period and the exponent of the tail, and the verdict.

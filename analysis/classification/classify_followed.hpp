@@ -4,6 +4,7 @@
 
 #include "analysis/classification/classify.hpp"
 #include "analysis/classification/follow_until_settled.hpp"
+#include "analysis/classification/tail_exponent.hpp"
 #include "analysis/special_values.hpp"
 
 #include <algorithm>
@@ -50,30 +51,6 @@ inline bool runs_away(const std::vector<double>& series) {
     const auto quarter = static_cast<std::ptrdiff_t>(series.size() / 4);
     return largest(series.end() - quarter, series.end()) >
            out_of_proportion * largest(series.begin(), series.begin() + quarter);
-}
-
-/// The exponent of a tail: of as many of its n steps as tell that it is positive, 256 or more, else of all. It has to
-/// be positive on the tail's last steps, too: chaos that ends on the way, or comes late, is told by all. The errors of
-/// a sum that scatters fall like the root of its steps, so that what is missing tells how many are asked next.
-///   n  at most so many of them
-template <SectionMap M>
-LyapunovSpectrum exponent_of_few(const M& map, const Tail<M>& tail, std::int64_t n, const SignOptions& sign) {
-    constexpr std::int64_t fewest = 256;
-    const auto clearly = [&](const LyapunovSpectrum& spectrum) {
-        return spectrum.outcome == LyapunovOutcome::completed && is_clearly_positive(judge_sign(spectrum, 0, sign));
-    };
-    for (std::int64_t steps = fewest; 4 * steps <= n && !tail.states.empty();) {
-        auto spectrum = exponent_from(map, tail.first, steps);
-        if (spectrum.outcome != LyapunovOutcome::completed) break;
-        if (clearly(spectrum)) {
-            const State<M>& late = tail.states[static_cast<std::size_t>(n - steps)];
-            if (clearly(exponent_from(map, late, steps))) return spectrum;
-        }
-        const std::int64_t needed = steps_until_positive(judge_sign(spectrum, 0, sign), steps, sign);
-        if (needed <= 0) break;
-        steps = std::max(2 * steps, needed);
-    }
-    return exponent_from(map, tail.first, n);
 }
 
 /// What the derivatives of n steps may cost.
@@ -153,7 +130,7 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, Clas
     } else {
         const bool stands_for_all = cycle.period == 0 && !runs_away(series_of(map, tail, observable));
         take_exponent(stands_for_all ? exponent_of_few(map, tail, affordable, sign_options(options))
-                                     : exponent_from(map, tail.first, affordable),
+                                     : exponent_of_steps(map, tail, 0, affordable),
                       options, findings, result);
     }
     if (cycle.period == 0 && findings.exponent.sign == ExponentSign::positive) {

@@ -46,6 +46,7 @@ void forget_kept(Tail<M>& tail) {
     tail.states.clear();
     tail.durations.clear();
     tail.integrals.clear();
+    tail.letters.clear();
 }
 
 /// How many of its last states are looked at: an eighth of them. Longer periods are seen later.
@@ -144,14 +145,17 @@ public:
         }
     }
 
-    /// Others have taken them, at the cost of an ordinary step each: those that are kept are in the tail.
-    void taken(const State<M>& end) {
+    /// Others have taken them: those that are kept are in the tail.
+    ///   excess  what they cost beyond as many ordinary steps
+    ///   forgot  one of them forgets (Advance::forgets)
+    void taken(const State<M>& end, double excess, bool forgot) {
         z_ = end;
         whole_ = true;
         orbit_.tail.steps += wanted_.count;
-        const auto cost = static_cast<double>(wanted_.count);
-        (wanted_.kept ? orbit_.tail.effort : effort_.spent) += cost;
-        if (wanted_.kept) orbit_.tail.last = orbit_.tail.states.back();
+        (wanted_.kept ? orbit_.tail.effort : effort_.spent) += static_cast<double>(wanted_.count) + excess;
+        if (!wanted_.kept) return;
+        orbit_.tail.forgot |= forgot;
+        orbit_.tail.last = orbit_.tail.states.back();
     }
 
     /// May others keep its states? (A tail that is very long has room for points only.)

@@ -19,6 +19,7 @@ struct Tail {
     std::vector<State<M>> states;              ///< the states themselves, of a tail that keeps them
     std::vector<double> durations;             ///< durations[i]: from points[i] to the next
     std::vector<double> integrals;             ///< Advance::integral on that way
+    std::vector<std::int64_t> letters;         ///< Advance::letter of that step, of a tail that keeps its states
     State<M> first{};                          ///< the state at points.front(): where others follow the same orbit from
     State<M> last{};                           ///< the state at points.back()
     std::int64_t steps = 0;                    ///< steps taken in all, the transient included
@@ -32,6 +33,12 @@ struct Tail {
 
 /// What a tail keeps of each state: angles cost two arc tangents, which chaos need not know.
 enum class Keep { points, states };
+
+template <SectionMap M>
+void keep_state(const State<M>& z, std::int64_t letter, Tail<M>& tail) {
+    tail.states.push_back(z);
+    tail.letters.push_back(letter);
+}
 
 /// Takes `count` steps from z on and keeps each one's state, to the end of the tail; z is the next one then.
 /// @return false where the map ended, or it was stopped: as the tail says; or where they have cost `most_effort`
@@ -54,7 +61,7 @@ bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail
         if (keep == Keep::points)
             tail.points.push_back(coordinates(map, z));
         else
-            tail.states.push_back(z);
+            keep_state(z, step.letter, tail);
         tail.durations.push_back(step.duration);
         tail.integrals.push_back(step.integral);
         tail.last = z;
@@ -89,7 +96,12 @@ template <SectionMap M>
 void reserve(Tail<M>& tail, std::int64_t count, Keep keep) {
     constexpr std::int64_t reserved = 1 << 20;
     const auto room = static_cast<std::size_t>(std::min(count, reserved));
-    keep == Keep::points ? tail.points.reserve(room) : tail.states.reserve(room);
+    if (keep == Keep::points) {
+        tail.points.reserve(room);
+    } else {
+        tail.states.reserve(room);
+        tail.letters.reserve(room);
+    }
     tail.durations.reserve(room);
     tail.integrals.reserve(room);
 }

@@ -65,6 +65,26 @@ LyapunovSpectrum lyapunov_spectrum(const M& map, State<M> state, const LyapunovO
     return accumulator.finish(LyapunovOutcome::completed);
 }
 
+/// One tangent vector in general position, carried along an orbit by its derivatives, which are passed step by step.
+template <int D>
+class TangentVector {
+public:
+    ///   rank_tolerance  LyapunovOptions::rank_tolerance
+    explicit TangentVector(double rank_tolerance) : rank_tolerance_(rank_tolerance) {}
+
+    /// ln of its growth by DF; −∞ where DF annihilates it, and it begins anew. Cost O(D²).
+    double grow(const Matrix<D>& derivative) {
+        const Vector<D> grown = derivative * direction_;
+        const double growth = lyapunov_detail::log_growth(grown.norm(), derivative.norm(), rank_tolerance_);
+        direction_ = std::isinf(growth) ? generic_ : Vector<D>(grown.normalized());
+        return growth;
+    }
+
+private:
+    double rank_tolerance_;
+    Vector<D> generic_ = generic_frame(D).col(0), direction_ = generic_;
+};
+
 /// The largest exponent alone, by the growth of one tangent vector: vectors of length 1 in the result. It is −∞ only if
 /// the product of the derivatives annihilates a vector in general position. Cost O(D²) per step besides DF.
 template <SectionMap M>
@@ -75,8 +95,7 @@ LyapunovSpectrum largest_exponent(const M& map, State<M> state, const LyapunovOp
     if (const auto steps = options.transient - aligning; follow(map, state, steps) < steps) {
         return accumulator.finish(LyapunovOutcome::ended_in_transient);
     }
-    const Vector<D> generic = generic_frame(D).col(0);
-    Vector<D> tangent = generic;
+    TangentVector<D> tangent(options.rank_tolerance);
     for (std::int64_t i = -aligning; i < options.steps; ++i) {
         const auto step = map.linearise(state);
         const bool finite = goes_on(map, step) && step.derivative.allFinite();
@@ -84,11 +103,8 @@ LyapunovSpectrum largest_exponent(const M& map, State<M> state, const LyapunovOp
             if (i < 0) return accumulator.finish(LyapunovOutcome::ended_in_transient);
             return accumulator.finish(step.alive ? LyapunovOutcome::not_finite : LyapunovOutcome::ended_early);
         }
-        const Vector<D> grown = step.derivative * tangent;
-        const std::array<double, 1> growth = {
-            lyapunov_detail::log_growth(grown.norm(), step.derivative.norm(), options.rank_tolerance)};
+        const std::array<double, 1> growth = {tangent.grow(step.derivative)};
         state = step.state;
-        tangent = std::isinf(growth[0]) ? generic : Vector<D>(grown.normalized());
         if (i >= 0) accumulator.add(growth, step.duration);
     }
     return accumulator.finish(LyapunovOutcome::completed);

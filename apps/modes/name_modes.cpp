@@ -18,7 +18,7 @@ struct Naming {
     bool waits = false;  ///< the steps that it wants were not taken together
     int refusals = 0;    ///< how often that was so
 
-    /// Steps that were mostly no ordinary flights are taken alone from here on.
+    /// Steps that cost too much for others to wait for are taken alone from here on.
     bool goes_alone() const {
         constexpr int most_refusals = 4;
         return refusals >= most_refusals;
@@ -63,7 +63,7 @@ void take_together(const Together<D>& group) {
         lanes.push_back(naming->map.lane_orbit(naming->orbit.state(), wanted.count));
         if (!wanted.kept) continue;
         auto& tail = naming->orbit.orbit().tail;
-        kept.push_back({tail.states, tail.durations, tail.integrals});
+        kept.push_back({tail.states, tail.durations, tail.integrals, tail.letters});
         lanes.back().kept = &kept.back();
     }
     group.front()->map.follow_together(lanes);
@@ -73,7 +73,7 @@ void take_together(const Together<D>& group) {
             ++group[i]->refusals;
             continue;
         }
-        group[i]->orbit.taken(lanes[i].z);
+        group[i]->orbit.taken(lanes[i].z, lanes[i].excess, lanes[i].forgot);
         group[i]->orbit.look(group[i]->map);
     }
 }

@@ -3,16 +3,18 @@
 
 #include "map/collision_map.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace swirl::apps {
 
-/// Where the steps of an orbit are kept: the state before each, its duration and ∫ S dt.
+/// Where the steps of an orbit are kept: the state before each, its duration, ∫ S dt and letter.
 struct KeptSteps {
     std::vector<PostImpactState<double>>& states;
     std::vector<double>&durations, &integrals;
+    std::vector<std::int64_t>& letters;
 };
 
 /// Steps that an orbit is to take.
@@ -21,18 +23,26 @@ struct LaneOrbit {
     PostImpactState<double> z{};  ///< where they begin, and end if they are taken
     std::int64_t count = 0;
     KeptSteps* kept = nullptr;  ///< none: they are not
-    bool taken = false;         ///< all of them, each at the cost of an ordinary one; else nothing is changed
+    bool taken = false;         ///< all of them; else nothing is changed
+    double excess = 0;          ///< what they cost beyond as many ordinary ones
+    bool forgot = false;        ///< one of them led through a rest (`has_rested`)
 };
 
 /// Are there lanes in this build?
 bool has_lanes();
 
+/// What so many steps may cost beyond ordinary ones: dearer ones the orbit takes alone, which does not follow again
+/// what repeats itself to the bit. Far below what analyses allow, so that none of their limits is met on the way.
+inline double most_excess(std::int64_t count) {
+    return std::max(5e4, 4 * static_cast<double>(count));
+}
+
 /// So few take longer together than one after the other.
 inline constexpr std::size_t fewest_together = 5;
 
 /// Lets orbits of one shape and impact rule take their steps together, bit for bit as `ReturnMap::advance` takes them
-/// alone. Not taken: steps that lead through contact, cost more than ordinary ones, or end the orbit; where there are
-/// no lanes (sanitizers), none.
+/// alone. Not taken: steps that cost much more than ordinary ones, as through long contact (`most_excess`), or
+/// end the orbit; where there are no lanes (sanitizers), none.
 template <Shape shape, ImpactRule rule>
 void follow_together(std::span<LaneOrbit> orbits);
 

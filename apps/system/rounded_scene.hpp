@@ -84,6 +84,9 @@ struct RoundedScene {
     static Derivative through_flight(const void* scene, const State& z, const Step& known) {
         return in_double_functions().through_flight(of(scene).in_double.get(), z, known);
     }
+    static Derivative through_kept_flight(const void* scene, const State& z, const KeptFlight& kept) {
+        return in_double_functions().through_kept_flight(of(scene).in_double.get(), z, kept);
+    }
     static analysis::Vector<section_dimension<Map::shape>> along(const void* scene, const State& z, const Step& known,
                                                                  Parameter parameter) {
         return in_double_functions().along(of(scene).in_double.get(), z, known, parameter);
@@ -93,8 +96,9 @@ struct RoundedScene {
         return in_double_functions().through_contact(of(scene).in_double.get(), z, known, series);
     }
 
-    static constexpr Functions functions{&make,   &body,   &contact,        &first_impact, &advance,
-                                         &follow, nullptr, &through_flight, &along,        &through_contact};
+    static constexpr Functions functions{&make,           &body,   &contact,        &first_impact,        &advance,
+                                         &follow,         nullptr, &through_flight, &through_kept_flight, &along,
+                                         &through_contact};
 };
 
 }  // namespace swirl::apps

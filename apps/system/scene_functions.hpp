@@ -25,6 +25,7 @@ struct SceneFunctions {
                            analysis::Effort& effort);
     void (*together)(std::span<LaneOrbit> orbits);  ///< in double only
     Derivative (*through_flight)(const void* map, const State& z, const Step& known);
+    Derivative (*through_kept_flight)(const void* map, const State& z, const KeptFlight& kept);
     analysis::Vector<D> (*along)(const void* map, const State& z, const Step& known, Parameter parameter);
     Derivative (*through_contact)(const void* map, const SectionPoint<double>& z, const Step& known, long& series);
 };
@@ -124,6 +125,9 @@ struct ConcreteScene {
     static Derivative through_flight(const void* map, const State& z, const Step& known) {
         return derivative_by_saltation(of(map).collision_map, z, known.collision);
     }
+    static Derivative through_kept_flight(const void* map, const State& z, const KeptFlight& kept) {
+        return derivative_by_saltation(of(map).collision_map, z, kept);
+    }
     static analysis::Vector<dimension> along(const void* map, const State& z, const Step& known, Parameter parameter) {
         if (known.contacts.empty()) return derivative_along(of(map).collision_map, parameter, z, known.collision);
         return derivative_along_contact(of(map).return_map, parameter, section_point(z), known);
@@ -132,9 +136,17 @@ struct ConcreteScene {
         return derivative_through_contact(of(map).return_map, z, known, &series);
     }
 
-    static constexpr Functions functions{
-        &make,           &body,  &contact,        &first_impact, &advance, &follow, &follow_together<shape, rule>,
-        &through_flight, &along, &through_contact};
+    static constexpr Functions functions{&make,
+                                         &body,
+                                         &contact,
+                                         &first_impact,
+                                         &advance,
+                                         &follow,
+                                         &follow_together<shape, rule>,
+                                         &through_flight,
+                                         &through_kept_flight,
+                                         &along,
+                                         &through_contact};
 };
 
 }  // namespace swirl::apps

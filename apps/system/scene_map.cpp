@@ -108,6 +108,22 @@ auto SceneMap<D>::linearise(const State& z) const -> analysis::Linearised<D, Sta
 }
 
 template <int D>
+auto SceneMap<D>::linearise(const State& z, const analysis::KnownStep<State>& known) const
+    -> analysis::Linearised<D, State> {
+    const Letter letter = letter_from(known.letter);
+    if (letter.through_contact) return linearise(z);
+    analysis::Linearised<D, State> step;
+    step.state = known.state;
+    step.duration = known.duration;
+    step.letter = known.letter;
+    step.integral = z.spin * known.duration;
+    step.effort = 1;
+    step.derivative =
+        functions_->through_kept_flight(map_.get(), z, {known.duration, letter.vertex_step, letter.mode, known.state});
+    return step;
+}
+
+template <int D>
 std::int64_t SceneMap<D>::follow(State& z, std::int64_t steps, const analysis::Stop& stop,
                                  analysis::Effort& effort) const {
     return functions_->follow(map_.get(), z, steps, horizon_, stop, effort);
@@ -115,7 +131,8 @@ std::int64_t SceneMap<D>::follow(State& z, std::int64_t steps, const analysis::S
 
 template <int D>
 bool SceneMap<D>::goes_together_with(const SceneMap& other) const {
-    return functions_ == other.functions_ && functions_->together != nullptr;
+    return functions_ == other.functions_ && functions_->together != nullptr && horizon_ == contact_horizon &&
+           other.horizon_ == contact_horizon;
 }
 
 template <int D>

@@ -53,13 +53,15 @@ public:
     /// The step where it is known already.
     analysis::Advance<D, State> advance_by(const ReturnStep<double>& known) const;
     analysis::Linearised<D, State> linearise(const State& z) const;
+    /// The same of a step that an orbit has taken: without a search for the contact where it was a flight.
+    analysis::Linearised<D, State> linearise(const State& z, const analysis::KnownStep<State>& known) const;
     /// See analysis::follow. In place, and what repeats itself to the bit (ExactReturn) is not followed again.
     std::int64_t follow(State& z, std::int64_t steps, const analysis::Stop& stop, analysis::Effort& effort) const;
 
     /// May this scene's orbits take their steps together with those of the other's? (Of one shape and impact rule.)
     bool goes_together_with(const SceneMap& other) const;
     /// Steps that an orbit is to take together with others …
-    LaneOrbit lane_orbit(const State& z, std::int64_t count) const { return {map_.get(), z, count, nullptr, false}; }
+    LaneOrbit lane_orbit(const State& z, std::int64_t count) const { return {map_.get(), z, count}; }
     /// … and they do: scenes that go together, of which this is one.
     void follow_together(std::span<LaneOrbit> orbits) const;
 

@@ -8,27 +8,32 @@ namespace swirl::apps {
 
 namespace {
 
-template <class Map>
-bool is_ordinary(const BatchedOrbit<Map>& orbit) {
-    return !orbit.through_contact && orbit.most_looks <= ordinary_looks;
-}
-
-/// The steps of a batch as they are made, orbit by orbit mixed.
+/// Where the steps of a batch go as they are made, orbit by orbit mixed.
 template <class Map>
 struct Keeper {
     std::span<LaneOrbit> orbits;
     const BatchedOrbit<Map>* first;
     std::vector<PostImpactState<double>>& before;
 
+    std::size_t place_of(const BatchedOrbit<Map>& orbit) const { return static_cast<std::size_t>(&orbit - first); }
+    bool wants(const BatchedOrbit<Map>& orbit) const { return orbits[place_of(orbit)].kept != nullptr; }
+
     void operator()(BatchedOrbit<Map>& orbit, const BatchedImpact& impact) const {
-        if (!is_ordinary(orbit)) orbit.wanted = orbit.done;  // it goes on alone
-        const auto i = static_cast<std::size_t>(&orbit - first);
-        if (orbits[i].kept == nullptr) return;
-        const KeptSteps& kept = *orbits[i].kept;
+        const std::size_t i = place_of(orbit);
+        LaneOrbit& steps = orbits[i];
+        if (impact.alone != nullptr) {
+            steps.excess += effort_of(*impact.alone) - 1;
+            steps.forgot |= has_rested(*impact.alone);
+            if (steps.excess > most_excess(steps.count)) orbit.wanted = orbit.done;  // it goes on alone
+        }
+        if (steps.kept == nullptr) return;
+        const KeptSteps& kept = *steps.kept;
         kept.states.push_back(before[i]);
         kept.durations.push_back(impact.flight_time);
-        kept.integrals.push_back(before[i].spin * impact.flight_time);
-        before[i] = orbit.state;
+        kept.integrals.push_back(impact.alone ? impact.alone->turned : before[i].spin * impact.flight_time);
+        kept.letters.push_back(number_of(impact.alone ? letter_of(*impact.alone)
+                                                      : Letter{impact.vertex_step, impact.impulse.mode, false}));
+        detail::copy_state(orbit.state, before[i]);
     }
 };
 
@@ -36,6 +41,7 @@ void forget(KeptSteps& kept, std::size_t size) {
     kept.states.resize(size);
     kept.durations.resize(size);
     kept.integrals.resize(size);
+    kept.letters.resize(size);
 }
 
 }  // namespace
@@ -59,7 +65,8 @@ void follow_together(std::span<LaneOrbit> orbits) {
     follow_batch(std::span(batch), Keeper<Map>{orbits, batch.data(), before});
     for (std::size_t i = 0; i < batch.size(); ++i) {
         LaneOrbit& orbit = orbits[i];
-        orbit.taken = batch[i].outcome == Outcome::completed && batch[i].done == orbit.count && is_ordinary(batch[i]);
+        orbit.taken = batch[i].outcome == Outcome::completed && batch[i].done == orbit.count &&
+                      orbit.excess <= most_excess(orbit.count);
         if (orbit.taken)
             orbit.z = batch[i].state;
         else if (orbit.kept)

@@ -52,28 +52,6 @@ void fill_state(const PostImpactState<double>& state, int lane, LaneBlock& block
     block.looks.of[lane] = 0;
 }
 
-PostImpactState<double> state_of(const LaneBlock& block, int lane) {
-    PostImpactState<double> state;
-    state.psi = {block.psi_x.of[lane], block.psi_y.of[lane]};
-    state.chi = {block.chi_x.of[lane], block.chi_y.of[lane]};
-    state.vn = block.vn.of[lane];
-    state.vt = block.vt.of[lane];
-    state.spin = block.spin.of[lane];
-    return state;
-}
-
-BatchedImpact impact_of(const LaneBlock& block, int lane) {
-    BatchedImpact impact;
-    impact.flight_time = block.flight_time.of[lane];
-    impact.vertex_step = static_cast<int>(block.vertex_step.of[lane]);
-    impact.steps = static_cast<int>(block.steps.of[lane]);
-    impact.impulse.normal = block.normal.of[lane];
-    impact.impulse.tangential = block.tangential.of[lane];
-    impact.impulse.mode = static_cast<ContactMode>(static_cast<int>(block.mode.of[lane]));
-    impact.by_lanes = true;
-    return impact;
-}
-
 RoundResult advance_lanes(const KernelKind& kind, LaneBlock& block) {
     const bool chatter = kind.sums_chatter;
     if (kind.shape == Shape::disk)

@@ -22,8 +22,6 @@ struct BatchedOrbit {
     long long wanted = 0;             ///< impacts
     long long done = 0;
     Outcome outcome = Outcome::completed;  ///< else why there are fewer than `wanted`, as ReducedOrbit ends
-    bool through_contact = false;          ///< one of its steps led through contact
-    int most_looks = 0;  ///< moments at which a flight was evaluated, the most of those that left their lanes
 };
 
 /// An impact of one of them, as an observer sees it.
@@ -32,7 +30,7 @@ struct BatchedImpact {
     int vertex_step = 0;
     int steps = 0;  ///< moments at which the flight was evaluated
     Impulse<double> impulse;
-    bool by_lanes = false;  ///< false: the scalar code made it
+    const ReturnStep<double>* alone = nullptr;  ///< the whole step, where the scalar code made it; none: the lanes did
 };
 
 /// How a batch went.
@@ -56,8 +54,36 @@ namespace detail {
 void fill_scene(const Body<double>& body, double mu, double restitution, double widest_sine, int lane,
                 LaneBlock& block);
 void fill_state(const PostImpactState<double>& state, int lane, LaneBlock& block);
-PostImpactState<double> state_of(const LaneBlock& block, int lane);
-BatchedImpact impact_of(const LaneBlock& block, int lane);
+
+/// Number by number, also in what follows: a copy in pairs of numbers that were just written one by one waits for them.
+inline void copy_state(const PostImpactState<double>& from, PostImpactState<double>& to) {
+    to.psi.x = from.psi.x;
+    to.psi.y = from.psi.y;
+    to.chi.x = from.chi.x;
+    to.chi.y = from.chi.y;
+    to.vn = from.vn;
+    to.vt = from.vt;
+    to.spin = from.spin;
+}
+inline void take_state(const LaneBlock& block, int lane, PostImpactState<double>& state) {
+    state.psi.x = block.psi_x.of[lane];
+    state.psi.y = block.psi_y.of[lane];
+    state.chi.x = block.chi_x.of[lane];
+    state.chi.y = block.chi_y.of[lane];
+    state.vn = block.vn.of[lane];
+    state.vt = block.vt.of[lane];
+    state.spin = block.spin.of[lane];
+}
+inline BatchedImpact impact_of(const LaneBlock& block, int lane) {
+    BatchedImpact impact;
+    impact.flight_time = block.flight_time.of[lane];
+    impact.vertex_step = static_cast<int>(block.vertex_step.of[lane]);
+    impact.steps = static_cast<int>(block.steps.of[lane]);
+    impact.impulse.normal = block.normal.of[lane];
+    impact.impulse.tangential = block.tangential.of[lane];
+    impact.impulse.mode = static_cast<ContactMode>(static_cast<int>(block.mode.of[lane]));
+    return impact;
+}
 
 /// The vertices of all polygons of a batch, one table for each number of sides.
 class VertexTables {
@@ -73,7 +99,12 @@ private:
 
 /// What observes nothing.
 struct NoObserver {
-    static void observe() {}
+    template <class Orbit>
+    static bool wants(const Orbit&) {
+        return false;
+    }
+    template <class Orbit>
+    void operator()(const Orbit&, const BatchedImpact&) const {}
 };
 
 template <class Map, class Observe>
@@ -144,19 +175,29 @@ private:
     void idle(int lane) {
         if (filled_ == 0) return;
         const int other = std::countr_zero(filled_);
-        fill(lane, place_[static_cast<std::size_t>(other)], state_of(block_, other));
+        PostImpactState<double> state;
+        take_state(block_, other, state);
+        fill(lane, place_[static_cast<std::size_t>(other)], state);
+    }
+
+    /// Are the impacts that its lane makes shown?
+    bool is_observed(const Orbit& orbit) const {
+        if constexpr (requires { observe_.wants(orbit); })
+            return observe_.wants(orbit);
+        else
+            return true;
     }
 
     void strike(int lane) {
         Orbit& orbit = orbit_in(lane);
         ++use_.impacts;
         ++orbit.done;
-        if constexpr (!std::is_same_v<Observe, NoObserver>) {
-            orbit.state = state_of(block_, lane);
+        if (is_observed(orbit)) {
+            take_state(block_, lane, orbit.state);
             observe_(orbit, impact_of(block_, lane));
         }
         if (orbit.done < orbit.wanted) return;
-        orbit.state = state_of(block_, lane);
+        take_state(block_, lane, orbit.state);
         refill(lane);
     }
 
@@ -164,7 +205,9 @@ private:
     ///   vain  nor would the scalar code's searches from the circle's return
     void leave(int lane, bool vain) {
         Orbit& orbit = orbit_in(lane);
-        if (!step_alone(orbit, state_of(block_, lane), vain) || orbit.done >= orbit.wanted) return refill(lane);
+        PostImpactState<double> from;
+        take_state(block_, lane, from);
+        if (!step_alone(orbit, from, vain) || orbit.done >= orbit.wanted) return refill(lane);
         fill_state(orbit.state, lane, block_);
     }
 
@@ -173,18 +216,14 @@ private:
         ++use_.left;
         use_.vain += vain ? 1 : 0;
         ReturnStep<double> step;
-        step.collision.after = from;
+        copy_state(from, step.collision.after);
         orbit.outcome = vain ? orbit.map->advance_undecided(step) : orbit.map->advance(step);
-        orbit.state = step.collision.after;
-        orbit.through_contact |= !step.contacts.empty();
+        copy_state(step.collision.after, orbit.state);
         if (orbit.outcome != Outcome::completed) return false;
-        orbit.most_looks = std::max(orbit.most_looks, step.collision.steps);
         ++use_.impacts;
         ++orbit.done;
-        if constexpr (!std::is_same_v<Observe, NoObserver>) {
-            const Collision<double>& c = step.collision;
-            observe_(orbit, BatchedImpact{c.flight_time, c.vertex_step, c.steps, c.impulse, false});
-        }
+        const Collision<double>& c = step.collision;
+        observe_(orbit, BatchedImpact{c.flight_time, c.vertex_step, c.steps, c.impulse, &step});
         const Body<double>& body = orbit.map->map().body();
         if (has_come_to_rest(body, orbit.state)) orbit.outcome = Outcome::resting;
         if (has_diverged(body, orbit.state)) orbit.outcome = Outcome::diverged;
@@ -207,7 +246,8 @@ private:
 
 /// Follows orbits of one shape and impact rule, whatever else of their scenes differs, each by its `wanted` impacts or
 /// to its end. Bit for bit what `ReturnMap::advance` gives, step by step, whatever stands in the other lanes.
-///   observe  called as observe(orbit, impact) after every impact, the orbits' impacts in turn, orbit by orbit mixed
+///   observe  called as observe(orbit, impact) after every impact, the orbits' impacts in turn, orbit by orbit mixed;
+///            of an orbit that its `wants(orbit)` refuses, if it has one, only after those that the scalar code made
 /// Cost: see map/batch/README.md; of fewer orbits than lanes that of as many as lanes.
 template <class Map, class Observe>
 BatchUse follow_batch(std::span<BatchedOrbit<Map>> orbits, Observe&& observe) {

@@ -62,8 +62,7 @@ ContactChange<T> contact_change_of(const Body<T>& body, const Flight<T>& flight,
 
 /// The flight's part of DF: from (ψ, χ, v_n, v_t, S) after one impact to the same before the next.
 template <Shape shape, class T>
-Matrix5<T> flight_derivative(const Body<T>& body, const Flight<T>& flight, const T& time, int vertex) {
-    const ContactChange<T> contact = contact_change_of<shape>(body, flight, time, vertex);
+Matrix5<T> flight_derivative(const Flight<T>& flight, const ContactChange<T>& contact, const T& time) {
     const Vec2<T> velocity = seen_from(contact.normal, flight.velocity);
     Matrix5<T> d = Matrix5<T>::Zero();
     // ψ ← ψ + ν − τ
@@ -121,11 +120,25 @@ void add_impact(const Body<T>& body, const Scene<T>& scene, const PostImpactStat
     d.row(4) += (r.x * tangential + r.y * normal + (r.x * j.normal - r.y * j.tangential) * d.row(1)) * body.per_inertia;
 }
 
-/// The state before an impact: its place, and the velocities that the flight came with.
+/// The state before an impact at `normal`: its place, and the velocities that the flight came with.
 template <class T>
-PostImpactState<T> before_impact(const Flight<T>& flight, const Collision<T>& collision) {
-    const Vec2<T> velocity = seen_from(collision.normal, flight.velocity);
-    return {collision.after.psi, collision.after.chi, velocity.x, velocity.y, flight.spin};
+PostImpactState<T> before_impact(const Flight<T>& flight, const Vec2<T>& normal, const PostImpactState<T>& after) {
+    const Vec2<T> velocity = seen_from(normal, flight.velocity);
+    return {after.psi, after.chi, velocity.x, velocity.y, flight.spin};
+}
+
+/// A 5 × 5 derivative in the coordinates of a shape: the disk has no χ.
+template <Shape shape, class T>
+auto in_coordinates(const Matrix5<T>& d) {
+    if constexpr (shape == Shape::polygon) {
+        return d;
+    } else {
+        constexpr int kept[] = {0, 2, 3, 4};  // all but χ
+        Eigen::Matrix<T, 4, 4> without_chi;
+        for (int i = 0; i < 4; ++i)
+            for (int k = 0; k < 4; ++k) without_chi(i, k) = d(kept[i], kept[k]);
+        return without_chi;
+    }
 }
 
 }  // namespace detail
@@ -139,18 +152,36 @@ PostImpactState<T> before_impact(const Flight<T>& flight, const Collision<T>& co
 template <class T, Shape shape, ImpactRule rule>
 auto derivative_by_saltation(const CollisionMap<T, shape, rule>& map, const PostImpactState<T>& start,
                              const Collision<T>& known) {
-    const Flight<T> flight = flight_from(map.body(), start);
-    detail::Matrix5<T> d = detail::flight_derivative<shape>(map.body(), flight, known.flight_time, known.vertex_step);
-    detail::add_impact<rule>(map.body(), map.scene(), detail::before_impact(flight, known), known.impulse, d);
-    if constexpr (shape == Shape::polygon) {
-        return d;
-    } else {
-        constexpr int kept[] = {0, 2, 3, 4};  // all but χ
-        Eigen::Matrix<T, 4, 4> without_chi;
-        for (int i = 0; i < 4; ++i)
-            for (int k = 0; k < 4; ++k) without_chi(i, k) = d(kept[i], kept[k]);
-        return without_chi;
-    }
+    const Body<T>& body = map.body();
+    const Flight<T> flight = flight_from(body, start);
+    const auto contact = detail::contact_change_of<shape>(body, flight, known.flight_time, known.vertex_step);
+    detail::Matrix5<T> d = detail::flight_derivative<shape>(flight, contact, known.flight_time);
+    const PostImpactState<T> before = detail::before_impact(flight, known.normal, known.after);
+    detail::add_impact<rule>(body, map.scene(), before, known.impulse, d);
+    return detail::in_coordinates<shape>(d);
+}
+
+/// What an orbit keeps of a collision.
+struct KeptFlight {
+    double flight_time = 0;
+    int vertex_step = 0;
+    ContactMode mode = ContactMode::frictionless;
+    const PostImpactState<double>& after;
+};
+
+/// DF(z) of a collision of which no more is kept, without a search: the impulse is the change of the velocities, to
+/// rounding, so that DF is the one above to some ε (1 + |v|) of its size.
+template <Shape shape, ImpactRule rule>
+auto derivative_by_saltation(const CollisionMap<double, shape, rule>& map, const PostImpactState<double>& start,
+                             const KeptFlight& kept) {
+    const Body<double>& body = map.body();
+    const Flight<double> flight = flight_from(body, start);
+    const auto contact = detail::contact_change_of<shape>(body, flight, kept.flight_time, kept.vertex_step);
+    detail::Matrix5<double> d = detail::flight_derivative<shape>(flight, contact, kept.flight_time);
+    const PostImpactState<double> before = detail::before_impact(flight, contact.normal, kept.after);
+    const Impulse<double> impulse{before.vn - kept.after.vn, kept.after.vt - before.vt, kept.mode};
+    detail::add_impact<rule>(body, map.scene(), before, impulse, d);
+    return detail::in_coordinates<shape>(d);
 }
 
 /// F(z) and DF(z); `derivative` is meaningless unless a contact was found.

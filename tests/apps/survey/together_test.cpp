@@ -92,55 +92,87 @@ TEST(Together, NamesComeAsTheyAreKnown) {
     EXPECT_LE(given, 2);
 }
 
-/// Steps of a chaotic hexagon at e = 1, which are all flights: the lanes take them, and keep what steps alone give.
-TEST(Together, OrdinaryFlightsAreTaken) {
-    constexpr std::size_t orbits = 12;
-    constexpr std::int64_t count = 60;
-    using Map = SceneMap<polygon_dimension>;
-    const Map map(tests::scene_of(6, 0.3, 0.5, 0.5, 1));
-    std::vector<std::vector<PostImpactState<double>>> states(orbits);
-    std::vector<std::vector<double>> durations(orbits), integrals(orbits);
+/// What lanes keep of an orbit's steps.
+struct KeptVectors {
+    std::vector<PostImpactState<double>> states;
+    std::vector<double> durations, integrals;
+    std::vector<std::int64_t> letters;
+
+    KeptSteps as_steps() { return {states, durations, integrals, letters}; }
+};
+
+/// Orbits of a map, of which every other one keeps its steps, are taken, and are what steps alone give.
+/// @return how many of their steps led through contact
+template <class Map>
+int expect_taken(const Map& map, double beta, std::size_t orbits, std::int64_t count) {
+    std::vector<KeptVectors> vectors(orbits);
     std::vector<KeptSteps> kept;
     std::vector<LaneOrbit> lanes;
-    for (std::size_t i = 0; i < orbits; ++i) kept.push_back({states[i], durations[i], integrals[i]});
+    for (KeptVectors& of_one : vectors) kept.push_back(of_one.as_steps());
     for (std::size_t i = 0; i < orbits; ++i) {
-        const OrbitBegin begin = begin_orbit(map, Start<double>(random_start(0.5, paper_speed, 3, i)));
-        ASSERT_EQ(begin.outcome, Outcome::completed);
+        const OrbitBegin begin = begin_orbit(map, Start<double>(random_start(beta, paper_speed, 3, i)));
+        EXPECT_EQ(begin.outcome, Outcome::completed);
         lanes.push_back(map.lane_orbit(begin.state, count));
         if (i % 2 == 0) lanes.back().kept = &kept[i];
     }
     const std::vector<LaneOrbit> before = lanes;
     map.follow_together(lanes);
+    int through_contact = 0;
     for (std::size_t i = 0; i < orbits; ++i) {
-        ASSERT_TRUE(lanes[i].taken) << i;
+        EXPECT_TRUE(lanes[i].taken) << i;
+        const KeptVectors& of_one = vectors[i];
+        const bool keeps = i % 2 == 0;
+        EXPECT_EQ(of_one.states.size(), keeps ? static_cast<std::size_t>(count) : 0);
         PostImpactState<double> z = before[i].z;
-        for (std::size_t k = 0; k < count; ++k) {
+        double effort = 0;
+        bool forgot = false;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
             const auto step = map.advance(z);
-            if (i % 2 == 0) {
-                EXPECT_EQ(states[i][k].vn, z.vn);
-                EXPECT_EQ(durations[i][k], step.duration);
-                EXPECT_EQ(integrals[i][k], step.integral);
+            effort += step.effort;
+            forgot |= step.forgets;
+            through_contact += step.letter < 0;
+            if (keeps && k < of_one.states.size()) {
+                EXPECT_EQ(of_one.states[k].vn, z.vn);
+                EXPECT_EQ(of_one.durations[k], step.duration);
+                EXPECT_EQ(of_one.integrals[k], step.integral);
+                EXPECT_EQ(of_one.letters[k], step.letter);
             }
             z = step.state;
         }
         EXPECT_EQ(lanes[i].z.vn, z.vn);
         EXPECT_EQ(lanes[i].z.psi.x, z.psi.x);
-        EXPECT_EQ(states[i].size(), i % 2 == 0 ? count : 0);
+        EXPECT_EQ(lanes[i].excess + static_cast<double>(count), effort);
+        EXPECT_EQ(lanes[i].forgot, forgot);
     }
+    return through_contact;
 }
 
-/// A body that comes to the wall: nothing of its steps is taken or kept.
-TEST(Together, StepsThroughContactAreLeft) {
-    const SceneMap<polygon_dimension> map(tests::scene_of(4, 0.5, 0.4, 0.3, 0.1));
-    std::vector<PostImpactState<double>> states;
-    std::vector<double> durations, integrals;
-    KeptSteps kept{states, durations, integrals};
-    const OrbitBegin begin = begin_orbit(map, Start<double>(random_start(0.4, paper_speed, 1, 0)));
+/// Steps of a chaotic hexagon at e = 1, which are all flights.
+TEST(Together, OrdinaryFlightsAreTaken) {
+    const SceneMap<polygon_dimension> map(tests::scene_of(6, 0.3, 0.5, 0.5, 1));
+    EXPECT_EQ(expect_taken(map, 0.5, 12, 60), 0);
+}
+
+/// Steps of squares that land and slip.
+TEST(Together, StepsThroughContactAreTaken) {
+    const SceneMap<polygon_dimension> strongly_swirled(tests::scene_of(4, 0.3, 0.98, 0.46, 0.02));
+    EXPECT_GT(expect_taken(strongly_swirled, 0.98, 6, 60), 40);
+    const SceneMap<polygon_dimension> weakly_swirled(tests::scene_of(4, 0.5, 0.4, 0.3, 0.1));
+    EXPECT_GT(expect_taken(weakly_swirled, 0.4, 6, 60), 10);
+}
+
+/// A disk that comes to the wall for good after 27 impacts: nothing of its steps is taken or kept.
+TEST(Together, StepsThatEndAreLeft) {
+    const SceneMap<disk_dimension> map(tests::scene_of(disk_sides, 0.3, 0.5, 0.3, 0.5));
+    KeptVectors vectors;
+    KeptSteps kept = vectors.as_steps();
+    const OrbitBegin begin = begin_orbit(map, Start<double>(random_start(0.5, paper_speed, 1, 0)));
     LaneOrbit lane = map.lane_orbit(begin.state, 500);
     lane.kept = &kept;
     map.follow_together(std::span(&lane, 1));
     EXPECT_FALSE(lane.taken);
-    EXPECT_TRUE(states.empty() && durations.empty() && integrals.empty());
+    EXPECT_TRUE(vectors.states.empty() && vectors.durations.empty() && vectors.integrals.empty());
+    EXPECT_TRUE(vectors.letters.empty());
     EXPECT_EQ(lane.z.vn, begin.state.vn);
 }
 

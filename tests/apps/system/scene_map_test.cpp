@@ -71,6 +71,29 @@ TEST(SceneMap, FollowsTheOrbitOfSimulateBitForBit) {
     }
 }
 
+/// A step that an orbit has taken is not taken again for its derivative, which is that of `linearise` to rounding; one
+/// through contact is.
+TEST(SceneMap, LinearisesStepsThatAreKnown) {
+    for (const auto& scene : scenes) {
+        SCOPED_TRACE(scene_in_words(scene));
+        with_scene_map(scene, [&](const auto& map) {
+            State z = begin_orbit(map, random_start(scene.beta, paper_speed, 1, 0)).state;
+            for (int i = 0; i < 200; ++i) {
+                const auto step = map.linearise(z);
+                if (!step.alive) break;
+                const auto known = map.linearise(z, {step.state, step.duration, step.letter});
+                ASSERT_TRUE(known.alive && same_bits(known.state, step.state));
+                EXPECT_EQ(known.duration, step.duration);
+                EXPECT_EQ(known.letter, step.letter);
+                EXPECT_EQ(known.integral, step.integral);
+                const double off = (known.derivative - step.derivative).norm();
+                EXPECT_LE(off, step.letter < 0 ? 0 : 1e-11 * step.derivative.norm()) << "impact " << i + 2;
+                z = step.state;
+            }
+        });
+    }
+}
+
 TEST(SceneMap, ItsCoordinatesLeadBackToTheStateToRounding) {
     for (const auto& scene : scenes)
         with_scene_map(scene, [&](const auto& map) {

@@ -46,6 +46,38 @@ TEST(BatchTest, LanesKeepMostOfChaos) {
     EXPECT_GT(result.use.vain, result.use.left / 2);
 }
 
+/// An observer that wants nothing of every other orbit.
+struct EveryOther {
+    const BatchedOrbit<Hexagon>* first;
+    std::vector<long long>& shown;
+    long long& shown_of_lanes;
+
+    std::size_t place_of(const BatchedOrbit<Hexagon>& orbit) const { return static_cast<std::size_t>(&orbit - first); }
+    bool wants(const BatchedOrbit<Hexagon>& orbit) const { return place_of(orbit) % 2 == 0; }
+    void operator()(const BatchedOrbit<Hexagon>& orbit, const BatchedImpact& impact) const {
+        const std::size_t i = place_of(orbit);
+        ++shown[i];
+        if (i % 2 != 0) shown_of_lanes += impact.alone == nullptr;
+    }
+};
+
+TEST(BatchTest, AnObserverSeesTheLanesThatItWants) {
+    const auto set = orbits_of<Hexagon>(scene_of(6, 0.3, 0.5, 0.5, 1), 12, 500);
+    auto orbits = set.orbits;
+    std::vector<long long> shown(orbits.size(), 0);
+    long long shown_of_lanes = 0;
+    const BatchUse use = follow_batch(std::span(orbits), EveryOther{orbits.data(), shown, shown_of_lanes});
+    EXPECT_GT(use.left, 0);
+    EXPECT_EQ(shown_of_lanes, 0);
+    for (std::size_t i = 0; i < orbits.size(); ++i) {
+        ASSERT_EQ(orbits[i].done, 500) << i;
+        if (i % 2 == 0)
+            EXPECT_EQ(shown[i], 500) << i;
+        else
+            EXPECT_LT(shown[i], 500) << i;
+    }
+}
+
 TEST(BatchTest, OneOrbitOrManyTheSameBits) {
     const auto set = random_orbits<Shape::polygon, ImpactRule::poisson>(5, 19, 300);
     auto together = set.orbits;

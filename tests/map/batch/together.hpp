@@ -74,7 +74,7 @@ Compared compare(std::vector<BatchedOrbit<Map>> orbits) {
                           impact.impulse.mode == c.impulse.mode && impact.vertex_step == c.vertex_step &&
                           impact.steps == c.steps;
         ++result.impacts;
-        result.by_lanes += impact.by_lanes;
+        result.by_lanes += impact.alone == nullptr;
         result.different += !same;
     });
     for (std::size_t i = 0; i < orbits.size(); ++i) {

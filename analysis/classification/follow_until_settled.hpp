@@ -109,7 +109,8 @@ FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, 
 /// Steps that an orbit is to take before it is looked at again; none: it is over.
 struct WantedSteps {
     std::int64_t count = 0;
-    bool kept = false;  ///< their states are kept in the tail
+    bool kept = false;       ///< their states are kept in the tail
+    double most = infinity;  ///< what they may cost, in ordinary ones, before the orbit is cut
 };
 
 /// An orbit that is followed for as long as its verdict can change, in pieces that others may take for it
@@ -130,7 +131,7 @@ public:
         search_on();
     }
 
-    WantedSteps wanted() const { return wanted_; }
+    WantedSteps wanted() const { return {wanted_.count, wanted_.kept, most_wanted()}; }
     /// Where they begin.
     const State<M>& state() const { return z_; }
     FollowedOrbit<M>& orbit() { return orbit_; }
@@ -145,7 +146,7 @@ public:
         }
     }
 
-    /// Others have taken them: those that are kept are in the tail.
+    /// Others have taken them, for no more than they may cost: those that are kept are in the tail.
     ///   excess  what they cost beyond as many ordinary steps
     ///   forgot  one of them forgets (Advance::forgets)
     void taken(const State<M>& end, double excess, bool forgot) {
@@ -184,6 +185,9 @@ private:
 
     Keep keep() const { return stage_ == Stage::keeping && !keeps_states() ? Keep::points : Keep::states; }
     double most_kept() const { return classification_detail::most_effort(count_); }
+    double most_wanted() const {
+        return stage_ == Stage::keeping ? most_kept() - orbit_.tail.effort : effort_.most - effort_.spent;
+    }
     void end() { wanted_ = {}; }
 
     /// The next look within the transient, and the steps before its window; or what is left of the transient.

@@ -113,10 +113,6 @@ bool find_second_vertex(const WordMap& map, BorderCycle& cycle) {
     return flight.has_value();
 }
 
-bool is_held(ContactMode mode) {
-    return mode == ContactMode::c_sticking || mode == ContactMode::r_sticking;
-}
-
 /// The impact whose contact mode changes on the border, and what changes there.
 bool find_slip(const Seed& seed, BorderCycle& cycle) {
     for (std::size_t i = 0; i < seed.modes_before.size() && i < seed.modes_behind.size(); ++i) {
@@ -125,7 +121,7 @@ bool find_slip(const Seed& seed, BorderCycle& cycle) {
         if (a == ContactMode::sliding || b == ContactMode::sliding)
             cycle.touch = Touch::slip_ends;
         else
-            cycle.touch = is_held(a) == is_held(b) ? Touch::slip_late : Touch::slip_held;
+            cycle.touch = ends_in_stick(a) == ends_in_stick(b) ? Touch::slip_late : Touch::slip_held;
         rotate(cycle, i);
         return true;
     }

@@ -61,10 +61,12 @@ void take_together(const Together<D>& group) {
     for (Naming<D>* naming : group) {
         const analysis::WantedSteps wanted = naming->orbit.wanted();
         lanes.push_back(naming->map.lane_orbit(naming->orbit.state(), wanted.count));
+        LaneOrbit& lane = lanes.back();
+        lane.most_excess = std::min(lane.most_excess, wanted.most - static_cast<double>(wanted.count));
         if (!wanted.kept) continue;
         auto& tail = naming->orbit.orbit().tail;
         kept.push_back({tail.states, tail.durations, tail.integrals, tail.letters});
-        lanes.back().kept = &kept.back();
+        lane.kept = &kept.back();
     }
     group.front()->map.follow_together(lanes);
     for (std::size_t i = 0; i < group.size(); ++i) {

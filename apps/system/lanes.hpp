@@ -24,7 +24,8 @@ struct LaneOrbit {
     std::int64_t count = 0;
     KeptSteps* kept = nullptr;  ///< none: they are not
     bool taken = false;         ///< all of them; else nothing is changed
-    double excess = 0;          ///< what they cost beyond as many ordinary ones
+    double most_excess = 0;     ///< what they may cost beyond as many ordinary ones; negative: not even that
+    double excess = 0;          ///< what they do
     bool forgot = false;        ///< one of them led through a rest (`has_rested`)
 };
 
@@ -32,7 +33,7 @@ struct LaneOrbit {
 bool has_lanes();
 
 /// What so many steps may cost beyond ordinary ones: dearer ones the orbit takes alone, which does not follow again
-/// what repeats itself to the bit. Far below what analyses allow, so that none of their limits is met on the way.
+/// what repeats itself to the bit.
 inline double most_excess(std::int64_t count) {
     return std::max(5e4, 4 * static_cast<double>(count));
 }
@@ -41,8 +42,8 @@ inline double most_excess(std::int64_t count) {
 inline constexpr std::size_t fewest_together = 5;
 
 /// Lets orbits of one shape and impact rule take their steps together, bit for bit as `ReturnMap::advance` takes them
-/// alone. Not taken: steps that cost much more than ordinary ones, as through long contact (`most_excess`), or
-/// end the orbit; where there are no lanes (sanitizers), none.
+/// alone. Not taken: steps that cost much more than ordinary ones, as through long contact (`most_excess`), or end
+/// the orbit; where there are no lanes (sanitizers), none.
 template <Shape shape, ImpactRule rule>
 void follow_together(std::span<LaneOrbit> orbits);
 

@@ -61,7 +61,9 @@ public:
     /// May this scene's orbits take their steps together with those of the other's? (Of one shape and impact rule.)
     bool goes_together_with(const SceneMap& other) const;
     /// Steps that an orbit is to take together with others …
-    LaneOrbit lane_orbit(const State& z, std::int64_t count) const { return {map_.get(), z, count}; }
+    LaneOrbit lane_orbit(const State& z, std::int64_t count) const {
+        return {map_.get(), z, count, nullptr, false, most_excess(count)};
+    }
     /// … and they do: scenes that go together, of which this is one.
     void follow_together(std::span<LaneOrbit> orbits) const;
 

@@ -24,7 +24,7 @@ struct Keeper {
         if (impact.alone != nullptr) {
             steps.excess += effort_of(*impact.alone) - 1;
             steps.forgot |= has_rested(*impact.alone);
-            if (steps.excess > most_excess(steps.count)) orbit.wanted = orbit.done;  // it goes on alone
+            if (steps.excess > steps.most_excess) orbit.wanted = orbit.done;  // it goes on alone
         }
         if (steps.kept == nullptr) return;
         const KeptSteps& kept = *steps.kept;
@@ -58,15 +58,15 @@ void follow_together(std::span<LaneOrbit> orbits) {
     std::vector<PostImpactState<double>> before;
     std::vector<std::size_t> sizes;
     for (const LaneOrbit& orbit : orbits) {
-        batch.push_back({&Scenes::of(orbit.map).return_map, orbit.z, orbit.count});
+        batch.push_back({&Scenes::of(orbit.map).return_map, orbit.z, orbit.most_excess < 0 ? 0 : orbit.count});
         before.push_back(orbit.z);
         sizes.push_back(orbit.kept ? orbit.kept->states.size() : 0);
     }
     follow_batch(std::span(batch), Keeper<Map>{orbits, batch.data(), before});
     for (std::size_t i = 0; i < batch.size(); ++i) {
         LaneOrbit& orbit = orbits[i];
-        orbit.taken = batch[i].outcome == Outcome::completed && batch[i].done == orbit.count &&
-                      orbit.excess <= most_excess(orbit.count);
+        orbit.taken =
+            batch[i].outcome == Outcome::completed && batch[i].done == orbit.count && orbit.excess <= orbit.most_excess;
         if (orbit.taken)
             orbit.z = batch[i].state;
         else if (orbit.kept)

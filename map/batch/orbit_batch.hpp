@@ -5,10 +5,10 @@
 #include "map/orbit/return_map.hpp"
 #include "map/orbit/speed_limits.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 

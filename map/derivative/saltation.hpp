@@ -170,7 +170,7 @@ struct KeptFlight {
 };
 
 /// DF(z) of a collision of which no more is kept, without a search: the impulse is the change of the velocities, to
-/// rounding, so that DF is the one above to some ε (1 + |v|) of its size.
+/// rounding, so that DF is the one above to some ε (1 + |v|)/u_n of its size.
 template <Shape shape, ImpactRule rule>
 auto derivative_by_saltation(const CollisionMap<double, shape, rule>& map, const PostImpactState<double>& start,
                              const KeptFlight& kept) {

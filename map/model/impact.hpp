@@ -40,6 +40,11 @@ inline std::string_view name_of(ContactMode mode) {
     return "";
 }
 
+/// Has the slip stopped for good by the impact's end, in compression or in restitution?
+inline bool ends_in_stick(ContactMode mode) {
+    return mode == ContactMode::c_sticking || mode == ContactMode::r_sticking;
+}
+
 /// Everything that the impulse depends on, in the axes (n, t) of the contact; mass 1.
 template <class T>
 struct ContactKinematics {

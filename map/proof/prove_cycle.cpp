@@ -108,9 +108,8 @@ std::vector<Disc> multipliers_of(const CycleSystem& system, const BallVector& cy
     for (std::size_t i = 1; i < system.period(); ++i)
         derivative = product(step_derivative(system, cycle, i), derivative);
     std::vector<Disc> discs = intervals::eigenvalue_discs(derivative);
-    const bool sticks = std::any_of(system.word.begin(), system.word.end(), [](const Branch& branch) {
-        return branch.mode == ContactMode::c_sticking || branch.mode == ContactMode::r_sticking;
-    });
+    const bool sticks = std::any_of(system.word.begin(), system.word.end(),
+                                    [](const Branch& branch) { return ends_in_stick(branch.mode); });
     if (sticks) set_exact(discs, 0);  // u_t = 0 after the impact: DF has lost a rank
     if (system.form != FamilyForm::isolated) set_exact(discs, 1);
     // A frictionless disk's S never changes.

@@ -104,7 +104,7 @@ BallImpulse<T> slipping_impulse(const BallScene& scene, const BallKinematics<T>&
         note(margins, "slip goes on to the end: s u_t after > 0", slip - p * path.slowing);
         return {p, -(path.friction * p)};
     }
-    const bool sticks = mode == ContactMode::c_sticking || mode == ContactMode::r_sticking;
+    const bool sticks = ends_in_stick(mode);
     const bool early = mode == ContactMode::c_sticking || mode == ContactMode::c_reversed;
     const T kink = slip / path.slowing;
     const T at_kink = path.first * kink - at.un;

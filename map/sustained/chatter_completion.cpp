@@ -42,7 +42,13 @@ Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_i
     const T acceleration = free_acceleration(scene, post_impact, u.ut);
     if (abs(u.un) <= rounding) return {true, acceleration > 0, T(0)};
     const ChatterError<T> error = chatter_error(scene, post_impact);
-    return {u.un < 0 && error.moved <= chatter_tolerance<T>(), acceleration > 0, error.estimate};
+    bool rests = u.un < 0 && error.moved <= chatter_tolerance<T>();
+    if (rests && scene.mu > T(0)) {
+        const T at_rest = free_acceleration(scene, post_impact, T(0));
+        rests = error.moved * longer_by_sticking(scene, rest_of_chatter(scene, post_impact, at_rest), rounding) <=
+                chatter_tolerance<T>();
+    }
+    return {rests, acceleration > 0, error.estimate};
 }
 
 /// Removes v by the impulses p and q, the differences of chatter's from contact's.

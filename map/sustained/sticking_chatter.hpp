@@ -28,16 +28,13 @@
 #include "map/sustained/removal.hpp"
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace swirl {
 
 /// Chatter may last so many times what it would by e for its sum to hold.
 inline constexpr int most_longer = 64;
-
-inline bool sticks(ContactMode mode) {
-    return mode == ContactMode::c_sticking || mode == ContactMode::r_sticking;
-}
 
 /// The rest of chatter, in the velocities of the point that touches; lever arms and accelerations are constant in it.
 template <class T>
@@ -47,6 +44,16 @@ struct RestOfChatter {
     T along;                 ///< a_t
 };
 
+/// Just after an impact.
+///   acceleration  a > 0 at rest
+template <class T>
+RestOfChatter<T> rest_of_chatter(const ContactScene<T>& scene, const PostImpactState<T>& post_impact,
+                                 const T& acceleration) {
+    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
+    const T turning = scene.is_disk() ? T(0) : T(post_impact.spin * post_impact.spin * u.rt);
+    return {u, acceleration, T(-scene.body.beta * post_impact.psi.y - turning)};
+}
+
 /// How far the point that touches goes along the wall until it rests there.
 template <class T>
 struct WayToRest {
@@ -54,18 +61,31 @@ struct WayToRest {
     T distance{};
 };
 
-/// From u_t = 0 on, in closed form; nothing where the next impact does not stick.
+/// e′, at which impacts after flights from u_t = 0 on rebound; nothing where such an impact does not stick.
 template <class T>
-std::optional<WayToRest<T>> way_while_stuck(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const T& v) {
+std::optional<T> rebound_while_stuck(const ContactScene<T>& scene, const RestOfChatter<T>& rest) {
     ContactKinematics<T> u = rest.u;
     u.un = T(1);
     u.ut = T(2) * rest.along / rest.acceleration;
     const Impulse<T> next = impulse_by_law(scene, u, scene.restitution);
-    if (!sticks(next.mode)) return {};
-    const T rebound = u.b2() * next.normal + u.b3() * next.tangential - T(1);  // e′
-    if (plain(T(T(1) - scene.restitution)) > most_longer * plain(T(T(1) - rebound))) return WayToRest<T>{};
+    if (!ends_in_stick(next.mode)) return {};
+    return T(u.b2() * next.normal + u.b3() * next.tangential - T(1));
+}
+
+/// Does the sum not hold, since chatter lasts too long by e′?
+template <class T>
+bool lasts_too_long(const ContactScene<T>& scene, const T& rebound) {
+    return plain(T(T(1) - scene.restitution)) > most_longer * plain(T(T(1) - rebound));
+}
+
+/// From u_t = 0 on, in closed form; nothing where the next impact does not stick.
+template <class T>
+std::optional<WayToRest<T>> way_while_stuck(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const T& v) {
+    const std::optional<T> rebound = rebound_while_stuck(scene, rest);
+    if (!rebound) return {};
+    if (lasts_too_long(scene, *rebound)) return WayToRest<T>{};
     const T flight = v / rest.acceleration;  // half of the first one's duration
-    return WayToRest<T>{true, T(2) * rest.along * flight * flight / (T(1) - rebound * rebound)};
+    return WayToRest<T>{true, T(2) * rest.along * flight * flight / (T(1) - *rebound * *rebound)};
 }
 
 /// A slip in the rest of chatter, and the way so far.
@@ -98,19 +118,51 @@ SlipSoFar<T> slide(const ContactScene<T>& scene, const RestOfChatter<T>& rest, c
                 T(0.5) * rest.along * flight * flight * h};
 }
 
+/// Where |B₃| ≤ μB₁: the slip stops as G comes to `share` of its limit 1/(1 − e), u_t + k v G = 0; nothing where it
+/// never does.
+template <class T>
+std::optional<Plain<T>> share_that_slides(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const T& change) {
+    const Plain<T> share = plain(rest.u.ut) * (1 - plain(scene.restitution)) / (plain(change) * plain(rest.u.un));
+    if (share > 0 && share < 1) return share;
+    return {};
+}
+
+/// k of the slip that there is.
+template <class T>
+T change_by_slip(const ContactScene<T>& scene, const RestOfChatter<T>& rest) {
+    return change_by_sliding(scene, rest, plain(rest.u.ut) > 0 ? T(-scene.mu) : scene.mu);
+}
+
 /// Past all impacts but the last two that slip throughout; nothing where the slip never stops. Where |B₃| ≤ μB₁.
 template <class T>
 std::optional<SlipSoFar<T>> slide_on(const ContactScene<T>& scene, const RestOfChatter<T>& rest) {
     using std::floor, std::log, std::log1p, std::pow;
     const SlipSoFar<T> begin{T(-rest.u.un), rest.u.ut};
     const T& e = scene.restitution;
-    const T change = change_by_sliding(scene, rest, plain(begin.ut) > 0 ? T(-scene.mu) : scene.mu);
-    // u_t + k v G = 0 where G is `share` of its limit 1/(1 − e).
-    const Plain<T> share = -plain(begin.ut) * (1 - plain(e)) / (plain(change) * plain(begin.v));
-    if (!(share > 0 && share < 1)) return {};
+    const T change = change_by_slip(scene, rest);
+    const auto slides = share_that_slides(scene, rest, change);
+    if (!slides) return {};
+    const Plain<T> share = *slides;
     const Plain<T> m = plain(e) > 0 ? Plain<T>(floor(Plain<T>(log1p(-share) / log(plain(e)))) - 1) : Plain<T>(0);
     if (!(m > 0)) return begin;
     return slide(scene, rest, begin, change, T(pow(e, m)));
+}
+
+/// How many times as long as by e chatter lasts where its impacts come to stick, and rebound at e′ from then on: (1 −
+/// e)/(1 − e′), +∞ for e′ ≥ 1, where v grows (reverse chatter: Nordmark, Dankowicz & Champneys, IMA J. Appl. Math. 76
+/// (2011) 85). 1 where that is at most `most_longer`, and where no impact sticks.
+///   least  u_t up to this is rounding
+template <class T>
+Plain<T> longer_by_sticking(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const Plain<T>& least) {
+    using std::abs;
+    const ContactKinematics<T>& u = rest.u;
+    if (plain(abs(u.b3())) > plain(T(scene.mu * u.b1()))) return 1;
+    const bool stuck = plain(abs(u.ut)) <= least;
+    if (!stuck && !share_that_slides(scene, rest, change_by_slip(scene, rest))) return 1;
+    const std::optional<T> rebound = rebound_while_stuck(scene, rest);
+    if (!rebound || !lasts_too_long(scene, *rebound)) return 1;
+    const Plain<T> lost = 1 - plain(*rebound);
+    return lost > 0 ? Plain<T>((1 - plain(scene.restitution)) / lost) : std::numeric_limits<Plain<T>>::infinity();
 }
 
 /// The way of contact that slips from `state` on at its present rate until it rests.
@@ -159,7 +211,7 @@ WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& r
         const Impulse<T> j = impulse_by_law(scene, u, scene.restitution);
         slip->v = u.b2() * j.normal + u.b3() * j.tangential - u.un;
         slip->ut = u.ut + u.b3() * j.normal + u.b1() * j.tangential;
-        stuck = sticks(j.mode);
+        stuck = ends_in_stick(j.mode);
     }
     if (plain(slip->v) > least) return {};
     landing.ut = stuck && plain(abs(slip->ut)) <= least ? T(0) : slip->ut;
@@ -177,14 +229,12 @@ WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& r
 template <class T>
 void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const T& acceleration,
                      const Slip<T>& slip, ContactState<T>& state) {
-    using std::abs, std::sin;
     const Body<T>& body = scene.body;
-    const ContactKinematics<T> u = contact_kinematics(body, post_impact);
+    const RestOfChatter<T> rest = rest_of_chatter(scene, post_impact, acceleration);
+    const ContactKinematics<T>& u = rest.u;
     const Plain<T> rounding = plain(velocity_rounding(scene, post_impact));
     if (!(plain(T(-u.un)) > rounding) || !(plain(acceleration) > 0)) return;
     if (!can_stick(scene, post_impact)) return;
-    const T along = -body.beta * sin(state.psi) - (scene.is_disk() ? T(0) : T(state.spin * state.spin * u.rt));
-    const RestOfChatter<T> rest{u, acceleration, along};
     const Plain<T> lasts = -2 * plain(u.un) / (plain(acceleration) * (1 - plain(scene.restitution)));  // chatter, by e
     const Plain<T> longest = most_longer * lasts;
     const WayToRest<T> contact = slip.slides ? way_of_contact(scene, state, longest) : WayToRest<T>{true, T(0)};

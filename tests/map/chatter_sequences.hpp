@@ -30,8 +30,7 @@ inline Accumulation impact_by_impact(const Scene<double>& s, PostImpactState<Qua
             }
             const Collision<Quad> next = map.advance(post_impact);
             if (next.outcome != FirstContactOutcome::contact || next.vertex_step != 0) return Accumulation{};
-            const ContactMode mode = next.impulse.mode;
-            end.rests = mode == ContactMode::c_sticking || mode == ContactMode::r_sticking;
+            end.rests = ends_in_stick(next.impulse.mode);
             end.sticks = end.sticks && end.rests;
             end.time += next.flight_time;
             post_impact = next.after;

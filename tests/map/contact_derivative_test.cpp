@@ -282,8 +282,9 @@ TEST(ContactDerivativeNightly, IsWhatDifferencesIn113BitsGiveInAThousandLandings
 /// Just after an impact that leaves at 10⁻⁸ with a slip of that order, from which chatter and contact lead on, where
 /// friction holds in contact.
 std::optional<Landing> slow_landing(tests::Random& random, int sides) {
-    const Scene<double> scene = tests::random_scene(random, sides, random.between(0.2, 1), random.between(0.1, 0.99),
-                                                    static_cast<Law>(random.one_of({0, 1, 2})));
+    const double mu = random.between(0.2, 1), restitution = random.between(0.1, 0.99);
+    const auto law = static_cast<Law>(random.one_of({0, 1, 2}));
+    const Scene<double> scene = tests::random_scene(random, sides, mu, restitution, law);
     const SectionPoint<double> z = tests::random_point(random, scene, 0);
     const double v = 1e-8, slip = v * random.between(-2, 2);
     return with_collision_map(scene, [&](const auto& map) -> std::optional<Landing> {

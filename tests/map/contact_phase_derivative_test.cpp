@@ -27,9 +27,9 @@ struct Start {
 
 Start random_start(tests::Random& random, Support support) {
     const int sides = support == Support::rim ? disk_sides : random.one_of({3, 4, 6});
-    Start start{tests::random_scene(random, sides, random.chance(0.2) ? 0 : random.between(0, 1), 0.5,
-                                    static_cast<Law>(random.one_of({0, 1, 2}))),
-                {}};
+    const auto law = static_cast<Law>(random.one_of({0, 1, 2}));
+    const double mu = random.chance(0.2) ? 0 : random.between(0, 1);
+    Start start{tests::random_scene(random, sides, mu, 0.5, law), {}};
     const double room = tests::contact_of(start.scene).widest_chi;
     ContactState<double>& z = start.completion.state;
     start.completion.support = support;

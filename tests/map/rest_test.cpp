@@ -79,9 +79,9 @@ TEST(Rest, LeadsToOneStateWhateverWasBefore) {
     Rests rests;
     for (int i = 0; i < 400; ++i) {
         const int sides = random.one_of({3, 4, 5, 6, 12, 30});
-        add_rests(tests::random_scene(random, sides, random.between(0.02, 3), random.between(0, 1),
-                                      static_cast<Law>(random.one_of({0, 1, 2}))),
-                  random, rests);
+        const auto law = static_cast<Law>(random.one_of({0, 1, 2}));
+        const double restitution = random.between(0, 1), mu = random.between(0.02, 3);
+        add_rests(tests::random_scene(random, sides, mu, restitution, law), random, rests);
     }
     std::printf("%ld rests of %ld scenes: states differ by %.1e, entries of DF by Jets are %.1e at most\n", rests.count,
                 rests.scenes, rests.farthest, rests.derivative);

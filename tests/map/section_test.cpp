@@ -174,8 +174,8 @@ TEST(LabFrame, FollowsTheSectionThroughTheLaboratory) {
     const long orbits = tests::sample_count(5000);
     for (long i = 0; i < orbits; ++i) {
         const int sides = random.one_of({disk_sides, 3, 4, 5, 6, 12, 100});
-        const Scene<double> scene =
-            tests::random_scene(random, sides, random.chance(0.5) ? 0 : 0.4, random.between(0.6, 1), Law::stronge);
+        const double restitution = random.between(0.6, 1), mu = random.chance(0.5) ? 0 : 0.4;
+        const Scene<double> scene = tests::random_scene(random, sides, mu, restitution, Law::stronge);
         const auto z = tests::random_point(random, scene, random.between(0.2, 2));
         with_collision_map(scene, [&](const auto& map) { check_orbit(map, z, impacts); });
     }

@@ -112,8 +112,7 @@ void check_modes(const Scene<double>& scene, const SteadyModes& result, Counts& 
         EXPECT_NEAR(z.spin, 1 - 2 * pi<double>() * static_cast<double>(mode.j) / (scene.sides * mode.tau),
                     1e-15 * size);
         // Reversed slip is impossible, and slip is at the angle of friction.
-        EXPECT_TRUE(mode.contact == ContactMode::sliding || mode.contact == ContactMode::c_sticking ||
-                    mode.contact == ContactMode::r_sticking);
+        EXPECT_TRUE(mode.contact == ContactMode::sliding || ends_in_stick(mode.contact));
         EXPECT_LE(std::fabs(std::tan(mode.chi)), scene.mu * (1 + 1e-12));
         ++counts.modes;
         counts.sliding += mode.contact == ContactMode::sliding;

@@ -74,6 +74,7 @@ TEST(SceneMap, FollowsTheOrbitOfSimulateBitForBit) {
 /// A step that an orbit has taken is not taken again for its derivative, which is that of `linearise` to rounding; one
 /// through contact is.
 TEST(SceneMap, LinearisesStepsThatAreKnown) {
+    int flights = 0, through_contact = 0;
     for (const auto& scene : scenes) {
         SCOPED_TRACE(scene_in_words(scene));
         with_scene_map(scene, [&](const auto& map) {
@@ -86,12 +87,16 @@ TEST(SceneMap, LinearisesStepsThatAreKnown) {
                 EXPECT_EQ(known.duration, step.duration);
                 EXPECT_EQ(known.letter, step.letter);
                 EXPECT_EQ(known.integral, step.integral);
+                EXPECT_EQ(known.effort, step.letter < 0 ? step.effort : 1) << "impact " << i + 2;
+                ++(step.letter < 0 ? through_contact : flights);
                 const double off = (known.derivative - step.derivative).norm();
                 EXPECT_LE(off, step.letter < 0 ? 0 : 1e-11 * step.derivative.norm()) << "impact " << i + 2;
                 z = step.state;
             }
         });
     }
+    EXPECT_GT(flights, 1000);
+    EXPECT_GT(through_contact, 30);
 }
 
 TEST(SceneMap, ItsCoordinatesLeadBackToTheStateToRounding) {

@@ -44,9 +44,11 @@ struct Series {
     }
 
     /// One batch, unless there is one already and another would go beyond this share of the budget: one flight past all
-    /// of 10⁶ vertices may take seconds.
-    void run_within(const Budget& budget, double share) {
-        if (seconds.empty() || budget.spent() + took <= share * budget.seconds()) run();
+    /// of 10⁶ vertices may take seconds. @return there was one
+    bool run_within(const Budget& budget, double share) {
+        if (!seconds.empty() && budget.spent() + took > share * budget.seconds()) return false;
+        run();
+        return true;
     }
 
     Timing timing() {
@@ -77,7 +79,9 @@ std::vector<Timing> time_in_turn(const std::vector<TimedWork>& works, const Budg
     }
     const auto share = [](int round) { return round < fewest_rounds ? overdrawn : 1; };
     for (int round = 0; round == 0 || !budget.is_spent(share(round)); ++round) {
-        for (auto& series : all) series.run_within(budget, share(round));
+        bool any = false;
+        for (auto& series : all) any |= series.run_within(budget, share(round));
+        if (!any) break;
         progress.at(std::min(budget.spent(), budget.seconds()));
     }
     std::vector<Timing> timings;

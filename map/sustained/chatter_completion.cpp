@@ -36,14 +36,21 @@ struct Touch {
 };
 
 template <class T>
-Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+bool is_still(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    return abs(contact_kinematics(scene.body, post_impact).un) <= velocity_rounding(scene, post_impact);
+}
+
+///   rocks  the neighbour rests on the wall: the body rocks about it, and what impacts that stick in free flight would
+///          do says nothing
+template <class T>
+Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, bool rocks) {
     const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
     const T rounding = velocity_rounding(scene, post_impact);
     const T acceleration = free_acceleration(scene, post_impact, u.ut);
     if (abs(u.un) <= rounding) return {true, acceleration > 0, T(0)};
     const ChatterError<T> error = chatter_error(scene, post_impact);
     bool rests = u.un < 0 && error.moved <= chatter_tolerance<T>();
-    if (rests && scene.mu > T(0)) {
+    if (rests && !rocks && scene.mu > T(0)) {
         const T at_rest = free_acceleration(scene, post_impact, T(0));
         rests = error.moved * longer_by_sticking(scene, rest_of_chatter(scene, post_impact, at_rest), rounding) <=
                 chatter_tolerance<T>();
@@ -207,21 +214,23 @@ ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<
 template <class T>
 ChatterCompletion<T> chatter_completion(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
     ChatterCompletion<T> completion;
-    const Touch<T> here = touch_of(scene, post_impact);
     bool there_rests = false;
     bool there_approaches = false;
+    bool rocks = false;
     PostImpactState<T> neighbour;
     Touch<T> there{false, false, T(0)};
     if (!scene.is_disk()) {
         const T apart = abs(abs(atan2(post_impact.chi.y, post_impact.chi.x)) - scene.widest_chi);
         if (apart <= neighbour_tolerance<T>()) {
             neighbour = seen_from_neighbour(scene, post_impact);
-            there = touch_of(scene, neighbour);
+            rocks = is_still(scene, neighbour);
+            there = touch_of(scene, neighbour, is_still(scene, post_impact));
             there_rests = there.rests;
             there_approaches =
                 !there.rests && apart <= chatter_tolerance<T>() && contact_kinematics(scene.body, neighbour).un > 0;
         }
     }
+    const Touch<T> here = touch_of(scene, post_impact, rocks);
     const int step = post_impact.chi.y > 0 ? -1 : 1;
     if (here.rests && there_rests) {
         const bool clockwise = post_impact.chi.y < 0;

@@ -5,7 +5,7 @@
 // add up to those of contact over the same time, less v: the rest of the sequence equals the removal of v, with
 // friction, at its beginning, followed by contact (complete chattering: Nordmark & Piiroinen, Nonlinear Dyn. 58 (2009)
 // 85). Meanwhile the two motions differ by at most vT in place: contact begins once that is below 16 ε of R_c, ε that
-// of the number type; T by the rebound e′ of impacts that stick, where that makes it much longer, and never for e′ ≥ 1
+// of the number type; T by the rebound e′ of impacts that stick, where that makes it much longer, and not for e′ ≥ 1
 // (`longer_by_sticking`). There is no speed threshold. At the end of chattering they differ in place and velocities by
 // the second order in T, which `ChatterError::estimate` estimates (the first order cancels: the tangential displacement
 // is proportional to the normal one, which is zero at the end; what chatter that sticks, or comes to stick, has of

@@ -157,8 +157,10 @@ Plain<T> longer_by_sticking(const ContactScene<T>& scene, const RestOfChatter<T>
     using std::abs;
     const ContactKinematics<T>& u = rest.u;
     if (plain(abs(u.b3())) > plain(T(scene.mu * u.b1()))) return 1;
-    const bool stuck = plain(abs(u.ut)) <= least;
-    if (!stuck && !share_that_slides(scene, rest, change_by_slip(scene, rest))) return 1;
+    const T along = plain(u.ut) > 0 ? T(-scene.mu) : scene.mu;
+    // Beyond Painlevé's border the next impact stops the slip.
+    const bool stops = plain(abs(u.ut)) <= least || plain(T(u.b2() + u.b3() * along)) <= 0;
+    if (!stops && !share_that_slides(scene, rest, change_by_slip(scene, rest))) return 1;
     const std::optional<T> rebound = rebound_while_stuck(scene, rest);
     if (!rebound || !lasts_too_long(scene, *rebound)) return 1;
     const Plain<T> lost = 1 - plain(*rebound);

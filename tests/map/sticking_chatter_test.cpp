@@ -121,6 +121,62 @@ TEST(StickingChatter, LandsWhereItLastsLongButIsSlow) {
     EXPECT_EQ(landings, 1);
 }
 
+/// Starts at which e′ ≥ 1 while the neighbour rests on the wall: the body rocks, and its orbit goes on.
+TEST(StickingChatter, GoesOnWhereTheNeighbourRestsOnTheWall) {
+    struct Case {
+        int sides;
+        double alpha, beta, mu, restitution;
+        Law law;
+        SectionPoint<double> z;
+    };
+    const Case cases[] = {
+        {8,
+         0.217,
+         0.2117,
+         1.055,
+         0.835,
+         Law::stronge,
+         {-0.7901622242455059, -0.30956103584571326, -0.1504059574207512, 0.14897965717143655, -6.679029334319729e-09}},
+        {5,
+         0.32,
+         0.8665,
+         1.401,
+         0.819,
+         Law::poisson,
+         {-0.6090060535974147, 0.43910015324376844, -0.495683483503694, 0.7107180412668477, 0}},
+        {5,
+         0.23,
+         0.4566,
+         1.106,
+         0.586,
+         Law::poisson,
+         {-0.9522652070255392, 0.49271269667837375, -0.3720061991560672, 0.26475450756747226, 0}}};
+    for (const Case& c : cases) {
+        Scene<double> scene = tests::uniform_scene(c.sides, c.alpha, c.beta, c.mu, c.restitution);
+        scene.law = c.law;
+        with_collision_map(scene, [&](const auto& map) {
+            const ReturnMap returns(map);
+            ReturnStep<double> step;
+            step.collision.after = post_impact_state(c.z);
+            for (int i = 0; i < 60; ++i)
+                ASSERT_EQ(returns.advance(step), Outcome::completed) << c.sides << ", impact " << i + 1;
+        });
+    }
+}
+
+/// Beyond Painlevé's border for the slip that there is, c ≤ 0, an impact stops it, and e′ decides from there.
+TEST(StickingChatter, IsStoppedAtOnceBeyondPainlevesBorder) {
+    const Scene<double> scene = tests::uniform_scene(3, 0.4, 0.8, 1.6, 0.6);
+    const ContactScene<double> contact = tests::contact_of(scene);
+    for (const double slip : {-1e-9, 0.0, 1e-9}) {
+        PostImpactState<double> from = post_impact_state(SectionPoint<double>{-1, 0.42, 0, 0, 0});
+        const ContactKinematics<double> u = contact_kinematics(contact.body, from);
+        from.vn -= u.un + 5e-9;
+        from.vt -= u.ut - slip;
+        EXPECT_FALSE(chatter_completion(contact, from).in_contact) << slip;
+    }
+}
+
 /// T falls by 10 with v. Without the motion along the wall the error is of second order, and falls by 100.
 void expect_third_order(double most_slip) {
     for (const int sides : {disk_sides, 3, 4, 12})

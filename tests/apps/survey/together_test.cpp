@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <random>
 #include <vector>
@@ -19,6 +19,7 @@ namespace {
 
 std::vector<std::uint64_t> bits_of(const std::vector<double>& values) {
     std::vector<std::uint64_t> bits;
+    bits.reserve(values.size());
     for (const double x : values) bits.push_back(std::bit_cast<std::uint64_t>(x));
     return bits;
 }
@@ -103,7 +104,8 @@ struct KeptVectors {
 };
 
 bool same_state(const PostImpactState<double>& a, const PostImpactState<double>& b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;  // seven doubles
+    using Bits = std::array<std::uint64_t, 7>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
 struct Taken {
@@ -117,6 +119,7 @@ Taken expect_taken(const Map& map, double beta, std::size_t orbits, std::int64_t
     std::vector<KeptVectors> vectors(orbits);
     std::vector<KeptSteps> kept;
     std::vector<LaneOrbit> lanes;
+    kept.reserve(orbits);
     for (KeptVectors& of_one : vectors) kept.push_back(of_one.as_steps());
     for (std::size_t i = 0; i < orbits; ++i) {
         const OrbitBegin begin = begin_orbit(map, Start<double>(random_start(beta, paper_speed, 3, i)));

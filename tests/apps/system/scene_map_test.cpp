@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 
 namespace swirl::apps {
 namespace {
@@ -27,8 +29,8 @@ const Scene<double> scenes[] = {scene_of(6, 0.3, 0.5, 0.5, 0.95),
                                 scene_of(disk_sides, 0.3, 0.1, 0.0, 1.0)};
 
 bool same_bits(const State& a, const State& b) {
-    static_assert(sizeof(State) == 7 * sizeof(double), "no padding");
-    return std::memcmp(&a, &b, sizeof a) == 0;
+    using Bits = std::array<std::uint64_t, 7>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
 /// The first impacts of the orbit from random start 1, as `simulate` follows it; the last is where it ended.

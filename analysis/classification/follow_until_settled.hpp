@@ -141,7 +141,7 @@ public:
         if (!wanted_.kept) {
             whole_ = skip_steps(map, z_, wanted_.count, orbit_.tail, stop, effort_);
         } else {
-            const double most = stage_ == Stage::searching ? effort_.most - effort_.spent : most_kept();
+            const double most = orbit_.tail.effort + most_wanted();
             whole_ = record_steps(map, z_, wanted_.count, keep(), orbit_.tail, stop, most);
         }
     }

@@ -7,19 +7,23 @@
 #include "analysis/section_map.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace swirl::analysis::classification_detail {
 
-/// The largest exponent of `steps` steps from a state on.
-template <SectionMap M>
-LyapunovSpectrum exponent_from(const M& map, const State<M>& first, std::int64_t steps) {
+/// All of so many steps count.
+inline LyapunovOptions every_step(std::int64_t steps) {
     LyapunovOptions options;
     options.transient = 0;
     options.steps = steps;
-    return largest_exponent(map, first, options);
+    return options;
+}
+
+/// The largest exponent of `steps` steps from a state on.
+template <SectionMap M>
+LyapunovSpectrum exponent_from(const M& map, const State<M>& first, std::int64_t steps) {
+    return largest_exponent(map, first, every_step(steps));
 }
 
 /// The `i`th step of a tail that keeps its states, with its derivative: of the last it does not keep where it led to.
@@ -35,19 +39,10 @@ Linearised<M::dimension, State<M>> kept_step(const M& map, const Tail<M>& tail, 
 template <SectionMap M>
 LyapunovSpectrum exponent_of_steps(const M& map, const Tail<M>& tail, std::int64_t first, std::int64_t steps) {
     if (tail.states.empty()) return exponent_from(map, tail.first, steps);
-    LyapunovOptions options;
-    options.transient = 0;
-    options.steps = steps;
-    ExponentAccumulator accumulator(1, options);
-    TangentVector<M::dimension> tangent(options.rank_tolerance);
-    for (std::int64_t i = first; i < first + steps; ++i) {
-        const auto step = kept_step(map, tail, static_cast<std::size_t>(i));
-        if (!goes_on(map, step) || !step.derivative.allFinite())
-            return accumulator.finish(step.alive ? LyapunovOutcome::not_finite : LyapunovOutcome::ended_early);
-        const std::array<double, 1> growth = {tangent.grow(step.derivative)};
-        accumulator.add(growth, step.duration);
-    }
-    return accumulator.finish(LyapunovOutcome::completed);
+    const LyapunovOptions options = every_step(steps);
+    auto i = static_cast<std::size_t>(first);
+    return lyapunov_detail::largest_exponent_of(map, ExponentAccumulator(1, options), 0, options,
+                                                [&] { return kept_step(map, tail, i++); });
 }
 
 /// The exponent of a tail: of as many of its n steps as tell that it is positive, 256 or more, else of all. It has to

@@ -9,6 +9,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 namespace swirl::analysis {
 
@@ -85,29 +87,41 @@ private:
     Vector<D> generic_ = generic_frame(D).col(0), direction_ = generic_;
 };
 
-/// The largest exponent alone, by the growth of one tangent vector: vectors of length 1 in the result. It is −∞ only if
-/// the product of the derivatives annihilates a vector in general position. Cost O(D²) per step besides DF.
-template <SectionMap M>
-LyapunovSpectrum largest_exponent(const M& map, State<M> state, const LyapunovOptions& options = {}) {
-    constexpr int D = M::dimension;
-    ExponentAccumulator accumulator(1, options);
-    const std::int64_t aligning = lyapunov_detail::frame_transient(options.transient);
-    if (const auto steps = options.transient - aligning; follow(map, state, steps) < steps) {
-        return accumulator.finish(LyapunovOutcome::ended_in_transient);
-    }
-    TangentVector<D> tangent(options.rank_tolerance);
+namespace lyapunov_detail {
+
+/// The largest exponent of steps that `next()` gives one after the other, with their derivatives.
+///   aligning  of them come first, which are not counted
+template <SectionMap M, class Next>
+LyapunovSpectrum largest_exponent_of(const M& map, ExponentAccumulator accumulator, std::int64_t aligning,
+                                     const LyapunovOptions& options, const Next& next) {
+    TangentVector<M::dimension> tangent(options.rank_tolerance);
     for (std::int64_t i = -aligning; i < options.steps; ++i) {
-        const auto step = map.linearise(state);
-        const bool finite = goes_on(map, step) && step.derivative.allFinite();
-        if (!finite) {
+        const auto step = next();
+        if (!goes_on(map, step) || !step.derivative.allFinite()) {
             if (i < 0) return accumulator.finish(LyapunovOutcome::ended_in_transient);
             return accumulator.finish(step.alive ? LyapunovOutcome::not_finite : LyapunovOutcome::ended_early);
         }
         const std::array<double, 1> growth = {tangent.grow(step.derivative)};
-        state = step.state;
         if (i >= 0) accumulator.add(growth, step.duration);
     }
     return accumulator.finish(LyapunovOutcome::completed);
+}
+
+}  // namespace lyapunov_detail
+
+/// The largest exponent alone, by the growth of one tangent vector: vectors of length 1 in the result. It is −∞ only if
+/// the product of the derivatives annihilates a vector in general position. Cost O(D²) per step besides DF.
+template <SectionMap M>
+LyapunovSpectrum largest_exponent(const M& map, State<M> state, const LyapunovOptions& options = {}) {
+    ExponentAccumulator accumulator(1, options);
+    const std::int64_t aligning = lyapunov_detail::frame_transient(options.transient);
+    if (const auto steps = options.transient - aligning; follow(map, state, steps) < steps)
+        return accumulator.finish(LyapunovOutcome::ended_in_transient);
+    return lyapunov_detail::largest_exponent_of(map, std::move(accumulator), aligning, options, [&] {
+        const auto step = map.linearise(state);
+        state = step.state;
+        return step;
+    });
 }
 
 }  // namespace swirl::analysis

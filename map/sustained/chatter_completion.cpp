@@ -45,14 +45,14 @@ bool is_still(const ContactScene<T>& scene, const PostImpactState<T>& post_impac
 template <class T>
 Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, bool rocks) {
     const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
-    const T rounding = velocity_rounding(scene, post_impact);
     const T acceleration = free_acceleration(scene, post_impact, u.ut);
-    if (abs(u.un) <= rounding) return {true, acceleration > 0, T(0)};
+    if (is_still(scene, post_impact)) return {true, acceleration > 0, T(0)};
     const ChatterError<T> error = chatter_error(scene, post_impact);
     bool rests = u.un < 0 && error.moved <= chatter_tolerance<T>();
     if (rests && !rocks && scene.mu > T(0)) {
         const T at_rest = free_acceleration(scene, post_impact, T(0));
-        rests = error.moved * longer_by_sticking(scene, rest_of_chatter(scene, post_impact, at_rest), rounding) <=
+        const RestOfChatter<T> rest = rest_of_chatter(scene, post_impact, at_rest);
+        rests = error.moved * longer_by_sticking(scene, rest, velocity_rounding(scene, post_impact)) <=
                 chatter_tolerance<T>();
     }
     return {rests, acceleration > 0, error.estimate};

@@ -127,10 +127,10 @@ std::optional<Plain<T>> share_that_slides(const ContactScene<T>& scene, const Re
     return {};
 }
 
-/// k of the slip that there is.
+/// q/p = −sμ of a slip in the sense s of `along`.
 template <class T>
-T change_by_slip(const ContactScene<T>& scene, const RestOfChatter<T>& rest) {
-    return change_by_sliding(scene, rest, plain(rest.u.ut) > 0 ? T(-scene.mu) : scene.mu);
+T friction_ratio_of(const ContactScene<T>& scene, const T& along) {
+    return plain(along) > 0 ? T(-scene.mu) : scene.mu;
 }
 
 /// Past all impacts but the last two that slip throughout; nothing where the slip never stops. Where |B₃| ≤ μB₁.
@@ -139,7 +139,7 @@ std::optional<SlipSoFar<T>> slide_on(const ContactScene<T>& scene, const RestOfC
     using std::floor, std::log, std::log1p, std::pow;
     const SlipSoFar<T> begin{T(-rest.u.un), rest.u.ut};
     const T& e = scene.restitution;
-    const T change = change_by_slip(scene, rest);
+    const T change = change_by_sliding(scene, rest, friction_ratio_of(scene, rest.u.ut));
     const auto slides = share_that_slides(scene, rest, change);
     if (!slides) return {};
     const Plain<T> share = *slides;
@@ -157,10 +157,10 @@ Plain<T> longer_by_sticking(const ContactScene<T>& scene, const RestOfChatter<T>
     using std::abs;
     const ContactKinematics<T>& u = rest.u;
     if (plain(abs(u.b3())) > plain(T(scene.mu * u.b1()))) return 1;
-    const T along = plain(u.ut) > 0 ? T(-scene.mu) : scene.mu;
+    const T ratio = friction_ratio_of(scene, u.ut);
     // Beyond Painlevé's border the next impact stops the slip.
-    const bool stops = plain(abs(u.ut)) <= least || plain(T(u.b2() + u.b3() * along)) <= 0;
-    if (!stops && !share_that_slides(scene, rest, change_by_slip(scene, rest))) return 1;
+    const bool stops = plain(abs(u.ut)) <= least || plain(T(u.b2() + u.b3() * ratio)) <= 0;
+    if (!stops && !share_that_slides(scene, rest, change_by_sliding(scene, rest, ratio))) return 1;
     const std::optional<T> rebound = rebound_while_stuck(scene, rest);
     if (!rebound || !lasts_too_long(scene, *rebound)) return 1;
     const Plain<T> lost = 1 - plain(*rebound);
@@ -201,7 +201,7 @@ WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& r
         if (stuck) {
             if (const auto on = way_while_stuck(scene, rest, slip->v)) return {on->rests, slip->way + on->distance};
             if (holds) {
-                const T change = change_by_sliding(scene, rest, plain(rest.along) > 0 ? T(-scene.mu) : scene.mu);
+                const T change = change_by_sliding(scene, rest, friction_ratio_of(scene, rest.along));
                 slip = slide(scene, rest, *slip, change, T(0));
                 break;
             }

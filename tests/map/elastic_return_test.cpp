@@ -2,6 +2,7 @@
 // cost.
 #include "map/orbit/orbit.hpp"
 #include "tests/map/contact_scenes.hpp"
+#include "tests/map/same_bits.hpp"
 #include "tests/sample_count.hpp"
 
 #include <gtest/gtest.h>
@@ -14,15 +15,12 @@
 namespace swirl {
 namespace {
 
+using tests::same_bits;
+
 double thread_seconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-bool same_bits(const PostImpactState<double>& a, const PostImpactState<double>& b) {
-    return a.psi.x == b.psi.x && a.psi.y == b.psi.y && a.chi.x == b.chi.x && a.chi.y == b.chi.y && a.vn == b.vn &&
-           a.vt == b.vt && a.spin == b.spin;
 }
 
 TEST(ElasticReturn, IsTheCollisionMapBitForBitAndAtItsCost) {

@@ -121,6 +121,17 @@ TEST(StickingChatter, LandsWhereItLastsLongButIsSlow) {
     EXPECT_EQ(landings, 1);
 }
 
+// Where e′ is below 1 by enough the body lands, and stays where it landed.
+TEST(StickingChatter, DoesNotMoveTheBodyFarWhereItsReboundComesUpToOne) {
+    const Scene<double> scene = tests::uniform_scene(3, 0.5, 0.5, 1, 0.5);
+    const SectionPoint<double> z = with_rebound_of_one(-1e-2);
+    const auto landing = chatter_completion(tests::contact_of(scene), post_impact_state(z));
+    ASSERT_TRUE(landing.in_contact);
+    EXPECT_NEAR(landing.state.psi, z.psi, 1e-12);  // 64 tolerances, and a_t/a some 20
+    EXPECT_NEAR(landing.state.chi, z.chi, 1e-12);
+    EXPECT_NEAR(landing.jacobi, 0, 1e-8);  // of the order of v: u_n is removed
+}
+
 /// Starts at which e′ ≥ 1 while the neighbour rests on the wall: the body rocks, and its orbit goes on.
 TEST(StickingChatter, GoesOnWhereTheNeighbourRestsOnTheWall) {
     struct Case {

@@ -3,11 +3,11 @@
 #include "apps/system/orbit_ending.hpp"
 #include "tests/apps/survey/random_scene.hpp"
 #include "tests/apps/system/scene_of.hpp"
+#include "tests/map/same_bits.hpp"
 #include "tests/sample_count.hpp"
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -16,6 +16,8 @@
 
 namespace swirl::apps {
 namespace {
+
+using tests::same_bits;
 
 std::vector<std::uint64_t> bits_of(const std::vector<double>& values) {
     std::vector<std::uint64_t> bits;
@@ -103,11 +105,6 @@ struct KeptVectors {
     KeptSteps as_steps() { return {states, durations, integrals, letters}; }
 };
 
-bool same_state(const PostImpactState<double>& a, const PostImpactState<double>& b) {
-    using Bits = std::array<std::uint64_t, 7>;
-    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
-}
-
 struct Taken {
     int through_contact = 0;  ///< steps
     int forgetful = 0;        ///< orbits with a step that forgets
@@ -144,14 +141,14 @@ Taken expect_taken(const Map& map, double beta, std::size_t orbits, std::int64_t
             forgot |= step.forgets;
             taken.through_contact += step.letter < 0;
             if (keeps && k < of_one.states.size()) {
-                EXPECT_TRUE(same_state(of_one.states[k], z)) << k;
+                EXPECT_TRUE(same_bits(of_one.states[k], z)) << k;
                 EXPECT_EQ(of_one.durations[k], step.duration);
                 EXPECT_EQ(of_one.integrals[k], step.integral);
                 EXPECT_EQ(of_one.letters[k], step.letter);
             }
             z = step.state;
         }
-        EXPECT_TRUE(same_state(lanes[i].z, z)) << i;
+        EXPECT_TRUE(same_bits(lanes[i].z, z)) << i;
         EXPECT_EQ(lanes[i].excess + static_cast<double>(count), effort);
         EXPECT_EQ(lanes[i].forgot, forgot);
         taken.forgetful += forgot;
@@ -191,7 +188,7 @@ void expect_left(const Map& map, double beta, std::int64_t count, std::optional<
     EXPECT_FALSE(lane.taken);
     EXPECT_TRUE(vectors.states.empty() && vectors.durations.empty() && vectors.integrals.empty());
     EXPECT_TRUE(vectors.letters.empty());
-    EXPECT_TRUE(same_state(lane.z, begin.state));
+    EXPECT_TRUE(same_bits(lane.z, begin.state));
 }
 
 /// A disk that comes to the wall for good after 27 impacts.

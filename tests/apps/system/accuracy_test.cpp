@@ -8,15 +8,16 @@
 #include "apps/system/scene_orbit.hpp"
 #include "map/derivative/parameter.hpp"
 #include "tests/apps/system/scene_of.hpp"
+#include "tests/map/same_bits.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <cmath>
 
 namespace swirl::apps {
 namespace {
 
-using tests::scene_of;
+using tests::same_bits, tests::scene_of;
 using State = PostImpactState<double>;
 
 /// Every shape and impact rule, without contact.
@@ -28,11 +29,6 @@ const Scene<double> scenes[] = {scene_of(6, 0.3, 0.5, 0.5, 1.0),
                                 scene_of(disk_sides, 0.3, 0.1, 0.0, 1.0)};
 constexpr Accuracy others[] = {Accuracy::extended, Accuracy::quad, Accuracy::paper, Accuracy::brent,
                                Accuracy::fixed_step};
-
-bool same_bits(const State& a, const State& b) {
-    static_assert(sizeof(State) == 7 * sizeof(double), "no padding");
-    return std::memcmp(&a, &b, sizeof a) == 0;
-}
 
 double distance(const State& a, const State& b) {
     const double d[] = {a.psi.x - b.psi.x, a.psi.y - b.psi.y, a.chi.x - b.chi.x, a.chi.y - b.chi.y,

@@ -5,17 +5,16 @@
 #include "apps/system/orbit_ending.hpp"
 #include "map/orbit/orbit.hpp"
 #include "tests/apps/system/scene_of.hpp"
+#include "tests/map/same_bits.hpp"
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <bit>
 #include <cstdint>
 
 namespace swirl::apps {
 namespace {
 
-using tests::scene_of;
+using tests::same_bits, tests::scene_of;
 using State = PostImpactState<double>;
 
 /// Every shape and impact rule; chaos, cycles, chatter with sustained contact.
@@ -27,11 +26,6 @@ const Scene<double> scenes[] = {scene_of(6, 0.3, 0.5, 0.5, 0.95),
                                 scene_of(4, 0.3, 0.98, 0.46, 0.02),
                                 scene_of(disk_sides, 0.3, 0.1, 0.5, 1.0),
                                 scene_of(disk_sides, 0.3, 0.1, 0.0, 1.0)};
-
-bool same_bits(const State& a, const State& b) {
-    using Bits = std::array<std::uint64_t, 7>;
-    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
-}
 
 /// The first impacts of the orbit from random start 1, as `simulate` follows it; the last is where it ended.
 std::vector<State> simulated(const Scene<double>& scene, std::size_t most) {

@@ -3,26 +3,17 @@
 
 #include "map/batch/orbit_batch.hpp"
 #include "tests/map/random_scenes.hpp"
+#include "tests/map/same_bits.hpp"
 
 #include <hwy/targets.h>
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cstdint>
 #include <deque>
 #include <vector>
 
 namespace swirl::tests {
-
-inline bool same_bits(double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
-inline bool same_bits(const PostImpactState<double>& a, const PostImpactState<double>& b) {
-    return same_bits(a.psi.x, b.psi.x) && same_bits(a.psi.y, b.psi.y) && same_bits(a.chi.x, b.chi.x) &&
-           same_bits(a.chi.y, b.chi.y) && same_bits(a.vn, b.vn) && same_bits(a.vt, b.vt) && same_bits(a.spin, b.spin);
-}
 
 /// Scenes of one map, with an orbit each.
 template <class Map>

@@ -14,13 +14,14 @@
 //     v_m = v eᵐ,  u_t,m = u_t + k v G,  way = (2v/a)(u_t G + k v (G² − H)/2) + ½ a_t (2v/a)² H
 //     G = (1 − eᵐ)/(1 − e),  H = (1 − e²ᵐ)/(1 − e²),  k = 2a_t/a + (B₃ − sμB₁)(1 + e)/(B₂ − sμB₃)
 //
-// (Σ eⁱ G_i = (G² − H)/2); those next to the impact that stops the slip are made one by one. Where impacts do not stick
-// though contact would, chatter ends slipping, and contact goes on from there. Contact in the same slip, once v is
-// removed, would stop within −u_t²/(2u_t′); d is what chatter is more than that. With A and B the differences in ∫p dt
-// and ∫q dt between chatter and contact, B₂A + B₃B = 0 (both end at the wall) and B₃A + B₁B = d. So a polygon has
-// turned by (r_n B + r_t A)/I = d r_n/(I + α²), and a disk's centre has run d/B₁ along the wall. About the place of
-// contact both motions have the same angular momentum up to T³: of a polygon, with u = 0 at either end, that is (I +
-// α²)S, less d S r_t for the vertex that has moved by d; a rolling disk's S goes with its ν′.
+// (Σ eⁱ G_i = (G² − H)/2); those next to the impact that stops the slip, or to the flight that turns it round, are made
+// one by one. Where impacts do not stick though contact would, chatter ends slipping, and contact goes on from there.
+// Contact in the same slip, once v is removed, would stop within −u_t²/(2u_t′); d is what chatter is more than that.
+// With A and B the differences in ∫p dt and ∫q dt between chatter and contact, B₂A + B₃B = 0 (both end at the wall) and
+// B₃A + B₁B = d. So a polygon has turned by (r_n B + r_t A)/I = d r_n/(I + α²), and a disk's centre has run d/B₁ along
+// the wall. About the place of contact both motions have the same angular momentum up to T³: of a polygon, with u = 0
+// at either end, that is (I + α²)S, less d S r_t for the vertex that has moved by d; a rolling disk's S goes with its
+// ν′.
 #pragma once
 
 #include "map/sustained/chatter_completion.hpp"
@@ -121,8 +122,8 @@ SlipSoFar<T> slide(const ContactScene<T>& scene, const RestOfChatter<T>& rest, c
 /// Where |B₃| ≤ μB₁: the slip stops as G comes to `share` of its limit 1/(1 − e), u_t + k v G = 0; nothing where it
 /// never does.
 template <class T>
-std::optional<Plain<T>> share_that_slides(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const T& change) {
-    const Plain<T> share = plain(rest.u.ut) * (1 - plain(scene.restitution)) / (plain(change) * plain(rest.u.un));
+std::optional<Plain<T>> share_that_slides(const ContactScene<T>& scene, const SlipSoFar<T>& from, const T& change) {
+    const Plain<T> share = -plain(from.ut) * (1 - plain(scene.restitution)) / (plain(change) * plain(from.v));
     if (share > 0 && share < 1) return share;
     return {};
 }
@@ -135,17 +136,38 @@ T friction_ratio_of(const ContactScene<T>& scene, const T& along) {
 
 /// Past all impacts but the last two that slip throughout; nothing where the slip never stops. Where |B₃| ≤ μB₁.
 template <class T>
-std::optional<SlipSoFar<T>> slide_on(const ContactScene<T>& scene, const RestOfChatter<T>& rest) {
+std::optional<SlipSoFar<T>> slide_on(const ContactScene<T>& scene, const RestOfChatter<T>& rest,
+                                     const SlipSoFar<T>& from) {
     using std::floor, std::log, std::log1p, std::pow;
-    const SlipSoFar<T> begin{T(-rest.u.un), rest.u.ut};
     const T& e = scene.restitution;
-    const T change = change_by_sliding(scene, rest, friction_ratio_of(scene, rest.u.ut));
-    const auto slides = share_that_slides(scene, rest, change);
+    const T change = change_by_sliding(scene, rest, friction_ratio_of(scene, from.ut));
+    const auto slides = share_that_slides(scene, from, change);
     if (!slides) return {};
     const Plain<T> share = *slides;
     const Plain<T> m = plain(e) > 0 ? Plain<T>(floor(Plain<T>(log1p(-share) / log(plain(e)))) - 1) : Plain<T>(0);
-    if (!(m > 0)) return begin;
-    return slide(scene, rest, begin, change, T(pow(e, m)));
+    if (!(m > 0)) return from;
+    return slide(scene, rest, from, change, T(pow(e, m)));
+}
+
+/// Slipping in the sense of `along` until v is zero.
+template <class T>
+SlipSoFar<T> slide_to_the_end(const ContactScene<T>& scene, const RestOfChatter<T>& rest, const SlipSoFar<T>& from,
+                              const T& along) {
+    return slide(scene, rest, from, change_by_sliding(scene, rest, friction_ratio_of(scene, along)), T(0));
+}
+
+/// After one more flight and impact; does that stop the slip?
+template <class T>
+bool goes_on_to_stick(const ContactScene<T>& scene, const RestOfChatter<T>& rest, SlipSoFar<T>& slip) {
+    const T flight = T(2) * slip.v / rest.acceleration;
+    slip.way += (slip.ut + T(0.5) * rest.along * flight) * flight;
+    ContactKinematics<T> u = rest.u;
+    u.un = slip.v;
+    u.ut = slip.ut + rest.along * flight;
+    const Impulse<T> j = impulse_by_law(scene, u, scene.restitution);
+    slip.v = u.b2() * j.normal + u.b3() * j.tangential - u.un;
+    slip.ut = u.ut + u.b3() * j.normal + u.b1() * j.tangential;
+    return ends_in_stick(j.mode);
 }
 
 /// How many times as long as by e chatter lasts where its impacts come to stick, and rebound at e′ from then on: (1 −
@@ -160,7 +182,7 @@ Plain<T> longer_by_sticking(const ContactScene<T>& scene, const RestOfChatter<T>
     const T ratio = friction_ratio_of(scene, u.ut);
     // Beyond Painlevé's border the next impact stops the slip.
     const bool stops = plain(abs(u.ut)) <= least || plain(T(u.b2() + u.b3() * ratio)) <= 0;
-    if (!stops && !share_that_slides(scene, rest, change_by_sliding(scene, rest, ratio))) return 1;
+    if (!stops && !share_that_slides(scene, {T(-u.un), u.ut}, change_by_sliding(scene, rest, ratio))) return 1;
     const std::optional<T> rebound = rebound_while_stuck(scene, rest);
     if (!rebound || !lasts_too_long(scene, *rebound)) return 1;
     const Plain<T> lost = 1 - plain(*rebound);
@@ -191,29 +213,27 @@ template <class T>
 WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& rest, ContactState<T> landing,
                          const Plain<T>& least, const Plain<T>& longest) {
     using std::abs;
-    ContactKinematics<T> u = rest.u;
+    const ContactKinematics<T>& u = rest.u;
+    const SlipSoFar<T> begin{T(-u.un), u.ut};
     const bool holds = plain(abs(u.b3())) <= plain(T(scene.mu * u.b1()));
     bool stuck = plain(abs(u.ut)) <= least;
-    std::optional<SlipSoFar<T>> slip = holds && !stuck ? slide_on(scene, rest) : SlipSoFar<T>{T(-u.un), u.ut};
+    std::optional<SlipSoFar<T>> slip = holds && !stuck ? slide_on(scene, rest, begin) : begin;
     if (!slip) return {};
-    const int most_impacts = holds ? 8 : 1000;  // two that slide, one that sticks, and room for rounding
+    const int most_impacts = holds ? 8 : 1000;  // two before a flight turns the slip, two after, one that sticks; room
     for (int i = 0; i < most_impacts && plain(slip->v) > least; ++i) {
         if (stuck) {
             if (const auto on = way_while_stuck(scene, rest, slip->v)) return {on->rests, slip->way + on->distance};
             if (holds) {
-                const T change = change_by_sliding(scene, rest, friction_ratio_of(scene, rest.along));
-                slip = slide(scene, rest, *slip, change, T(0));
+                slip = slide_to_the_end(scene, rest, *slip, rest.along);
                 break;
             }
         }
-        const T flight = T(2) * slip->v / rest.acceleration;
-        slip->way += (slip->ut + T(0.5) * rest.along * flight) * flight;
-        u.un = slip->v;
-        u.ut = slip->ut + rest.along * flight;
-        const Impulse<T> j = impulse_by_law(scene, u, scene.restitution);
-        slip->v = u.b2() * j.normal + u.b3() * j.tangential - u.un;
-        slip->ut = u.ut + u.b3() * j.normal + u.b1() * j.tangential;
-        stuck = ends_in_stick(j.mode);
+        const bool forward = plain(slip->ut) > 0;
+        stuck = goes_on_to_stick(scene, rest, *slip);
+        const bool turned = !stuck && forward != plain(slip->ut) > 0;  // by the flight
+        if (!(holds && turned)) continue;
+        const auto on = slide_on(scene, rest, *slip);
+        slip = on ? *on : slide_to_the_end(scene, rest, *slip, slip->ut);
     }
     if (plain(slip->v) > least) return {};
     landing.ut = stuck && plain(abs(slip->ut)) <= least ? T(0) : slip->ut;

@@ -32,21 +32,49 @@ struct Fall {
     double at_v, at_tenth;
 };
 
-/// The slip is 0, and every impact has to stick, or it is not, and they come to stick.
-Fall fall_of(const Scene<double>& s, const SectionPoint<double>& z, double v, double slip) {
+/// How chatter stops the slip.
+enum class Stop {
+    throughout,  ///< the slip is 0, and every impact sticks
+    by_impact,   ///< impacts come to stick
+    by_contact   ///< a flight turns the slip round, no impact sticks, and contact stops it
+};
+
+/// Once contact has stopped the slip with which chatter ends.
+Accumulation stopped_by_contact(const ContactScene<Quad>& scene, Accumulation end) {
+    const Support support = scene.is_disk() ? Support::rim : Support::vertex;
+    const ContactState<Quad> state{end.psi, end.chi, end.ut, end.spin};
+    const ContactMotion motion = choose_motion(scene, support, state, 0).motion;
+    const ContactEnd<Quad> contact = run_contact(scene, support, motion, state, end.time);
+    end.found = end.found && contact.event == ContactEvent::stick;
+    end.rests = true;
+    end.time += contact.sums.time;
+    end.psi = contact.state.psi;
+    end.chi = contact.state.chi;
+    end.ut = 0;
+    end.spin = contact.state.spin;
+    return end;
+}
+
+Fall fall_of(const Scene<double>& s, const SectionPoint<double>& z, double v, double slip, Stop stop) {
     const ContactScene<Quad> scene = tests::contact_of(tests::scene_in<Quad>(s));
     const auto error = [&](double leaving) {
         const PostImpactState<Quad> from = leaving_at(scene, z, leaving, slip);
         if (!(chatter_error(scene, from).moved <= Quad(0.01 * leaving))) return -1.0;
-        const Accumulation end = impact_by_impact(s, from, Quad(1e-29));
-        return end.found && (slip == 0 ? end.sticks : end.rests) ? difference_from(scene, from, end) : -1.0;
+        if (!can_stick(scene, from)) return -1.0;
+        Accumulation end = impact_by_impact(s, from, Quad(1e-29));
+        if (stop == Stop::by_contact) {
+            if (!end.found || end.rests || end.ut * Quad(slip) > 0) return -1.0;
+            end = stopped_by_contact(scene, end);
+        }
+        const bool stops = stop == Stop::throughout ? end.sticks : end.rests;
+        return end.found && stops ? difference_from(scene, from, end) : -1.0;
     };
     return {error(v), error(0.1 * v)};
 }
 
 /// What error(v/10)/error(v) is in drawn scenes of N sides, ascending.
 ///   most_slip  of |u_t|/v, which is drawn
-std::vector<double> falls(int sides, Law law, int count, std::uint64_t seed, double most_slip) {
+std::vector<double> falls(int sides, Law law, int count, std::uint64_t seed, double most_slip, Stop stop) {
     tests::Random random(seed);
     std::vector<double> ratios;
     for (int i = 0; i < count; ++i) {
@@ -55,7 +83,7 @@ std::vector<double> falls(int sides, Law law, int count, std::uint64_t seed, dou
         const SectionPoint<double> z = tests::random_point(random, s, 0);
         if (std::abs(z.chi) > 0.9 * tests::largest_chi(s) && sides != disk_sides) continue;
         const double slip = most_slip == 0 ? 0 : random.between(-most_slip, most_slip);
-        const Fall fall = fall_of(s, z, 1e-5, slip);
+        const Fall fall = fall_of(s, z, 1e-5, slip, stop);
         if (fall.at_v > 0 && fall.at_tenth >= 0) ratios.push_back(fall.at_tenth / fall.at_v);
     }
     std::sort(ratios.begin(), ratios.end());
@@ -189,11 +217,12 @@ TEST(StickingChatter, IsStoppedAtOnceBeyondPainlevesBorder) {
 }
 
 /// T falls by 10 with v. Without the motion along the wall the error is of second order, and falls by 100.
-void expect_third_order(double most_slip) {
+void expect_third_order(double most_slip, Stop stop) {
+    const int disks = stop == Stop::by_contact ? 1000 : 40, polygons = stop == Stop::by_contact ? 1200 : 400;
     for (const int sides : {disk_sides, 3, 4, 12})
         for (const Law law : {Law::poisson, Law::newton, Law::stronge}) {
             if (sides == disk_sides && law != Law::poisson) continue;  // the disk's laws coincide
-            const auto ratios = falls(sides, law, sides == disk_sides ? 40 : 400, 7, most_slip);
+            const auto ratios = falls(sides, law, sides == disk_sides ? disks : polygons, 7, most_slip, stop);
             ASSERT_GE(ratios.size(), 5U) << sides;
             std::printf("%2d sides, %s: %zu sequences, error(v/10)/error(v) median %.3g, largest %.3g\n", sides,
                         std::string(name_of(law)).c_str(), ratios.size(), ratios[ratios.size() / 2], ratios.back());
@@ -204,10 +233,13 @@ void expect_third_order(double most_slip) {
 }
 
 TEST(StickingChatter, LeavesAnErrorOfThirdOrder) {
-    expect_third_order(0);
+    expect_third_order(0, Stop::throughout);
 }
 TEST(StickingChatter, LeavesAnErrorOfThirdOrderWhereItStopsASlip) {
-    expect_third_order(2);
+    expect_third_order(2, Stop::by_impact);
+}
+TEST(StickingChatter, LeavesAnErrorOfThirdOrderWhereContactStopsASlipThatAFlightHasTurned) {
+    expect_third_order(2, Stop::by_contact);
 }
 
 }  // namespace

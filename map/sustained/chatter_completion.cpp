@@ -2,6 +2,8 @@
 
 #include "map/map_list.hpp"
 #include "map/sustained/contact_jets.hpp"
+#include "map/sustained/edge_landing.hpp"
+#include "map/sustained/end_of_chatter.hpp"
 #include "map/sustained/reaction.hpp"
 #include "map/sustained/removal.hpp"
 #include "map/sustained/sticking_chatter.hpp"
@@ -15,48 +17,6 @@ namespace swirl {
 namespace {
 
 using std::abs, std::atan2, std::copysign, std::cos, std::isnan, std::sin;
-
-/// The acceleration towards the wall of the point that touches, in free flight with u_n = 0.
-template <class T>
-T free_acceleration(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const T& ut) {
-    const Body<T>& body = scene.body;
-    const T wn = body.beta * post_impact.psi.x;
-    if (scene.is_disk()) {
-        const T along = ut - body.alpha * post_impact.spin;
-        return wn + along * along / body.inner;
-    }
-    return wn + ut * ut - post_impact.spin * post_impact.spin * body.alpha * post_impact.chi.x;
-}
-
-template <class T>
-struct Touch {
-    bool rests;    ///< the normal velocity is zero within rounding, or chatter has ended
-    bool pressed;  ///< in free flight it would accelerate into the wall
-    T error;
-};
-
-template <class T>
-bool is_still(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
-    return abs(contact_kinematics(scene.body, post_impact).un) <= velocity_rounding(scene, post_impact);
-}
-
-///   rocks  the neighbour rests on the wall: the body rocks about it, and what impacts that stick in free flight would
-///          do says nothing
-template <class T>
-Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, bool rocks) {
-    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
-    const T acceleration = free_acceleration(scene, post_impact, u.ut);
-    if (is_still(scene, post_impact)) return {true, acceleration > 0, T(0)};
-    const ChatterError<T> error = chatter_error(scene, post_impact);
-    bool rests = u.un < 0 && error.moved <= chatter_tolerance<T>();
-    if (rests && !rocks && scene.mu > T(0)) {
-        const T at_rest = free_acceleration(scene, post_impact, T(0));
-        const RestOfChatter<T> rest = rest_of_chatter(scene, post_impact, at_rest);
-        rests = error.moved * longer_by_sticking(scene, rest, velocity_rounding(scene, post_impact)) <=
-                chatter_tolerance<T>();
-    }
-    return {rests, acceleration > 0, error.estimate};
-}
 
 /// Removes v by the impulses p and q, the differences of chatter's from contact's.
 template <class T>
@@ -129,17 +89,6 @@ T second_order(const ContactScene<T>& scene, const Slip<T>& slip, const ContactS
     const T a_rate = wt * abs(contact.ut - 1) + 2 * abs(contact.ut * change.ut_rate) +
                      2 * abs(contact.spin * change.spin_rate) * rn + spin2 * abs(contact.spin - contact.ut) * rt;
     return (rate * (rate + a_rate / abs(a)) + faster) * (1 + impulse_change(scene, slip, contact.chi));
-}
-
-/// The rate at which an edge turns about the container's centre once its rocking has ended: the angular momentum about
-/// that centre is conserved, since normal impulses point at it.
-template <class T>
-T edge_rate(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
-    const Body<T>& body = scene.body;
-    const Vec2<T> place{T(1) - body.alpha * post_impact.chi.x, -(body.alpha * post_impact.chi.y)};
-    const Vec2<T> velocity{post_impact.vn - body.beta * post_impact.psi.y,
-                           post_impact.vt - body.beta * post_impact.psi.x};
-    return (cross(place, velocity) + body.inertia * post_impact.spin) / (dot(place, place) + body.inertia);
 }
 
 /// The distance an edge slides after landing until friction holds it; infinite if friction does not. Where no sliding
@@ -216,32 +165,31 @@ ChatterCompletion<T> chatter_completion(const ContactScene<T>& scene, const Post
     ChatterCompletion<T> completion;
     bool there_rests = false;
     bool there_approaches = false;
-    bool rocks = false;
+    OnEdge<T> edge;
     PostImpactState<T> neighbour;
     Touch<T> there{false, false, T(0)};
     if (!scene.is_disk()) {
         const T apart = abs(abs(atan2(post_impact.chi.y, post_impact.chi.x)) - scene.widest_chi);
         if (apart <= neighbour_tolerance<T>()) {
             neighbour = seen_from_neighbour(scene, post_impact);
-            rocks = is_still(scene, neighbour);
-            there = touch_of(scene, neighbour, is_still(scene, post_impact));
+            edge = on_edge(scene, post_impact, neighbour);
+            there = touch_of(scene, neighbour, on_edge(scene, neighbour, post_impact));
             there_rests = there.rests;
             there_approaches =
                 !there.rests && apart <= chatter_tolerance<T>() && contact_kinematics(scene.body, neighbour).un > 0;
         }
     }
-    const Touch<T> here = touch_of(scene, post_impact, rocks);
+    const Touch<T> here = touch_of(scene, post_impact, edge);
     const int step = post_impact.chi.y > 0 ? -1 : 1;
     if (here.rests && there_rests) {
         const bool clockwise = post_impact.chi.y < 0;
-        completion = {true,
-                      Support::edge,
-                      contact_state(scene, clockwise ? post_impact : neighbour),
-                      clockwise ? 0 : step,
-                      std::max(here.error, there.error),
-                      T(0)};
+        const PostImpactState<T>& first = clockwise ? post_impact : neighbour;
+        completion = {
+            true, Support::edge, contact_state(scene, first), clockwise ? 0 : step, std::max(here.error, there.error),
+            T(0)};
         completion.state.chi = -scene.widest_chi;
-        // The slip of one vertex includes the remaining rocking on the other.
+        if (abs(completion.state.ut) > velocity_rounding(scene, post_impact))
+            completion.state.ut = edge_rate(scene, first);
         const bool still = scene.mu > 0 && (abs(completion.state.ut) <= velocity_rounding(scene, post_impact) ||
                                             slide_of(scene, completion.state) <= chatter_tolerance<T>());
         completion.state.ut = completion.state.spin = still ? T(0) : completion.state.ut;

@@ -3,6 +3,7 @@
 #include "map/map_list.hpp"
 #include "map/sustained/chatter_completion.hpp"
 #include "map/sustained/reaction.hpp"
+#include "map/sustained/rocking.hpp"
 
 #include <boost/math/tools/roots.hpp>
 
@@ -246,12 +247,10 @@ Failure<T> failure_in_parts(const Problem<T>& problem, const Step<T>& step, cons
 
 template <class T>
 bool ends_second_chatter(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z) {
-    const Reaction<T> r = reaction_of(scene, Support::vertex, motion, z);
-    const int side = z.chi > 0 ? -1 : 1;
-    const T lever = scene.body.alpha * abs(sin(z.chi) - sin(z.chi + side * scene.body.spacing));
-    const T acceleration = lever * side * -(r.spin_rate - r.ut_rate);
-    const T v = scene.restitution * lever * abs(z.spin - z.ut);
-    return acceleration > 0 && 2 * v * v <= chatter_tolerance<T>() * acceleration * (1 - scene.restitution);
+    const Rocking<T> rocking = rocking_of(scene, motion, z);
+    const T v = scene.restitution * rocking.lever * abs(z.spin - z.ut);
+    return rocking.acceleration > 0 &&
+           2 * v * v <= chatter_tolerance<T>() * rocking.acceleration * (1 - scene.restitution);
 }
 
 template <class T>

@@ -230,7 +230,7 @@ WayToRest<T> way_to_rest(const ContactScene<T>& scene, const RestOfChatter<T>& r
         }
         const bool forward = plain(slip->ut) > 0;
         stuck = goes_on_to_stick(scene, rest, *slip);
-        const bool turned = !stuck && forward != plain(slip->ut) > 0;  // by the flight
+        const bool turned = !stuck && forward != (plain(slip->ut) > 0);  // by the flight
         if (!(holds && turned)) continue;
         const auto on = slide_on(scene, rest, *slip);
         slip = on ? *on : slide_to_the_end(scene, rest, *slip, slip->ut);

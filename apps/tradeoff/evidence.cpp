@@ -166,7 +166,7 @@ Evidence gather_evidence(const Scene<double>& scene, const OrbitStarts& starts, 
     const Block first{0, std::min(first_starts, starts.count)};
     std::vector<Level> levels = judge_levels(scene, starts, first, ladder, budget, output);
     Evidence evidence;
-    evidence.whole = levels.size() == ladder.size();
+    evidence.whole = evidence.judged_most = levels.size() == ladder.size();
     if (levels.empty()) return evidence;
     const auto reached = std::span(ladder).first(levels.size());
     add_starts(scene, starts, reached, budget.spent() - begin, budget, output, levels);

@@ -34,6 +34,7 @@ struct Evidence {
     std::vector<EvidenceRung> rungs;             ///< by rising number of impacts
     std::optional<analysis::EscapeRate> escape;  ///< of the verdicts on the most; none where no run was in chaos
     bool whole = true;                           ///< false: the budget was spent before
+    bool judged_most = true;                     ///< false: … before the most impacts were judged
 };
 
 /// The numbers of impacts: 100, 300, 1000, 3000 … up to `most`.

@@ -48,11 +48,14 @@ std::string evidence_in_words(const Tradeoff& found) {
     const auto used = std::find_if(rungs.begin(), rungs.end(), [&](const EvidenceRung& rung) {
         return rung.collisions == (found.enough_collisions > 0 ? found.enough_collisions : rungs.back().collisions);
     });
-    std::string words = fmt::format(" with {0} + {0} impacts ({1:.2g} s an orbit; ", used->collisions, used->seconds);
+    const bool more_are_unknown = used + 1 == rungs.end() && !found.evidence.judged_most;
+    std::string words = fmt::format(" with {2}{0} + {0} impacts ({1:.2g} s an orbit; ", used->collisions, used->seconds,
+                                    more_are_unknown ? "at least " : "");
     if (used->mean_spin_error > 0) words += fmt::format("mean S is sampled to {:.1g}; ", used->mean_spin_error);
     if (used + 1 != rungs.end())
         return words + fmt::format("compared with {0} + {0} {1}, and less than {2:g} % on every number between)",
                                    rungs.back().collisions, changed_in_words(*used), 100 * may_change);
+    if (more_are_unknown) return words + "the budget ended before more were judged: give a larger --budget)";
     if (rungs.size() < 2) return words + "fewer were not tried)";
     const EvidenceRung& fewer = rungs[rungs.size() - 2];
     return words + fmt::format("on {0} + {0} {1}, where less than {2:g} % would do)", fewer.collisions,
@@ -111,6 +114,8 @@ std::string obstacle(const Tradeoff& found) {
     const DrawnFlights& drawn = found.drawn;
     if (drawn.flights.empty() && drawn.steps > 0)
         return "every step of this orbit leads through contact, and rungs are compared on flights: nothing to compare";
+    if (drawn.flights.empty() && drawn.outcome == Outcome::completed)
+        return "the budget was spent before flights were drawn: give a larger --budget";
     if (drawn.flights.empty())
         return fmt::format("no flight ends in an impact: {} after {} impacts", name_of(drawn.outcome), drawn.impacts);
     if (found.compared == 0) return "the budget was spent before rungs were compared: give a larger --budget";

@@ -80,6 +80,8 @@ def limit_abscissa(axes, look, kind, record):
         if math.isfinite(least) and (least > look.xlim[1] or most < look.xlim[0]):
             raise RecordError(f"xlim = {look.xlim[0]:g}:{look.xlim[1]:g}: record '{record.path}' has nothing to draw there, "
                               f"only from {least:.6g} to {most:.6g}")
+        if panel.get_xscale() == "log" and look.xlim[0] <= 0:
+            raise RecordError(f"xlim = {look.xlim[0]:g}:{look.xlim[1]:g}: the abscissa is logarithmic, both must be above 0")
         panel.set_xlim(look.xlim)
 
 

@@ -172,7 +172,8 @@ def size(record, look):
 
 
 def draw_into(figure, record, look):
-    """Work against precision, and beside it (in a column: below it) the evidence and the model."""
+    """Work against precision, and beside it (in a column: below it) the evidence and the model: three abscissas, none of
+    which --xlim limits."""
     if "model" not in record:
         raise RecordError(f"record '{record.path}' holds no times ({record.attributes('result').get('reason', '')}): "
                           "there is nothing to draw")
@@ -188,4 +189,4 @@ def draw_into(figure, record, look):
         _draw_evidence(panels[0], record)
     _draw_model(panels[1], record)
     look.title(figure, scene_title(record.scene()))
-    return [axes]
+    return []

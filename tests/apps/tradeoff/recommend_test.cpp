@@ -80,6 +80,24 @@ TEST_F(Recommendation, EightStartsOfWhichNoneChangesDoNotTellThatFewerImpactsAre
         << found.advice;
 }
 
+TEST_F(Recommendation, MoreImpactsAreAskedForWhereTheBudgetEndedBeforeTheMostWereJudged) {
+    Tradeoff found = of({verdicts(100, 0, 8)});
+    found.evidence.judged_most = false;
+    recommend(found);
+    EXPECT_NE(found.advice.find("with at least 100 + 100 impacts"), std::string::npos) << found.advice;
+    EXPECT_NE(found.advice.find("the budget ended before more were judged: give a larger --budget"), std::string::npos)
+        << found.advice;
+}
+
+TEST_F(Recommendation, NoFlightsOfAnOrbitThatGoesOnAreForWantOfABudget) {
+    Tradeoff found = of({});
+    found.drawn.flights.clear();
+    found.drawn.outcome = Outcome::completed;
+    recommend(found);
+    EXPECT_EQ(found.recommended, nullptr);
+    EXPECT_EQ(found.reason, "the budget was spent before flights were drawn: give a larger --budget");
+}
+
 TEST_F(Recommendation, WhatALargerNumberDoesNotShowASmallerOneDoesNotEither) {
     const auto rungs = {verdicts(100, 0, 64), verdicts(300, 12, 64), verdicts(1000, 0, 64), verdicts(3000, 9, 64),
                         verdicts(10000, 0, 64)};

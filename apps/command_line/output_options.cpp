@@ -21,7 +21,7 @@ void OutputOptions::add_to(Flags& app, bool with_record) {
         app.add_flag("--force", force, "replace an existing file that is not a record of this command")
             ->group("Output");
     }
-    app.add_flag("--quiet", quiet, "no progress and no messages")->group("Output");
+    app.add_flag("--quiet", quiet, "no progress, no messages and no table")->group("Output");
     app.add_option("--threads", threads, "threads (default all); results do not depend on it")
         ->type_name("T")
         ->transform(whole_number(0, 4096))

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <string>
+#include <string_view>
 
 namespace swirl::apps {
 
@@ -37,6 +39,11 @@ Program::Action Program::called(int argc, char** argv) {
             std::cout.flush();
             return static_cast<int>(exit_done);
         };
+    } catch (const CLI::ConversionError& error) {
+        constexpr std::string_view lead = "Could not convert: ";
+        const std::string_view what = error.what();
+        if (what.substr(0, lead.size()) != lead) throw BadInput(error.what());
+        throw BadInput(std::string(what.substr(lead.size())) + ": not a number that this option takes");
     } catch (const CLI::ParseError& error) {
         throw BadInput(error.what());
     }

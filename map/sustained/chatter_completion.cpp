@@ -108,6 +108,18 @@ T slide_of(const ContactScene<T>& scene, const ContactState<T>& landed) {
     return slowing > 0 ? T(landed.ut * landed.ut / (2 * slowing)) : std::numeric_limits<T>::infinity();
 }
 
+/// An edge of which `first` is the clockwise vertex: it slides as its impulses leave it, or friction stops it at once.
+template <class T>
+ChatterCompletion<T> landed_edge(const ContactScene<T>& scene, const PostImpactState<T>& first) {
+    ContactState<T> state = contact_state(scene, first);
+    state.chi = -scene.widest_chi;
+    state.ut = edge_rate(scene, first);
+    const bool still = scene.mu > 0 && (abs(state.ut) <= velocity_rounding(scene, first) ||
+                                        slide_of(scene, state) <= chatter_tolerance<T>());
+    state.ut = state.spin = still ? T(0) : state.ut;
+    return {true, Support::edge, state, 0, T(0), T(0)};
+}
+
 /// Sets χ to ±χ_m if it is `apart` from it or less: the neighbour touches, too. Left an ulp inside, the neighbour
 /// would fall by an ulp and gain a velocity of order √ε = 10⁻⁸ that it did not have: where two vertices strike in turn,
 /// this gain balances the loss at each strike and the alternation does not end.
@@ -163,48 +175,38 @@ ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<
 template <class T>
 ChatterCompletion<T> chatter_completion(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
     ChatterCompletion<T> completion;
-    bool there_rests = false;
     bool there_approaches = false;
-    OnEdge<T> edge;
     PostImpactState<T> neighbour;
-    Touch<T> there{false, false, T(0)};
-    if (!scene.is_disk()) {
-        const T apart = abs(abs(atan2(post_impact.chi.y, post_impact.chi.x)) - scene.widest_chi);
-        if (apart <= neighbour_tolerance<T>()) {
-            neighbour = seen_from_neighbour(scene, post_impact);
-            edge = on_edge(scene, post_impact, neighbour);
-            there = touch_of(scene, neighbour, on_edge(scene, neighbour, post_impact));
-            there_rests = there.rests;
-            there_approaches =
-                !there.rests && apart <= chatter_tolerance<T>() && contact_kinematics(scene.body, neighbour).un > 0;
-        }
+    EdgeTouch<T> edge;
+    const T apart = scene.is_disk() ? std::numeric_limits<T>::infinity()
+                                    : T(abs(abs(atan2(post_impact.chi.y, post_impact.chi.x)) - scene.widest_chi));
+    if (apart <= neighbour_tolerance<T>()) {
+        neighbour = seen_from_neighbour(scene, post_impact);
+        edge = edge_touch(scene, post_impact, neighbour);
+        there_approaches =
+            !edge.there.rests && apart <= chatter_tolerance<T>() && contact_kinematics(scene.body, neighbour).un > 0;
+    } else {
+        edge.here = touch_of(scene, post_impact, {});
     }
-    const Touch<T> here = touch_of(scene, post_impact, edge);
     const int step = post_impact.chi.y > 0 ? -1 : 1;
-    if (here.rests && there_rests) {
+    const bool lands_there = edge.there.rests && edge.there.pressed;
+    if (edge.lies) {
         const bool clockwise = post_impact.chi.y < 0;
-        const PostImpactState<T>& first = clockwise ? post_impact : neighbour;
-        completion = {
-            true, Support::edge, contact_state(scene, first), clockwise ? 0 : step, std::max(here.error, there.error),
-            T(0)};
-        completion.state.chi = -scene.widest_chi;
-        if (abs(completion.state.ut) > velocity_rounding(scene, post_impact))
-            completion.state.ut = edge_rate(scene, first);
-        const bool still = scene.mu > 0 && (abs(completion.state.ut) <= velocity_rounding(scene, post_impact) ||
-                                            slide_of(scene, completion.state) <= chatter_tolerance<T>());
-        completion.state.ut = completion.state.spin = still ? T(0) : completion.state.ut;
+        completion = landed_edge(scene, clockwise ? post_impact : neighbour);
+        completion.vertex_step = clockwise ? 0 : step;
+        completion.error = std::max(edge.here.error, edge.there.error);
         completion.jacobi =
             jacobi_of(scene.body, post_impact_state(scene, completion.state)) - jacobi_of(scene.body, post_impact);
-    } else if (here.rests && here.pressed) {
-        completion = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, here.error, T(0)};
+    } else if (edge.here.rests && edge.here.pressed && !(lands_there && edge.there_lasts)) {
+        completion = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, edge.here.error, T(0)};
         completion.state = landed(scene, post_impact, completion.jacobi);
         keep_neighbour_at_wall(scene, chatter_tolerance<T>(), completion.state);
-    } else if (there_rests && there.pressed) {
-        completion = {true, Support::vertex, {}, step, there.error, T(0)};
+    } else if (lands_there) {
+        completion = {true, Support::vertex, {}, step, edge.there.error, T(0)};
         completion.state = landed(scene, neighbour, completion.jacobi);
         keep_neighbour_at_wall(scene, neighbour_tolerance<T>(), completion.state);  // known only to its rebound
     } else {
-        completion.struck = here.rests && there_approaches;
+        completion.struck = edge.here.rests && there_approaches;
     }
     return completion;
 }

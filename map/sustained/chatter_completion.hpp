@@ -93,7 +93,7 @@ bool rests_still(const ContactScene<T>& scene, const ChatterCompletion<T>& compl
 
 /// The state in contact of a post-impact state `near` to `base`, whose completion is given: u_n is removed with the
 /// same friction on the same support, for either sign of u_n. Smooth in `near` as long as the same impact stops the
-/// slip, so that it can be differentiated. On an edge the friction during the decay of rocking is neglected.
+/// slip, so that it can be differentiated; so is an edge (`edge_rate`).
 template <class T>
 ContactState<T> landed_like(const ContactScene<T>& scene, const PostImpactState<T>& base,
                             const ChatterCompletion<T>& completion, const PostImpactState<T>& near);

@@ -3,6 +3,8 @@
 
 #include "map/sustained/contact_state.hpp"
 
+#include <optional>
+
 namespace swirl {
 
 /// Velocities of an edge as two impulses change them: of either vertex towards the wall, and S.
@@ -27,17 +29,14 @@ PostImpactState<T> after_unit_impulse(const ContactScene<T>& scene, PostImpactSt
     return z;
 }
 
-/// S = ν′ with which an edge lands while it slides: chatter and rocking of the two vertices leave what contact does
-/// not, as much of either's normal impulse as removes both u_n, with −sμ of it along the wall. By p₁ and p₂ with
+/// S = ν′ once as much of either vertex' normal impulse as removes both u_n has acted, with `ratio` of it along the
+/// wall, by p₁ and p₂ with
 ///
-///     u_n,1 + p₁ ∂u_n,1/∂p₁ + p₂ ∂u_n,1/∂p₂ = 0 = u_n,2 + p₁ ∂u_n,2/∂p₁ + p₂ ∂u_n,2/∂p₂.
+///     u_n,1 + p₁ ∂u_n,1/∂p₁ + p₂ ∂u_n,1/∂p₂ = 0 = u_n,2 + p₁ ∂u_n,2/∂p₁ + p₂ ∂u_n,2/∂p₂;
 ///
-/// Without friction where their determinant is not positive: the slip would jam.
-///   z  on either vertex, |χ| = χ_m
+/// nothing where their determinant is not positive: the slip would jam.
 template <class T>
-T edge_rate(const ContactScene<T>& scene, const PostImpactState<T>& z, bool with_friction = true) {
-    const T ut = contact_kinematics(scene.body, z).ut;
-    const T ratio = !with_friction ? T(0) : plain(ut) > 0 ? T(-scene.mu) : scene.mu;
+std::optional<T> edge_rate_with(const ContactScene<T>& scene, const PostImpactState<T>& z, const T& ratio) {
     const EdgeVelocities<T> before = edge_velocities(scene, z);
     const EdgeVelocities<T> a = edge_velocities(scene, after_unit_impulse(scene, z, ratio));
     const PostImpactState<T> struck = after_unit_impulse(scene, seen_from_neighbour(scene, z), ratio);
@@ -45,10 +44,25 @@ T edge_rate(const ContactScene<T>& scene, const PostImpactState<T>& z, bool with
     const T a1 = a.here - before.here, a2 = a.there - before.there;
     const T b1 = b.here - before.here, b2 = b.there - before.there;
     const T determinant = a1 * b2 - a2 * b1;
-    if (with_friction && !(plain(determinant) > 0)) return edge_rate(scene, z, false);
+    if (!(plain(determinant) > 0)) return {};
     const T p = (b1 * before.there - b2 * before.here) / determinant;
     const T q = (a2 * before.here - a1 * before.there) / determinant;
-    return before.spin + p * (a.spin - before.spin) + q * (b.spin - before.spin);
+    return T(before.spin + p * (a.spin - before.spin) + q * (b.spin - before.spin));
+}
+
+/// S = ν′ with which an edge lands: chatter and rocking of the two vertices leave what contact does not, with −sμ of it
+/// along the wall, s the sense in which the edge then slides: the one in which it did, or the other if friction does
+/// not let that be; 0 where it lets neither. Without friction where the slip would jam.
+///   z  on either vertex, |χ| = χ_m
+template <class T>
+T edge_rate(const ContactScene<T>& scene, const PostImpactState<T>& z) {
+    const bool forward = plain(contact_kinematics(scene.body, z).ut) > 0;
+    for (const bool sense : {forward, !forward}) {
+        const std::optional<T> rate = edge_rate_with(scene, z, sense ? T(-scene.mu) : scene.mu);
+        if (!rate || scene.mu == T(0)) return *edge_rate_with(scene, z, T(0));
+        if (sense == (plain(*rate) > 0)) return *rate;
+    }
+    return T(0);
 }
 
 }  // namespace swirl

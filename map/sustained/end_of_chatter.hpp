@@ -6,6 +6,7 @@
 #include "map/sustained/rocking.hpp"
 #include "map/sustained/sticking_chatter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -25,9 +26,10 @@ T free_acceleration(const ContactScene<T>& scene, const PostImpactState<T>& post
 
 template <class T>
 struct Touch {
-    bool rests;    ///< the normal velocity is zero within rounding, or chatter has ended
-    bool pressed;  ///< in free flight it would accelerate into the wall
-    T error;
+    bool rests = false;    ///< the normal velocity is zero within rounding, or chatter has ended
+    bool on_edge = false;  ///< the same, as a vertex of an edge whose other one is in contact
+    bool pressed = false;  ///< in free flight it would accelerate into the wall
+    T error{};
 };
 
 template <class T>
@@ -56,47 +58,76 @@ std::optional<T> rocking_about(const ContactScene<T>& scene, const PostImpactSta
     return rocking_of(scene, choice.motion, choice.state).acceleration;
 }
 
-/// A vertex leaves while its neighbour rests on the wall.
+/// The slip of an edge: that of the vertex that rests, zero where it is rounding.
 template <class T>
-struct OnEdge {
-    bool rocks = false;       ///< the neighbour does rest: the body rocks about it
-    std::optional<T> back{};  ///< the acceleration of the one that leaves, where the other stays
-    bool rolls_over = false;  ///< once it is back the neighbour would leave for good
+T edge_slip(const ContactScene<T>& scene, const PostImpactState<T>& here, const PostImpactState<T>& there) {
+    using std::abs;
+    const PostImpactState<T>& of = is_still(scene, there) ? there : here;
+    const T ut = contact_kinematics(scene.body, of).ut;
+    return abs(ut) <= velocity_rounding(scene, of) ? T(0) : ut;
+}
+
+/// The other vertex of an edge.
+template <class T>
+struct Neighbour {
+    bool still = false;       ///< it rests on the wall
+    std::optional<T> back{};  ///< if it stays there: how rocking about it brings this one back (`rocking_about`)
+};
+
+/// Has its chatter ended? In free flight, and by impacts that stick as long as the neighbour is off the wall; as a
+/// vertex of an edge with the slower of free flight and rocking. No slip beyond Painlevé's border ends it.
+template <class T>
+Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const Neighbour<T>& neighbour) {
+    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
+    const T acceleration = free_acceleration(scene, post_impact, u.ut);
+    const bool pressed = acceleration > 0;
+    if (is_still(scene, post_impact)) return {true, true, pressed, T(0)};
+    if (!(u.un < 0) || (scene.mu > T(0) && slips_beyond_painleve(scene, post_impact)))
+        return {false, false, pressed, T(0)};
+    const ChatterError<T> error = chatter_error(scene, post_impact);
+    Touch<T> touch{error.moved <= chatter_tolerance<T>(), false, pressed, error.estimate};
+    if (neighbour.back && *neighbour.back > 0) {
+        const T longer = std::max(T(1), T(acceleration / *neighbour.back));
+        touch.on_edge = error.moved * longer <= chatter_tolerance<T>();
+        if (touch.on_edge) touch.error *= longer * longer;
+    }
+    if (neighbour.still) {
+        touch.rests = touch.rests && !neighbour.back;  // else the body rocks about the neighbour
+        return touch;
+    }
+    if (touch.rests && scene.mu > T(0)) {
+        const T at_rest = free_acceleration(scene, post_impact, T(0));
+        const RestOfChatter<T> rest = rest_of_chatter(scene, post_impact, at_rest);
+        touch.rests = error.moved * longer_by_sticking(scene, rest, velocity_rounding(scene, post_impact)) <=
+                      chatter_tolerance<T>();
+    }
+    return touch;
+}
+
+/// The vertex that struck and its neighbour, which touches, too.
+template <class T>
+struct EdgeTouch {
+    Touch<T> here, there;
+    bool lies = false;         ///< the edge does: both are still, or rocking about either brings the other back
+    bool there_lasts = false;  ///< about the neighbour this one leaves for good
 };
 
 template <class T>
-OnEdge<T> on_edge(const ContactScene<T>& scene, const PostImpactState<T>& leaves, const PostImpactState<T>& neighbour) {
-    using std::abs;
-    if (!is_still(scene, neighbour) || is_still(scene, leaves)) return {is_still(scene, neighbour), {}, false};
-    const T slip = contact_kinematics(scene.body, neighbour).ut;  // that of both, as v vanishes
-    const T ut = abs(slip) <= velocity_rounding(scene, neighbour) ? T(0) : slip;
-    const std::optional<T> then = rocking_about(scene, leaves, ut);
-    return {true, rocking_about(scene, neighbour, ut), then && *then <= T(0)};
-}
-
-/// Does v come to nothing? Where the body rocks about a neighbour that stays, v comes back as that rocking has it; else
-/// impacts that stick, and a slip beyond Painlevé's border, may make the rest of chatter longer.
-template <class T>
-Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const OnEdge<T>& edge) {
-    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
-    const T acceleration = free_acceleration(scene, post_impact, u.ut);
-    if (is_still(scene, post_impact)) return {true, acceleration > 0, T(0)};
-    ChatterError<T> error = chatter_error(scene, post_impact);
-    if (edge.back) {
-        const T longer = acceleration / *edge.back;
-        if (edge.rolls_over || !(longer > T(0))) return {false, acceleration > 0, error.estimate};
-        error.moved *= longer;
-        error.estimate *= longer * longer;
+EdgeTouch<T> edge_touch(const ContactScene<T>& scene, const PostImpactState<T>& here, const PostImpactState<T>& there) {
+    const bool here_still = is_still(scene, here), there_still = is_still(scene, there);
+    if (here_still && there_still) {
+        const Touch<T> first = touch_of(scene, here, {}), second = touch_of(scene, there, {});
+        return {first, second, true, false};
     }
-    bool rests = u.un < 0 && error.moved <= chatter_tolerance<T>();
-    if (rests && !edge.rocks && scene.mu > T(0)) {
-        const T at_rest = free_acceleration(scene, post_impact, T(0));
-        const RestOfChatter<T> rest = rest_of_chatter(scene, post_impact, at_rest);
-        rests = !slips_beyond_painleve(scene, post_impact) &&
-                error.moved * longer_by_sticking(scene, rest, velocity_rounding(scene, post_impact)) <=
-                    chatter_tolerance<T>();
-    }
-    return {rests, acceleration > 0, error.estimate};
+    const T slip = edge_slip(scene, here, there);
+    const std::optional<T> about_here = rocking_about(scene, here, slip),
+                           about_there = rocking_about(scene, there, slip);
+    EdgeTouch<T> edge{touch_of(scene, here, {there_still, about_there}),
+                      touch_of(scene, there, {here_still, about_here})};
+    edge.lies =
+        edge.here.on_edge && edge.there.on_edge && about_here && *about_here > 0 && about_there && *about_there > 0;
+    edge.there_lasts = about_there && *about_there <= 0 && !(about_here && *about_here <= 0);
+    return edge;
 }
 
 }  // namespace swirl

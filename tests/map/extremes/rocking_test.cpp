@@ -126,5 +126,67 @@ TEST(Rocking, LeavesAnEdgeTheSlipThatItsImpulsesDo) {
     }
 }
 
+/// The first impact later than 10⁻⁶ after a start with both vertices of an edge on the wall, and S then.
+template <class T>
+std::vector<double> first_later_impact(const Scene<double>& s, const SectionPoint<double>& z) {
+    return with_collision_map(tests::scene_in<T>(s), [&](const auto& map) {
+        const ReturnMap returns(map);
+        ReturnStep<T> step;
+        step.collision.after = post_impact_state(SectionPoint<T>{T(z.psi), T(z.chi), T(z.vn), T(z.vt), T(z.spin)});
+        T time(0);
+        for (int i = 0; i < 500 && time < T(1e-6); ++i) {
+            if (returns.advance(step) != Outcome::completed) return std::vector<double>{};
+            time += step.collision.flight_time;
+        }
+        return std::vector<double>{static_cast<double>(time), static_cast<double>(step.collision.after.spin)};
+    });
+}
+
+// An edge lies only where rocking about either vertex brings the other back: one that does not stay, or about which the
+// body rolls on, and a slip beyond Painlevé's border, leave a vertex in contact.
+TEST(Rocking, ThatDoesNotBringAVertexBackIsNoEdge) {
+    struct Case {
+        int sides;
+        double alpha, beta, mu, restitution;
+        Law law;
+        SectionPoint<double> z;
+    };
+    const Case cases[] = {{12,
+                           0.67299013137808994,
+                           0.3340436735175813,
+                           0.17241749681640403,
+                           0.15222529225488002,
+                           Law::newton,
+                           {0.090870914161295169, -0.086723705801302037, 0.030313095141306107, 0.33266543434640183,
+                            1.7336924624765763e-09}},
+                          {4,
+                           0.47727675332113673,
+                           0.02712302905854666,
+                           0,
+                           0.49743601298915208,
+                           Law::newton,
+                           {-0.15408991581312761, -0.44115363101448252, -0.0041628659728482342, 0.026801664908995514,
+                            4.8087533128862971e-10}},
+                          {5,
+                           0.83603434649558506,
+                           0.31475816269057189,
+                           3.4863377680053933,
+                           0,
+                           Law::newton,
+                           {0.87240028046744689, -0.1146120931722688, 0.24106524887096475, 0.20238637915263358,
+                            -1.0077226604663934e-09}}};
+    for (const Case& c : cases) {
+        Scene<double> scene = tests::uniform_scene(c.sides, c.alpha, c.beta, c.mu, c.restitution);
+        scene.law = c.law;
+        const auto found = first_later_impact<double>(scene, c.z), exact = first_later_impact<Quad>(scene, c.z);
+        ASSERT_EQ(found.size(), 2U) << c.sides;
+        ASSERT_EQ(exact.size(), 2U) << c.sides;
+        std::printf("%d sides: t = %.13g, off by %.1e, S = %.13g, off by %.1e\n", c.sides, exact[0],
+                    found[0] - exact[0], exact[1], found[1] - exact[1]);
+        EXPECT_NEAR(found[0], exact[0], 1e-8 * exact[0]) << c.sides;
+        EXPECT_NEAR(found[1], exact[1], 1e-9) << c.sides;
+    }
+}
+
 }  // namespace
 }  // namespace swirl

@@ -18,7 +18,7 @@ namespace swirl::contact_detail {
 
 namespace {
 
-using std::abs, std::copysign, std::ldexp, std::sin;
+using std::abs, std::copysign, std::ldexp;
 
 /// A contact is released where λ is below zero by this margin, so that the flight certainly accelerates away from the
 /// wall.

@@ -19,13 +19,15 @@ EdgeVelocities<T> edge_velocities(const ContactScene<T>& scene, const PostImpact
             z.spin};
 }
 
-/// z after the impulse −n + ratio t at its own vertex.
+/// How velocities change by the impulse −n + ratio t at z's own vertex: of z at rest on a wall at rest, so that no
+/// speed is so large that the change is lost beside it.
 template <class T>
-PostImpactState<T> after_unit_impulse(const ContactScene<T>& scene, PostImpactState<T> z, const T& ratio) {
-    const ContactKinematics<T> u = contact_kinematics(scene.body, z);
-    z.vn -= T(1);
-    z.vt += ratio;
-    z.spin += (u.rn * ratio + u.rt) / u.inertia;
+PostImpactState<T> struck_at_rest(const ContactScene<T>& at_rest, PostImpactState<T> z, const T& ratio) {
+    z.vn = z.vt = z.spin = T(0);
+    const ContactKinematics<T> u = contact_kinematics(at_rest.body, z);
+    z.vn = T(-1);
+    z.vt = ratio;
+    z.spin = (u.rn * ratio + u.rt) / u.inertia;
     return z;
 }
 
@@ -37,17 +39,17 @@ PostImpactState<T> after_unit_impulse(const ContactScene<T>& scene, PostImpactSt
 /// nothing where their determinant is not positive: the slip would jam.
 template <class T>
 std::optional<T> edge_rate_with(const ContactScene<T>& scene, const PostImpactState<T>& z, const T& ratio) {
+    ContactScene<T> at_rest = scene;
+    at_rest.body.beta = T(0);
+    const PostImpactState<T> other = struck_at_rest(at_rest, seen_from_neighbour(scene, z), ratio);
     const EdgeVelocities<T> before = edge_velocities(scene, z);
-    const EdgeVelocities<T> a = edge_velocities(scene, after_unit_impulse(scene, z, ratio));
-    const PostImpactState<T> struck = after_unit_impulse(scene, seen_from_neighbour(scene, z), ratio);
-    const EdgeVelocities<T> b = edge_velocities(scene, seen_from_neighbour(scene, struck));
-    const T a1 = a.here - before.here, a2 = a.there - before.there;
-    const T b1 = b.here - before.here, b2 = b.there - before.there;
-    const T determinant = a1 * b2 - a2 * b1;
+    const EdgeVelocities<T> a = edge_velocities(at_rest, struck_at_rest(at_rest, z, ratio));
+    const EdgeVelocities<T> b = edge_velocities(at_rest, seen_from_neighbour(scene, other));
+    const T determinant = a.here * b.there - a.there * b.here;
     if (!(plain(determinant) > 0)) return {};
-    const T p = (b1 * before.there - b2 * before.here) / determinant;
-    const T q = (a2 * before.here - a1 * before.there) / determinant;
-    return T(before.spin + p * (a.spin - before.spin) + q * (b.spin - before.spin));
+    const T p = (b.here * before.there - b.there * before.here) / determinant;
+    const T q = (a.there * before.here - a.here * before.there) / determinant;
+    return T(before.spin + p * a.spin + q * b.spin);
 }
 
 /// S = ν′ with which an edge lands: chatter and rocking of the two vertices leave what contact does not, with −sμ of it
@@ -56,10 +58,11 @@ std::optional<T> edge_rate_with(const ContactScene<T>& scene, const PostImpactSt
 ///   z  on either vertex, |χ| = χ_m
 template <class T>
 T edge_rate(const ContactScene<T>& scene, const PostImpactState<T>& z) {
-    const bool forward = plain(contact_kinematics(scene.body, z).ut) > 0;
+    const T ut = contact_kinematics(scene.body, z).ut;
+    const bool forward = plain(ut) > 0;
     for (const bool sense : {forward, !forward}) {
         const std::optional<T> rate = edge_rate_with(scene, z, sense ? T(-scene.mu) : scene.mu);
-        if (!rate || scene.mu == T(0)) return *edge_rate_with(scene, z, T(0));
+        if (!rate || scene.mu == T(0)) return edge_rate_with(scene, z, T(0)).value_or(ut);
         if (sense == (plain(*rate) > 0)) return *rate;
     }
     return T(0);

@@ -12,9 +12,9 @@ if(SWIRL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime,locale ${SWIRL_CCACHE})
 endif()
 
-# swirl_unite(TARGET COUNT): compiles its sources COUNT at a time, as one. Reading headers and instantiating templates are more than
-# half of a file's compile time. A name in an unnamed namespace that two of them have is an error, and which these are
-# changes with the list of sources: what two files need has one home. A source with options of its own stays alone.
+# swirl_unite(TARGET COUNT): compiles its sources COUNT at a time, as one. Reading headers and instantiating templates are
+# more than half of a file's compile time. A name in an unnamed namespace that two of them have is an error, and which these
+# are changes with the list of sources: what two files need has one home. A source with options of its own stays alone.
 function(swirl_unite target count)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SWIRL_UNITY} UNITY_BUILD_BATCH_SIZE ${count})
 endfunction()

@@ -54,7 +54,8 @@ std::optional<T> edge_rate_with(const ContactScene<T>& scene, const PostImpactSt
 
 /// S = ν′ with which an edge lands: chatter and rocking of the two vertices leave what contact does not, with −sμ of it
 /// along the wall, s the sense in which the edge then slides: the one in which it did, or the other if friction does
-/// not let that be; 0 where it lets neither. Without friction where the slip would jam.
+/// not let that be; 0 where it lets neither. Without friction where the slip would jam; u_t of z's vertex where
+/// rounding leaves no positive determinant without it either.
 ///   z  on either vertex, |χ| = χ_m
 template <class T>
 T edge_rate(const ContactScene<T>& scene, const PostImpactState<T>& z) {

@@ -16,7 +16,9 @@ from swirl_figures.ranges import clipped
 RECORDS = {"long": f"simulate {CHAOTIC} --collisions 40000",
            "wall": "simulate --sides disk --alpha 0.1 --beta 0.05 --mu 0.4 --restitution 0.3 --time 60 --sample 0.02",
            "rests": "simulate --sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --collisions 200",
-           "spectrum": f"spectrum {HEXAGON} --transient 1000 --collisions 2000"}
+           "spectrum": f"spectrum {HEXAGON} --transient 1000 --collisions 2000",
+           "exponents": f"lyapunov {HEXAGON} --transient 100 --collisions 2000",
+           "tradeoff": f"tradeoff {HEXAGON} --budget 0.3"}
 
 
 def labels_of(figure):
@@ -41,6 +43,18 @@ class WithRecords(unittest.TestCase):
 
     def draw(self, name, kind, least, most, **options):
         return draw(self.records[name], kind, Look(xlim=(least, most), **options))
+
+
+class Refused(WithRecords):
+    def test_a_logarithmic_abscissa_has_nothing_at_zero(self):
+        self.draw("exponents", "lyapunov", 10, 100)
+        for least in (0, -1):
+            with self.assertRaisesRegex(RecordError, f"xlim = {least}:100: the abscissa is logarithmic"):
+                self.draw("exponents", "lyapunov", least, 100)
+
+    def test_three_abscissas_have_no_range_in_common(self):
+        with self.assertRaisesRegex(RecordError, "a figure of kind tradeoff has no abscissa to limit"):
+            self.draw("tradeoff", "tradeoff", 1e-7, 1e-6)
 
 
 class OfALongOrbit(WithRecords):

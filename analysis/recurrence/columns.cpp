@@ -156,6 +156,20 @@ ColumnScratch make_scratch(const SortedRows& rows) {
     return scratch;
 }
 
+double candidate_share(const SortedRows& rows, const Points& columns, double bound) {
+    constexpr std::size_t most = 64;
+    if (rows.order.empty()) return 1;
+    ColumnScratch scratch = make_scratch(rows);
+    const std::size_t taken = std::min(columns.count, most);
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < taken; ++k) {
+        for (int m = 0; m < columns.dimension; ++m)
+            scratch.centre[static_cast<std::size_t>(m)] = columns.coordinate(m)[k * columns.count / taken];
+        found += find_candidates(rows, bound, scratch);
+    }
+    return static_cast<double>(found) / static_cast<double>(taken * rows.rows->count);
+}
+
 void fill_column(const SortedRows& rows, const Points& columns, std::size_t c, std::span<const double> bounds,
                  std::size_t offset, std::span<std::uint64_t* const> frames, ColumnScratch& scratch) {
     const Points& x = *rows.rows;

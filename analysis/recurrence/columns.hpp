@@ -50,6 +50,9 @@ struct ColumnScratch {
 };
 ColumnScratch make_scratch(const SortedRows& rows);
 
+/// The share of all rows that are compared with a column, from some columns at equal distances. Cost: O(log n).
+double candidate_share(const SortedRows& rows, const Points& columns, double bound);
+
 /// Sets, for every bound k, bit i + offset of frames[k] for each row i with key(x_i, y_c) <= bounds[k], y_c the point c
 /// of `columns`. The bits offset ... offset + n - 1 must be 0 before. Cost: O(log n + candidates), at worst O(n).
 void fill_column(const SortedRows& rows, const Points& columns, std::size_t c, std::span<const double> bounds,

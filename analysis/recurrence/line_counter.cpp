@@ -44,7 +44,7 @@ struct Context {
 // One threshold of one block.
 struct BlockCounter {
     std::array<std::vector<std::uint64_t>, 4> ring;  // frames of four consecutive columns
-    std::vector<std::uint64_t> open, planes;         // planes: of the words from lines_begin on
+    std::vector<std::uint64_t> open, planes, none;   // planes: of the words from lines_begin on; none: as many, all 0
     std::vector<std::uint32_t> begun, changes;
     Tally diagonal, vertical, time;
     ShortLines shorts;
@@ -54,6 +54,7 @@ struct BlockCounter {
     BlockCounter(const Frame& frame, Totals& totals)
         : open(frame.words, 0),
           planes(plane_count * frame.line_words(), 0),
+          none(frame.line_words(), 0),
           begun(frame.line_words() * 64),
           changes(totals.vertical.empty() ? 0 : frame.rows + 72) {
         for (auto& f : ring) f.assign(frame.words, 0);
@@ -85,20 +86,27 @@ void add_column(Context& context, std::size_t c, std::size_t k, BlockCounter& co
     counter.points_outside += points - removed;
 }
 
-// Points per diagonal, within the largest square of the matrix.
-void add_diagonal_points(const Context& context, std::size_t c, BlockCounter& counter) {
+// Points per diagonal, within the largest square of the matrix: of columns begin ... c, which the ring holds; of one
+// alone where the matrix has rows below the square.
+void add_diagonal_points(const Context& context, std::size_t begin, std::size_t c, BlockCounter& counter) {
     const Frame& frame = context.frame;
-    const std::size_t square = std::min(frame.rows, frame.columns);
-    if (c >= square) return;
-    const std::size_t last_bit = frame.offset(c) + square - 1;
-    const std::size_t first = std::max(frame.first_word(c), frame.lines_begin >> 6), last = last_bit >> 6;
+    const std::size_t square = std::min(frame.rows, frame.columns), base = frame.lines_begin / 64;
+    const std::size_t end = std::min(c + 1, square);
+    if (begin >= end) return;
+    const auto last_bit = [&](std::size_t k) { return frame.offset(k) + square - 1; };
+    const std::size_t first = std::max(frame.first_word(end - 1), base), last = last_bit(begin) >> 6;
     if (last < first) return;
-    std::uint64_t& last_word = counter.column(c)[last];
-    const std::uint64_t whole = last_word;
-    last_word &= ~std::uint64_t{0} >> (63 - (last_bit & 63));  // rows below the square
-    const std::size_t base = frame.lines_begin / 64;
-    add_to_planes(counter.column(c) + base, first - base, last - base, counter.planes.data(), frame.line_words());
-    last_word = whole;
+    std::array<const std::uint64_t*, 4> columns;
+    columns.fill(counter.none.data());
+    std::array<std::uint64_t, 4> whole{};
+    for (std::size_t k = begin; k < end; ++k) {  // without the rows below the square in its last word
+        std::uint64_t* words = counter.column(k);
+        columns[k & 3] = words + base;
+        whole[k & 3] = words[last_bit(k) >> 6];
+        words[last_bit(k) >> 6] &= ~std::uint64_t{0} >> (63 - (last_bit(k) & 63));
+    }
+    add_to_planes(columns, first - base, last - base, counter.planes.data(), frame.line_words());
+    for (std::size_t k = begin; k < end; ++k) counter.column(k)[last_bit(k) >> 6] = whole[k & 3];
 }
 
 // diagonal_step() has counted short lines without looking at the border: takes back those that touch it. (Lines in the
@@ -192,7 +200,9 @@ void count_block(Context& context, std::size_t begin, std::size_t end, const Col
         for (std::size_t k = 0; k < counters.size(); ++k) {
             if (c < end) {
                 add_column(context, c, k, counters[k]);
-                add_diagonal_points(context, c, counters[k]);
+                const bool below = frame.rows > frame.columns;
+                if (below || (c & 3) == 3 || c + 1 == end)
+                    add_diagonal_points(context, below ? c : std::max(begin, c & ~std::size_t{3}), c, counters[k]);
             }
             if (c >= begin + 2) follow_diagonals(context, begin, end, c - 2, counters[k], borders[k]);
         }
@@ -244,7 +254,7 @@ std::vector<LineHistograms> count_all_lines(const Shape& shape, std::size_t thre
     // Four blocks per thread, so that the lighter columns of a triangle balance; the counters of a block hold 16 bits.
     constexpr std::size_t least = 256, most = (std::size_t{1} << plane_count) - 1;
     const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-    const std::size_t size = std::clamp(shape.columns / (4 * threads) + 1, least, most);
+    const std::size_t size = std::clamp(shape.columns / (16 * threads) + 1, least, most);
     const std::size_t blocks = (shape.columns + size - 1) / size;
     std::vector<std::vector<BlockBorder>> borders(blocks, std::vector<BlockBorder>(thresholds));
     tbb::parallel_for(

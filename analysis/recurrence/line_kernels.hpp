@@ -6,6 +6,7 @@
 
 #include "analysis/recurrence/settings.hpp"
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -80,9 +81,10 @@ struct ShortLines {
 };
 void diagonal_step(const DiagonalStep& step, ShortLines& shorts, std::vector<DiagonalLine>& ended);
 
-/// Adds the bits of words first ... last (both included) to bit-sliced counters: plane p holds bit p of every count.
+/// Adds the bits of words first ... last (both included) of four columns to bit-sliced counters: plane p holds bit p of
+/// every count.
 constexpr std::size_t plane_count = 16;
-void add_to_planes(const std::uint64_t* words, std::size_t first, std::size_t last, std::uint64_t* planes,
-                   std::size_t plane_stride);
+void add_to_planes(const std::array<const std::uint64_t*, 4>& columns, std::size_t first, std::size_t last,
+                   std::uint64_t* planes, std::size_t plane_stride);
 
 }  // namespace swirl::analysis::recurrence::detail

@@ -1,6 +1,6 @@
 #include "analysis/recurrence/lines.hpp"
 
-#include "analysis/recurrence/columns.hpp"
+#include "analysis/recurrence/column_finder.hpp"
 #include "analysis/recurrence/line_counter.hpp"
 #include "analysis/recurrence/sliding_lines.hpp"
 
@@ -35,17 +35,11 @@ std::vector<LineHistograms> count(const Points& rows, const Points& columns, boo
                                   std::span<const double> thresholds, const Settings& settings) {
     validate(settings);
     const std::vector<double> bounds = bounds_of(thresholds, rows, settings);
-    const detail::SortedRows sorted = detail::sort_rows(rows, settings.norm);
+    const detail::ColumnFinder finder = detail::find_columns(rows, columns, settings.norm, bounds);
+    const detail::SortedRows& sorted = finder.sorted;
     const int theiler = theiler_window(settings, !symmetric);
-    const bool sliding = detail::can_slide(sorted, theiler);
+    const bool sliding = detail::can_slide(rows, theiler);
     const detail::Shape shape{rows.count, columns.count, symmetric, theiler, !sliding};
-    // A source per block of columns: it owns the scratch that filling needs.
-    const auto make_source = [&] {
-        return [&, scratch = detail::make_scratch(sorted)](std::size_t c, std::size_t offset,
-                                                           std::span<std::uint64_t* const> frames) mutable {
-            detail::fill_column(sorted, columns, c, bounds, offset, frames, scratch);
-        };
-    };
     std::vector<LineHistograms> histograms;
     std::vector<detail::VerticalCounts> vertical(bounds.size());
     const auto slide = [&] {
@@ -57,8 +51,9 @@ std::vector<LineHistograms> count(const Points& rows, const Points& columns, boo
                                                          theiler, settings);
         });
     };
-    tbb::parallel_invoke(slide,
-                         [&] { histograms = detail::count_all_lines(shape, bounds.size(), settings, make_source); });
+    tbb::parallel_invoke(slide, [&] {
+        histograms = detail::count_all_lines(shape, bounds.size(), settings, [&] { return detail::source_of(finder); });
+    });
     if (sliding)
         for (std::size_t k = 0; k < bounds.size(); ++k) take_vertical(std::move(vertical[k]), histograms[k]);
     return histograms;

@@ -115,8 +115,8 @@ private:
 
 }  // namespace
 
-bool can_slide(const SortedRows& rows, int theiler) {
-    return rows.rows->dimension == 1 && rows.rows->periods[0] == 0 && theiler <= widest_window;
+bool can_slide(const Points& rows, int theiler) {
+    return rows.dimension == 1 && rows.periods[0] == 0 && theiler <= widest_window;
 }
 
 VerticalCounts count_vertical_sliding(const SortedRows& rows, const Points& columns,

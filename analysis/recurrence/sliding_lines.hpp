@@ -21,7 +21,7 @@ struct VerticalCounts {
 
 /// Whether vertical lines can be counted this way: one plain coordinate, and a Theiler window so narrow that taking its
 /// rows out of each column and putting them back costs less than scanning the column.
-bool can_slide(const SortedRows& rows, int theiler);
+bool can_slide(const Points& rows, int theiler);
 
 /// `column_order`: the columns by rising value. Cost: O((n + columns (1 + W)) log n), memory O(n).
 VerticalCounts count_vertical_sliding(const SortedRows& rows, const Points& columns,

@@ -8,6 +8,7 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
+#include <array>
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -48,10 +49,31 @@ namespace {
 
 using namespace swirl::analysis::recurrence;
 
-enum Series { noise, logistic };
+enum Series { noise, logistic, rossler };
 
-// Two extremes: no line is long (noise), and lines that last as the map's largest exponent lets them (logistic).
+// x of the Rossler system (a = b = 0.25, c = 4) at steps of 0.05, by the classical Runge-Kutta method.
+std::vector<double> rossler_series(std::size_t n) {
+    using Vector = std::array<double, 3>;
+    const auto rate = [](const Vector& v) { return Vector{-v[1] - v[2], v[0] + v[1] / 4, 0.25 + v[2] * (v[0] - 4)}; };
+    const auto along = [](const Vector& v, const Vector& w, double h) {
+        return Vector{v[0] + h * w[0], v[1] + h * w[1], v[2] + h * w[2]};
+    };
+    constexpr double h = 0.05;
+    constexpr std::size_t transient = 4000;
+    std::vector<double> series;
+    Vector v{1, 1, 0};
+    for (std::size_t i = 0; i < transient + n; ++i) {
+        const Vector a = rate(v), b = rate(along(v, a, h / 2)), c = rate(along(v, b, h / 2)), d = rate(along(v, c, h));
+        v = along(along(along(along(v, a, h / 6), b, h / 3), c, h / 3), d, h / 6);
+        if (i >= transient) series.push_back(v[0]);
+    }
+    return series;
+}
+
+// Two extremes: no line is long (noise), and lines that last as the map's largest exponent lets them (logistic); and a
+// smooth trajectory.
 std::vector<double> make_series(Series kind, std::size_t n) {
+    if (kind == rossler) return rossler_series(n);
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
     std::vector<double> series(n);
@@ -86,6 +108,18 @@ void full_quantification(benchmark::State& state, Series kind, int dimension) {
     state.counters["bytes_per_point"] = static_cast<double>(peak - before) / static_cast<double>(n);
 }
 
+// As the field's benchmark has it: m = 3, tau = 6, epsilon = 1.2, Euclidean.
+void smooth_trajectory(benchmark::State& state) {
+    const std::vector<double> series = make_series(rossler, static_cast<std::size_t>(state.range(0)));
+    Measures m;
+    for (auto _ : state) {
+        m = measures(count_lines(embed_series(series, 3, 6), 1.2));
+        benchmark::DoNotOptimize(m);
+    }
+    state.counters["RR"] = m.RR;
+    state.counters["DET"] = m.DET;
+}
+
 void rc_alone(benchmark::State& state) {
     const std::vector<double> series = make_series(noise, static_cast<std::size_t>(state.range(0)));
     const Points points = embed_series(series);
@@ -105,6 +139,7 @@ BENCHMARK_CAPTURE(full_quantification, scalar_logistic, logistic, 1)->Apply(size
 BENCHMARK_CAPTURE(full_quantification, embedded3_noise, noise, 3)->Apply(sizes);
 BENCHMARK_CAPTURE(full_quantification, embedded3_logistic, logistic, 3)->Apply(sizes);
 BENCHMARK_CAPTURE(full_quantification, scalar_logistic, logistic, 1)->Apply(once);
+BENCHMARK(smooth_trajectory)->Apply(sizes)->Arg(100237);
 BENCHMARK(rc_alone)->Apply(sizes)->Arg(1000000);
 
 }  // namespace

@@ -24,7 +24,7 @@ def arguments():
     parser.add_argument("--duration", metavar="SECONDS", help="of the film")
     parser.add_argument("--from", dest="begin", metavar="T", help="time of the orbit at which it begins")
     parser.add_argument("--to", dest="end", metavar="T", help="time of the orbit at which it ends")
-    parser.add_argument("--orbit", metavar="I", default="0", help="which of a record of orbits, from 0")
+    parser.add_argument("--orbit", metavar="I", help="which of a record of orbits, from 0")
     return parser.parse_args()
 
 
@@ -72,7 +72,8 @@ def main():
     check(options)
     fps, duration = number_in_range("fps", options.fps), number_in_range("duration", options.duration)
     begin, end = number("from", options.begin), number("to", options.end)
-    orbit, count = whole("orbit", options.orbit), max(2, round(fps * duration))
+    orbit = None if options.orbit is None else whole("orbit", options.orbit)
+    count = max(2, round(fps * duration))
     figures = script.load_figures()
     from swirl_figures import film, film_file
     shown = script.made_from(options.record, lambda: film.Film(figures.open_record(options.record[0]), options.frame,

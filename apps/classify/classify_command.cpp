@@ -66,13 +66,14 @@ namespace {
 constexpr std::size_t most_kept = 2000;
 
 /// Group `tail`: the section points of the first impacts that the verdict rests on; none where the orbit ended.
-void write_tail(const RecordGroup& root, const std::vector<Eigen::VectorXd>& points, std::int64_t first) {
+void write_tail(const RecordGroup& root, const OrbitSamples& samples) {
+    const std::vector<Eigen::VectorXd>& points = samples.points;
     if (points.empty()) return;
     const RecordGroup group = root.group("tail");
     const std::size_t kept = std::min(points.size(), most_kept);
     std::vector<double> values;
     for (std::size_t i = 0; i < kept; ++i) values.insert(values.end(), points[i].begin(), points[i].end());
-    group.attribute("first", first);
+    group.attribute("first", samples.first);
     group.dimension("impact", kept);
     write_coordinate_names(group, points.front().size());
     group.write<double>("points", {"impact", "coordinate"}, values, {"1", "section point just after each impact", {}});
@@ -87,14 +88,14 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
     exit_when_interrupted();
     const Accuracy accuracy = options.output.accuracy();
     OrbitSamples samples;
-    const NamedMode named = recorded
-                                ? name_recorded(scene, start, *recorded, options.settings, accuracy)
-                                : name_mode(scene, start, options.settings, accuracy, {}, record ? &samples : nullptr);
+    OrbitSamples* const seen = record ? &samples : nullptr;
+    const NamedMode named = recorded ? name_recorded(scene, start, *recorded, options.settings, accuracy, seen)
+                                     : name_mode(scene, start, options.settings, accuracy, {}, seen);
     if (record) {
         const RecordGroup root = record->root();
         write_scene(root, scene, &options.start);
         write_verdict(root.group("mode"), named, options.settings);
-        write_tail(root, samples.points, options.settings.transient + 1);
+        write_tail(root, samples);
         record->finish();
     }
     if (options.output.json) {

@@ -1,6 +1,7 @@
 #include "apps/classify/classify_record.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace swirl::apps::classify {
 
@@ -78,17 +79,23 @@ RecordedOrbit recorded_orbit(const std::string& file, std::optional<std::int64_t
 }
 
 NamedMode name_recorded(const Scene<double>& scene, const Start<double>& start, const RecordedOrbit& orbit,
-                        analysis::ClassifyOptions settings, Accuracy accuracy) {
+                        analysis::ClassifyOptions settings, Accuracy accuracy, OrbitSamples* seen) {
     OrbitSamples samples;
     analysis::ClassifyOptions whole = settings;  // all impacts, to compare them with the record's
     whole.exhaustive = true;
     NamedMode named = name_mode(scene, start, whole, accuracy, {}, &samples);
-    if (repeats(orbit, named, samples))
-        return settings.exhaustive ? named : name_mode(scene, start, settings, accuracy);
+    if (repeats(orbit, named, samples)) {
+        if (!settings.exhaustive) return name_mode(scene, start, settings, accuracy, {}, seen);
+        if (seen) *seen = std::move(samples);
+        return named;
+    }
     const std::size_t row = std::min(first_row(orbit), orbit.columns.values.back().size() - 1);
     settings.transient = 0;
-    named = name_mode(scene, recorded_point(orbit.columns, row), settings, accuracy);
-    named.impacts += orbit.first;
+    named = name_mode(scene, recorded_point(orbit.columns, row), settings, accuracy, {}, seen);
+    const std::int64_t number =
+        orbit.columns.range.transient + static_cast<std::int64_t>(row) * orbit.columns.every + 1;
+    named.impacts += number;
+    if (seen) seen->first += number;
     named.verdict.evidence.push_back(
         {"orbit from the start repeats the record", 0, 1,
          fmt::format("followed from its start in {} it parts from the record (made in another accuracy, or by another "

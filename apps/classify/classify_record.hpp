@@ -31,7 +31,8 @@ RecordedOrbit recorded_orbit(const std::string& file, std::optional<std::int64_t
 /// with them. Where they part (a record in another accuracy, of another version or instruction set: chaos makes other
 /// orbits of that), it is followed from the state that the record holds at the tail's beginning; the evidence says so.
 ///   settings  with the orbit's `first` as transient and its `collisions`
+///   seen      filled where it is given
 NamedMode name_recorded(const Scene<double>& scene, const Start<double>& start, const RecordedOrbit& orbit,
-                        analysis::ClassifyOptions settings, Accuracy accuracy);
+                        analysis::ClassifyOptions settings, Accuracy accuracy, OrbitSamples* seen = nullptr);
 
 }  // namespace swirl::apps::classify

@@ -17,7 +17,9 @@ TextCheck whole_number(std::int64_t least, std::int64_t most) {
         const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
         const char* end = text.data() + text.size();
         const auto [stop, error] = std::from_chars(begin, end, value);
-        if (error != std::errc() || stop != end || value < least || value > most)
+        if (error == std::errc::invalid_argument || stop != end)
+            return fmt::format("Value {} is no whole number: {} to {} are allowed", text, least, most);
+        if (error != std::errc() || value < least || value > most)
             return fmt::format("Value {} not in range {} to {}", text, least, most);
         text = fmt::format("{}", value);
         return std::string();

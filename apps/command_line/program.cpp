@@ -29,6 +29,20 @@ Flags Program::new_command(const std::string& name, const std::string& does, con
     return Flags(*command);
 }
 
+namespace {
+
+/// "record: At Most 1 required but received 2", as sentences here are written.
+std::string in_lower_case(std::string text) {
+    for (const std::string_view capital : {"At Most", "At Least"})
+        if (const auto at = text.find(capital); at != std::string::npos) {
+            text[at] = 'a';
+            text[at + 3] = capital[3] == 'M' ? 'm' : 'l';
+        }
+    return text;
+}
+
+}  // namespace
+
 Program::Action Program::called(int argc, char** argv) {
     check_words(*app_, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
     try {
@@ -44,6 +58,8 @@ Program::Action Program::called(int argc, char** argv) {
         const std::string_view what = error.what();
         if (what.substr(0, lead.size()) != lead) throw BadInput(error.what());
         throw BadInput(std::string(what.substr(lead.size())) + ": not a number that this option takes");
+    } catch (const CLI::ArgumentMismatch& error) {
+        throw BadInput(in_lower_case(error.what()));
     } catch (const CLI::ParseError& error) {
         throw BadInput(error.what());
     }

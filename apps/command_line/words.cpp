@@ -43,13 +43,20 @@ std::size_t letters_apart(const std::string& a, const std::string& b) {
     return d[a.size()][b.size()];
 }
 
-/// Of a misspelt word at most a third of the letters are wrong, and never all.
+/// They begin alike, but for the last letters: boundary and boundaries, tolerances and tolerance.
+bool have_one_stem(const std::string& a, const std::string& b) {
+    const auto stem = static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+    return stem >= 5 && stem + 3 >= std::max(a.size(), b.size());
+}
+
+/// Of a misspelt word at most a third of the letters are wrong, and never all; or only its ending is another one.
 std::string nearest(const std::string& word, const std::vector<std::string>& names) {
     std::string best;
     std::size_t least = std::min(word.size(), 1 + word.size() / 3);
     for (const std::string& name : names) {
         const bool begins = word.size() >= 3 && name.starts_with(word);
-        const std::size_t apart = begins ? 0 : letters_apart(word, name);
+        std::size_t apart = begins ? 0 : letters_apart(word, name);
+        if (have_one_stem(word, name)) apart = std::min<std::size_t>(apart, 1);
         if (apart >= least && !(begins && best.empty())) continue;
         least = apart;
         best = name;

@@ -12,7 +12,8 @@ const scripts::ScriptOutput document{"notebook_of_record.py",  "notebook", "swir
 const char* const notebook_details =
     R"(What the record holds, its numbers and its figure, as a Jupyter notebook that has been executed. Its cells need h5py,
 xarray and matplotlib, and neither swirl nor its packages: whoever gets it can run it again and go on from there. A record
-of up to 100 kB is inside the notebook; a larger one has to travel beside it, and is checked by its SHA-256.
+of up to 100 kB is inside the notebook; a larger one is read from where it lies, or from beside the notebook where both have
+moved into one folder, and is checked by its SHA-256.
 Making it needs the Debian packages python3-nbformat, python3-nbclient and python3-ipykernel.
 
 Example:

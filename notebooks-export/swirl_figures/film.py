@@ -58,7 +58,7 @@ class Film:
         return self._into(x, y, t, self._scene["beta"])
 
     def _build(self):
-        self._figure.suptitle(scene_title(self._scene))
+        self._figure.suptitle("\n".join(filter(None, (scene_title(self._scene), self._motion.what))))
         self._room, self._curve = self._figure.subplots(1, 2)
         self._build_room()
         self._build_curve()

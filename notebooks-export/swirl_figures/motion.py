@@ -39,14 +39,17 @@ class Motion:
     at: object
     first: float
     last: float
+    what: str = None  #: which cycle it is
 
 
-def motion_of(record, orbit=0):
-    """Of a record of `simulate`, or of one of the orbits of a record of `orbits`."""
+def motion_of(record, orbit=None):
+    """Of a record of `simulate`, or of one of the orbits of a record of `orbits`, the first if None."""
     if "collisions" in record:
+        if orbit is not None:
+            raise RecordError(f"orbit = {orbit}: record '{record.path}' is of one orbit, that of swirl {record.command}")
         return _motion_of_simulate(record)
     if "orbits" in record:
-        return _motion_of_cycle(record, orbit)
+        return _motion_of_cycle(record, orbit or 0)
     raise RecordError(f"record '{record.path}' holds no orbit to be shown in motion; records of simulate and orbits do")
 
 
@@ -89,7 +92,12 @@ def _motion_of_cycle(record, orbit):
     if pieces is None:
         raise RecordError(f"orbit = {orbit} of record '{record.path}' is no cycle of flights alone: it leads through "
                           "contact, and a record of simulate --sample shows that")
-    return _repeated(pieces, return_time)
+    return _repeated(pieces, return_time, _cycle_in_words(record, orbit, period))
+
+
+def _cycle_in_words(record, orbit, period):
+    kind = "fixed point" if period == 1 else f"cycle of period {period}"
+    return f"orbit {orbit}: {kind}, {record.names('orbits', 'stability')[orbit]}"
 
 
 #: Points that are joined by a flight meet to this, in R_c; a record's points are polished to rounding.
@@ -133,7 +141,7 @@ def _flights_of_cycle(points, scene, return_time):
 _LEAST_SHOWN = 4 * numpy.pi
 
 
-def _repeated(pieces, return_time):
+def _repeated(pieces, return_time, what):
     """Period after period: all has turned with the swirl by the return time."""
     count = max(1, int(numpy.ceil(_LEAST_SHOWN / return_time)))
 
@@ -142,7 +150,7 @@ def _repeated(pieces, return_time):
         x, y, angle, spin = pieces.at(times - number * return_time)
         place = (x + 1j * y) * numpy.exp(1j * number * return_time)
         return [place.real, place.imag, angle + number * (pieces.angle[-1] - _first_angle(pieces)), spin]
-    return Motion(at, 0.0, count * return_time)
+    return Motion(at, 0.0, count * return_time, what)
 
 
 def _first_angle(pieces):

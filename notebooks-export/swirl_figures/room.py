@@ -1,9 +1,12 @@
-"""Whether a figure has room for its words: a label that is wider than its panel is broken into lines, and a figure that
-would cut words off, or leave a panel no room, is refused."""
+"""Whether a figure has room for its words: of numbers along an axis that touch, fewer are shown; a label that is wider than
+its panel is broken into lines; and a figure that would cut words off, print them on one another, or leave a panel no room, is
+refused."""
 
+import itertools
 import warnings
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.ticker import MaxNLocator
 
 from .look import width_of
 from .record import RecordError
@@ -25,6 +28,43 @@ def _lay_out(figure):
         warnings.simplefilter("always")
         figure.draw_without_rendering()
     return not told
+
+
+def _numbers_along(axis):
+    """The labels of its ticks that are shown, in order."""
+    labels = [tick.label1 for tick in axis._update_ticks()] if axis.get_visible() else []
+    return [label for label in labels if label.get_visible() and label.get_text().strip()]
+
+
+def _touch(axis, renderer, gap):
+    ends = [label.get_window_extent(renderer).get_points()[:, 0 if axis.axis_name == "x" else 1]
+            for label in _numbers_along(axis)]
+    ends.sort(key=lambda pair: pair[0])
+    return any(behind[0] - before[1] < gap for before, behind in itertools.pairwise(ends))
+
+
+def _show_fewer(axis):
+    locator = axis.get_major_locator()
+    if isinstance(locator, MaxNLocator):
+        locator.set_params(nbins=max(1, len(_numbers_along(axis)) - 2))
+    else:  # every second, of ticks at places of their own and of powers of ten
+        axis.set_ticks(axis.get_majorticklocs()[::2])
+
+
+#: Between neighbouring numbers, in heights of a letter.
+_GAP = 0.4
+
+
+def _thin_numbers(figure, renderer, letters):
+    """Until none touch, or two are left."""
+    for _ in range(6):
+        crowded = [axis for axes in figure.axes if axes.get_visible() and axes.axison for axis in (axes.xaxis, axes.yaxis)
+                   if len(_numbers_along(axis)) > 2 and _touch(axis, renderer, _GAP * letters * figure.dpi / 72)]
+        if not crowded:
+            return
+        for axis in crowded:
+            _show_fewer(axis)
+        _lay_out(figure)
 
 
 def _spare(panel, panels, figure, axis):
@@ -68,6 +108,20 @@ def _is_cut(figure, renderer):
                for box in boxes if box is not None)
 
 
+def _has_words_on_words(figure, renderer):
+    """Words within a panel, and those of its legend."""
+    slack = _SLACK * figure.dpi / 72
+    for axes in figure.axes:
+        legend = axes.get_legend()
+        words = [text for text in axes.texts if text.get_visible() and text.get_text().strip()]
+        boxes = [text.get_window_extent(renderer) for text in words + ([legend] if legend else [])]
+        for one, other in itertools.combinations(boxes, 2):
+            if (min(one.x1, other.x1) - max(one.x0, other.x0) > slack
+                    and min(one.y1, other.y1) - max(one.y0, other.y0) > slack):
+                return True
+    return False
+
+
 def _has_slivers(figure, letters):
     """Panels of a few letters' size; a colour bar is one by nature, words alone are no panel."""
     least = [count * letters * figure.dpi / 72 for count in _LEAST_PANEL]
@@ -76,14 +130,16 @@ def _has_slivers(figure, letters):
 
 
 def make_room(figure, look, what):
-    """Of a figure that is as wide, or has letters as large, as was asked for."""
-    if look.width is None and look.font_size is None:
-        return
+    """Numbers of any figure are thinned out; one that is as wide, or has letters as large, as was asked for may be refused."""
     renderer = FigureCanvasAgg(figure).get_renderer()
     done = _lay_out(figure)
+    _thin_numbers(figure, renderer, look.letters)
+    if look.width is None and look.font_size is None:
+        return
     if _break_labels(figure, renderer):
         done = _lay_out(figure)
-    if not done or _is_cut(figure, renderer) or _has_slivers(figure, look.letters):
+    if (not done or _is_cut(figure, renderer) or _has_words_on_words(figure, renderer)
+            or _has_slivers(figure, look.letters)):
         page = " on a page" if figure.get_size_inches()[1] >= PAGE else ""
         raise RecordError(f"width = {25.4 * width_of(figure):.4g} mm with letters of {look.letters:g} points: {what} would have "
-                          f"words cut off or panels too small to read{page}")
+                          f"words cut off or on one another, or panels too small to read{page}")

@@ -87,7 +87,8 @@ def _draw_section(axes, names, points):
 def _draw_spin(axes, first, spin):
     number_of = first + numpy.arange(len(spin))
     axes.plot(number_of[:SHOWN_IMPACTS], spin[:SHOWN_IMPACTS], "o-", ms=2, lw=0.6, color=BLUE, mec="none")
-    axes.set(xlabel="impact", ylabel=SPIN, title=f"S, {min(len(spin), SHOWN_IMPACTS)} impacts after the transient")
+    axes.set(xlabel="impact", ylabel=SPIN, title=f"S, {min(len(spin), SHOWN_IMPACTS)} impacts")
+    axes.xaxis.set_major_locator(MaxNLocator(4, integer=True))
     axes.ticklabel_format(useOffset=False)
     if numpy.ptp(spin) < 1e-9 * max(1, abs(spin).max()):
         axes.set_ylim(spin[0] - 1, spin[0] + 1)

@@ -24,7 +24,9 @@ _BESIDE = '''\
 import hashlib
 from pathlib import Path
 
-path = Path({name!r})  # beside this notebook
+path = Path({relative!r})  # from this notebook's folder
+if not path.exists():
+    path = Path({name!r})  # both have moved into one folder
 found = hashlib.sha256(path.read_bytes()).hexdigest()
 assert found == {checksum!r}, f"{{path}} is another file than the one this notebook was made of"
 '''
@@ -45,4 +47,4 @@ def record_cell(path, content, relative):
     """(kind, source) of the cell that sets `path` to the record."""
     if len(content) <= MOST_INSIDE:
         return "data", inside({path.name: content}, f"path = folder / {path.name!r}")
-    return "code", _BESIDE.format(name=relative, checksum=hashlib.sha256(content).hexdigest())
+    return "code", _BESIDE.format(relative=relative, name=path.name, checksum=hashlib.sha256(content).hexdigest())

@@ -14,8 +14,9 @@ if has_orbit:
     points = tail["points"].to_series().unstack("coordinate")
     figure, axes = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
     axes[0].scatter(points["psi"], points["S"], c=np.arange(len(points)), s=4, cmap="cividis_r")
-    axes[0].set(xlabel=r"$\psi$", ylabel="$S$", title="On the section, after the transient")
-    axes[1].plot(points["S"].values[:100], "o-", ms=2, lw=0.6)
+    axes[0].set(xlabel=r"$\psi$", ylabel="$S$", title="On the section")
+    spin = points["S"].values[:100]
+    axes[1].plot(tail.attrs["first"] + np.arange(len(spin)), spin, "o-", ms=2, lw=0.6)
     axes[1].set(xlabel="impact", ylabel=r"$S = \omega_p/\omega_s$")
 # %% [markdown]
 # ## Does the orbit come back?

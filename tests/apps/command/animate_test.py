@@ -166,7 +166,9 @@ class BadInput(WithRecords):
         for name, arguments, mention in (
                 ("orbit", "-o a.avi", "its suffix is none of .mp4, .gif"), ("orbit", "-o a.gif --fps 0", "fps = 0: allowed are 1 to 60"),
                 ("orbit", "-o a.gif --duration nan", "duration = nan"), ("orbit", "-o a.gif --frame sky", "frame = sky: allowed are container"),
-                ("orbits", "-o a.gif --orbit x", "orbit = x"), ("orbit", "-o a.gif --from now", "from = now"),
+                ("orbits", "-o a.gif --orbit x", "orbit = x"), ("orbit", "-o a.gif --orbit 0", "is of one orbit, that of swirl simulate"),
+                ("orbit", "orbit.h5 -o a.gif", "record: at most 1 required but received 2"),
+                ("orbit", "-o a.gif --from now", "from = now"),
                 ("verdict", "-o a.gif", "no orbit to be shown in motion")):
             result = run(f"animate {self.records[name]} {arguments}", cwd=self.folder)
             self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
@@ -175,9 +177,9 @@ class BadInput(WithRecords):
 
     def test_what_the_record_does_not_hold(self):
         for name, orbit, begin, end, mention in (
-                ("orbit", 0, -5, None, "from = -5: the record's times run from 0 to"), ("orbit", 0, 9, 5, "to = 5: after from = 9"),
-                ("orbit", 0, None, 1e9, r"to = 1e\+09"), ("orbits", 99999, None, None, "orbit = 99999: .* holds"),
-                ("some", 0, 1.5, 1.6, "the record tells nothing between these times")):
+                ("orbit", None, -5, None, "from = -5: the record's times run from 0 to"), ("orbit", None, 9, 5, "to = 5: after from = 9"),
+                ("orbit", None, None, 1e9, r"to = 1e\+09"), ("orbits", 99999, None, None, "orbit = 99999: .* holds"),
+                ("some", None, 1.5, 1.6, "the record tells nothing between these times")):
             with self.assertRaisesRegex(RecordError, mention):
                 Film(open_record(self.records[name]), "container", orbit, begin, end, 3)
 

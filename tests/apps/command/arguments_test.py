@@ -54,7 +54,7 @@ class Arguments(InFolder):
 
     def test_a_misspelt_name_is_told_the_nearest(self):
         for wrong, right in (("simulat", "simulate"), ("calssify", "classify"), ("lyapunow", "lyapunov"), ("sim", "simulate"),
-                             ("bifurcation", "bifurcate")):
+                             ("bifurcation", "bifurcate"), ("boundary", "boundaries"), ("recurrences", "recurrence")):
             self.refused(wrong, f"no command {wrong}; did you mean {right}?")
         for wrong, right in (("--sidez 6", "--sides"), ("--restituton=0.9", "--restitution"), ("--colisions 3", "--collisions"),
                              ("--time=3 --acuracy quad", "--accuracy")):
@@ -65,6 +65,11 @@ class Arguments(InFolder):
         self.assertNotIn("did you mean", run("simulate --qqqq", cwd=self.folder).stderr)
         self.assertEqual(run("describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9").returncode, 0)
         self.refused(f"simulate {SCENE.replace('--mu 0.5', '--mu -1')}", "mu = -1")  # a negative number is no flag
+
+    def test_what_is_no_whole_number_is_said_to_be_none(self):
+        self.refused(f"recurrence {SCENE} --image 10.5 --json", "Value 10.5 is no whole number: 1 to 20000 are allowed")
+        self.refused(f"recurrence {SCENE} --image 0 --json", "Value 0 not in range 1 to 20000")
+        self.refused(f"recurrence {SCENE} --image 99999999999999999999 --json", "not in range 1 to 20000")
 
     def test_an_option_without_its_value(self):
         self.refused(f"classify {SCENE} --output= --json", "--output=")

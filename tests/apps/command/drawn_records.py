@@ -20,6 +20,8 @@ COMMANDS = {
     "orbit": f"simulate {CHAOTIC} --collisions 500",
     "wall": "simulate --sides disk --alpha 0.1 --beta 0.05 --mu 0.4 --restitution 0.3 --time 60 --sample 0.02",
     "verdict": f"classify {HEXAGON} {SHORT} --exhaustive",
+    "settled": "classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9",
+    "chaos": f"classify {CHAOTIC}",
     "runs": f"classify {HEXAGON} {SHORT} --runs 4",
     "recurrence": f"recurrence {CHAOTIC} {SHORT} --image 60",
     "thresholds": f"recurrence {CHAOTIC} {SHORT} --threshold 0.1,0.2,0.3",
@@ -34,7 +36,8 @@ COMMANDS = {
 }
 #: Of seconds each: with --all alone.
 SLOW = {"tour": "tour", "tradeoff": f"tradeoff {HEXAGON} --budget 2"}
-KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "runs": ["shares"],
+KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "settled": ["verdict"], "chaos": ["verdict"],
+            "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
             "basins": ["basins", "modes"], "tracks": ["attractors", "modes"], "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
             "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}

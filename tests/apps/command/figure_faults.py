@@ -29,6 +29,7 @@ def _words_of(figure):
 def _words_in(axes):
     words = [(axes, text) for text in (axes.title, axes._left_title, axes._right_title, axes.xaxis.label, axes.yaxis.label)]
     words += [(axis, label) for axis in (axes.xaxis, axes.yaxis) for label in _ticks(axis)]
+    words += [(text, text) for text in axes.texts]
     return words + [(axes.get_legend(), text) for text in (axes.get_legend().get_texts() if axes.get_legend() else [])]
 
 
@@ -38,6 +39,19 @@ def _named(text):
 
 def _overlap(one, other, slack):
     return (min(one.x1, other.x1) - max(one.x0, other.x0) > slack) and (min(one.y1, other.y1) - max(one.y0, other.y0) > slack)
+
+
+def _crowded(figure, renderer, point):
+    """Numbers along an axis that touch: of a few they are as one."""
+    found = []
+    for axis in (axis for axes in figure.axes if axes.get_visible() for axis in (axes.xaxis, axes.yaxis)):
+        along = 0 if axis.axis_name == "x" else 1
+        ends = sorted(((tuple(label.get_window_extent(renderer).get_points()[:, along]), label) for label in _ticks(axis)),
+                      key=lambda pair: pair[0])
+        if len(ends) > 2:
+            found += [f"numbers that touch: {_named(one)} | {_named(other)}"
+                      for ((_, end), one), ((begin, _), other) in itertools.pairwise(ends) if begin - end < point]
+    return found
 
 
 def _of_words(figure, renderer, point):
@@ -72,4 +86,5 @@ def faults(figure):
         warnings.simplefilter("always")
         figure.draw_without_rendering()
     renderer, point = FigureCanvasAgg(figure).get_renderer(), figure.dpi / 72
-    return [str(warning.message) for warning in told] + _of_words(figure, renderer, point) + _of_panels(figure, renderer, point)
+    return ([str(warning.message) for warning in told] + _of_words(figure, renderer, point)
+            + _crowded(figure, renderer, point) + _of_panels(figure, renderer, point))

@@ -65,6 +65,7 @@ class OfARecord(InFolder):
         self.addCleanup(os.chdir, here)
         os.chdir(self.folder)
         exec(source, {})
+        exec(files_inside.record_cell(path, path.read_bytes(), "../gone/large.h5")[1], {})  # both moved into one folder
         path.write_bytes(b"y")
         with self.assertRaisesRegex(AssertionError, "another file"):
             exec(source, {})

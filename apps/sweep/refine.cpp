@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace swirl::apps::sweep {
 
@@ -56,7 +57,13 @@ Stencil stencil_of(const Lattice& lattice, std::size_t side) {
     return stencil;
 }
 
-/// use(stencil, lower corner) for all squares of the tree's sizes, the largest first.
+/// A square of the tree by its lower corner.
+struct Square {
+    std::vector<std::size_t> at;
+    std::size_t side;
+};
+
+/// use(stencil, square) for all squares of the tree's sizes, the largest first.
 template <class Use>
 void for_each_square(const Lattice& lattice, const Use& use) {
     for (std::size_t side = lattice.coarse_stride(); side > 1; side /= 2) {
@@ -65,9 +72,34 @@ void for_each_square(const Lattice& lattice, const Use& use) {
         for (const std::size_t points : lattice.points) squares.push_back((points - 1) / side);
         for_each(squares, [&](std::vector<std::size_t> at) {
             for (std::size_t& coordinate : at) coordinate *= side;
-            use(stencil, place_of(lattice, at));
+            use(stencil, Square{std::move(at), side});
         });
     }
+}
+
+/// A box of points, first ... end - 1 along each axis.
+struct Range {
+    std::vector<std::size_t> first, end;
+};
+
+/// The square, and a quarter of its side around it; of one axis the square, for no border bends there.
+Range around(const Lattice& lattice, const Square& square) {
+    const std::size_t margin = square.at.size() > 1 ? square.side / 4 : 0;
+    Range range;
+    for (std::size_t k = 0; k < square.at.size(); ++k) {
+        range.first.push_back(square.at[k] - std::min(margin, square.at[k]));
+        range.end.push_back(std::min(square.at[k] + square.side + margin + 1, lattice.points[k]));
+    }
+    return range;
+}
+
+/// Is there a point in the range, `place` along the axes before this one, for which is(place)?
+template <class Is>
+bool any_of(const Lattice& lattice, const Range& range, const Is& is, std::size_t axis = 0, std::size_t place = 0) {
+    if (axis == lattice.points.size()) return is(place);
+    for (std::size_t i = range.first[axis]; i < range.end[axis]; ++i)
+        if (any_of(lattice, range, is, axis + 1, place * lattice.points[axis] + i)) return true;
+    return false;
 }
 
 }  // namespace
@@ -91,15 +123,15 @@ std::vector<std::size_t> coarse_points(const Lattice& lattice) {
 std::vector<std::size_t> next_points(const Lattice& lattice, std::span<const char> visited,
                                      const std::function<std::int64_t(std::size_t)>& verdict) {
     std::vector<std::size_t> next;
-    for_each_square(lattice, [&](const Stencil& stencil, std::size_t corner) {
-        const std::int64_t first = visited[corner] ? verdict(corner) : 0;
-        bool differs = false;
-        for (const auto& point : stencil.points) {
-            const std::size_t place = corner + point.away;
-            if (point.is_corner && !visited[place]) return;  // within a square that is left whole
-            differs = differs || (visited[place] && verdict(place) != first);
-        }
-        if (!differs) return;
+    std::vector<std::int64_t> verdicts(visited.size());
+    for (std::size_t place = 0; place < visited.size(); ++place)
+        if (visited[place]) verdicts[place] = verdict(place);
+    for_each_square(lattice, [&](const Stencil& stencil, const Square& square) {
+        const std::size_t corner = place_of(lattice, square.at);
+        for (const auto& point : stencil.points)  // else within a square that is left whole
+            if (point.is_corner && !visited[corner + point.away]) return;
+        const auto differs = [&](std::size_t place) { return visited[place] && verdicts[place] != verdicts[corner]; };
+        if (!any_of(lattice, around(lattice, square), differs)) return;
         for (const auto& point : stencil.points)
             if (!visited[corner + point.away]) next.push_back(corner + point.away);
     });
@@ -112,7 +144,8 @@ std::vector<std::size_t> sources(const Lattice& lattice, std::span<const char> v
     std::vector<std::size_t> source(lattice.size(), none);
     for (std::size_t i = 0; i < source.size(); ++i)
         if (visited[i]) source[i] = i;
-    for_each_square(lattice, [&](const Stencil& stencil, std::size_t corner) {
+    for_each_square(lattice, [&](const Stencil& stencil, const Square& square) {
+        const std::size_t corner = place_of(lattice, square.at);
         for (const auto& point : stencil.points) {
             std::size_t& here = source[corner + point.away];
             if (here == none) here = source[corner + point.corner];

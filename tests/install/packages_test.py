@@ -114,6 +114,33 @@ class Packages(unittest.TestCase):
         self.assertEqual(left, set())
         self.assertFalse((root / "usr/share/swirl").exists())
 
+    @unittest.skipUnless(os.geteuid() == 0 and shutil.which("mmdebstrap"), "a bare root needs root and mmdebstrap: not tested")
+    def test_with_nothing_else_present_they_work_and_go_without_a_trace(self):
+        """In a system of apt alone what they depend on comes with them, and nothing that they do not name."""
+        root = self.folder / "bare"
+        release = re.search(r"^VERSION_CODENAME=(\w+)", Path("/etc/os-release").read_text(), re.M)[1]
+        told("mmdebstrap", "--quiet", "--variant=apt", release, root)
+        shutil.copy("/etc/resolv.conf", root / "etc/resolv.conf")
+        (root / "packages").mkdir()
+        for name in ("swirl", FIGURES):
+            shutil.copy(self.packages[name], root / "packages")
+
+        def inside(*command):
+            return told("chroot", root, "env", "-i", "PATH=/usr/sbin:/usr/bin:/sbin:/bin", "LC_ALL=C.UTF-8", "HOME=/root",
+                        "DEBIAN_FRONTEND=noninteractive", *command)
+        inside("apt-get", "update")
+        inside("apt-get", "install", "--yes", "--no-install-recommends",
+               *(f"/packages/{self.packages[name].name}" for name in ("swirl", FIGURES)))
+        self.assertNotIn("-dev", inside("dpkg-query", "--show", "--showformat=${Package}\n").replace("libc-dev-bin", ""))
+        self.assertIn("chaotic", inside("swirl", "tour", "-o", "/root/tour.h5"))
+        inside("swirl", "plot", "/root/tour.h5", "-o", "/root/tour.png")
+        self.assertTrue((root / "root/tour.png").read_bytes().startswith(b"\x89PNG"))
+        inside("apt-get", "purge", "--yes", "swirl", FIGURES)
+        own = set().union(*(files_below(self.unpacked(name)) for name in ("swirl", FIGURES)))
+        self.assertEqual({name for name in own if (root / name).exists()}, set())
+        left = {name for name in files_below(root) if "swirl" in name and not name.startswith(("packages/", "var/log/", "var/lib/apt/"))}
+        self.assertEqual(left, set())
+
     @unittest.skipUnless(shutil.which("lintian"), "lintian is not installed: what it says is not tested")
     def test_lintian_finds_no_error(self):
         result = subprocess.run(["lintian", "--allow-root", "--fail-on", "error", *self.packages.values()],

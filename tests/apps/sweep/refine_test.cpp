@@ -73,6 +73,23 @@ TEST(Refine, ATongueIsFollowedBeyondTheCoarseGrid) {
     EXPECT_LT(tree.looked_at, lattice.size() / 3);
 }
 
+/// Bumps that rise out of a border into the squares above it, between their corners and their sides' middles: they are
+/// seen at the points that the squares below have on the common side.
+TEST(Refine, ABorderThatBendsIntoASquareBetweenItsCornersIsFollowed) {
+    const std::size_t n = 8 * 16 + 1;
+    const Lattice lattice{{n, n}, 4};
+    for (const double height : {2.0, 3.0, 6.0}) {
+        const auto verdict = [&](std::size_t place) {
+            const auto x = static_cast<double>(place / n), y = static_cast<double>(place % n);
+            const double along = std::fmod(x, 16.0) - 4;
+            return std::int64_t{y < 62.5 + 2 * height * std::exp(-along * along / 4)};
+        };
+        const Tree tree = refined(lattice, verdict);
+        EXPECT_EQ(tree.wrong, 0u) << height;
+        EXPECT_LT(tree.looked_at, lattice.size() / 3) << height;
+    }
+}
+
 TEST(Refine, OneAxisAndThreeAreTreesToo) {
     const Lattice line{{65}, 5};
     const Tree border = refined(line, [](std::size_t place) { return std::int64_t{place > 37}; });

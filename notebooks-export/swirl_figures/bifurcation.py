@@ -8,13 +8,10 @@ from .legends import LegendBelow
 from .look import NARROW, is_narrow, widen
 from .ranges import clipped, inside, require
 from .record import RecordError
+from .samples import Samples
 from .special_points import draw_special
 from .style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION
 from .symbols import SPIN, axis_label, number, observable_label, scene_title
-
-#: By the record's `origin`: name, colour, size. Light, for the branches lie over them; of falling size, for attractors
-#: that are found in several ways lie on one another.
-_ORIGINS = {0: ("random starts", "#8A8A8A", 7), 1: ("followed up", SKY, 4), 2: ("followed down", ORANGE, 2)}
 
 _PERIODS = (BLUE, VERMILION, GREEN, PURPLE, "#7A5C00", BLACK, SKY, "#882255", "#44AA99", "#332288", "#999933", ORANGE)
 
@@ -23,20 +20,6 @@ def _observable(record):
     """(name of the variable in `samples` and `branches`, axis label)."""
     name = str(record.attributes("settings").get("observable", "S"))
     return ("S", SPIN) if name == "S" else ("value", observable_label(name))
-
-
-def _draw_samples(axes, record, look):
-    parameter, spin = record.column("samples", "parameter"), record.column("samples", _observable(record)[0])
-    origin, seen = record.column("samples", "origin"), inside(parameter, look.xlim)
-    handles = []
-    scale = 0.5 if seen.sum() > 5_000 else 1
-    only_one = len(numpy.unique(origin[seen])) == 1
-    for value, (label, colour, size) in _ORIGINS.items():
-        of = (origin == value) & seen
-        if of.any():
-            axes.scatter(parameter[of], spin[of], s=scale * (2 if only_one else size), color=colour, lw=0, zorder=1)
-            handles.append(Line2D([], [], ls="", marker="o", ms=3, mec="none", color=colour, label=label))
-    return handles
 
 
 def _draw_contact(axes, record, look):
@@ -200,7 +183,8 @@ def _panels(figure, record):
 def _draw_above(axes, record, look):
     """The upper panel, but for the special points; handles of the legend."""
     name, label = _observable(record)
-    handles = (_draw_samples(axes, record, look) if "samples" in record else []) + _draw_contact(axes, record, look)
+    samples = Samples(axes, record, look, name) if "samples" in record else None
+    handles = (samples.handles() if samples else []) + _draw_contact(axes, record, look)
     if _has_branches(record):
         handles += _branch_handles(record, *_draw_branches(axes, record, name, look))
     require(handles, look, record, "point", _abscissae(record))
@@ -210,6 +194,8 @@ def _draw_above(axes, record, look):
         axes.set_xlim(look.xlim)
     _limit_ordinate(axes, record, look)
     widen(axes, abscissa=False)
+    if samples:
+        samples.draw()
     axes.set_ylabel(f"{label}, just after each impact")
     return handles
 

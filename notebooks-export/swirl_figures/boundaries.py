@@ -11,7 +11,7 @@ from .ranges import inside, overlapping
 from .record import RecordError
 from .style import BLACK, GREEN, GREY, PURPLE
 from .sweep_grid import SweepGrid
-from .symbols import axis_label, scene_title
+from .symbols import axis_label, kind_label, scene_title
 from .thinning import apart
 
 #: Colours of the kinds of curves, none of them a mode's; a white edge tells them from the map beneath.
@@ -105,7 +105,7 @@ def _draw_special(axes, curves, x, y, look):
     """All have a mark, small ones where they are not named; a caption lists them."""
     points, are_named = _named(curves, x, y, look.xlim)
     look.notes.append(listed(f"Special points, {len(points)}:", ("kind", x, y, ""),
-                             [(kind, f"{a:.10g}", f"{b:.10g}", "" if named else "marked, not named")
+                             [(kind_label(kind), f"{a:.10g}", f"{b:.10g}", "" if named else "marked, not named")
                               for (kind, a, b), named in sorted(zip(points, are_named), key=lambda point: point[0][:2])]))
     for (kind, a, b), named in zip(points, are_named):
         axes.plot(a, b, "o", ms=3.5 if named else 2, mfc="white", mec=BLACK, mew=0.8 if named else 0.5, zorder=4)
@@ -125,7 +125,7 @@ def _handles(curves, x, y, look):
     seen = _seen(curves, x, look.xlim)
     own, periods = (set(values[numpy.unique(curves.number[seen])]) for values in (curves.kinds, curves.periods))
     kinds = [kind for kind in _COLOURS if kind in own] + sorted(own - set(_COLOURS))
-    handles = [Line2D([], [], color=_colour(kind), lw=1.6, label=kind) for kind in kinds]
+    handles = [Line2D([], [], color=_colour(kind), lw=1.6, label=kind_label(kind)) for kind in kinds]
     for period in sorted(periods):
         style = _STYLES[period - 1] if period <= len(_STYLES) else ":"
         handles.append(Line2D([], [], color="0.3", lw=1.2, ls=style, label=f"period {period}"))
@@ -136,7 +136,7 @@ def _handles(curves, x, y, look):
         of_kind = [is_named for point, is_named in zip(points, named) if point[0] == kind]
         count = "" if all(of_kind) else f" ({sum(of_kind)} of {len(of_kind)} named)"
         handles.append(Line2D([], [], ls="", marker="o", ms=3.5, mfc="white", mec=BLACK, mew=0.8,
-                              label=f"{_SHORT[kind]}: {kind}{count}"))
+                              label=f"{_SHORT[kind]}: {kind_label(kind)}{count}"))
     return handles
 
 

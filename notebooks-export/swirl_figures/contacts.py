@@ -5,13 +5,17 @@ import numpy
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
-from .legends import LegendBelow, legend_inside
+from .cut import tell_cut
+from .legends import LegendBelow, legend_inside, panel_size
 from .ranges import inside, overlapping, part, require
 from .spin import spin_on_wall
 from .style import BLACK, BLUE, GREEN, ORANGE, SKY, VERMILION
 from .symbols import SPIN, TIME, scene_title
 
 _MOTIONS = {"sliding": (VERMILION, "sliding"), "sticking": (BLUE, "sticking"), "rolling": (GREEN, "rolling")}
+
+#: Points that a mark of an event takes.
+_MARK = 6.0
 
 _EVENTS = {"landing": "v", "release": "^", "slip": ">", "stick": "s", "strike": "X", "lift": "d", "jam": "P"}
 
@@ -41,6 +45,40 @@ def _whole(record):
     return max(start[0] - margin, 0), last + margin
 
 
+def _meet(times, others, near):
+    """Whether any of these lies that near to one of the others."""
+    others = numpy.sort(others)
+    return (numpy.searchsorted(others, times + near, side="right") > numpy.searchsorted(others, times - near)).any()
+
+
+def _lanes(times, near):
+    """{event: lane} of the times of each event on one bar: those that would lie on another event's marks go to another
+    lane."""
+    lanes, lane_of = [], {}
+    for event, own in times.items():
+        free = (i for i, lane in enumerate(lanes) if not any(_meet(own, other, near) for other in lane))
+        lane_of[event] = next(free, len(lanes))
+        if lane_of[event] == len(lanes):
+            lanes.append([])
+        lanes[lane_of[event]].append(own)
+    return lane_of
+
+
+def _draw_events(axes, times, row, rows, xlim):
+    """Marks on one of the bars; lanes lie as far above one another as marks are high, where its row has room."""
+    width, height = (72 * inches for inches in panel_size(axes))
+    lane_of = _lanes(times, _MARK / width * (xlim[1] - xlim[0]))
+    count = max(lane_of.values(), default=0) + 1
+    step = min(_MARK / height * rows, 0.8 / count)
+    for event, own in times.items():
+        place = row + ((count - 1) / 2 - lane_of[event]) * step
+        axes.plot(own, numpy.full(len(own), place), zorder=3, **_style(event))
+
+
+def _style(event):
+    return {"ls": "", "marker": _EVENTS[event], "ms": 5, "mfc": "white", "mec": BLACK, "mew": 0.8}
+
+
 def _draw_motions(axes, record, xlim):
     """A bar a motion and piece; marks where events begin and end it. Handles of the legend."""
     start, end = record.column("contacts", "t_start"), record.column("contacts", "t_end")
@@ -51,19 +89,18 @@ def _draw_motions(axes, record, xlim):
         of = motion == name
         axes.add_collection(LineCollection([[(a, row), (b, row)] for a, b in zip(start[of], end[of])], linewidths=7,
                                            colors=_MOTIONS[name][0], capstyle="butt"))
-    height = numpy.array([present.index(name) for name in motion])
     begun_by, ended_by = record.names("contacts", "begin")[seen], record.names("contacts", "end")[seen]
-    handles = []
-    for event, marker in _EVENTS.items():
-        begun, ended = (begun_by == event) & inside(start, xlim), (ended_by == event) & inside(end, xlim)
-        style = {"ls": "", "marker": marker, "ms": 5, "mfc": "white", "mec": BLACK, "mew": 0.8}
-        if begun.any() or ended.any():
-            axes.plot(numpy.concatenate([start[begun], end[ended]]), numpy.concatenate([height[begun], height[ended]]),
-                      zorder=3, **style)
-            handles.append(Line2D([], [], label=event, **style))
+    drawn = set()
+    for row, name in enumerate(present):
+        times = {event: numpy.concatenate([start[(begun_by == event) & (motion == name) & inside(start, xlim)],
+                                           end[(ended_by == event) & (motion == name) & inside(end, xlim)]])
+                 for event in _EVENTS}
+        times = {event: own for event, own in times.items() if len(own)}
+        _draw_events(axes, times, row, len(present) + 0.2, xlim)
+        drawn |= set(times)
     axes.set(yticks=range(len(present)), yticklabels=[_MOTIONS[name][1] for name in present],
              ylim=(-0.6, len(present) - 0.4), title="Motion on the wall, and its events")
-    return handles
+    return [Line2D([], [], label=event, **_style(event)) for event in _EVENTS if event in drawn]
 
 
 def _draw_spin(axes, record, xlim):
@@ -102,6 +139,7 @@ def draw_into(figure, record, look):
     start, end = record.column("contacts", "t_start"), record.column("contacts", "t_end")
     xlim = look.xlim or _whole(record)
     require(overlapping(start, end, xlim).any(), look, record, "contact with the wall", [start[0], end[-1]])
+    look.title(figure, scene_title(record.scene()))
     parts = LegendBelow(figure)
     forces = _has_forces(record)
     count = 4 if forces else 2
@@ -112,6 +150,6 @@ def draw_into(figure, record, look):
         _draw_forces(panels[2], panels[3], record, xlim)
     panels[0].set_xlim(xlim)
     panels[-1].set_xlabel(TIME)
-    cut = f"; shown until {TIME} = {xlim[1]:.4g} of {end[-1]:.6g}" if not look.xlim and end[-1] > xlim[1] else ""
-    look.title(figure, scene_title(record.scene()) + cut)
+    if not look.xlim and end[-1] > xlim[1]:
+        tell_cut(panels[0], look, panels[0].get_title(), xlim[1], end[-1])
     return [panels[0]]

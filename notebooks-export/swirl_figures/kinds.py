@@ -74,6 +74,10 @@ def kind_of(record, kind=None):
     """The kind that is asked for, or the default. RecordError where the record cannot be drawn as that."""
     record = open_record(record)
     possible = kinds_of(record)
+    if not possible and "shard" in record:
+        number, count = (record.attribute("shard", name) for name in ("number", "of"))
+        raise RecordError(f"record '{record.path}' is shard {number} of {count} of a sweep, which swirl join makes one record; "
+                          "that one can be drawn")
     if not possible:
         raise RecordError(f"record '{record.path}' holds nothing that there is a figure of "
                           f"(its groups: {', '.join(sorted(record.groups)) or 'none'})")

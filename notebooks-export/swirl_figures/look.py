@@ -92,6 +92,9 @@ def require_section(look, names):
         if value is not None and other:
             raise RecordError(f"{option} = {value}: a figure of kind {other} has no coordinates to choose, one of kind "
                               "section has")
+    x, y = look.coordinates
+    if x == y and "section" in names:
+        raise RecordError(f"x = {x} and y = {y}: a portrait shows two different coordinates, of one a diagonal")
 
 
 def blank_figure(width, height):

@@ -1,10 +1,9 @@
 """A sweep over one parameter: the shares of the modes stacked, and the mean of S with its standard error."""
 
 import numpy
-from matplotlib.ticker import MaxNLocator
 
 from .mode_map import mode_frame
-from .style import BLUE, MODE_COLOURS
+from .style import BLACK, MODE_COLOURS
 from .sweep_grid import cell_edges
 from .symbols import MEAN_SPIN, axis_label
 
@@ -22,7 +21,8 @@ def _draw_spin(axes, grid, points):
     axes.axhline(0, color="0.8", lw=0.7, zorder=0)
     error = grid.mean_spin_error if grid.runs > 1 else None
     size = 4 if len(points) < 60 else 2
-    axes.errorbar(points, grid.mean_spin, yerr=error, fmt="o", ms=size, color=BLUE, elinewidth=0.9, capsize=1.5)
+    # Over starts of all modes: in the colour of none.
+    axes.errorbar(points, grid.mean_spin, yerr=error, fmt="o", ms=size, color=BLACK, elinewidth=0.9, capsize=1.5)
     axes.set_ylabel(f"mean spin {MEAN_SPIN}, in $\\omega_s$")
     if error is not None:
         axes.set_title("bars: standard error over the starts", fontsize="small", color="0.25", loc="right", pad=2)
@@ -40,6 +40,4 @@ def draw_mode_bands(figure, grid, look):
     _draw_spin(below, grid, points)
     below.set_xlabel(axis_label(name))
     grid.name_ticks(below)
-    if name == "sides":
-        below.xaxis.set_major_locator(MaxNLocator(integer=True))
     return [above]

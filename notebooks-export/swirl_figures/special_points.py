@@ -7,6 +7,7 @@ from .caption import listed
 from .look import is_narrow
 from .ranges import inside
 from .style import BLACK
+from .symbols import kind_label
 from .thinning import apart
 
 _MARKERS = {"fold": ">", "flip": "s", "neimark-sacker": "D", "branch-point": "*", "grazing": "^",
@@ -57,7 +58,7 @@ def draw_special(axes, record, look, variable):
         drawn[numpy.flatnonzero(of)[kept // values.shape[1]]] = True
         axes.plot(x[kept], y[kept], ls="", zorder=4, **marker)
         count = f" ({drawn[of].sum():,} of {of.sum():,} drawn)" if not drawn[of].all() else ""
-        handles.append(Line2D([], [], ls="", label=kind + count, **{**marker, "ms": marker["ms"] / scale}))
+        handles.append(Line2D([], [], ls="", label=kind_label(kind) + count, **{**marker, "ms": marker["ms"] / scale}))
     axes.axis(limits)
     look.notes.append(_listed(record, look, kinds, parameter, values[:, 0], drawn))
     return handles
@@ -67,7 +68,7 @@ def _listed(record, look, kinds, parameter, values, drawn):
     """Those in the range by rising parameter, for a caption: their values at the first phase of each cycle."""
     settings = record.attributes("settings")
     along, observable = str(settings.get("along", "parameter")), str(settings.get("observable", "S"))
-    rows = [(kinds[i], f"{parameter[i]:.10g}", f"{values[i]:.6g}", "" if drawn[i] else "left out where it would hide others")
+    rows = [(kind_label(kinds[i]), f"{parameter[i]:.10g}", f"{values[i]:.6g}", "" if drawn[i] else "left out where it would hide others")
             for i in numpy.argsort(parameter, kind="stable")]
     where = f" with {along} from {look.xlim[0]:g} to {look.xlim[1]:g}" if look.xlim else ""
     return listed(f"Special points{where}, {len(rows)}, of which {int(drawn.sum())} are drawn:", ("kind", along, observable, ""),

@@ -1,13 +1,15 @@
 """A power spectrum with its peaks."""
 
 import numpy
+from matplotlib import rcParams
 from matplotlib.lines import Line2D
 
-from .legends import LegendBelow
+from .legends import LegendBelow, panel_size
 from .ranges import inside, part, require
 from .style import BLUE, ORANGE, VERMILION
 from .symbols import number, scene_title
 from .thinning import thinned
+from .words import letters_across, letters_in
 
 #: A peak with less scatter between segments than this is drawn as a line, another as part of a continuum.
 LINE_SPREAD = 0.5
@@ -85,24 +87,44 @@ def _verdict(record):
     return "; ".join(filter(None, parts))
 
 
+def _tell_what_is_left_out(axes, look, frequency, xlim):
+    """Frequencies that hardly have power are left out where no range is asked for; in the figure, too, where the words have
+    room."""
+    if look.xlim or (xlim[0] <= frequency[0] and xlim[1] >= frequency[-1]):
+        return
+    words = f"99.9 % of the power; frequencies go up to {number(frequency[-1])}"
+    if letters_in(words) <= letters_across(panel_size(axes)[0], 8 / 9 * rcParams["font.size"]):
+        axes.set_title(words, fontsize="small", color="0.25", loc="right", pad=2)
+    begin = f"from {number(xlim[0])} " if xlim[0] < 0 else ""
+    whole = f"from {number(frequency[0])} " if frequency[0] < 0 else "up "
+    look.notes.append(f"Shown are the frequencies {begin}up to {number(xlim[1])}, in which 99.9 % of the power lies; the record "
+                      f"has them {whole}to {number(frequency[-1])}.")
+
+
+def _draw_power(axes, record, look, frequency, power):
+    """Handles of the legend."""
+    floor, xlim = power.max() * _LEAST_POWER, look.xlim or _range_of_power(frequency, power)
+    shown, seen = part(frequency, xlim), (power > 0) & inside(frequency, xlim)
+    require(seen.any(), look, record, "frequency", frequency)
+    axes.semilogy(*thinned(frequency[shown], numpy.maximum(power, floor)[shown]), color=BLUE, lw=0.8)
+    axes.set_xlim(xlim)
+    axes.set_ylim(max(power[seen].min(), floor) * 0.5, power[seen].max() * 300)
+    _tell_what_is_left_out(axes, look, frequency, xlim)
+    return [Line2D([], [], color=BLUE, lw=0.9, label="power density"),
+            *_draw_peaks(axes, record, frequency, power, xlim)]
+
+
 def draw_into(figure, record, look):
+    """Of a constant quantity, which has no power at any frequency, these words alone: no numbers along the axes."""
     frequency, power = record.column("spectrum", "frequency"), record.column("spectrum", "power")
-    parts = LegendBelow(figure)
-    axes = parts.above.subplots()
-    positive = power > 0
-    if positive.any():
-        floor = power.max() * _LEAST_POWER
-        xlim = look.xlim or _range_of_power(frequency, power)
-        shown, seen = part(frequency, xlim), positive & inside(frequency, xlim)
-        require(seen.any(), look, record, "frequency", frequency)
-        axes.semilogy(*thinned(frequency[shown], numpy.maximum(power, floor)[shown]), color=BLUE, lw=0.8)
-        axes.set_xlim(xlim)
-        axes.set_ylim(max(power[seen].min(), floor) * 0.5, power[seen].max() * 300)
-    else:
-        axes.text(0.5, 0.5, "constant: no power at any frequency", ha="center", transform=axes.transAxes)
-    handles = [Line2D([], [], color=BLUE, lw=0.9, label="power density")]
-    handles += _draw_peaks(axes, record, frequency, power, look.xlim)
-    axes.set(xlabel=_frequency_label(record), ylabel=f"power of {_observable(record)} per unit of frequency")
-    parts.fill(handles, look)
     look.title(figure, "\n".join(filter(None, (scene_title(record.scene()), _verdict(record)))))
+    if (power > 0).any():
+        parts = LegendBelow(figure)
+        axes = parts.above.subplots()
+        parts.fill(_draw_power(axes, record, look, frequency, power), look)
+    else:
+        axes = figure.subplots()
+        axes.text(0.5, 0.5, f"{_observable(record)} is constant", ha="center", transform=axes.transAxes)
+        axes.set(xticks=[], yticks=[])
+    axes.set(xlabel=_frequency_label(record), ylabel=f"power of {_observable(record)} per unit of frequency")
     return [axes]

@@ -5,6 +5,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import LogNorm
 from matplotlib.ticker import MaxNLocator
 
+from .cut import tell_cut
 from .flights import flights_of
 from .legends import legend_inside
 from .look import columns_of
@@ -112,21 +113,24 @@ def _draw_mean(axes, record, after=-numpy.inf, xlim=None):
         axes.plot(*thinned(times[shown], means[shown]), color=VERMILION, lw=1.3, label=f"running time mean{last}")
 
 
-def _end_before_the_long_rest(axes, record, begin):
-    """A last contact far longer than everything before it would squeeze that into a line: it is cut, and said."""
+def _before_the_long_rest(record, look, begin):
+    """(the range of the abscissa from `begin` on, the time until which there is more) A last contact far longer than
+    everything before it would squeeze that into a line: it is cut. Where nothing is: (the range that is asked for, None)."""
     struck = record.column("collisions", "t")[-1]
     _, end, _ = _contacts(record, after=struck)
     cut = struck + 0.3 * (struck - begin)
-    if len(end) == 0 or end[-1] <= cut or struck <= begin:
-        return ""
-    axes.set_xlim(begin - 0.01 * (cut - begin), cut)
-    return f", then on the wall until {TIME} = {number(end[-1])}"
+    if look.xlim or len(end) == 0 or end[-1] <= cut or struck <= begin:
+        return look.xlim, None
+    return (begin - 0.01 * (cut - begin), cut), end[-1]
 
 
-def _finish(axes, title):
+def _finish(axes, look, title, xlim, end):
     axes.margins(x=0.01)
     axes.autoscale_view()
     axes.set(xlabel=TIME, ylabel=SPIN, title=title)
+    if end is not None:
+        axes.set_xlim(xlim)
+        tell_cut(axes, look, title, xlim[1], end)
     if axes.get_xlim()[1] >= 1e5:
         axes.xaxis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
     axes.ticklabel_format(axis="x", useOffset=False, style="plain")
@@ -143,18 +147,18 @@ def _how_many(record, look, noun):
 
 def _draw_all(axes, record, look):
     t, spin = record.column("collisions", "t"), record.column("collisions", "spin")
-    seen = inside(t, look.xlim)
-    begin, t, spin = t[0], t[seen], spin[seen]
+    xlim, end = _before_the_long_rest(record, look, t[0])
+    seen = inside(t, xlim)
+    t, spin = t[seen], spin[seen]
     many = len(t) > MANY_POINTS
     if many:
         axes.hist2d(t, spin, bins=(300, 150), cmin=1, norm=LogNorm(), cmap="Blues", rasterized=True)
     else:
         axes.scatter(t, spin, s=7 if len(t) < 2000 else 2, color=BLUE, alpha=0.8, lw=0)
     axes.plot([], [], "o", color=BLUE, ms=3.5, mec="none", label="after each impact")
-    _draw_contacts(axes, record, xlim=look.xlim)
-    _draw_mean(axes, record, xlim=look.xlim)
-    rest = "" if look.xlim else _end_before_the_long_rest(axes, record, begin)
-    _finish(axes, f"Spin, {_how_many(record, look, 'listed impact')}{' (darker: more)' * many}{rest}")
+    _draw_contacts(axes, record, xlim=xlim)
+    _draw_mean(axes, record, xlim=xlim)
+    _finish(axes, look, f"Spin, {_how_many(record, look, 'listed impact')}{' (darker: more)' * many}", xlim, end)
 
 
 def _draw_steps(axes, record, flights, look, title):
@@ -162,9 +166,10 @@ def _draw_steps(axes, record, flights, look, title):
     if len(flights):
         begin = flights.begin[0]
         axes.plot(*_steps(flights, record), color=BLUE, lw=1.1, label="S")
-    _draw_contacts(axes, record, begin, look.xlim)
-    _draw_mean(axes, record, begin, look.xlim)
-    _finish(axes, title + ("" if look.xlim else _end_before_the_long_rest(axes, record, begin)))
+    xlim, end = _before_the_long_rest(record, look, begin)
+    _draw_contacts(axes, record, begin, xlim)
+    _draw_mean(axes, record, begin, xlim)
+    _finish(axes, look, title, xlim, end)
 
 
 def _are_steps(flights):
@@ -206,6 +211,6 @@ def size(record, look):
 def draw_into(figure, record, look):
     """S(t) as steps; of many impacts dots for all and steps for the last."""
     panels = list(figure.subplots(spin_panels(record, look), 1, squeeze=False)[:, 0])
-    draw_spin_into(panels, record, look)
     look.title(figure, scene_title(record.scene()))
+    draw_spin_into(panels, record, look)
     return panels[:1]

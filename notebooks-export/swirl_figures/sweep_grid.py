@@ -1,6 +1,7 @@
 """A sweep's record as arrays over its grid. Parameters with a single value are the scene's, not axes."""
 
 import numpy
+from matplotlib.ticker import MaxNLocator
 
 from .record import Scene, open_record
 from .symbols import number, symbol
@@ -17,6 +18,14 @@ def starts_in_words(record):
     # With spaces at which no line is broken.
     fixed = ", ".join(f"{name}\u00a0=\u00a0{number(settings[name])}" for name in START_NUMBERS if name in settings)
     return "one start" + (f", with {fixed}," if fixed else "")
+
+
+def mark_values(along, name, words=None):
+    """Along an axis words in place of numbers, of laws, and numbers of sides whole."""
+    if words:
+        along.set_ticks(range(len(words)), words)
+    elif name == "sides":
+        along.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
 
 
 def cell_edges(points):
@@ -71,10 +80,9 @@ class SweepGrid:
         return f"{symbol(axis)} = {number(self.points[axis][index])}"
 
     def name_ticks(self, axes):
-        """Words in place of numbers along both axes of a map of this grid, or along the abscissa."""
+        """Along both axes of a map of this grid, or along the abscissa."""
         for name, along in zip(self.axes, (axes.xaxis, axes.yaxis)):
-            if name in self.words:
-                along.set_ticks(range(len(self.words[name])), self.words[name])
+            mark_values(along, name, self.words.get(name))
 
     def at_middle(self, axis):
         """The grid at the middle value of one axis, which its title names."""

@@ -10,7 +10,7 @@ from .legends import LegendBelow
 from .look import side_by_side, width_of
 from .mode_map import mode_style, spin_style
 from .style import MODE_COLOURS
-from .sweep_grid import starts_in_words
+from .sweep_grid import mark_values, starts_in_words
 from .symbols import MEAN_SPIN, axis_label, is_parameter, scene_title
 
 _LEAST_PANEL = 3.0
@@ -71,9 +71,8 @@ def _draw_panel(axes, record, panel, modes, place):
                         plotnonfinite=True, **colours)
     axes.set(xlabel=axis_label(x), ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$" if y is None else axis_label(y),
              title="Mode with the largest share" if by_mode else f"Mean spin {MEAN_SPIN}, in $\\omega_s$")
-    for along, words in ((axes.xaxis, x_words), (axes.yaxis, y_words)):
-        if words:
-            along.set_ticks(range(len(words)), words)
+    mark_values(axes.xaxis, x, x_words)
+    mark_values(axes.yaxis, y, y_words)
     return None if by_mode else (dots, extend)
 
 

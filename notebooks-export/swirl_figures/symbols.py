@@ -48,6 +48,17 @@ def observable_label(name):
     return _OBSERVABLES.get(name, name)
 
 
+#: Of persons, whose names a record writes like any word.
+_PERSONS = (("neimark-sacker", "Neimark–Sacker"), ("chenciner", "Chenciner"))
+
+
+def kind_label(kind):
+    """A kind of special points or curves as documents write it."""
+    for in_records, name in _PERSONS:
+        kind = kind.replace(in_records, name)
+    return kind
+
+
 def number(value):
     """Four digits and a proper minus sign."""
     return f"{value:.4g}".replace("-", "\N{MINUS SIGN}")

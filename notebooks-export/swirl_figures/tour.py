@@ -45,11 +45,9 @@ def draw_into(figure, record, look):
             axes.annotate("does not apply", (0, row), xytext=(4, 0), textcoords="offset points", va="center",
                           fontsize="small", color="0.4")
         axes.axvline(0, color="0.4", lw=0.8)
-        axes.set(yticks=rows, yticklabels=[_label(values, scene) for values, scene in zip(attributes, scenes)], xlabel=label)
+        axes.set(yticks=rows, yticklabels=[_label(values, scene) for values, scene in zip(attributes, scenes)], xlabel=label,
+                 ylim=(len(scenes) - 0.4, -0.6))  # the first above; also a row without a bar is whole
         axes.margins(x=0.06)
-    spins.invert_yaxis()
-    if narrow:
-        exponents.invert_yaxis()
     parts.fill([Patch(fc=MODE_COLOURS[name], ec="0.3", lw=0.5, label=name) for name in MODE_COLOURS if name in modes], look)
     look.title(figure, "The built-in scenes")
     return []

@@ -209,6 +209,47 @@ def write_sampled_sweep(path, names, count):
         _write(group, "mean_S_error", ["cell"], 0 * points[names[0]])
 
 
+def write_columns(path, count, empty=()):
+    """Attractors that fill S from 0 to 1 in each of so many columns of alpha, but for those that are empty."""
+    places = numpy.linspace(0.1, 0.9, count)
+    kept = numpy.setdiff1d(numpy.arange(count), empty)
+    spin = numpy.linspace(0, 1, 500)
+    with _record(path, {"along": "alpha"}, SCENE) as file:
+        group = file.create_group("samples")
+        _dimension(group, "sample", len(kept) * len(spin))
+        _write(group, "parameter", ["sample"], numpy.repeat(places[kept], len(spin)))
+        _write(group, "S", ["sample"], numpy.tile(spin, len(kept)))
+        for name in ("start", "origin"):
+            _write(group, name, ["sample"], numpy.zeros(len(kept) * len(spin), dtype="i8"))
+
+
+#: Of three cells: (cell, track, kind, period, share, mean S); two have a share each that the verdicts of their runs leave open.
+TRACKS = [(0, 0, "chaotic", 0, 1 / 6, -0.2), (0, 1, "quasi-periodic", 0, 1 / 6, -0.29), (0, -1, "transient", 0, 2 / 3, -0.26),
+          (1, 0, "chaotic", 0, 1, -0.25), (1, 2, "fixed-point", 1, 0, -0.9),
+          (2, 2, "fixed-point", 1, 1 / 2, -0.9), (2, -1, "transient", 0, 1 / 4, numpy.nan), (2, -1, "none", 0, 1 / 4, -0.1)]
+
+
+def write_tracks(path):
+    """A sweep over beta in the layout of `swirl sweep --track`."""
+    cell, track, kind, period, share, spin = (list(column) for column in zip(*TRACKS))
+    with _record(path, {}, {name: value for name, value in SCENE.items() if name != "beta"}) as file:
+        group = file.create_group("sweep")
+        group.create_dataset("beta", data=[0.4, 0.45, 0.5]).make_scale("beta")
+        group.create_dataset("run", data=numpy.arange(6)).make_scale("run")
+        group.create_dataset("mode", data=["steady", "chaotic", "undecided"], dtype=h5py.string_dtype())
+        group["mode"].make_scale("mode")
+        _write(group, "share", ["beta", "mode"], numpy.full((3, 3), 1 / 3))
+        for name in ("mean_S", "mean_S_error"):
+            _write(group, name, ["beta"], numpy.zeros(3))
+        columns = {"cell": cell, "track": track, "period": period, "share": share, "mean_S": spin,
+                   "share_low": [0.5 * value for value in share], "share_high": [0.5 + 0.5 * value for value in share]}
+        group = file.create_group("attractors")
+        _dimension(group, "attractor", len(TRACKS))
+        _write(group, "kind", ["attractor"], kind)
+        for name, values in columns.items():
+            _write(group, name, ["attractor"], numpy.array(values))
+
+
 def write_without_results(path):
     """A record of a scene, and of nothing that was found about it."""
     with _record(path, {}, SCENE):

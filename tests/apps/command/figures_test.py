@@ -152,8 +152,8 @@ class WhatIsDrawn(WithRecords):
 
     def test_crowded_special_points_are_thinned_and_counted(self):
         """A cycle's special point is one, in the legend as in the caption, at however many phases it is drawn."""
-        file = self.folder / "crowded.h5"
         for phases in (1, 3):
+            file = self.folder / f"crowded{phases}.h5"  # a record stays open until its figure's leftovers are collected
             figure_records.write_crowded_special(file, 500, phases)
             look = Look()
             figure = draw(file, None, look)
@@ -251,7 +251,9 @@ class Options(WithRecords):
                                     ("--xlim 3:1", "xlim = 3:1: allowed is A:B"), ("--xlim 1", "xlim = 1"),
                                     ("--xlim 0:inf", "xlim = 0:inf"), ("--kind path --xlim 0:1", "no abscissa"),
                                     ("--x vn", "x = vn: a figure of kind orbit has no coordinates"),
-                                    ("--kind spin --y psi", "y = psi: a figure of kind spin")):
+                                    ("--kind spin --y psi", "y = psi: a figure of kind spin"),
+                                    ("--kind section --x psi --y psi", "x = psi and y = psi"),
+                                    ("--kind section --x S", "x = S and y = S")):
             result = self.plot(f"orbit.h5 -o new.png {arguments}", 2)
             self.assertIn(mentions, result.stderr)
             self.assertEqual(len(result.stderr.splitlines()), 1)

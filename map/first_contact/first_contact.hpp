@@ -36,10 +36,13 @@ inline FirstContact<T> certain_contact(const Body<T>& body, const Flight<T>& fli
 /// Of a flight that no search from the circle's return decides.
 template <Shape shape, class T>
 inline FirstContact<T> contact_without_return(const Body<T>& body, const Flight<T>& flight) {
-    if constexpr (shape == Shape::polygon)
-        if (const auto next = contact_of_next_vertex(body, flight); next.outcome == FirstContactOutcome::contact)
-            return next;
-    return certain_contact<shape>(body, flight);
+    const auto found = [&] {
+        if constexpr (shape == Shape::polygon)
+            return contact_of_next_vertex(body, flight);
+        else
+            return sampled_contact_disk(body, flight);
+    }();
+    return found.outcome == FirstContactOutcome::contact ? found : certain_contact<shape>(body, flight);
 }
 
 /// Of a flight that `direct_contact` does not decide.

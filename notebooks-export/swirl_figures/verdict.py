@@ -102,6 +102,7 @@ def _draw_spectrum(axes, spin):
     axes.set(xlabel="frequency, in cycles per impact", ylabel="power of S", title="Spectrum of these S")
     if power.max() <= 1e-24 * max(1.0, (spin ** 2).sum()):
         axes.text(0.5, 0.5, "S is constant", ha="center", transform=axes.transAxes)
+        axes.set(xticks=[], yticks=[])
         return
     axes.semilogy(frequency, numpy.maximum(power, power.max() * 1e-14), color=BLUE, lw=0.8)
 

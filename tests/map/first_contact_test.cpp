@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <random>
 
 namespace swirl {
 namespace {
@@ -228,6 +229,67 @@ TEST(FurtherSearches, DecideMostFlightsThatTheDirectOneLeaves) {
     EXPECT_GT(flights.all, 1000);
     EXPECT_GT(5 * flights.behind, flights.all);
     EXPECT_GT(3 * flights.next, 2 * (flights.all - flights.behind));
+}
+
+/// Of a chaotic disk without friction. Both are good to some ε/(u_n): between them lie 10⁻¹³ at most.
+TEST(FurtherSearches, FindTheLongAndCurvedFlightsOfADisk) {
+    for (const double beta : {0.5, 0.1}) {
+        const Scene<double> scene{disk_sides, 0.3, beta, 0, 1, Law::poisson, 0.5};
+        const CollisionMap<double, Shape::disk, ImpactRule::frictionless> map(scene);
+        long left = 0, found = 0;
+        auto z = map.advance(flight_from(map.body(), LabStart<double>{beta, 0, 0.1, 0.2, 0.3, 0.1})).after;
+        for (long k = 0; k < tests::sample_count(20'000); ++k) {
+            const Flight<double> flight = flight_from(map.body(), z);
+            FirstContact<double> direct;
+            if (!detail::direct_contact<Shape::disk>(map.body(), flight, direct)) {
+                ++left;
+                const auto sampled = detail::sampled_contact_disk(map.body(), flight);
+                if (sampled.outcome == FirstContactOutcome::contact) {
+                    ++found;
+                    const auto certain = detail::certain_contact<Shape::disk>(map.body(), flight);
+                    EXPECT_EQ(certain.outcome, FirstContactOutcome::contact);
+                    EXPECT_NEAR(sampled.at.time, certain.at.time, 1e-12 * (1 + certain.at.time));
+                }
+            }
+            z = map.advance(flight).after;
+        }
+        std::printf("beta %.1f: of %ld flights the direct search leaves %ld, of which samples lead to %ld\n", beta,
+                    tests::sample_count(20'000), left, found);
+        EXPECT_GT(left, 10);
+        EXPECT_GT(found, left * 3 / 4);
+    }
+}
+
+/// From anywhere on the wall with any velocity, also where the disk grazes the wall between two samples: what is found
+/// is the first contact, and nothing where the proof does not hold.
+TEST(FurtherSearches, FindNothingButADisksFirstContact) {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    long found = 0, not_found = 0;
+    for (long k = 0; k < tests::sample_count(50'000); ++k) {
+        const double alpha = 0.05 + 0.9 * uniform(random), beta = uniform(random), psi = 6.283 * uniform(random);
+        const Scene<double> scene{disk_sides, alpha, beta, 0, 1, Law::poisson, 0.5};
+        const CollisionMap<double, Shape::disk, ImpactRule::frictionless> map(scene);
+        PostImpactState<double> z;
+        z.psi = {std::cos(psi), std::sin(psi)};
+        z.chi = {1, 0};
+        z.vn = beta * std::sin(psi) - 0.5 * uniform(random);  // from the moving wall
+        z.vt = 2 * uniform(random) - 1;
+        z.spin = 0;
+        const Flight<double> flight = flight_from(map.body(), z);
+        const auto sampled = detail::sampled_contact_disk(map.body(), flight);
+        const auto certain = detail::certain_contact<Shape::disk>(map.body(), flight);
+        if (sampled.outcome != FirstContactOutcome::contact) {
+            ++not_found;
+            continue;
+        }
+        ++found;
+        ASSERT_EQ(certain.outcome, FirstContactOutcome::contact) << k;
+        ASSERT_NEAR(sampled.at.time, certain.at.time, 1e-7 * (1 + certain.at.time)) << k;  // ε/u_n of grazing ones
+    }
+    std::printf("samples lead to the contact of %ld flights of %ld\n", found, found + not_found);
+    EXPECT_GT(found, 4 * not_found);  // the others are longer than eight radians, or graze the wall
+    EXPECT_GT(not_found, 0);
 }
 
 /// The scan itself must be able to fail: it finds an excursion through the wall however short.

@@ -266,6 +266,7 @@ std::vector<LineHistograms> count_all_lines(const Shape& shape, std::size_t thre
     std::vector<LineHistograms> result;
     for (std::size_t k = 0; k < thresholds; ++k) {
         std::vector<const BlockBorder*> of_threshold;
+        of_threshold.reserve(borders.size());
         for (const auto& border : borders) of_threshold.push_back(&border[k]);
         std::vector<std::uint64_t>& histogram = context.totals[k].diagonal;
         join_blocks(of_threshold, context.frame.lines_begin, context.frame.words * 64, [&](const DiagonalLine& line) {

@@ -36,6 +36,7 @@ void expect_the_rule(const Points& rows, const Points& columns, Norm norm, const
         std::vector<std::vector<std::uint64_t>> frames(bounds.size(),
                                                        std::vector<std::uint64_t>((rows.count + 130) / 64 + 2, 0));
         std::vector<std::uint64_t*> pointers;
+        pointers.reserve(frames.size());
         for (auto& frame : frames) pointers.push_back(frame.data());
         detail::fill_column_by_tiles(matrix, c, offset, pointers, scratch);
         for (std::size_t q = 0; q < bounds.size(); ++q)

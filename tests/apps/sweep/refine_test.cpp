@@ -51,7 +51,8 @@ TEST(Refine, ACircleIsAsSharpAsOnTheFullGrid) {
     const std::size_t n = 16 * 16 + 1;
     const Lattice lattice{{n, n}, 4};
     const auto verdict = [&](std::size_t place) {
-        const double x = static_cast<double>(place / n) / (n - 1), y = static_cast<double>(place % n) / (n - 1);
+        const std::size_t row = place / n, column = place % n;
+        const double x = static_cast<double>(row) / (n - 1), y = static_cast<double>(column) / (n - 1);
         return std::int64_t{std::hypot(x - 0.45, y - 0.55) < 0.3};
     };
     const Tree tree = refined(lattice, verdict);
@@ -65,7 +66,8 @@ TEST(Refine, ATongueIsFollowedBeyondTheCoarseGrid) {
     const std::size_t n = 8 * 16 + 1;
     const Lattice lattice{{n, n}, 4};
     const auto verdict = [&](std::size_t place) {
-        const auto x = static_cast<double>(place / n), y = static_cast<double>(place % n);
+        const std::size_t row = place / n, column = place % n;
+        const auto x = static_cast<double>(row), y = static_cast<double>(column);
         return std::int64_t{std::abs(y - 40) < 10 * (1 - x / static_cast<double>(n))};  // narrows to nothing
     };
     const Tree tree = refined(lattice, verdict);
@@ -80,7 +82,8 @@ TEST(Refine, ABorderThatBendsIntoASquareBetweenItsCornersIsFollowed) {
     const Lattice lattice{{n, n}, 4};
     for (const double height : {2.0, 3.0, 6.0}) {
         const auto verdict = [&](std::size_t place) {
-            const auto x = static_cast<double>(place / n), y = static_cast<double>(place % n);
+            const std::size_t row = place / n, column = place % n;
+            const auto x = static_cast<double>(row), y = static_cast<double>(column);
             const double along = std::fmod(x, 16.0) - 4;
             return std::int64_t{y < 62.5 + 2 * height * std::exp(-along * along / 4)};
         };

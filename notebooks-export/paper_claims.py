@@ -6,23 +6,37 @@ Prints a verdict for each claim and body, and writes claims.json and a figure fo
 
 import argparse
 import json
+import shutil
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from swirl_claims import claims, drawn
+from swirl_claims.sampling import LEAST_RUNS
+
+
+MOST_RUNS = 100_000
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("swirl", help="the program")
     parser.add_argument("-o", "--output", type=Path, required=True, help="the folder for claims.json and the figures")
-    parser.add_argument("--runs", type=int, default=50, help="random starts of each scene, 8 or more (default 50, the paper's)")
+    parser.add_argument("--runs", type=int, default=50, help=f"random starts of each scene, {LEAST_RUNS} or more (default 50, the paper's)")
     options = parser.parse_args()
-    if options.runs < 8:
-        parser.error(f"--runs {options.runs}: 8 or more are needed for an interval")
+    if not LEAST_RUNS <= options.runs <= MOST_RUNS:
+        fail(f"runs = {options.runs}: allowed are {LEAST_RUNS} to {MOST_RUNS}")
+    if shutil.which(options.swirl) is None:
+        fail(f"'{options.swirl}' is no program")
+    if options.output.exists() and not options.output.is_dir():
+        fail(f"'{options.output}' is no folder")
     return options
+
+
+def fail(message):
+    print(f"paper_claims: {message}", file=sys.stderr)
+    sys.exit(2)
 
 
 def checked(swirl, runs):
@@ -50,7 +64,10 @@ def checked(swirl, runs):
 
 def main():
     options = arguments()
-    options.output.mkdir(parents=True, exist_ok=True)
+    try:
+        options.output.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        fail(f"cannot create '{options.output}': {error.strerror}")
     told = {}
     for name, sentence, verdicts, figure in checked(options.swirl, options.runs):
         print(f"{sentence}:")
@@ -64,4 +81,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except RuntimeError as error:  # of the program
+        fail(error)

@@ -5,9 +5,10 @@
 // result is the same on any number of threads (the caller's TBB arena) and any instruction set.
 //
 // Cost of the functions below, n rows and columns: O(n log n) to sort, then O(n^2 / 64) word operations for the
-// diagonal lines and the work of finding the recurrence points: O(RR n^2) in one dimension, O(candidates by the first
-// two coordinates) up to dimension 4, n^2 distances above. Vertical lines of a plain scalar series with a Theiler
-// window of at most 16 take O(n W log n), others O(RR n^2). Memory O(n) per threshold and thread, never O(n^2).
+// diagonal lines and the work of finding the recurrence points: O(RR n^2) in one dimension; above, of smooth
+// trajectories the n^2 / 64 tests of tiles and the pairs of near ones (README.md, "Tiles"), of others O(candidates by
+// the first two coordinates) up to dimension 4 and n^2 distances above. Vertical lines of a plain scalar series with a
+// Theiler window of at most 16 take O(n W log n), others O(RR n^2). Memory O(n) per threshold and thread, never O(n^2).
 #pragma once
 
 #include "analysis/recurrence/metric.hpp"

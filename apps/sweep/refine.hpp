@@ -23,8 +23,8 @@ struct Lattice {
 std::vector<std::size_t> coarse_points(const Lattice& lattice);
 
 /// The points to be looked at next: of each square (cube) of the tree whose corners have been looked at, and where two
-/// of the points that have been looked at in it, or within a quarter of its side around it, differ: those of its
-/// corners, edges' middles and middle that have not. None: the tree is complete.
+/// of the points that have been looked at in it, or (on two axes and more) within a quarter of its side around it,
+/// differ: those of its corners, edges' middles and middle that have not. None: the tree is complete.
 ///   visited  1 of each point that has been looked at
 ///   verdict  of such a point
 /// A border that comes to light beside a square that was left whole splits it, too. The margin lets a border that bends

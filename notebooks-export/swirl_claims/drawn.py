@@ -8,6 +8,7 @@ from swirl_figures.style import BLUE, GREY, VERMILION, styled
 from swirl_figures.symbols import SPIN
 
 from .claims import MU, OMEGA
+from .sampling import NO_ATTRACTOR
 
 _WAYS = (("time", "o", BLUE, "time mean"), ("impact", "s", VERMILION, "mean over the impacts"))
 
@@ -25,13 +26,17 @@ def of_sign(by_body, title):
     for axes, (body, (points, verdict)) in zip(panels, by_body.items()):
         for way, marker, colour, label in _WAYS:
             mean = numpy.array([point.mean[way] for point in points])
-            bars = abs(numpy.array([[point.low[way], point.high[way]] for point in points]).T - mean)
+            ends = numpy.array([point.shown[way] for point in points]).T
+            bars = numpy.where(numpy.isfinite(ends), abs(ends - mean), 0)
             axes.errorbar([point.place for point in points], mean, bars, fmt=marker, ms=4, mfc="none" if way == "impact" else colour,
                           color=colour, lw=1, capsize=2, label=label)
+        for point in (point for point in points if point.kind in NO_ATTRACTOR):
+            axes.axvspan(point.place - 0.03, point.place + 0.03, color=GREY, alpha=0.25, lw=0, label="still transient: not judged")
         axes.axhline(0, color=GREY, lw=0.8)
         axes.set(xlabel=r"$\alpha$", title=f"{_name(body)}: {verdict}")
     panels[0].set_ylabel(SPIN)
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncol=2)
+    listed = {label: handle for axes in panels for handle, label in zip(*axes.get_legend_handles_labels())}
+    figure.legend(listed.values(), listed.keys(), loc="lower center", ncol=len(listed))
     figure.suptitle(title)
     return figure
 
@@ -42,14 +47,14 @@ def of_size(grid, title):
     figure = blank_figure(9, 3.8)
     left, right = figure.subplots(1, 2)
     colours = colormaps["cividis"]
-    for mu, points in grid.items():
-        left.plot(OMEGA, [omega * point.mean["time"] for omega, point in zip(OMEGA, points)], "o-", ms=3, lw=0.9,
+    for mu, groups in grid.items():
+        left.plot(OMEGA, [omega * group.by_time.mean() for omega, group in groups], "o-", ms=3, lw=0.9,
                   color=VERMILION if mu == 0 else colours(mu), label=rf"$\mu$ = {mu:g}")
     left.axhline(0, color=GREY, lw=0.8)
     left.set(xlabel=r"$\omega_s$", ylabel=r"mean $\omega_p$, by time", title="As Figure 7: mean rotation against swirl")
     left.legend(fontsize="x-small", ncols=2)
     for way, marker, colour, label in _WAYS:
-        values = [[point.mean[way] for point in grid[mu]] for mu in MU if mu > 0]
+        values = [[(group.by_time if way == "time" else group.by_impact).mean() for _, group in grid[mu]] for mu in MU if mu > 0]
         right.errorbar([mu for mu in MU if mu > 0], numpy.mean(values, axis=1),
                        numpy.std(values, axis=1, ddof=1) / numpy.sqrt(len(OMEGA)) * 1.96, fmt=marker, ms=4, color=colour,
                        mfc="none" if way == "impact" else colour, lw=1, capsize=2, label=label)

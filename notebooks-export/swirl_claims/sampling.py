@@ -10,8 +10,14 @@ import numpy
 #: As in the paper: 4,000 impacts of each run; those of a transient are left out first.
 TRANSIENT, IMPACTS = 1000, 4000
 
-#: Of a percentile interval; so many that the tails of one at a level of 0.1 % are resolved.
+#: Of an interval; so many that the tails of one at a level of 0.05 % are resolved.
 RESAMPLES = 20_000
+
+#: Fewer runs than that say nothing of a mean: the interval is all numbers.
+LEAST_RUNS = 12
+
+#: Kinds of a run that has come to no attractor yet.
+NO_ATTRACTOR = ("transient", "none", "")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -43,11 +49,23 @@ def attractors(swirl, runs, seed=1, **scene):
     return groups
 
 
-def interval(values, level=0.95, seed=1):
-    """(low, high) of the mean, by the percentiles of resampled means; of one run nothing is known."""
-    values = values[numpy.isfinite(values)]
-    if len(values) < 2:
-        return -numpy.inf, numpy.inf
+def _resampled(values, seed):
+    """(means, standard errors) of samples of the values, drawn with replacement."""
     random = numpy.random.default_rng(seed)
-    means = values[random.integers(len(values), size=(RESAMPLES, len(values)))].mean(axis=1)
-    return tuple(numpy.quantile(means, [(1 - level) / 2, (1 + level) / 2]))
+    drawn = values[random.integers(len(values), size=(RESAMPLES, len(values)))]
+    return drawn.mean(axis=1), drawn.std(axis=1, ddof=1) / len(values) ** 0.5
+
+
+def interval(values, level=0.95, seed=1):
+    """(low, high) of the mean by the studentised bootstrap (Efron and Tibshirani 1993, 12.5): the quantiles of
+    t = (mean of a resample - mean) / its standard error. Percentiles of the means would be too narrow in the tails."""
+    values = values[numpy.isfinite(values)]
+    if len(values) < LEAST_RUNS:
+        return -numpy.inf, numpy.inf
+    mean, error = values.mean(), values.std(ddof=1) / len(values) ** 0.5
+    if error == 0:
+        return float(mean), float(mean)
+    means, errors = _resampled(values, seed)
+    t = (means - mean) / numpy.maximum(errors, 1e-3 * error)
+    low, high = numpy.quantile(t, [(1 - level) / 2, (1 + level) / 2])
+    return float(mean - high * error), float(mean - low * error)

@@ -133,6 +133,6 @@ def draw_into(figure, record, look):
         _draw(below, track, points, track.spin, colour, size)
     above.set(ylabel="share of the starts", ylim=(-0.03, 1.03))
     above.set_title("thin bars: Wilson's interval, 95 %", fontsize="small", color="0.25", loc="right", pad=2)
-    below.set(xlabel=axis_label(grid.axes[0]), ylabel=f"mean spin {MEAN_SPIN}, in $\omega_s$")
+    below.set(xlabel=axis_label(grid.axes[0]), ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$")
     grid.name_ticks(below)
     return [above]

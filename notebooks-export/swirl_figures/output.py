@@ -5,7 +5,7 @@ import os
 import stat
 from pathlib import Path
 
-from .style import DOTS_PER_INCH, styled
+from .style import DOTS_PER_INCH, styled_with
 
 #: What a figure says of its origin: `swirl plot` replaces such a file without being told to.
 MARK = "drawn by swirl plot"
@@ -20,10 +20,11 @@ LARGEST = 5_000_000
 FEWER_DOTS = (110, 80)
 
 
-@styled
 def _bytes_at(figure, suffix, dots_per_inch):
+    """With the letters that it was drawn with: an axis counts again how many numbers it has room for."""
     content = io.BytesIO()
-    figure.savefig(content, format=suffix[1:], metadata=SUFFIXES[suffix], dpi=dots_per_inch)
+    with styled_with(getattr(figure, "swirl_letters", 9)):
+        figure.savefig(content, format=suffix[1:], metadata=SUFFIXES[suffix], dpi=dots_per_inch)
     return content.getvalue()
 
 

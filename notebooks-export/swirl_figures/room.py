@@ -3,6 +3,7 @@ its panel is broken into lines; and a figure that would cut words off, print the
 refused."""
 
 import itertools
+import re
 import warnings
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -36,6 +37,14 @@ def _numbers_along(axis):
     return [label for label in labels if label.get_visible() and label.get_text().strip()]
 
 
+#: A number, as axes write them; words are not thinned.
+_NUMBER = re.compile(r"[\d.,\N{MINUS SIGN}+e-]+|\$\\mathdefault\{.*\}\$")
+
+
+def _are_numbers(axis):
+    return all(_NUMBER.fullmatch(label.get_text().strip()) for label in _numbers_along(axis))
+
+
 def _touch(axis, renderer, gap):
     ends = [label.get_window_extent(renderer).get_points()[:, 0 if axis.axis_name == "x" else 1]
             for label in _numbers_along(axis)]
@@ -59,7 +68,7 @@ def _thin_numbers(figure, renderer, letters):
     """Until none touch, or two are left."""
     for _ in range(6):
         crowded = [axis for axes in figure.axes if axes.get_visible() and axes.axison for axis in (axes.xaxis, axes.yaxis)
-                   if len(_numbers_along(axis)) > 2 and _touch(axis, renderer, _GAP * letters * figure.dpi / 72)]
+                   if len(_numbers_along(axis)) > 2 and _are_numbers(axis) and _touch(axis, renderer, _GAP * letters * figure.dpi / 72)]
         if not crowded:
             return
         for axis in crowded:
@@ -109,9 +118,11 @@ def _is_cut(figure, renderer):
 
 
 def _has_words_on_words(figure, renderer):
-    """Words within a panel, and those of its legend."""
+    """Words within a panel, and those of its legend; or those along an axis."""
     slack = _SLACK * figure.dpi / 72
     for axes in figure.axes:
+        if axes.axison and any(not _are_numbers(axis) and _touch(axis, renderer, 0) for axis in (axes.xaxis, axes.yaxis)):
+            return True
         legend = axes.get_legend()
         words = [text for text in axes.texts if text.get_visible() and text.get_text().strip()]
         boxes = [text.get_window_extent(renderer) for text in words + ([legend] if legend else [])]
@@ -131,6 +142,7 @@ def _has_slivers(figure, letters):
 
 def make_room(figure, look, what):
     """Numbers of any figure are thinned out; one that is as wide, or has letters as large, as was asked for may be refused."""
+    figure.swirl_letters = look.letters
     renderer = FigureCanvasAgg(figure).get_renderer()
     done = _lay_out(figure)
     _thin_numbers(figure, renderer, look.letters)
@@ -138,6 +150,7 @@ def make_room(figure, look, what):
         return
     if _break_labels(figure, renderer):
         done = _lay_out(figure)
+        _thin_numbers(figure, renderer, look.letters)
     if (not done or _is_cut(figure, renderer) or _has_words_on_words(figure, renderer)
             or _has_slivers(figure, look.letters)):
         page = " on a page" if figure.get_size_inches()[1] >= PAGE else ""

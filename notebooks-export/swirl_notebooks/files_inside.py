@@ -24,11 +24,10 @@ _BESIDE = '''\
 import hashlib
 from pathlib import Path
 
-path = Path({relative!r})  # from this notebook's folder
-if not path.exists():
-    path = Path({name!r})  # both have moved into one folder
-found = hashlib.sha256(path.read_bytes()).hexdigest()
-assert found == {checksum!r}, f"{{path}} is another file than the one this notebook was made of"
+# From this notebook's folder, or in it, where both have moved into one.
+places = [path for path in (Path({relative!r}), Path({name!r})) if path.exists()]
+path = next((path for path in places if hashlib.sha256(path.read_bytes()).hexdigest() == {checksum!r}), None)
+assert path, f"{{places[0] if places else {name!r}}} is {{'another file than' if places else 'not there:'}} the one this notebook was made of"
 '''
 
 

@@ -12,7 +12,8 @@ from driving import run
 from drawn_records import ALL, KINDS_OF, WithRecords
 from chosen import COLUMNS
 from figure_faults import faults
-from swirl_figures import Look, RecordError, draw
+from swirl_figures import Look, RecordError, draw, save
+from swirl_figures.room import make_room
 
 #: Millimetres: a column, what is just wider, two columns; None: a screen.
 WIDTHS = (86, 127, 140, 160, 178, 183, 190, None)
@@ -61,6 +62,28 @@ class EveryFigure(WithRecords):
         self.assertIn("constrained_layout", " ".join(faults(narrow)))
 
 
+class Numbers(WithRecords):
+    def test_along_an_axis_are_thinned_and_words_are_not(self):
+        figure = Figure(figsize=(3, 2), layout="constrained")
+        numbers, words = figure.subplots(2, 1)
+        numbers.set_xticks([0.1234 + 0.01 * k for k in range(12)])
+        words.set_xticks(range(3), ["chaotic", "quasi-steady", "steady"])
+        make_room(figure, Look(), "a test")
+        self.assertLess(len(numbers.get_xticks()), 8)
+        self.assertEqual([label.get_text() for label in words.get_xticklabels()], ["chaotic", "quasi-steady", "steady"])
+        words.set_xticks(range(12), ["a long name"] * 12)
+        with self.assertRaisesRegex(RecordError, "on one another"):
+            make_room(figure, Look(width=3), "a test")
+        self.assertEqual(len(words.get_xticks()), 12)
+
+    def test_are_saved_as_they_were_laid_out(self):
+        """With large letters an axis has room for fewer numbers, also when it is drawn again to be saved."""
+        figure = draw(self.records["runs"], None, Look(width=in_inches(140), font_size=13))
+        before = [label.get_text() for axes in figure.axes for label in axes.get_xticklabels()]
+        save(figure, self.folder / "large.png")
+        self.assertEqual([label.get_text() for axes in figure.axes for label in axes.get_xticklabels()], before)
+
+
 class WithoutRoom(WithRecords):
     def refused(self, arguments, *mentions):
         result = run(f"plot {arguments} -o new.png", cwd=self.folder)
@@ -73,6 +96,7 @@ class WithoutRoom(WithRecords):
         self.refused("orbit.h5 --width 60 --font-size 20", "width = 60 mm with letters of 20 points: a figure of kind orbit")
         self.refused("orbit.h5 --font-size 40", "letters of 40 points")
         self.refused("orbit.h5 orbit.h5 orbit.h5 --width aps-2", "a figure of 3 records", "on a page")
+        self.refused("recurrence.h5 --width 100 --font-size 14", "words cut off or on one another")
 
     def test_several_records_in_a_column_are_no_higher_than_a_page(self):
         for name, kind, count, width in (("orbit", "orbit", 2, 178), ("spectrum", None, 3, 86), ("orbit", "spin", 3, 178)):

@@ -15,14 +15,19 @@ ROOT = Path(sys.argv.pop(1)).resolve()
 sys.path.insert(0, str(ROOT / "notebooks-export"))
 
 from swirl_claims import claims
-from swirl_claims.sampling import attractors, interval
+from swirl_claims.sampling import Attractor, LEAST_RUNS, attractors, interval
 
 
-def point(mean, error=0.01, impact=None):
+def point(mean, error=0.01, impact=None, kind="chaotic"):
     values = {"time": mean, "impact": mean if impact is None else impact}
-    return claims.Point(0.1, "chaotic", 1.0, values, {k: v - 2 * error for k, v in values.items()},
-                        {k: v + 2 * error for k, v in values.items()},
-                        {k: int(v > 3 * error) - int(v < -3 * error) for k, v in values.items()})
+    ends = {way: (value - 3 * error, value + 3 * error) for way, value in values.items()}
+    return claims.Point(0.1, kind, 1.0, 50, values, ends, ends if kind == "chaotic" else dict.fromkeys(ends, (-numpy.inf, numpy.inf)))
+
+
+def runs(mean, deviation=0.02, count=50):
+    """Of one attractor, the same by time and by impact."""
+    values = mean + deviation * numpy.random.default_rng(7).normal(size=count)
+    return Attractor("chaotic", 1.0, values, values, values)
 
 
 class Verdicts(unittest.TestCase):
@@ -33,22 +38,34 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdict([point(-0.1)] * 8 + [point(0.0)], -1), "holds")  # at one place nobody can say
         self.assertEqual(verdict([point(-0.1)] * 8 + [point(0.1)], -1), "fails")
         self.assertEqual(verdict([point(0.1, impact=-0.1)] * 9, -1), "holds per impact only")
-        self.assertEqual(verdict([point(0.0)] * 9, +1), "fails")
+        self.assertEqual(verdict([point(0.0)] * 9, +1), "undecided")
+        self.assertEqual(verdict([point(0.0, error=0.0)] * 9, +1), "fails")  # surely 0 is not positive
+        self.assertEqual(verdict([point(-0.1)] * 7 + [point(0.1, kind="transient")] * 2, -1), "holds")  # nothing to judge yet
+        self.assertIn("still transient at 0.1", claims.verdict_on_sign([point(0.1, kind="transient")], -1)[1])
 
     def test_the_size_of_friction(self):
         def verdict(means):
-            return claims.verdict_on_size({mu: [point(mean)] * 10 for mu, mean in zip(claims.MU, means)})[0]
-        self.assertEqual(verdict([1.0] + [-0.1] * 10), "holds")
-        self.assertEqual(verdict([1.0, -0.3] + [-0.1] * 9), "fails")  # 18 % of the step
-        self.assertEqual(verdict([1.0, 0.01] + [-0.01] * 9), "fails")  # it changes sign
-        self.assertIn("13 % of the step", claims.verdict_on_size(
-            {mu: [point(mean)] * 10 for mu, mean in zip(claims.MU, [1.03, 0.074] + [-0.07] * 9)})[1])
+            return claims.verdict_on_size({mu: [(omega, runs(mean)) for omega in claims.OMEGA] for mu, mean in zip(claims.MU, means)})
+        self.assertEqual(verdict([1.0] + [-0.1] * 10)[0], "holds")
+        self.assertEqual(verdict([1.0, -0.3] + [-0.1] * 9)[0], "fails")  # 18 % of the step
+        self.assertNotEqual(verdict([1.0, 0.01] + [-0.01] * 9)[0], "holds")  # it changes sign
+        self.assertIn("13 % of the step", verdict([1.03, 0.074] + [-0.07] * 9)[1])
+
+    def test_proportion(self):
+        grid = {mu: [(omega, runs(-0.1)) for omega in claims.OMEGA] for mu in claims.MU}
+        self.assertEqual(claims.verdict_on_proportion(grid)[0], "holds")
+        grid[0.5][3] = (4, runs(-0.2))
+        self.assertEqual(claims.verdict_on_proportion(grid)[0], "fails")
 
     def test_an_interval_holds_the_mean_as_often_as_it_says(self):
+        """Within four standard errors of that count, at 50 runs and at the fewest, in the middle and in the tails."""
         random = numpy.random.default_rng(3)
-        inside = sum(low <= 0 <= high for low, high in (interval(random.normal(size=50)) for _ in range(400)))
-        self.assertGreater(inside, 400 * 0.95 - 4 * (400 * 0.95 * 0.05) ** 0.5)
-        self.assertEqual(interval(numpy.array([1.0])), (-numpy.inf, numpy.inf))
+        for count, level, most in ((50, 0.95, 0.05), (LEAST_RUNS, 0.95, 0.05), (50, 0.994, 0.006)):
+            missed = sum(not low <= 0 <= high for low, high in
+                         (interval(random.normal(size=count), level) for _ in range(100)))
+            self.assertLess(missed, 100 * most + 4 * (100 * most) ** 0.5, (count, level))
+        self.assertEqual(interval(numpy.ones(LEAST_RUNS - 1)), (-numpy.inf, numpy.inf))
+        self.assertEqual(interval(numpy.ones(LEAST_RUNS)), (1, 1))
 
 
 class Runs(unittest.TestCase):
@@ -72,25 +89,30 @@ class Runs(unittest.TestCase):
 class Script(unittest.TestCase):
     def test_every_claim_has_a_verdict_and_a_figure(self):
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([sys.executable, ROOT / "notebooks-export/paper_claims.py", SWIRL, "-o", folder, "--runs", "8"],
+            done = subprocess.run([sys.executable, ROOT / "notebooks-export/paper_claims.py", SWIRL, "-o", folder, "--runs", "16"],
                                   capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             told = json.loads((Path(folder) / "claims.json").read_text())["claims"]
             self.assertEqual(list(told), ["without-friction", "ergodic", "with-friction", "size-of-friction", "proportion", "recurrence"])
             for claim in told.values():
                 for verdict in claim["verdicts"].values():
-                    self.assertIn(verdict["verdict"], ("holds", "holds per impact only", "fails"))
+                    self.assertIn(verdict["verdict"], ("holds", "holds per impact only", "fails", "undecided"))
                     self.assertIn(f"{verdict['verdict']}; {verdict['numbers']}", done.stdout)
             self.assertEqual(told["recurrence"]["verdicts"]["6"]["verdict"], "holds")
             self.assertEqual(told["without-friction"]["verdicts"]["disk"]["verdict"], "fails")  # S is what the start had
             self.assertEqual({path.name for path in Path(folder).glob("*.png")},
                              {f"{name}.png" for name in ("without-friction", "with-friction", "size-of-friction", "recurrence")})
 
-    def test_too_few_runs_are_refused(self):
-        done = subprocess.run([sys.executable, ROOT / "notebooks-export/paper_claims.py", SWIRL, "-o", "/nonexistent", "--runs", "7"],
-                              capture_output=True, text=True)
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("--runs 7: 8 or more", done.stderr)
+    def test_wrong_input_is_one_line(self):
+        file = ROOT / "README.md"
+        for arguments, mention in (((SWIRL, "-o", "/tmp", "--runs", "7"), "runs = 7: allowed are 12 to"),
+                                   ((SWIRL, "-o", "/tmp", "--runs", "99999999999"), "runs = 99999999999"),
+                                   (("/nonexistent", "-o", "/tmp"), "'/nonexistent' is no program"),
+                                   ((SWIRL, "-o", file), "is no folder"), (("/bin/false", "-o", "/tmp"), "/bin/false classify")):
+            done = subprocess.run([sys.executable, ROOT / "notebooks-export/paper_claims.py", *arguments], capture_output=True,
+                                  text=True)
+            self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), done.stderr)
+            self.assertIn(mention, done.stderr)
 
 
 if __name__ == "__main__":

@@ -12,9 +12,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+from script import fail
 from swirl_claims import claims, drawn
 from swirl_claims.sampling import LEAST_RUNS
-
+from swirl_figures.output import save, write_whole
 
 MOST_RUNS = 100_000
 
@@ -26,17 +27,12 @@ def arguments():
     parser.add_argument("--runs", type=int, default=50, help=f"random starts of each scene, {LEAST_RUNS} or more (default 50, the paper's)")
     options = parser.parse_args()
     if not LEAST_RUNS <= options.runs <= MOST_RUNS:
-        fail(f"runs = {options.runs}: allowed are {LEAST_RUNS} to {MOST_RUNS}")
+        fail(2, f"runs = {options.runs}: allowed are {LEAST_RUNS} to {MOST_RUNS}")
     if shutil.which(options.swirl) is None:
-        fail(f"'{options.swirl}' is no program")
+        fail(2, f"'{options.swirl}' is no program")
     if options.output.exists() and not options.output.is_dir():
-        fail(f"'{options.output}' is no folder")
+        fail(2, f"'{options.output}' is no folder")
     return options
-
-
-def fail(message):
-    print(f"paper_claims: {message}", file=sys.stderr)
-    sys.exit(2)
 
 
 def checked(swirl, runs):
@@ -67,7 +63,7 @@ def main():
     try:
         options.output.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        fail(f"cannot create '{options.output}': {error.strerror}")
+        fail(2, f"cannot create '{options.output}': {error.strerror}")
     told = {}
     for name, sentence, verdicts, figure in checked(options.swirl, options.runs):
         print(f"{sentence}:")
@@ -76,12 +72,13 @@ def main():
         told[name] = {"claim": sentence, "verdicts": {body: {"verdict": verdict, "numbers": numbers}
                                                       for body, (verdict, numbers) in verdicts.items()}}
         if figure is not None:
-            figure.savefig(options.output / f"{name}.png", dpi=200)
-    (options.output / "claims.json").write_text(json.dumps({"runs": options.runs, "claims": told}, indent=2) + "\n")
+            save(figure, options.output / f"{name}.png")
+    document = json.dumps({"runs": options.runs, "claims": told}, indent=2) + "\n"
+    write_whole(document.encode(), options.output / "claims.json")
 
 
 if __name__ == "__main__":
     try:
         main()
     except RuntimeError as error:  # of the program
-        fail(error)
+        fail(2, error)

@@ -158,7 +158,6 @@ ColumnScratch make_scratch(const SortedRows& rows) {
 
 double candidate_share(const SortedRows& rows, const Points& columns, double bound) {
     constexpr std::size_t most = 64;
-    if (rows.order.empty()) return 1;
     ColumnScratch scratch = make_scratch(rows);
     const std::size_t taken = std::min(columns.count, most);
     std::size_t found = 0;

@@ -50,7 +50,8 @@ struct ColumnScratch {
 };
 ColumnScratch make_scratch(const SortedRows& rows);
 
-/// The share of all rows that are compared with a column, from some columns at equal distances. Cost: O(log n).
+/// The share of all rows, which are sorted, that are compared with a column: from some columns at equal distances.
+/// Cost: O(log n).
 double candidate_share(const SortedRows& rows, const Points& columns, double bound);
 
 /// Sets, for every bound k, bit i + offset of frames[k] for each row i with key(x_i, y_c) <= bounds[k], y_c the point c

@@ -66,14 +66,14 @@ namespace {
 constexpr std::size_t most_kept = 2000;
 
 /// Group `tail`: the section points of the first impacts that the verdict rests on; none where the orbit ended.
-void write_tail(const RecordGroup& root, const OrbitSamples& samples) {
-    const std::vector<Eigen::VectorXd>& points = samples.points;
+///   impacts  of the orbit; each point of the tail had a next one, the last included
+void write_tail(const RecordGroup& root, const std::vector<Eigen::VectorXd>& points, std::int64_t impacts) {
     if (points.empty()) return;
     const RecordGroup group = root.group("tail");
     const std::size_t kept = std::min(points.size(), most_kept);
     std::vector<double> values;
     for (std::size_t i = 0; i < kept; ++i) values.insert(values.end(), points[i].begin(), points[i].end());
-    group.attribute("first", samples.first);
+    group.attribute("first", impacts - std::ssize(points));
     group.dimension("impact", kept);
     write_coordinate_names(group, points.front().size());
     group.write<double>("points", {"impact", "coordinate"}, values, {"1", "section point just after each impact", {}});
@@ -95,7 +95,7 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
         const RecordGroup root = record->root();
         write_scene(root, scene, &options.start);
         write_verdict(root.group("mode"), named, options.settings);
-        write_tail(root, samples);
+        write_tail(root, samples.points, named.impacts);
         record->finish();
     }
     if (options.output.json) {

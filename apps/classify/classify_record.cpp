@@ -92,10 +92,7 @@ NamedMode name_recorded(const Scene<double>& scene, const Start<double>& start, 
     const std::size_t row = std::min(first_row(orbit), orbit.columns.values.back().size() - 1);
     settings.transient = 0;
     named = name_mode(scene, recorded_point(orbit.columns, row), settings, accuracy, {}, seen);
-    const std::int64_t number =
-        orbit.columns.range.transient + static_cast<std::int64_t>(row) * orbit.columns.every + 1;
-    named.impacts += number;
-    if (seen) seen->first += number;
+    named.impacts += orbit.columns.range.transient + static_cast<std::int64_t>(row) * orbit.columns.every + 1;
     named.verdict.evidence.push_back(
         {"orbit from the start repeats the record", 0, 1,
          fmt::format("followed from its start in {} it parts from the record (made in another accuracy, or by another "

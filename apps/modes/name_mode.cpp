@@ -171,8 +171,6 @@ NamedMode named_from(const SceneMap<D>& map, const OrbitBegin& begin, FollowedSc
     if (samples) keep_samples(map, tail, *samples);
     named.verdict = judged(map, orbit, settings, dissipative);
     named.impacts += named.verdict.steps;
-    // Each kept state had a next one.
-    if (samples) samples->first = named.impacts - static_cast<std::int64_t>(samples->points.size());
     if (tail.ended) {
         named.outcome = ending_at(map, tail.end, named.impacts);
         name_end(map, tail.end, named);

@@ -28,7 +28,6 @@ inline constexpr const char* rebounds_evidence = "rebounds of its chatter";
 /// What else a verdict saw of its orbit.
 struct OrbitSamples {
     std::vector<Eigen::VectorXd> points;       ///< coordinates of the tail; none where the orbit ended
-    std::int64_t first = 0;                    ///< the number of the impact at points.front(); the orbit's first is 1
     std::optional<SectionPoint<double>> last;  ///< of the orbit; none without impacts
 };
 

@@ -17,23 +17,29 @@ MU, OMEGA = tuple(round(0.1 * k, 1) for k in range(11)), tuple(range(1, 11))
 
 HOLDS, PER_IMPACT, FAILS, UNDECIDED = "holds", "holds per impact only", "fails", "undecided"
 
+#: Means of S.
+WAYS = ("time", "impact")
+
+
+def _verdict(so, surely_not=True):
+    """Of what is so by time and by impact, and whether it surely is not so by time."""
+    return HOLDS if so["time"] else PER_IMPACT if so["impact"] else FAILS if surely_not else UNDECIDED
+
 
 @dataclasses.dataclass(frozen=True)
 class Point:
     """The attractor of most runs at one place of a claim; by "time" and by "impact"."""
     place: float
     kind: str
-    share: float
-    runs: int
     mean: dict
     shown: dict   #: (low, high) of an interval of 95 %
     judged: dict  #: of the interval that decides; all numbers where the runs have come to no attractor
 
 
 def point_of(place, group, level):
-    values = {"time": group.by_time, "impact": group.by_impact}
+    values = {way: group.spins(way) for way in WAYS}
     everything = (-numpy.inf, numpy.inf)
-    return Point(place, group.kind, group.share, len(group.by_time),
+    return Point(place, group.kind,
                  {way: float(numpy.nanmean(v)) for way, v in values.items()}, {way: interval(v) for way, v in values.items()},
                  {way: everything if group.kind in NO_ATTRACTOR else interval(v, level) for way, v in values.items()})
 
@@ -59,9 +65,8 @@ def _in_words(points):
 
 def verdict_on_sign(points, sign):
     """(verdict, in numbers)."""
-    counts = {way: sides_of(points, way, sign) for way in ("time", "impact")}
-    verdict = (HOLDS if _is_so(counts["time"]) else PER_IMPACT if _is_so(counts["impact"])
-               else FAILS if counts["time"][1] > 0 else UNDECIDED)
+    counts = {way: sides_of(points, way, sign) for way in WAYS}
+    verdict = _verdict({way: _is_so(counts[way]) for way in WAYS}, counts["time"][1] > 0)
     means = [point.mean["time"] for point in points]
     return verdict, "; ".join(f"by {way} {yes} yes, {no} no, {undecided} open"
                               for way, (yes, no, undecided) in counts.items()) + \
@@ -89,15 +94,11 @@ def friction_grid(swirl, runs):
                                     speed=1 / (7 * omega))[0]) for omega in OMEGA] for mu in MU}
 
 
-def _values(group, way):
-    return group.by_time if way == "time" else group.by_impact
-
-
 def _share_of_step(grid, way, random=None):
     """How much the means differ over mu > 0, in parts of the step from mu = 0, and these means; of resampled runs."""
     mean = {}
     for mu, groups in grid.items():
-        values = numpy.concatenate([_values(group, way) for _, group in groups])
+        values = numpy.concatenate([group.spins(way) for _, group in groups])
         mean[mu] = (values if random is None else random.choice(values, len(values))).mean()
     with_friction = [mean[mu] for mu in MU if mu > 0]
     return (max(with_friction) - min(with_friction)) / abs(mean[0.0] - numpy.mean(with_friction)), mean
@@ -106,7 +107,7 @@ def _share_of_step(grid, way, random=None):
 def verdict_on_size(grid):
     """(verdict, in numbers): that mu > 0 matters less than a tenth of the step from mu = 0, and changes no sign."""
     told, so, not_so = [], {}, {}
-    for way in ("time", "impact"):
+    for way in WAYS:
         share, mean = _share_of_step(grid, way)
         random = numpy.random.default_rng(1)
         shares = [_share_of_step(grid, way, random)[0] for _ in range(1000)]
@@ -117,23 +118,21 @@ def verdict_on_size(grid):
         told.append(f"by {way} S = {mean[0.0]:+.3f} at mu = 0, {mean[0.1]:+.3f} at 0.1, {min(with_friction):+.3f} to "
                     f"{max(with_friction):+.3f} from 0.1 to 1: {100 * share:.0f} % of the step ({100 * low:.0f} to "
                     f"{100 * high:.0f} %)")
-    verdict = HOLDS if so["time"] else PER_IMPACT if so["impact"] else FAILS if not_so["time"] else UNDECIDED
-    return verdict, "; ".join(told)
+    return _verdict(so, not_so["time"]), "; ".join(told)
 
 
 def verdict_on_proportion(grid):
     """(verdict, in numbers): that S is the same at every omega_s, for each mu: the mean over omega_s lies in all intervals."""
     level = 1 - 0.05 / (len(MU) * len(OMEGA))
     outside = {}
-    for way in ("time", "impact"):
+    for way in WAYS:
         outside[way] = 0
         for groups in grid.values():
-            values = [_values(group, way) for _, group in groups]
+            values = [group.spins(way) for _, group in groups]
             middle = numpy.concatenate(values).mean()
             ends = [interval(v, level) for v in values]
             outside[way] += sum(not low <= middle <= high for low, high in ends)
-    verdict = HOLDS if outside["time"] == 0 else PER_IMPACT if outside["impact"] == 0 else FAILS
-    return verdict, "; ".join(f"by {way} {count} of {len(MU) * len(OMEGA)} intervals leave out the mean over omega_s"
+    return _verdict({way: count == 0 for way, count in outside.items()}), "; ".join(f"by {way} {count} of {len(MU) * len(OMEGA)} intervals leave out the mean over omega_s"
                               for way, count in outside.items())
 
 

@@ -54,7 +54,7 @@ def of_size(grid, title):
     left.set(xlabel=r"$\omega_s$", ylabel=r"mean $\omega_p$, by time", title="As Figure 7: mean rotation against swirl")
     left.legend(fontsize="x-small", ncols=2)
     for way, marker, colour, label in _WAYS:
-        values = [[(group.by_time if way == "time" else group.by_impact).mean() for _, group in grid[mu]] for mu in MU if mu > 0]
+        values = [[group.spins(way).mean() for _, group in grid[mu]] for mu in MU if mu > 0]
         right.errorbar([mu for mu in MU if mu > 0], numpy.mean(values, axis=1),
                        numpy.std(values, axis=1, ddof=1) / numpy.sqrt(len(OMEGA)) * 1.96, fmt=marker, ms=4, color=colour,
                        mfc="none" if way == "impact" else colour, lw=1, capsize=2, label=label)

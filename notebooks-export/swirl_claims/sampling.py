@@ -29,6 +29,10 @@ class Attractor:
     by_impact: numpy.ndarray
     recurrence: numpy.ndarray  #: RC without its diagonal
 
+    def spins(self, way):
+        """By "time" or by "impact"."""
+        return self.by_time if way == "time" else self.by_impact
+
 
 def attractors(swirl, runs, seed=1, **scene):
     """Of `runs` random starts, that of the largest share first. `scene`: flags of classify, `sides=6, mu=0.5, …`."""

@@ -3,15 +3,13 @@ is there also where a figure has none (--no-title), and in the caption."""
 
 from matplotlib import rcParams
 
-from .legends import panel_size
+from .legends import fits_across
 from .symbols import TIME
-from .words import letters_across, letters_in
 
 
 def tell_cut(axes, look, title, shown_until, end):
     """On a line of its own where the panel is too narrow for both."""
     words = f"shown until {TIME} = {shown_until:.4g} of {end:.6g}"
     both = f"{title}; {words}"
-    fits = letters_in(both) <= letters_across(panel_size(axes)[0], rcParams["font.size"])
-    axes.set_title(both if fits else f"{title}\n{words}")
+    axes.set_title(both if fits_across(axes, both, rcParams["font.size"]) else f"{title}\n{words}")
     look.notes.append(f"{both}, the rest on the wall.")

@@ -5,7 +5,7 @@ import math
 from matplotlib import rcParams
 
 from .look import width_of
-from .words import broken, letters_in
+from .words import broken, letters_across, letters_in
 
 #: Of a legend, in its letters' size: the width of a letter in the mean, of what stands beside a label, and a line's height.
 _LETTER, _BESIDE, _LINE = 0.55, 4.2, 1.65
@@ -68,6 +68,11 @@ class LegendBelow:
 
 def _share(places, ratios):
     return sum(ratios[places.start:places.stop]) / sum(ratios)
+
+
+def fits_across(axes, words, letters):
+    """Whether words of that size are no wider than a panel, about."""
+    return letters_in(words) <= letters_across(panel_size(axes)[0], letters)
 
 
 def panel_size(axes):

@@ -4,12 +4,11 @@ import numpy
 from matplotlib import rcParams
 from matplotlib.lines import Line2D
 
-from .legends import LegendBelow, panel_size
+from .legends import LegendBelow, fits_across
 from .ranges import inside, part, require
 from .style import BLUE, ORANGE, VERMILION
 from .symbols import number, scene_title
 from .thinning import thinned
-from .words import letters_across, letters_in
 
 #: A peak with less scatter between segments than this is drawn as a line, another as part of a continuum.
 LINE_SPREAD = 0.5
@@ -93,7 +92,7 @@ def _tell_what_is_left_out(axes, look, frequency, xlim):
     if look.xlim or (xlim[0] <= frequency[0] and xlim[1] >= frequency[-1]):
         return
     words = f"99.9 % of the power; frequencies go up to {number(frequency[-1])}"
-    if letters_in(words) <= letters_across(panel_size(axes)[0], 8 / 9 * rcParams["font.size"]):
+    if fits_across(axes, words, 8 / 9 * rcParams["font.size"]):
         axes.set_title(words, fontsize="small", color="0.25", loc="right", pad=2)
     begin = f"from {number(xlim[0])} " if xlim[0] < 0 else ""
     whole = f"from {number(frequency[0])} " if frequency[0] < 0 else "up "

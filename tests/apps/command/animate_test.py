@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy
 from PIL import Image
 
-from driving import made_records, run, start
+from driving import folder_of_module, made_records, run, start
 
 ROOT = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
@@ -40,9 +40,7 @@ class WithRecords(unittest.TestCase):
     def setUpClass(cls):
         if cls.records:
             return
-        temporary = tempfile.TemporaryDirectory()
-        unittest.addModuleCleanup(temporary.cleanup)
-        WithRecords.folder = Path(temporary.name)
+        WithRecords.folder = folder_of_module()
         cls.records.update(made_records(RECORDS, cls.folder))
 
 

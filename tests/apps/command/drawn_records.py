@@ -1,11 +1,10 @@
 """Records of every kind that there is a figure of, for the tests of the figures: imported by TEST.py SWIRL ROOT [--all]"""
 
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-from driving import made_records
+from driving import folder_of_module, made_records
 
 ALL = "--all" in sys.argv and not sys.argv.remove("--all")
 ROOT = str(Path(sys.argv.pop(1)).resolve())
@@ -43,6 +42,11 @@ KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "t
             "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}
 
 
+def labels_of(figure):
+    """Of the legends below the panels."""
+    return [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
+
+
 class WithRecords(unittest.TestCase):
     records = {}
 
@@ -50,9 +54,7 @@ class WithRecords(unittest.TestCase):
     def setUpClass(cls):
         if cls.records:
             return
-        temporary = tempfile.TemporaryDirectory()
-        unittest.addModuleCleanup(temporary.cleanup)
-        WithRecords.folder = Path(temporary.name)
+        WithRecords.folder = folder_of_module()
         cls.records.update(made_records({**COMMANDS, **(SLOW if ALL else {})}, cls.folder))
         for name in ("diagram", "cycles", "curves"):
             cls.records[name] = cls.folder / f"{name}.h5"

@@ -15,15 +15,10 @@ from matplotlib.collections import PathCollection
 from matplotlib.image import imread
 
 from driving import InFolder
-import drawn_records  # the package's path
+from drawn_records import labels_of
 import figure_records
 from swirl_figures import Look, draw, save
 from swirl_figures.style import DOTS_PER_INCH
-
-
-def labels_of(figure):
-    """Of the legends below the panels."""
-    return [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
 
 
 def images_in(file):

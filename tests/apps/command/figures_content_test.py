@@ -2,14 +2,12 @@
 
 import itertools
 import re
-import tempfile
 import unittest
-from pathlib import Path
 
 import h5py
 
-from driving import run
-import drawn_records  # the package's path
+from driving import folder_of_module, made_records, run
+from drawn_records import labels_of
 import figure_records
 from swirl_figures import Look, draw, open_record
 from swirl_figures.spin import running_mean
@@ -39,11 +37,6 @@ RECORDS = {"rolls": "simulate --sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --res
 COLUMN = Look(width=86 / 25.4, titles=False)
 
 
-def labels_of(figure):
-    """Of the legends below the panels."""
-    return [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
-
-
 class WithRecords(unittest.TestCase):
     records = {}
 
@@ -51,13 +44,8 @@ class WithRecords(unittest.TestCase):
     def setUpClass(cls):
         if cls.records:
             return
-        temporary = tempfile.TemporaryDirectory()
-        unittest.addModuleCleanup(temporary.cleanup)
-        WithRecords.folder = Path(temporary.name)
-        for name, command in RECORDS.items():
-            cls.records[name] = cls.folder / f"{name}.h5"
-            result = run(f"{command} --quiet -o {cls.records[name]}")
-            assert result.returncode in (0, 3), (command, result.stderr)
+        WithRecords.folder = folder_of_module()
+        cls.records.update(made_records(RECORDS, cls.folder, (0, 3)))
 
 
 class CutShort(WithRecords):

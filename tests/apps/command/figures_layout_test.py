@@ -9,7 +9,7 @@ import warnings
 from matplotlib.figure import Figure
 
 from driving import run
-from drawn_records import ALL, KINDS_OF, WithRecords
+from drawn_records import ALL, KINDS_OF, WithRecords, labels_of
 from chosen import COLUMNS
 from figure_faults import faults
 from swirl_figures import Look, RecordError, draw, save
@@ -116,7 +116,7 @@ class WithoutRoom(WithRecords):
             names.append(self.folder / f"long{i}.h5")
         figure = draw(names, "section", Look(width=in_inches(86), font_size=10))
         self.assertEqual(faults(figure), [])
-        labels = [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
+        labels = labels_of(figure)
         self.assertTrue(all("\n" in label for label in labels), labels)
         self.assertIn("3 orbits, 1,200 impacts", figure._suptitle.get_text())
 

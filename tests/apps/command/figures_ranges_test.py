@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy
 
 from driving import run
-from drawn_records import CHAOTIC, HEXAGON
+from drawn_records import CHAOTIC, HEXAGON, labels_of
 import figure_records
 from swirl_figures import Look, RecordError, draw, open_record
 from swirl_figures.ranges import clipped
@@ -19,11 +19,6 @@ RECORDS = {"long": f"simulate {CHAOTIC} --collisions 40000",
            "spectrum": f"spectrum {HEXAGON} --transient 1000 --collisions 2000",
            "exponents": f"lyapunov {HEXAGON} --transient 100 --collisions 2000",
            "tradeoff": f"tradeoff {HEXAGON} --budget 0.3"}
-
-
-def labels_of(figure):
-    """Of the legends below the panels."""
-    return [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
 
 
 def line(axes, label):

@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from matplotlib.image import imread
 
 from driving import InFolder, run
-from drawn_records import ALL, CHAOTIC, HEXAGON, KINDS_OF, WithRecords
+from drawn_records import ALL, CHAOTIC, HEXAGON, KINDS_OF, WithRecords, labels_of
 import figure_records
 from chosen import length_of
 from swirl_figures import boundaries
@@ -27,11 +27,6 @@ from swirl_figures.words import ordinal
 DRAWN_ELSEWHERE = {"orbit", "spin", "path", "modes", "bifurcation", "multipliers"}
 HEADS = {".png": b"\x89PNG\r\n", ".svg": b"<?xml", ".pdf": b"%PDF-"}
 MOST_BYTES = 5_000_000
-
-
-def labels_of(figure):
-    """Of the legends below the panels."""
-    return [text.get_text() for part in figure.subfigs for legend in part.legends for text in legend.get_texts()]
 
 
 def contact_sheet(pictures, path, columns=5):

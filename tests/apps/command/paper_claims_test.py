@@ -21,7 +21,7 @@ from swirl_claims.sampling import Attractor, LEAST_RUNS, attractors, interval
 def point(mean, error=0.01, impact=None, kind="chaotic"):
     values = {"time": mean, "impact": mean if impact is None else impact}
     ends = {way: (value - 3 * error, value + 3 * error) for way, value in values.items()}
-    return claims.Point(0.1, kind, 1.0, 50, values, ends, ends if kind == "chaotic" else dict.fromkeys(ends, (-numpy.inf, numpy.inf)))
+    return claims.Point(0.1, kind, values, ends, ends if kind == "chaotic" else dict.fromkeys(ends, (-numpy.inf, numpy.inf)))
 
 
 def runs(mean, deviation=0.02, count=50):

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy
 
-from driving import SWIRL, run, start
+from driving import SWIRL, folder_of_module, made_records, run, start
 
 ROOT = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
@@ -50,13 +50,9 @@ class WithRecords(unittest.TestCase):
     def setUpClass(cls):
         if WithRecords.folder:
             return
-        temporary = tempfile.TemporaryDirectory()
-        unittest.addModuleCleanup(temporary.cleanup)
-        WithRecords.folder = Path(temporary.name)
-        for name, command in RECORDS.items():
-            cls.records[name] = cls.folder / f"{name}.h5"
-            result = run(command + (SHORT if command.startswith("sweep") else "") + f" --quiet -o {cls.records[name]}")
-            assert result.returncode in (0, 3), (command, result.stderr)
+        WithRecords.folder = folder_of_module()
+        commands = {name: command + (SHORT if command.startswith("sweep") else "") for name, command in RECORDS.items()}
+        cls.records.update(made_records(commands, cls.folder, (0, 3)))
         for name, groups in (("bifurcate", ["samples"]), ("continue", ["branches", "special"]),
                              ("both", ["samples", "branches", "special"])):
             cls.records[name] = cls.folder / f"{name}.h5"

@@ -63,7 +63,13 @@ class Record:
 
     def attributes(self, group):
         """A group's attributes; of a group that is not there, none."""
-        return {name: _plain(value) for name, value in self._file[group].attrs.items()} if group in self.groups else {}
+        if not self.has_group(group):
+            return {}
+        return {name: _plain(value) for name, value in self._file[group].attrs.items()}
+
+    def has_group(self, path):
+        """Whether there is this group, also one within another, as "mode/settings"."""
+        return isinstance(self._file.get(path), h5py.Group)
 
     def columns(self, group):
         """The names of a group's variables, coordinates with them."""

@@ -110,12 +110,16 @@ BENCHMARK_CAPTURE(impact, thousand_small_swirl, 1000, 0.3, 0.1, 0.5, 1.0);
 BENCHMARK_CAPTURE(impact, million_steady, 1000000, 0.4, 0.5, 0.5, 1.0);
 
 BENCHMARK_CAPTURE(batch, disk_steady, 0, 0.3, 0.5, 0.5, 1.0);
+BENCHMARK_CAPTURE(batch, disk_steady_avx2, 0, 0.3, 0.5, 0.5, 1.0, HWY_AVX2);
 BENCHMARK_CAPTURE(batch, disk_steady_sse4, 0, 0.3, 0.5, 0.5, 1.0, HWY_SSE4);
 BENCHMARK_CAPTURE(batch, disk_small_swirl, 0, 0.3, 0.1, 0.5, 1.0);
 BENCHMARK_CAPTURE(batch, disk_frictionless, 0, 0.3, 0.5, 0.0, 1.0);
+BENCHMARK_CAPTURE(batch, disk_frictionless_avx2, 0, 0.3, 0.5, 0.0, 1.0, HWY_AVX2);
 BENCHMARK_CAPTURE(batch, hexagon_steady, 6, 0.4, 0.5, 0.5, 0.9);
+BENCHMARK_CAPTURE(batch, hexagon_steady_avx2, 6, 0.4, 0.5, 0.5, 0.9, HWY_AVX2);
 BENCHMARK_CAPTURE(batch, hexagon_steady_sse4, 6, 0.4, 0.5, 0.5, 0.9, HWY_SSE4);
 BENCHMARK_CAPTURE(batch, hexagon_chaotic, 6, 0.3, 0.5, 0.5, 1.0);
+BENCHMARK_CAPTURE(batch, hexagon_chaotic_avx2, 6, 0.3, 0.5, 0.5, 1.0, HWY_AVX2);
 BENCHMARK_CAPTURE(batch, hexagon_chaotic_sse4, 6, 0.3, 0.5, 0.5, 1.0, HWY_SSE4);
 BENCHMARK_CAPTURE(batch, triangle_chaotic, 3, 0.4, 0.5, 0.5, 1.0);
 BENCHMARK_CAPTURE(batch, thousand_steady, 1000, 0.4, 0.5, 0.5, 1.0);

@@ -2,6 +2,7 @@
 
 import sys
 import unittest
+from math import cos
 from pathlib import Path
 
 from driving import folder_of_module, made_records
@@ -35,11 +36,17 @@ COMMANDS = {
 }
 #: Of seconds each: with --all alone.
 SLOW = {"tour": "tour", "tradeoff": f"tradeoff {HEXAGON} --budget 2"}
-KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "settled": ["verdict"], "chaos": ["verdict"],
+KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "measured": ["verdict"], "settled": ["verdict"], "chaos": ["verdict"],
             "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
             "basins": ["basins", "modes"], "tracks": ["attractors", "modes"], "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
             "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}
+
+
+def measured_series():
+    """A short stretch, a gap, and a longer one: the one that is judged."""
+    waves = [0.3 * cos(0.7 * row) + 0.2 * cos(0.7 * 2 ** 0.5 * row) for row in range(700)]
+    return "t,S\n" + "".join(f"{row / 10:.1f},{'' if row == 100 else f'{wave:.6f}'}\n" for row, wave in enumerate(waves))
 
 
 def labels_of(figure):
@@ -56,6 +63,9 @@ class WithRecords(unittest.TestCase):
             return
         WithRecords.folder = folder_of_module()
         cls.records.update(made_records({**COMMANDS, **(SLOW if ALL else {})}, cls.folder))
+        measured = cls.folder / "measured.csv"
+        measured.write_text(measured_series())
+        cls.records.update(made_records({"measured": f"classify --series {measured} --rows samples"}, cls.folder))
         for name in ("diagram", "cycles", "curves"):
             cls.records[name] = cls.folder / f"{name}.h5"
         for count in (1, 2, 3):

@@ -145,6 +145,19 @@ class WhatIsDrawn(WithRecords):
         self.assertEqual(period, 8)
         self.assertLess(abs(points[period:] - points[:-period])[-1000:].max(), 1e-4)
 
+    def test_the_verdict_on_a_series_shows_the_stretch_that_was_judged(self):
+        record = open_record(self.records["measured"])
+        judged = record.column("series", "value")[101:]
+        self.assertEqual(record.attributes("mode/settings")["samples_used"], len(judged))
+        portrait, values, spectrum = draw(self.records["measured"]).axes[:3]
+        shown = portrait.collections[0].get_offsets()
+        self.assertEqual(list(map(tuple, shown)), list(zip(judged[:-1], judged[1:])))
+        line = values.get_lines()[0]
+        self.assertEqual(list(line.get_ydata()), list(judged[:120]))
+        self.assertAlmostEqual(line.get_xdata()[0], 10.1)
+        strongest = spectrum.get_lines()[0].get_xdata()[spectrum.get_lines()[0].get_ydata().argmax()]
+        self.assertAlmostEqual(strongest, 0.7 / (2 * numpy.pi), delta=1 / len(judged))
+
     def test_crowded_special_points_are_thinned_and_counted(self):
         """A cycle's special point is one, in the legend as in the caption, at however many phases it is drawn."""
         for phases in (1, 3):

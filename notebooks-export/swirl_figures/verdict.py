@@ -12,6 +12,7 @@ from .look import rows_of, side_by_side, width_of
 from .style import BLACK, MODE_COLOURS
 from .symbols import number, scene_title
 
+
 def has_verdict(record):
     return "mode" in record and "runs" not in record
 
@@ -71,7 +72,7 @@ def _headline(record):
     text = ": ".join(words)
     mean = attributes.get("mean_S", numpy.nan)
     if numpy.isfinite(mean):
-        text += f"; mean spin {number(mean)}"
+        text += f"; mean {verdict_panels.name_of_mean(record)} {number(mean)}"
     for name, counted in (("largest_exponent", "impact"), ("largest_exponent_per_time", "unit of time")):
         exponent = attributes.get(name)
         if exponent is not None and numpy.isfinite(exponent):

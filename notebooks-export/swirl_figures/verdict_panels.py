@@ -20,6 +20,12 @@ SHOWN = 120
 #: So many of a series are drawn, as of an orbit the tail has (docs/command-line.md).
 _MOST = 2000
 
+#: Fewer of a series show nothing.
+_FEWEST = 16
+
+#: Letters of a column's name.
+_LONGEST_NAME = 20
+
 
 @dataclass
 class Seen:
@@ -36,13 +42,17 @@ class Seen:
     counted: str  # what one value is: "impact", "sample"
     symbol: str   # of the value, in titles
 
+    def scale(self):
+        """What a change is small against: of S at least omega_s, of a column its own size."""
+        return max(1.0 if self.symbol == "S" else 0.0, abs(self.values).max())
+
 
 def _has_tail(record):
     return "tail" in record and len(record.column("tail", "points")) > 1
 
 
 def has_points(record):
-    return _has_tail(record) or len(_used(record)[2]) > 1
+    return _has_tail(record) or len(_used(record)[2]) >= _FEWEST
 
 
 def _seen_of_tail(record):
@@ -53,35 +63,54 @@ def _seen_of_tail(record):
                 first + numpy.arange(len(spin)), "impact", SPIN, "impact", "S")
 
 
+def _longest_run(there):
+    """(begin, end) of the most neighbours that are there."""
+    edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([False], there, [False])).astype(int))).reshape(-1, 2)
+    return max(edges.tolist(), key=lambda run: run[1] - run[0], default=(0, 0))
+
+
 def _used(record):
-    """(first row, times, values) of the stretch of a measured series that was judged, up to its first gap."""
-    if not record.has("series", "value") or not record.has_group("mode/settings"):
+    """(first row, times, values) of a measured series, of what was judged: the longest run without a gap, for an angle's
+    verdict bridges short ones."""
+    settings = record.attributes("mode/settings")
+    if not record.has("series", "value") or "first_time_used" not in settings:
         return 0, numpy.empty(0), numpy.empty(0)
     time, value = record.column("series", "time"), record.column("series", "value")
-    first = int(numpy.searchsorted(time, record.attributes("mode/settings")["first_time_used"]))
-    missing = numpy.flatnonzero(numpy.isnan(value[first:]))
-    end = first + min([_MOST, *missing[:1]])
-    return first, time[first:end], value[first:end]
+    judged = int(numpy.searchsorted(time, settings["first_time_used"]))
+    count = int(settings["samples_used"])
+    if record.attributes("series").get("quantity") == "S of an angle" and settings.get("rows") == "samples":
+        count -= 1  # rows of the angle, and S lies between them
+    begin, end = _longest_run(~numpy.isnan(value[judged:judged + count]))
+    rows = slice(judged + begin, judged + min(end, begin + _MOST))
+    return rows.start, time[rows], value[rows]
 
 
 def _name_of_values(record):
     """(label, symbol) of what was measured."""
     series = record.attributes("series")
-    quantity = str(series["quantity"])
-    if quantity == "S of an angle" or str(series["column"]) == "S":
+    quantity, column = (str(series.get(name, "")) for name in ("quantity", "column"))
+    if quantity == "S of an angle" or column == "S":
         return SPIN, "S"
-    name = "distance" if quantity == "distance of a position" else str(series["column"])
+    if quantity == "distance of a position":
+        return "distance", "distance"
+    name = (column if len(column) <= _LONGEST_NAME else column[:_LONGEST_NAME - 1] + "…").replace("$", r"\$")
     return name, name
+
+
+def name_of_mean(record):
+    """What the mean of a verdict is of: the spin, or a measured column."""
+    symbol = _name_of_values(record)[1] if "series" in record else "S"
+    return "spin" if symbol == "S" else symbol
 
 
 def _seen_of_series(record):
     first, times, values = _used(record)
     label, symbol = _name_of_values(record)
-    by_time = str(record.attributes("mode/settings")["rows"]) == "samples"
+    by_time = record.attributes("mode/settings").get("rows") == "samples"
     counted = "sample" if by_time else "impact"
     places = times if by_time else first + 1 + numpy.arange(len(values))
     return Seen(values[:-1], values[1:], label, f"{label}, next {counted}", f"From {counted} to {counted}", values, places,
-                "time" if by_time else "impact of the series", label, counted, symbol)
+                "time" if by_time else "impact (row of the record)", label, counted, symbol)
 
 
 def _draw_portrait(axes, seen):
@@ -101,7 +130,7 @@ def _draw_values(axes, seen):
     axes.set(xlabel=seen.place_label, ylabel=seen.value_label, title=f"{seen.symbol}, {len(shown)} {seen.counted}s")
     axes.xaxis.set_major_locator(MaxNLocator(4, integer=seen.counted == "impact"))
     axes.ticklabel_format(useOffset=False)
-    if numpy.ptp(seen.values) < 1e-9 * max(1, abs(seen.values).max()):
+    if numpy.ptp(seen.values) <= 1e-9 * seen.scale():
         axes.set_ylim(seen.values[0] - 1, seen.values[0] + 1)
 
 
@@ -110,8 +139,8 @@ def _draw_spectrum(axes, seen):
     values = seen.values
     power = abs(numpy.fft.rfft((values - values.mean()) * numpy.hanning(len(values)))) ** 2 / len(values)
     axes.set(xlabel=f"frequency, in cycles per {seen.counted}", ylabel=f"power of {seen.symbol}",
-             title=f"Spectrum of {'these S' if seen.symbol == 'S' else 'it'}")
-    if power.max() <= 1e-24 * max(1.0, (values ** 2).sum()):
+             title=f"Spectrum, {len(values):,} {seen.counted}s")
+    if power.max() <= 1e-24 * len(values) * seen.scale() ** 2:
         axes.text(0.5, 0.5, f"{seen.symbol} is constant", ha="center", transform=axes.transAxes)
         axes.set(xticks=[], yticks=[])
         return

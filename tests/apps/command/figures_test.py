@@ -158,6 +158,20 @@ class WhatIsDrawn(WithRecords):
         strongest = spectrum.get_lines()[0].get_xdata()[spectrum.get_lines()[0].get_ydata().argmax()]
         self.assertAlmostEqual(strongest, 0.7 / (2 * numpy.pi), delta=1 / len(judged))
 
+    def test_of_an_angle_whose_gap_was_bridged_the_longest_run_is_shown(self):
+        """Named by letters of its own: a dollar sign is no formula."""
+        file, record = self.folder / "bridged.csv", self.folder / "bridged.h5"
+        angles = [f"{row / 10:.1f},{0.04 * row + numpy.sin(0.11 * row):.9f}\n" for row in range(600) if row != 3]
+        file.write_text("t,$x_$\n" + "".join(angles))
+        made = run(["classify", "--series", str(file), "--angle", "$x_$", "-o", str(record), "--quiet"])
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual(open_record(record).attributes("mode/settings")["samples_bridged"], 1)
+        values = draw(record).axes[1].get_lines()[0]
+        self.assertEqual((len(values.get_xdata()), round(values.get_xdata()[0], 6)), (120, 0.45))
+        made = run(["classify", "--series", str(file), "--column", "$x_$", "-o", str(record), "--quiet", "--force"])
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual(draw(record).axes[1].get_ylabel(), r"\$x_\$")
+
     def test_crowded_special_points_are_thinned_and_counted(self):
         """A cycle's special point is one, in the legend as in the caption, at however many phases it is drawn."""
         for phases in (1, 3):

@@ -223,8 +223,8 @@ class InContact(unittest.TestCase):
 
     def test_rounding_is_no_neimark_sacker_point(self):
         # A multiplier of -2e6 beside others near zero: products of pairs pass 1 by rounding alone. Steps in more digits:
-        # those of double err by 2e-9 here (rms of 60 by 113 bits), and which of Newton's last points closes is chance:
-        # from one start in twelve on one processor, from another on the next. This start is the cycle itself to 7e-11.
+        # those of double err by 2e-9 here (rms of 60 by 113 bits), and which of Newton's last points closes is chance: of
+        # twelve starts within 1e-9 of the cycle none closed so, and one in 113 bits. This start is the cycle to 7e-11.
         scene = "--sides 4 --alpha 0.2151 --beta 0.6809 --mu 0.4347287571273213 --restitution 0"
         near = "-0.9258337524701049,0.6327068624190595,-0.536661148864975,1.0944540959470515,0.058659538040458654"
         branch, = document(f"continue {scene} --along mu=0.4347286:0.434729 --from={near} --accuracy extended")["branches"]

@@ -1,6 +1,7 @@
 // The period of an orbit that has settled, or is settling, on a cycle.
 #pragma once
 
+#include "analysis/classification/returns.hpp"
 #include "analysis/classification/rounding_growth.hpp"
 #include "analysis/classification/tail.hpp"
 #include "analysis/cycles/minimal_period.hpp"
@@ -91,35 +92,6 @@ bool approaches(const M& map, const Tail<M>& tail, const std::vector<Vector<M::d
         nearer = farthest;
     }
     return windows > 1;
-}
-
-/// The orbit's largest return after k steps, over its last `count` states.
-template <SectionMap M>
-double return_distance(const M& map, const Tail<M>& tail, std::int64_t k, std::int64_t count, double give_up) {
-    const std::int64_t n = static_cast<std::int64_t>(tail.points.size());
-    double largest = 0;
-    for (std::int64_t j = n - 1; j >= std::max(n - count, k) && largest <= give_up; --j)
-        largest = std::max(largest, distance(map, tail.points[static_cast<std::size_t>(j)],
-                                             tail.points[static_cast<std::size_t>(j - k)], give_up));
-    return largest;
-}
-
-/// Do the orbit's returns after k steps shrink along the tail, as an approach makes them: by half, or by half of what
-/// the slowest multiplier m of the cycle (of period `period`) predicts, in the logarithm? On a torus near a rational
-/// one they stay as they are, and Newton's method finds a cycle there all the same.
-template <SectionMap M>
-bool returns_shrink(const M& map, const Tail<M>& tail, std::int64_t k, double slowest, std::int64_t period) {
-    const auto n = static_cast<std::int64_t>(tail.points.size());
-    const std::int64_t count = std::max(k, n / 16);  // states, so that the phase of a complex multiplier plays no part
-    const auto largest = [&](std::int64_t first) {   // from `first` on, to those k steps before
-        double farthest = 0;
-        for (std::int64_t j = first; j < first + count; ++j)
-            farthest = std::max(farthest, distance(map, tail.points[static_cast<std::size_t>(j)],
-                                                   tail.points[static_cast<std::size_t>(j - k)]));
-        return farthest;
-    };
-    const double apart = static_cast<double>(n - count - k) / static_cast<double>(period);
-    return largest(n - count) <= std::max(0.5, std::pow(slowest, 0.5 * apart)) * largest(k);
 }
 
 /// Fᵏ and its derivative at z; false if the map ends on the way, has no derivative there (NaN), or `effort` is spent.
@@ -228,7 +200,8 @@ FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, doub
     found.distance = distance(map, tail.points.back(), found.point);
     const double along = std::pow(slowest, static_cast<double>(k) / static_cast<double>(found.period));
     found.farthest = 10 * std::max(closure, options.residual) / std::max(1 - along, 1e-6);
-    found.approached = approaches(map, tail, points) && returns_shrink(map, tail, k, slowest, found.period);
+    found.approached =
+        approaches(map, tail, points) && returns_shrink(map, tail, k, part_of_approach(tail, k, slowest, found.period));
     return found;
 }
 
@@ -266,23 +239,21 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     namespace detail = classification_detail;
     const std::int64_t longest =
         std::min<std::int64_t>(options.max_period, static_cast<std::int64_t>(tail.points.size()) / 2);
-    std::vector<std::pair<double, std::int64_t>> near;
+    detail::NearestReturns near(options.candidates, options.vicinity);
     for (std::int64_t k = 1; k <= longest; ++k) {
-        const double returned = detail::return_distance(map, tail, k, k, options.vicinity);
+        const double returned = detail::return_distance(map, tail, k, k, near.farthest());
         if (returned <= options.closure) {
             auto found = detail::cycle_of_closed(map, tail, k, returned, options, effort);
             const bool lasts = !accumulates(map, tail, found.period, options.vicinity);
             if (lasts && (found.attracting || found.closure_persists)) return found;
             break;  // passes an unstable cycle, or steps accumulate: the multiples of k do, too
         }
-        if (returned <= options.vicinity) near.emplace_back(returned, k);
+        near.add(returned, k);
     }
-    std::sort(near.begin(), near.end());
     FoundCycle<M> best;
-    for (std::size_t i = 0; i < near.size() && i < static_cast<std::size_t>(options.candidates); ++i) {
-        // Asked with the slowest multiplier once a cycle is found; one of modulus 1 asks least.
-        if (!detail::returns_shrink(map, tail, near[i].second, 1, 1)) continue;
-        const auto found = detail::cycle_near(map, tail, near[i].second, near[i].first, options, effort);
+    for (const auto& [returned, k] : near.all()) {
+        if (!detail::returns_shrink(map, tail, k, detail::seen_to_shrink)) continue;
+        const auto found = detail::cycle_near(map, tail, k, returned, options, effort);
         if (found.period == 0 || !found.attracting || !found.approached || found.distance > found.farthest) continue;
         if (accumulates(map, tail, found.period, options.vicinity)) continue;
         if (best.period == 0 || found.period < best.period) best = found;

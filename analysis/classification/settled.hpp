@@ -105,7 +105,7 @@ FoundCycle<M> settled_cycle(const M& map, const Tail<M>& window, const PeriodOpt
         const double returned = detail::return_distance(map, window, k, k, options.vicinity);
         if (returned > options.vicinity) continue;
         const bool closed = returned <= options.closure;
-        if (closed || detail::returns_shrink(map, window, k, 0, 1)) near.emplace_back(returned, k);
+        if (closed || detail::returns_shrink(map, window, k, 0.5)) near.emplace_back(returned, k);
         if (closed) break;  // its multiples are closed, too
     }
     std::stable_sort(near.begin(), near.end());

@@ -59,7 +59,7 @@ def _height_of_panels(width):
 
 def size(record, look):
     width = look.width or 9
-    panels = _height_of_panels(width) if verdict_panels.has_points(record) else 0
+    panels = _height_of_panels(width) if verdict_panels.seen_of(record) else 0
     return width, 0.75 + panels + _height_of_text(record, width)
 
 
@@ -93,11 +93,12 @@ def _write_evidence(figure, record):
 
 def draw_into(figure, record, look):
     look.title(figure, "\n".join(filter(None, (scene_title(record.scene()), _headline(record)))))
-    if not verdict_panels.has_points(record):
+    seen = verdict_panels.seen_of(record)
+    if not seen:
         _write_evidence(figure.subfigures(1, 1), record)
         return []
     width = width_of(figure)
     above, below = figure.subfigures(2, 1, height_ratios=(_height_of_panels(width), _height_of_text(record, width)))
-    verdict_panels.draw(side_by_side(above, verdict_panels.PANELS, _LEAST_PANEL), record)
+    verdict_panels.draw(side_by_side(above, verdict_panels.PANELS, _LEAST_PANEL), seen)
     _write_evidence(below, record)
     return []

@@ -51,10 +51,6 @@ def _has_tail(record):
     return "tail" in record and len(record.column("tail", "points")) > 1
 
 
-def has_points(record):
-    return _has_tail(record) or len(_used(record)[2]) >= _FEWEST
-
-
 def _seen_of_tail(record):
     names, points = [str(name) for name in record.names("tail", "coordinate")], record.column("tail", "points")
     spin = points[:, names.index("S")]
@@ -105,6 +101,8 @@ def name_of_mean(record):
 
 def _seen_of_series(record):
     first, times, values = _used(record)
+    if len(values) < _FEWEST:
+        return None
     label, symbol = _name_of_values(record)
     by_time = record.attributes("mode/settings").get("rows") == "samples"
     counted = "sample" if by_time else "impact"
@@ -147,8 +145,12 @@ def _draw_spectrum(axes, seen):
     axes.semilogy(numpy.fft.rfftfreq(len(values)), numpy.maximum(power, power.max() * 1e-14), color=BLUE, lw=0.8)
 
 
-def draw(panels, record):
-    seen = _seen_of_tail(record) if _has_tail(record) else _seen_of_series(record)
+def seen_of(record):
+    """Nothing of an orbit that ended, or of too short a series."""
+    return _seen_of_tail(record) if _has_tail(record) else _seen_of_series(record)
+
+
+def draw(panels, seen):
     _draw_portrait(panels[0], seen)
     _draw_values(panels[1], seen)
     _draw_spectrum(panels[2], seen)

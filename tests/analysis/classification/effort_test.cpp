@@ -1,11 +1,16 @@
 // Steps and derivatives that cost much: a verdict's work is bounded, and what was cut short is said.
 #include "analysis/classification/classify_followed.hpp"
+#include "tests/analysis/maps/linear_map.hpp"
 #include "tests/analysis/maps/logistic.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <string>
+#include <utility>
 
 namespace swirl::analysis {
 namespace {
@@ -57,6 +62,29 @@ TEST(Effort, ASearchThatCostsTooMuchIsGivenUpAndSaidToBe) {
     ASSERT_NE(search, nullptr);
     EXPECT_GE(search->value, search->threshold);
     EXPECT_LE(search->value, search->threshold + 1e6);
+}
+
+/// z′ = m R z: turns by a golden part and shrinks.
+maps::LinearMap<2> turning(double m) {
+    const double angle = 2 * std::numbers::pi / std::numbers::phi;
+    maps::LinearMap<2> map;
+    map.A << m * std::cos(angle), -m * std::sin(angle), m * std::sin(angle), m * std::cos(angle);
+    return map;
+}
+
+/// A circle returns near to itself after each Fibonacci number of steps, and no nearer at its end than at its
+/// beginning: Newton's method is not asked. What comes nearer by a twentieth along the tail is found by it.
+TEST(Effort, NewtonsMethodIsAskedOfReturnsThatShrinkOnly) {
+    const auto found = [](double m) {
+        Effort effort;
+        const auto map = turning(m);
+        const auto cycle = find_period(map, follow_tail(map, Vector<2>{0.05, 0}, 0, 10'000), PeriodOptions{}, effort);
+        return std::pair(cycle.period, effort.spent);
+    };
+    EXPECT_EQ(found(1), std::pair(std::int64_t{0}, 0.0));
+    const auto [period, spent] = found(1 - 5e-6);
+    EXPECT_EQ(period, 1);
+    EXPECT_GT(spent, 0);
 }
 
 }  // namespace

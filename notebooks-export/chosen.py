@@ -10,6 +10,8 @@ COLUMNS = {"aps": 86.0, "aps-2": 178.0, "nature": 89.0, "nature-2": 183.0, "else
 
 LEAST_WIDTH, MOST_WIDTH = 40.0, 500.0        # millimetres
 LEAST_FONT_SIZE, MOST_FONT_SIZE = 4.0, 40.0  # points
+MOST_LIMIT = 1e15        # of an abscissa; squares of what is beyond it overflow on the way to the page
+LEAST_PART_SHOWN = 1e-9  # of the larger limit: labels of marks that lie nearer together are the same
 
 
 def length_of(text):
@@ -34,8 +36,11 @@ def font_size_of(text):
 def range_of(text):
     """(A, B) of `A:B`, A < B."""
     ends = [_number(part) for part in text.split(":")]
-    if len(ends) != 2 or not -math.inf < ends[0] < ends[1] < math.inf:
-        raise ValueError(f"xlim = {text}: allowed is A:B, two numbers with A < B")
+    if len(ends) != 2 or not -MOST_LIMIT <= ends[0] < ends[1] <= MOST_LIMIT:
+        raise ValueError(f"xlim = {text}: allowed is A:B, two numbers from {-MOST_LIMIT:g} to {MOST_LIMIT:g} with A < B")
+    least = LEAST_PART_SHOWN * max(map(abs, ends))
+    if ends[1] - ends[0] < least:
+        raise ValueError(f"xlim = {text}: B - A is {ends[1] - ends[0]:.2g}, allowed is {least:.2g} or more")
     return tuple(ends)
 
 

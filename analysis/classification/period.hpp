@@ -60,9 +60,6 @@ struct FoundCycle {
 
 namespace classification_detail {
 
-/// Farther than this from a cycle no orbit is taken for approaching it.
-constexpr double approach_begins = 0.1;
-
 /// Without `poor_starts` Newton's method is given up for candidates longer than this where a residual is ten times the
 /// best before. In a map of a hexagon (μ = 0.5, e = 0.95, α = 0.5 … 0.6, β = 0.3 … 0.4; 2026-11-26) 824 of 894 such led
 /// to no cycle, and took nine tenths of all derivatives: now less than half of that. The 70 that did still do.
@@ -79,19 +76,15 @@ bool approaches(const M& map, const Tail<M>& tail, const std::vector<Vector<M::d
     const auto n = static_cast<std::int64_t>(tail.points.size());
     const std::int64_t length = std::max(k, n / 16);
     const std::int64_t windows = std::min<std::int64_t>(4, n / length);
-    double nearer = 0;
-    for (std::int64_t w = 0; w < windows; ++w) {
-        double farthest = 0;
+    const auto farthest = [&](std::int64_t w) {
+        double largest = 0;
         for (std::int64_t j = w * length; j < (w + 1) * length;
              ++j)  // j steps before the last state, which is at the cycle's first point
-            farthest = std::max(farthest, distance(map, tail.points[static_cast<std::size_t>(n - 1 - j)],
-                                                   cycle[static_cast<std::size_t>((k - j % k) % k)]));
-        if (w == 0 && farthest <= 1e-6) return true;
-        if (!(farthest > nearer)) return false;
-        if (farthest > approach_begins) return w > 0;
-        nearer = farthest;
-    }
-    return windows > 1;
+            largest = std::max(largest, distance(map, tail.points[static_cast<std::size_t>(n - 1 - j)],
+                                                 cycle[static_cast<std::size_t>((k - j % k) % k)]));
+        return largest;
+    };
+    return shrinks_by_windows(farthest, windows, 2, 1e-6);
 }
 
 /// Fᵏ and its derivative at z; false if the map ends on the way, has no derivative there (NaN), or `effort` is spent.
@@ -200,8 +193,8 @@ FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, doub
     found.distance = distance(map, tail.points.back(), found.point);
     const double along = std::pow(slowest, static_cast<double>(k) / static_cast<double>(found.period));
     found.farthest = 10 * std::max(closure, options.residual) / std::max(1 - along, 1e-6);
-    found.approached =
-        approaches(map, tail, points) && returns_shrink(map, tail, k, part_of_approach(tail, k, slowest, found.period));
+    found.approached = approaches(map, tail, points) &&
+                       returns_shrink(map, tail, k, largest_ratio_of_approach(tail, k, slowest, found.period));
     return found;
 }
 
@@ -252,7 +245,7 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     }
     FoundCycle<M> best;
     for (const auto& [returned, k] : near.all()) {
-        if (!detail::returns_shrink(map, tail, k, detail::seen_to_shrink)) continue;
+        if (!detail::may_approach(map, tail, k)) continue;
         const auto found = detail::cycle_near(map, tail, k, returned, options, effort);
         if (found.period == 0 || !found.attracting || !found.approached || found.distance > found.farthest) continue;
         if (accumulates(map, tail, found.period, options.vicinity)) continue;

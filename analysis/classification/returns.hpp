@@ -31,11 +31,11 @@ public:
     /// Beyond this none is taken any more.
     double farthest() const { return farthest_; }
     void add(double returned, std::int64_t k) {
+        if (most_ == 0 || !(returned <= farthest_)) return;
         const std::pair<double, std::int64_t> here(returned, k);
-        if (!(returned <= farthest_)) return;
         nearest_.insert(std::upper_bound(nearest_.begin(), nearest_.end(), here), here);
         if (nearest_.size() > most_) nearest_.pop_back();
-        if (nearest_.size() == most_) farthest_ = nearest_.empty() ? -1 : nearest_.back().first;
+        if (nearest_.size() == most_) farthest_ = nearest_.back().first;
     }
     const std::vector<std::pair<double, std::int64_t>>& all() const { return nearest_; }
 
@@ -60,19 +60,56 @@ bool returns_shrink(const M& map, const Tail<M>& tail, std::int64_t k, double pa
     return largest(n - count) <= part * largest(k);
 }
 
-/// To which part an approach makes them shrink at least: to half, or by half of what the slowest multiplier m of the
-/// cycle (of period `period`) predicts, in the logarithm. On a torus near a rational one they stay as they are, and
-/// Newton's method finds a cycle there all the same.
+/// The ratio of returns at the tail's end to those at its beginning that an orbit settling on a cycle does not exceed:
+/// 1/2, or m^(j/2), where m is the slowest multiplier of the cycle (of period `period`) and j counts its periods
+/// between the two. On a torus near a rational one returns stay as they are, and Newton's method finds a cycle there
+/// all the same.
 template <SectionMap M>
-double part_of_approach(const Tail<M>& tail, std::int64_t k, double slowest, std::int64_t period) {
+double largest_ratio_of_approach(const Tail<M>& tail, std::int64_t k, double slowest, std::int64_t period) {
     const auto n = static_cast<std::int64_t>(tail.points.size());
     const auto apart = static_cast<double>(n - std::max(k, n / 16) - k) / static_cast<double>(period);
     return std::max(0.5, std::pow(slowest, 0.5 * apart));
 }
 
-/// Newton's method is asked where returns shrink to this part or less: those of a torus stay as they are to some 10⁻³
-/// (in a map of a hexagon, μ = 0.5, e = 0.95, nine tenths of all derivatives were spent on them, in vain; of the cycles
-/// found there all had shrunk to 2/3; 2026-11-26). What shrinks less comes nearer by 2 % along the whole tail.
-constexpr double seen_to_shrink = 0.99;
+/// Farther than this from a cycle no orbit is taken for approaching it.
+constexpr double approach_begins = 0.1;
+
+/// Is a length smaller in each of a tail's last windows than in the one before it?
+///   farthest  farthest(w): the largest length in the w-th window, counted from the end (w = 0) back
+///   windows   at most so many are compared, none before one in which it exceeds `approach_begins`
+///   fewest    so many there must be
+///   resolved  a last window below this needs no other: rounding may have stopped the orbit
+template <class Farthest>
+bool shrinks_by_windows(const Farthest& farthest, std::int64_t windows, std::int64_t fewest, double resolved) {
+    double after = 0;
+    for (std::int64_t w = 0; w < windows; ++w) {
+        const double here = farthest(w);
+        if (w == 0 && here <= resolved) return true;
+        if (!(here > after)) return false;
+        if (here > approach_begins) return w + 1 >= fewest;
+        after = here;
+    }
+    return windows >= fewest;
+}
+
+/// May the orbit be approaching a cycle of period k or a divisor of it, so that Newton's method is worth its
+/// derivatives? What `cycle_near` asks of the distance to a cycle is asked here of the returns after k steps, which are
+/// proportional to it: no larger at the tail's end than at its beginning, and smaller from window to window (of k
+/// states, or of n/16) at its end. On a torus they stay as they are to some 10⁻⁶, and one in some twenty shrinks by
+/// chance.
+template <SectionMap M>
+bool may_approach(const M& map, const Tail<M>& tail, std::int64_t k) {
+    if (!returns_shrink(map, tail, k, 1)) return false;
+    const auto n = static_cast<std::int64_t>(tail.points.size());
+    const std::int64_t length = std::max(k, n / 16);
+    const auto farthest = [&](std::int64_t w) {
+        double largest = 0;
+        for (std::int64_t j = n - (w + 1) * length; j < n - w * length; ++j)
+            largest = std::max(largest, distance(map, tail.points[static_cast<std::size_t>(j)],
+                                                 tail.points[static_cast<std::size_t>(j - k)]));
+        return largest;
+    };
+    return shrinks_by_windows(farthest, std::min<std::int64_t>(4, (n - k) / length), 1, 1e-5);
+}
 
 }  // namespace swirl::analysis::classification_detail

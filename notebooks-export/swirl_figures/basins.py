@@ -13,9 +13,10 @@ from .sweep_grid import SweepGrid
 from .sweep_points import is_sampled
 from .symbols import MEAN_SPIN, number, scene_title
 
-#: By kind where all of a kind are one; the others in the order of their share.
+#: By kind where all of a kind are one; the others in the order of their share, blue as in other figures if steady.
 _OF_A_KIND = {"chaotic": VERMILION, "quasi-periodic": YELLOW}
-_OTHERS = (BLUE, GREEN, SKY, PURPLE, ORANGE, "#332288", "#44AA99", "#882255")
+_STEADY = (BLUE, SKY, "#332288", "#88CCEE")
+_OTHERS = (GREEN, PURPLE, ORANGE, "#44AA99", "#882255", "#7A5C00")
 _NOT_NAMED = "#C8C8C8"
 
 
@@ -38,10 +39,10 @@ def _words(kind, period, spin, share):
 
 def _legend(record):
     """(colour of each basin, handles of the legend)"""
-    others, colours, handles, not_named = iter(_OTHERS), [], [], 0.0
-    for kind, period, spin, share in zip(record.names("basins", "kind"), *(
+    steady, others, colours, handles, not_named = iter(_STEADY), iter(_OTHERS), [], [], 0.0
+    for mode, kind, period, spin, share in zip(*(record.names("basins", name) for name in ("mode", "kind")), *(
             record.column("basins", name) for name in ("period", "mean_S", "share"))):
-        colour = _OF_A_KIND.get(kind) or next(others, None)
+        colour = _OF_A_KIND.get(kind) or next(steady if mode == "steady" else others, None)
         colours.append(colour or _NOT_NAMED)
         if colour:
             handles.append(Patch(fc=colour, ec="0.3", lw=0.5, label=_words(kind, period, spin, share)))

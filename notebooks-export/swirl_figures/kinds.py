@@ -70,6 +70,16 @@ def kinds_of(record):
     return [name for name, kind in KINDS.items() if kind.fits(record)]
 
 
+def nothing_in(record, of_what):
+    """What is said of a record that none can be made of: why, where its orbit ended before there was anything to show."""
+    for group in ("orbit", "result"):
+        outcome = record.attributes(group).get("outcome", "completed")
+        if outcome != "completed":
+            return (f"record '{record.path}' holds nothing that there is {of_what} of: its orbit ended ({outcome}) before there "
+                    "was enough of it")
+    return f"record '{record.path}' holds nothing that there is {of_what} of (its groups: {', '.join(sorted(record.groups)) or 'none'})"
+
+
 def kind_of(record, kind=None):
     """The kind that is asked for, or the default. RecordError where the record cannot be drawn as that."""
     record = open_record(record)
@@ -79,8 +89,7 @@ def kind_of(record, kind=None):
         raise RecordError(f"record '{record.path}' is shard {number} of {count} of a sweep, which swirl join makes one record; "
                           "that one can be drawn")
     if not possible:
-        raise RecordError(f"record '{record.path}' holds nothing that there is a figure of "
-                          f"(its groups: {', '.join(sorted(record.groups)) or 'none'})")
+        raise RecordError(nothing_in(record, "a figure"))
     if kind is not None and kind not in possible:
         raise RecordError(f"kind = {kind} is no figure of record '{record.path}'; its figures: {', '.join(possible)}")
     return kind or possible[0]

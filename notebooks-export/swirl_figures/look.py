@@ -5,6 +5,7 @@ import math
 
 from matplotlib.figure import Figure
 
+from .ranges import range_words
 from .record import RecordError
 from .words import broken, letters_across
 
@@ -74,14 +75,14 @@ def limit_abscissa(axes, look, kind, record):
     if look.xlim is None:
         return
     if not axes:
-        raise RecordError(f"xlim = {look.xlim[0]:g}:{look.xlim[1]:g}: a figure of kind {kind} has no abscissa to limit")
+        raise RecordError(f"xlim = {range_words(look)}: a figure of kind {kind} has no abscissa to limit")
     for panel in axes:
         least, most = panel.dataLim.intervalx  # infinite where nothing but words is drawn
         if math.isfinite(least) and (least > look.xlim[1] or most < look.xlim[0]):
-            raise RecordError(f"xlim = {look.xlim[0]:g}:{look.xlim[1]:g}: record '{record.path}' has nothing to draw there, "
+            raise RecordError(f"xlim = {range_words(look)}: record '{record.path}' has nothing to draw there, "
                               f"only from {least:.6g} to {most:.6g}")
         if panel.get_xscale() == "log" and look.xlim[0] <= 0:
-            raise RecordError(f"xlim = {look.xlim[0]:g}:{look.xlim[1]:g}: the abscissa is logarithmic, both must be above 0")
+            raise RecordError(f"xlim = {range_words(look)}: the abscissa is logarithmic, both must be above 0")
         panel.set_xlim(look.xlim)
 
 

@@ -6,6 +6,11 @@ import numpy
 from .record import RecordError
 
 
+def range_words(look):
+    """--xlim as it was given."""
+    return ":".join(f"{end:.15g}" for end in look.xlim)
+
+
 def inside(x, xlim):
     """Which values lie in the range; all of no range."""
     return numpy.ones(len(x), dtype=bool) if xlim is None else (x >= xlim[0]) & (x <= xlim[1])
@@ -51,4 +56,4 @@ def require(found, look, record, what, times=None):
     if look.xlim is None or found:
         return
     where = f"; there are some from {numpy.min(times):.6g} to {numpy.max(times):.6g}" if times is not None and len(times) else ""
-    raise RecordError(f"xlim = {look.xlim[0]:g}:{look.xlim[1]:g}: record '{record.path}' has no {what} there{where}")
+    raise RecordError(f"xlim = {range_words(look)}: record '{record.path}' has no {what} there{where}")

@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 from swirl_figures import RecordError, kinds_of, open_record
+from swirl_figures.kinds import nothing_in
 from swirl_figures.sweep_points import is_sampled
 
 from .cells import cells_of, executed, notebook_of
@@ -55,7 +56,7 @@ def template_of(record):
     """The file of the cells for this record."""
     file = next(iter(_templates(record)), None)
     if file is None:
-        raise RecordError(f"record '{record.path}' holds nothing that there is a notebook of")
+        raise RecordError(nothing_in(record, "a notebook"))
     if file.stem == "multipliers" and record.size("orbits", "period") == 0:
         raise RecordError(f"record '{record.path}' holds no orbits: there is nothing that a notebook could show")
     return file

@@ -3,7 +3,7 @@
 # %%
 data = group("lyapunov")
 for value, error in zip(data["exponents"].values, data["standard_errors"].values):
-    print(f"{value:12.6g} +- {error:.2g} per impact")
+    print(f"{value:12.6g}" + (f" +- {error:.2g}" if np.isfinite(error) else "") + " per impact")
 # %%
 figure, axes = plt.subplots(figsize=(8, 3.4), layout="constrained")
 means = np.where(np.isfinite(data["convergence"].values), data["convergence"].values, np.nan)

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace swirl::analysis {
 namespace {
@@ -72,8 +73,8 @@ maps::LinearMap<2> turning(double m) {
     return map;
 }
 
-/// A circle returns near to itself after each Fibonacci number of steps, and no nearer at its end than at its
-/// beginning: Newton's method is not asked. What comes nearer by a twentieth along the tail is found by it.
+/// A circle returns near to itself after each Fibonacci number of steps, and no nearer from window to window: Newton's
+/// method is not asked, but where they are smaller by chance. What comes nearer, by 1 % along the tail, is found by it.
 TEST(Effort, NewtonsMethodIsAskedOfReturnsThatShrinkOnly) {
     const auto found = [](double m) {
         Effort effort;
@@ -82,9 +83,20 @@ TEST(Effort, NewtonsMethodIsAskedOfReturnsThatShrinkOnly) {
         return std::pair(cycle.period, effort.spent);
     };
     EXPECT_EQ(found(1), std::pair(std::int64_t{0}, 0.0));
-    const auto [period, spent] = found(1 - 5e-6);
-    EXPECT_EQ(period, 1);
-    EXPECT_GT(spent, 0);
+    for (const double slow : {1.1e-6, 2e-6, 5e-6, 1e-5, 1e-4}) EXPECT_EQ(found(1 - slow).first, 1) << slow;
+}
+
+TEST(Effort, OnlyTheNearestReturnsAreTried) {
+    classification_detail::NearestReturns near(2, 0.5), none(0, 0.5);
+    for (const auto& [returned, k] : {std::pair(0.4, 1), {0.6, 2}, {0.3, 3}, {0.4, 4}, {0.1, 5}}) {
+        near.add(returned, k);
+        none.add(returned, k);
+    }
+    const std::vector<std::pair<double, std::int64_t>> nearest{{0.1, 5}, {0.3, 3}};
+    EXPECT_EQ(near.all(), nearest);
+    EXPECT_EQ(near.farthest(), 0.3);
+    EXPECT_TRUE(none.all().empty());
+    EXPECT_EQ(none.farthest(), 0.5);
 }
 
 }  // namespace

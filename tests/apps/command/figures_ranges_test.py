@@ -52,6 +52,32 @@ class Refused(WithRecords):
             self.draw("tradeoff", "tradeoff", 1e-7, 1e-6)
 
 
+    def test_a_range_that_no_page_can_show_is_told_at_once(self):
+        out = self.records["wall"].with_name("f.png")
+        for text, said in (("-1e308:1e308", "two numbers from -1e+15 to 1e+15 with A < B"), ("nan:1", "with A < B"),
+                           ("2:1", "with A < B"), ("1:1.0000000000000002", "B - A is 2.2e-16, allowed is 1e-09 or more"),
+                           ("1000:1000.000123", "xlim = 1000:1000.000123: ")):
+            done = run(f"plot {self.records['wall']} --xlim={text} --quiet -o {out}")
+            self.assertEqual((done.returncode, done.stderr.count("\n"), out.exists()), (2, 1, False), done.stderr)
+            self.assertIn(said, done.stderr)
+        for text in ("-1e15:1e15", "0:1e15"):
+            done = run(f"plot {self.records['wall']} --xlim={text} --quiet -o {out}")
+            self.assertEqual((done.returncode, done.stderr), (0, ""), text)
+
+
+class EndedEarly(unittest.TestCase):
+    def test_the_end_of_its_orbit_is_why_a_record_has_no_figure(self):
+        scene = "--sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --collisions 100 --quiet"
+        with tempfile.TemporaryDirectory() as folder:
+            for command in ("spectrum", "lyapunov"):
+                record = Path(folder) / f"{command}.h5"
+                self.assertEqual(run(f"{command} {scene} -o {record}").returncode, 3)
+                for drawn in (f"plot {record} -o {folder}/f.png", f"notebook {record} -o {folder}/f.ipynb"):
+                    done = run(drawn)
+                    self.assertEqual(done.returncode, 2)
+                    self.assertRegex(done.stderr, "^[^\n]*its orbit ended \\(in-contact\\) before there was enough of it\n$")
+
+
 class OfALongOrbit(WithRecords):
     def columns(self, *names):
         record = open_record(self.records["long"])

@@ -110,6 +110,13 @@ class Transient(unittest.TestCase):
         self.assertGreater(abs(math.log(spread["value"])), math.log(spread["threshold"]))
         self.assertNotIn("positive", document(f"lyapunov {GROWS} --collisions 20000")["signs"])
 
+    def test_what_hardly_attracts_is_no_torus(self):
+        """Just before a Neimark-Sacker point, at alpha = 0.66614416, a fixed point attracts, with 1 - |m| of 1.9e-5 and 1.1e-6."""
+        start = "--point=-0.023186593972248915,0.007728710755045552,-0.3070506531500751,0.7538021988692216,-0.3811150550226311"
+        for alpha, limits in ((0.6661391577905945, "--transient 500 --collisions 500"), (0.6661438577905945, "")):
+            verdict = document(f"classify --sides 6 --alpha {alpha} --beta 0.5 --mu 0.5 --restitution 0.95 {start} {limits}")
+            self.assertEqual((verdict["mode"], verdict["period"]), ("steady", 1), limits)
+
     def test_what_settles_is_told_from_what_has_settled(self):
         early, late = f"{FIXED} --transient 0 --collisions 600", f"{FIXED} --transient 2000 --collisions 600"
         self.assertEqual(document(f"spectrum {early}")["verdict"], "nonstationary")

@@ -78,8 +78,9 @@ def _draw_peaks(axes, record, frequency, power, xlim):
 def _verdict(record):
     attributes = record.attributes("spectrum")
     share, entropy = attributes.get("line_fraction", numpy.nan), attributes.get("entropy", numpy.nan)
-    parts = [str(attributes.get("verdict", ""))]
-    if numpy.isfinite(share):
+    verdict = str(attributes.get("verdict", ""))
+    parts = [verdict]
+    if numpy.isfinite(share) and verdict != "constant":
         parts.append(f"{100 * share:.4g} % of the variance in lines")
     if numpy.isfinite(entropy):
         parts.append(f"spectral entropy {number(entropy)}")

@@ -5,7 +5,9 @@ spectrum = group("spectrum")
 with h5py.File(path) as file:
     peaks = group("peaks") if "peaks" in file else None
 for name in ("verdict", "line_fraction", "entropy", "variance", "segments"):
-    print(f"{name}: {spectrum.attrs.get(name)}")
+    value = spectrum.attrs.get(name)
+    if value == value:  # nan: it has none, as what is constant has no entropy
+        print(f"{name}: {value}")
 # %%
 f, power = spectrum["frequency"].values, spectrum["power"].values
 figure, axes = plt.subplots(figsize=(8, 3.4), layout="constrained")

@@ -3,6 +3,7 @@
 They are made of the committed files, looked at, unpacked into an empty root, and installed into and removed from another. As
 root; lintian is run where it is installed."""
 
+import contextlib
 import gzip
 import os
 import re
@@ -30,6 +31,16 @@ def field(package, name):
 
 def files_below(root):
     return {str(path.relative_to(root)) for path in root.rglob("*") if not path.is_dir()}
+
+
+@contextlib.contextmanager
+def processes_seen_in(root):
+    """/proc, as in any system that runs: by it a program finds what lies beside it."""
+    told("mount", "-t", "proc", "proc", root / "proc")
+    try:
+        yield
+    finally:
+        told("umount", root / "proc")
 
 
 class Packages(unittest.TestCase):
@@ -121,13 +132,18 @@ class Packages(unittest.TestCase):
         release = re.search(r"^VERSION_CODENAME=(\w+)", Path("/etc/os-release").read_text(), re.M)[1]
         told("mmdebstrap", "--quiet", "--variant=apt", release, root)
         shutil.copy("/etc/resolv.conf", root / "etc/resolv.conf")
-        # As in any system that runs; a program finds what lies beside it by it.
-        told("mount", "-t", "proc", "proc", root / "proc")
-        self.addCleanup(told, "umount", root / "proc")
         (root / "packages").mkdir()
         for name in ("swirl", FIGURES):
             shutil.copy(self.packages[name], root / "packages")
+        with processes_seen_in(root):
+            self.install_work_and_purge(root)
+        own = set().union(*(files_below(self.unpacked(name)) for name in ("swirl", FIGURES)))
+        self.assertEqual({name for name in own if (root / name).exists()}, set())
+        elsewhere = ("packages/", "var/log/", "var/lib/apt/")
+        left = {name for name in files_below(root) if "swirl" in name and not name.startswith(elsewhere)}
+        self.assertEqual(left, set())
 
+    def install_work_and_purge(self, root):
         def inside(*command):
             return told("chroot", root, "env", "-i", "PATH=/usr/sbin:/usr/bin:/sbin:/bin", "LC_ALL=C.UTF-8", "HOME=/root",
                         "DEBIAN_FRONTEND=noninteractive", *command)
@@ -140,11 +156,6 @@ class Packages(unittest.TestCase):
         inside("swirl", "plot", "/root/tour.h5", "-o", "/root/tour.png")
         self.assertTrue((root / "root/tour.png").read_bytes().startswith(b"\x89PNG"))
         inside("apt-get", "purge", "--yes", "swirl", FIGURES)
-        own = set().union(*(files_below(self.unpacked(name)) for name in ("swirl", FIGURES)))
-        self.assertEqual({name for name in own if (root / name).exists()}, set())
-        elsewhere = ("packages/", "proc/", "var/log/", "var/lib/apt/")
-        left = {name for name in files_below(root) if "swirl" in name and not name.startswith(elsewhere)}
-        self.assertEqual(left, set())
 
     @unittest.skipUnless(shutil.which("lintian"), "lintian is not installed: what it says is not tested")
     def test_lintian_finds_no_error(self):

@@ -19,6 +19,20 @@ function(swirl_unite target count)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SWIRL_UNITY} UNITY_BUILD_BATCH_SIZE ${count})
 endfunction()
 
+# swirl_unite_groups(TARGET NAME REGEX …): compiles those of its sources whose paths match REGEX as one, and so on for each
+# pair; what matches none stays alone. For templates that are instantiated for many types, each group for its own.
+function(swirl_unite_groups target)
+  get_target_property(sources ${target} SOURCES)
+  while(ARGN)
+    list(POP_FRONT ARGN name pattern)
+    set(group ${sources})
+    list(FILTER group INCLUDE REGEX ${pattern})
+    list(REMOVE_ITEM sources ${group})
+    set_source_files_properties(${group} PROPERTIES UNITY_GROUP ${name})
+  endwhile()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SWIRL_UNITY} UNITY_BUILD_MODE GROUP)
+endfunction()
+
 add_library(swirl_options INTERFACE)
 set_target_properties(swirl_options PROPERTIES EXPORT_NAME options)
 target_compile_features(swirl_options INTERFACE cxx_std_20)

@@ -74,7 +74,7 @@ template <SectionMap M>
 bool approaches(const M& map, const Tail<M>& tail, const std::vector<Vector<M::dimension>>& cycle) {
     const auto k = static_cast<std::int64_t>(cycle.size());
     const auto n = static_cast<std::int64_t>(tail.points.size());
-    const std::int64_t length = std::max(k, n / 16);
+    const std::int64_t length = window_length(n, k);
     const std::int64_t windows = std::min<std::int64_t>(4, n / length);
     const auto farthest = [&](std::int64_t w) {
         double largest = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/classification/tail.hpp"
+#include "analysis/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,29 @@
 
 namespace swirl::analysis::classification_detail {
 
-/// The orbit's largest return after k steps, over its last `count` states.
+/// States in one of the windows that a tail of n states is compared by: a sixteenth of them, and no fewer than k, so
+/// that the phase of a complex multiplier plays no part.
+inline std::int64_t window_length(std::int64_t n, std::int64_t k) {
+    return std::max(k, n / 16);
+}
+
+/// The largest return after k steps of the states begin … end − 1 to those k before; it may be any that exceeds
+/// `give_up`.
 template <SectionMap M>
-double return_distance(const M& map, const Tail<M>& tail, std::int64_t k, std::int64_t count, double give_up) {
-    const std::int64_t n = static_cast<std::int64_t>(tail.points.size());
+double largest_return(const M& map, const Tail<M>& tail, std::int64_t k, std::int64_t begin, std::int64_t end,
+                      double give_up = infinity) {
     double largest = 0;
-    for (std::int64_t j = n - 1; j >= std::max(n - count, k) && largest <= give_up; --j)
+    for (std::int64_t j = end - 1; j >= begin && largest <= give_up; --j)
         largest = std::max(largest, distance(map, tail.points[static_cast<std::size_t>(j)],
                                              tail.points[static_cast<std::size_t>(j - k)], give_up));
     return largest;
+}
+
+/// The same over the orbit's last `count` states.
+template <SectionMap M>
+double return_distance(const M& map, const Tail<M>& tail, std::int64_t k, std::int64_t count, double give_up) {
+    const auto n = static_cast<std::int64_t>(tail.points.size());
+    return largest_return(map, tail, k, std::max(n - count, k), n, give_up);
 }
 
 /// The nearest of an orbit's returns, so many and no farther than `vicinity`, the nearest first.
@@ -45,19 +60,13 @@ private:
     std::vector<std::pair<double, std::int64_t>> nearest_;
 };
 
-/// Do the orbit's returns after k steps shrink along the tail, to `part` of what they were or less?
+/// Do the orbit's returns after k steps shrink along the tail, from its first window to its last, to `part` of what
+/// they were or less?
 template <SectionMap M>
 bool returns_shrink(const M& map, const Tail<M>& tail, std::int64_t k, double part) {
     const auto n = static_cast<std::int64_t>(tail.points.size());
-    const std::int64_t count = std::max(k, n / 16);  // states, so that the phase of a complex multiplier plays no part
-    const auto largest = [&](std::int64_t first) {   // from `first` on, to those k steps before
-        double farthest = 0;
-        for (std::int64_t j = first; j < first + count; ++j)
-            farthest = std::max(farthest, distance(map, tail.points[static_cast<std::size_t>(j)],
-                                                   tail.points[static_cast<std::size_t>(j - k)]));
-        return farthest;
-    };
-    return largest(n - count) <= part * largest(k);
+    const std::int64_t length = window_length(n, k);
+    return largest_return(map, tail, k, n - length, n) <= part * largest_return(map, tail, k, k, k + length);
 }
 
 /// The ratio of returns at the tail's end to those at its beginning that an orbit settling on a cycle does not exceed:
@@ -67,7 +76,7 @@ bool returns_shrink(const M& map, const Tail<M>& tail, std::int64_t k, double pa
 template <SectionMap M>
 double largest_ratio_of_approach(const Tail<M>& tail, std::int64_t k, double slowest, std::int64_t period) {
     const auto n = static_cast<std::int64_t>(tail.points.size());
-    const auto apart = static_cast<double>(n - std::max(k, n / 16) - k) / static_cast<double>(period);
+    const auto apart = static_cast<double>(n - window_length(n, k) - k) / static_cast<double>(period);
     return std::max(0.5, std::pow(slowest, 0.5 * apart));
 }
 
@@ -94,20 +103,16 @@ bool shrinks_by_windows(const Farthest& farthest, std::int64_t windows, std::int
 
 /// May the orbit be approaching a cycle of period k or a divisor of it, so that Newton's method is worth its
 /// derivatives? What `cycle_near` asks of the distance to a cycle is asked here of the returns after k steps, which are
-/// proportional to it: no larger at the tail's end than at its beginning, and smaller from window to window (of k
-/// states, or of n/16) at its end. On a torus they stay as they are to some 10⁻⁶, and one in some twenty shrinks by
-/// chance.
+/// proportional to it: no larger in the tail's last window than in its first, and smaller from window to window at its
+/// end. On a torus they hardly change, and do so by chance.
 template <SectionMap M>
 bool may_approach(const M& map, const Tail<M>& tail, std::int64_t k) {
-    if (!returns_shrink(map, tail, k, 1)) return false;
     const auto n = static_cast<std::int64_t>(tail.points.size());
-    const std::int64_t length = std::max(k, n / 16);
+    const std::int64_t length = window_length(n, k);
+    const double last = largest_return(map, tail, k, n - length, n);
+    if (!(last <= largest_return(map, tail, k, k, k + length))) return false;
     const auto farthest = [&](std::int64_t w) {
-        double largest = 0;
-        for (std::int64_t j = n - (w + 1) * length; j < n - w * length; ++j)
-            largest = std::max(largest, distance(map, tail.points[static_cast<std::size_t>(j)],
-                                                 tail.points[static_cast<std::size_t>(j - k)]));
-        return largest;
+        return w == 0 ? last : largest_return(map, tail, k, n - (w + 1) * length, n - w * length);
     };
     return shrinks_by_windows(farthest, std::min<std::int64_t>(4, (n - k) / length), 1, 1e-5);
 }

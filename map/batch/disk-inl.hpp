@@ -122,8 +122,8 @@ HWY_INLINE LaneImpact impact_of_disk(const LaneScenes& scenes, int i, LaneState&
 }
 
 /// Lanes `i` … of a block, as many as a vector has.
-template <ImpactRule rule, bool sums_chatter>
-HWY_INLINE RoundResult look_at_disks(LaneBlock& block, int i) {
+template <ImpactRule rule>
+HWY_INLINE RoundResult look_at_disks(bool sums_chatter, LaneBlock& block, int i) {
     const LaneScenes& scenes = block.scenes;
     const LaneState z = load_state(block, i);
     const Lane alpha = load(scenes.alpha, i);
@@ -140,7 +140,7 @@ HWY_INLINE RoundResult look_at_disks(LaneBlock& block, int i) {
     const LaneStart start = gap_at_start(path);
     const Lane speed = magnitude(z.vn) + magnitude(z.vt);
     Mask usual = start.rate < -rate_rounding(speed, flight.beta, z.spin, alpha);
-    if constexpr (sums_chatter) usual = all(usual, leaves_the_wall(scenes, i, z));
+    if (sums_chatter) usual = all(usual, leaves_the_wall(scenes, i, z));
 
     const Lane stored = load(block.guess, i);
     const Lane guess = choose(stored > Lane(0), stored, return_guess(start));

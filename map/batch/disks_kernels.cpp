@@ -1,4 +1,41 @@
-#define SWIRL_LANES advance_disks
-#define SWIRL_LANES_SHAPE Shape::disk
-#define SWIRL_LANES_RULE ImpactRule::poisson
-#include "map/batch/kernels.inc"
+// The kernels of disks for all instruction sets, with and without friction. Highway reads this file once for each set.
+#include "map/batch/lane_block.hpp"
+#include "map/batch/targets.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "map/batch/disks_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "map/batch/round-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace swirl::detail::HWY_NAMESPACE {
+
+RoundResult frictionless_disks(bool sums_chatter, LaneBlock& block) {
+    return look_by<Shape::disk, ImpactRule::frictionless>(sums_chatter, block);
+}
+
+RoundResult disks(bool sums_chatter, LaneBlock& block) {
+    return look_by<Shape::disk, ImpactRule::poisson>(sums_chatter, block);
+}
+
+}  // namespace swirl::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace swirl::detail {
+
+HWY_EXPORT(frictionless_disks);
+HWY_EXPORT(disks);
+
+RoundResult advance_frictionless_disks(bool sums_chatter, LaneBlock& block) {
+    return HWY_DYNAMIC_DISPATCH(frictionless_disks)(sums_chatter, block);
+}
+
+RoundResult advance_disks(bool sums_chatter, LaneBlock& block) {
+    return HWY_DYNAMIC_DISPATCH(disks)(sums_chatter, block);
+}
+
+}  // namespace swirl::detail
+#endif

@@ -135,8 +135,8 @@ HWY_INLINE Mask find_behind(ProofTask& task, Lane fourth, Mask no_return, Mask r
 }
 
 /// Lanes `i` … of a block, as many as a vector has.
-template <ImpactRule rule, bool sums_chatter>
-HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
+template <ImpactRule rule>
+HWY_INLINE RoundResult look_at_polygons(bool sums_chatter, LaneBlock& block, int i) {
     const LaneScenes& scenes = block.scenes;
     const LaneState z = load_state(block, i);
     ProofTask task;
@@ -152,7 +152,7 @@ HWY_INLINE RoundResult look_at_polygons(LaneBlock& block, int i) {
     task.struck = struck_gap_at_start(flight);
     const Found back = instant_of_return(flight, path, task.start, search.at, search.latest);
     Mask leaves = task.struck.rate < -rate_rounding(task.speed, body.beta, z.spin, body.alpha);
-    if constexpr (sums_chatter) leaves = all(leaves, leaves_the_wall(scenes, i, body, z));
+    if (sums_chatter) leaves = all(leaves, leaves_the_wall(scenes, i, body, z));
     const Lane fourth = fourth_bound(body, flight, task.speed);
     seek_vertex(task.vertices, body.half_slope, flight, fourth, all(leaves, back.found), search);
     Mask unfinished;

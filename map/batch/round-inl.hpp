@@ -12,26 +12,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
 
-template <Shape shape, ImpactRule rule, bool sums_chatter>
-HWY_INLINE RoundResult look_at_all(LaneBlock& block) {
+template <Shape shape, ImpactRule rule>
+HWY_INLINE RoundResult look_by(bool sums_chatter, LaneBlock& block) {
     const int lanes = static_cast<int>(hn::Lanes(Tag()));
     RoundResult all_lanes;
     for (int i = 0; i < block_lanes; i += lanes) {
         RoundResult some;
         if constexpr (shape == Shape::disk)
-            some = look_at_disks<rule, sums_chatter>(block, i);
+            some = look_at_disks<rule>(sums_chatter, block, i);
         else
-            some = look_at_polygons<rule, sums_chatter>(block, i);
+            some = look_at_polygons<rule>(sums_chatter, block, i);
         all_lanes.struck |= some.struck << i;
         all_lanes.left |= some.left << i;
         all_lanes.vain |= some.vain << i;
     }
     return all_lanes;
-}
-
-template <Shape shape, ImpactRule rule>
-HWY_INLINE RoundResult look_by(bool sums_chatter, LaneBlock& block) {
-    return sums_chatter ? look_at_all<shape, rule, true>(block) : look_at_all<shape, rule, false>(block);
 }
 
 }  // namespace swirl::detail::HWY_NAMESPACE

@@ -51,7 +51,6 @@ class Refused(WithRecords):
         with self.assertRaisesRegex(RecordError, "a figure of kind tradeoff has no abscissa to limit"):
             self.draw("tradeoff", "tradeoff", 1e-7, 1e-6)
 
-
     def test_a_range_that_no_page_can_show_is_told_at_once(self):
         out = self.records["wall"].with_name("f.png")
         for text, said in (("-1e308:1e308", "two numbers from -1e+15 to 1e+15 with A < B"), ("nan:1", "with A < B"),

@@ -104,7 +104,7 @@ bool shrinks_by_windows(const Farthest& farthest, std::int64_t windows, std::int
 /// May the orbit be approaching a cycle of period k or a divisor of it, so that Newton's method is worth its
 /// derivatives? What `cycle_near` asks of the distance to a cycle is asked here of the returns after k steps, which are
 /// proportional to it: no larger in the tail's last window than in its first, and smaller from window to window at its
-/// end. On a torus they hardly change, and do so by chance.
+/// end. On a torus they hardly change; those that shrink do so by chance.
 template <SectionMap M>
 bool may_approach(const M& map, const Tail<M>& tail, std::int64_t k) {
     const auto n = static_cast<std::int64_t>(tail.points.size());

@@ -56,7 +56,7 @@ struct RoundResult {
     std::uint32_t vain = 0;    ///< … and its searches from the circle's return would find nothing, as the lane's did
 };
 
-/// Another search, another impact: the kernels that are compiled.
+/// Another search, another impact: which kernel is run, and its argument.
 struct KernelKind {
     Shape shape = Shape::disk;
     ImpactRule rule = ImpactRule::frictionless;

@@ -107,7 +107,7 @@ ContactState<J> stopped(const ContactScene<J>& scene, Support support, ContactSt
 }
 
 template <class J>
-struct Carried {
+struct SegmentFollower {
     const ContactScene<J>& scene;
     ContactState<J> z;
     int vertex_step = 0;
@@ -178,11 +178,11 @@ template <class J>
 PostImpactState<J> contact_along(const ContactScene<double>& plain, const ContactScene<J>& scene,
                                  const ContactPhase<double>& phase, const ContactState<J>& landing, int vertex_step,
                                  long* steps) {
-    Carried<J> carried{scene, landing, vertex_step};
+    SegmentFollower<J> follower{scene, landing, vertex_step};
     for (std::size_t i = 0; i < phase.segments.size(); ++i)
-        carried.follow(phase.segments[i], i + 1 < phase.segments.size() ? &phase.segments[i + 1] : nullptr);
-    if (steps) *steps += carried.steps;
-    return carried.finish(plain, phase);
+        follower.follow(phase.segments[i], i + 1 < phase.segments.size() ? &phase.segments[i + 1] : nullptr);
+    if (steps) *steps += follower.steps;
+    return follower.finish(plain, phase);
 }
 
 #define SWIRL_COMPILE_CONTACT_ALONG(J)                                                             \

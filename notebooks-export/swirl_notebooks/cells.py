@@ -50,6 +50,7 @@ def executed(book, folder, timeout=120):
     from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
     client = NotebookClient(book, timeout=timeout, kernel_name="python3", record_timing=False,
                             resources={"metadata": {"path": str(folder)}})
+    client._cleanup_kernel = lambda: None  # at the exit it would wait for a kernel that an interruption has ended
     try:
         os.environ.setdefault("PYDEVD_DISABLE_FILE_VALIDATION", "1")  # the kernel's debugger, which nobody asked for, warns
         _in_thread(client, client.execute)

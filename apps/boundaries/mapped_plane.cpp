@@ -2,6 +2,8 @@
 #include "apps/boundaries/record_scene.hpp"
 #include "apps/record/flag_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 

@@ -1,5 +1,7 @@
 #include "apps/boundaries/plane.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace swirl::apps::boundaries {

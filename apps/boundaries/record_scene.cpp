@@ -2,6 +2,8 @@
 
 #include "apps/record/flag_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace swirl::apps::boundaries {

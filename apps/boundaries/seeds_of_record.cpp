@@ -6,6 +6,8 @@
 #include "apps/system/section_coordinates.hpp"
 #include "apps/system/shooting_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

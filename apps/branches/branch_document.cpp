@@ -2,6 +2,8 @@
 #include "apps/output/write_table.hpp"
 #include "apps/system/letter.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -14,6 +14,7 @@
 #include "apps/system/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>

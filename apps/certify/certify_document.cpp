@@ -4,6 +4,8 @@
 #include "apps/system/section_coordinates.hpp"
 #include "map/derivative/parameter.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace swirl::apps::certify {

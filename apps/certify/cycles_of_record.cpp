@@ -7,6 +7,8 @@
 #include "apps/system/shooting_map.hpp"
 #include "map/derivative/parameter.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,5 +1,7 @@
 #include "apps/classify/classify_record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 

@@ -9,6 +9,8 @@
 #include "apps/ranks/hand_out.hpp"
 #include "apps/ranks/packed.hpp"
 
+#include <fmt/format.h>
+
 #include <numeric>
 #include <optional>
 #include <span>

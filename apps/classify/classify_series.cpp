@@ -12,6 +12,8 @@
 #include "apps/output/write_table.hpp"
 #include "apps/record/record_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

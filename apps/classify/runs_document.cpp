@@ -4,6 +4,8 @@
 #include "apps/modes/verdict_document.hpp"
 #include "apps/output/write_table.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 
 namespace swirl::apps::classify {

@@ -2,6 +2,8 @@
 
 #include "apps/command_line/numbers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -8,6 +8,7 @@
 // it: here it comes to say so, in every build.
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_cast<void>(0)
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 namespace swirl::apps {

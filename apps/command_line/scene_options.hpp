@@ -6,6 +6,8 @@
 #include "apps/output/units.hpp"
 #include "map/model/scene.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <optional>
 #include <string>

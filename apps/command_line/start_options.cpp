@@ -1,6 +1,7 @@
 #include "apps/command_line/start_options.hpp"
 
 #include <Random123/philox.h>
+#include <fmt/format.h>
 #include <Random123/uniform.hpp>
 
 #include <charconv>

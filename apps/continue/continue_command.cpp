@@ -12,6 +12,8 @@
 #include "apps/system/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
 
+#include <fmt/format.h>
+
 #include <optional>
 
 namespace swirl::apps::continuation {

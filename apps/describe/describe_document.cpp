@@ -4,6 +4,8 @@
 #include "apps/output/write_table.hpp"
 #include "apps/system/section_coordinates.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 namespace swirl::apps::describe {

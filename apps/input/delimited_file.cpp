@@ -4,6 +4,7 @@
 #include "apps/command_line/text_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>

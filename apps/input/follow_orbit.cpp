@@ -4,6 +4,8 @@
 #include "apps/command_line/progress.hpp"
 #include "apps/impacts/impact_fields.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace swirl::apps {

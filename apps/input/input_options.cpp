@@ -3,6 +3,8 @@
 #include "apps/command_line/number_checks.hpp"
 #include "apps/record/record_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

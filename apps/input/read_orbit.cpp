@@ -4,6 +4,9 @@
 #include "apps/record/flag_text.hpp"
 #include "apps/record/record_reader.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace swirl::apps {

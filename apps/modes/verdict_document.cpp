@@ -3,6 +3,8 @@
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace swirl::apps {

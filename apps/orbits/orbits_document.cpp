@@ -4,6 +4,8 @@
 #include "apps/output/write_table.hpp"
 #include "apps/system/shooting_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

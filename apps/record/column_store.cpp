@@ -1,6 +1,7 @@
 #include "apps/record/column_store.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>

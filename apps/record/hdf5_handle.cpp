@@ -33,9 +33,10 @@ Result check(Result result, std::string_view action, std::string_view path) {
     return result;
 }
 
+// The types by what they are: hid_t and hssize_t are one of these each, since HDF5 1.14 the same one.
 template int check<int>(int, std::string_view, std::string_view);
-template hid_t check<hid_t>(hid_t, std::string_view, std::string_view);
-template hssize_t check<hssize_t>(hssize_t, std::string_view, std::string_view);
+template long check<long>(long, std::string_view, std::string_view);
+template long long check<long long>(long long, std::string_view, std::string_view);
 
 Datatype string_type() {
     Datatype type(H5Tcopy(H5T_C_S1));

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -131,11 +132,10 @@ Selection select(hid_t dataset, const Slab& slab, const std::string& path, const
     bool inside = offset.size() == shape.size() && count.size() == shape.size();
     for (std::size_t i = 0; inside && i < shape.size(); ++i)
         inside = offset[i] <= shape[i] && count[i] <= shape[i] - offset[i];
-    if (!inside) {
+    if (!inside)
         throw RecordError(hdf5::dataset_action(path), file,
                           fmt::format("offset [{}] and count [{}] lie outside its shape [{}]", fmt::join(offset, ", "),
                                       fmt::join(count, ", "), fmt::join(shape, ", ")));
-    }
     Selection selection{hdf5::Dataspace(H5Dget_space(dataset)), {}, 1};
     selection.elements = product_of(count, path, file);
     if (count.empty()) {

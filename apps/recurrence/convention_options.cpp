@@ -3,6 +3,9 @@
 #include "apps/command_line/number_checks.hpp"
 #include "apps/recurrence/convention_names.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 

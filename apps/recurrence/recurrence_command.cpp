@@ -8,6 +8,8 @@
 #include "apps/record/record_reader.hpp"
 #include "apps/recurrence/recurrence_document.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

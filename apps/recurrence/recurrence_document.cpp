@@ -3,6 +3,9 @@
 #include "apps/output/write_table.hpp"
 #include "apps/recurrence/convention_names.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -3,6 +3,8 @@
 #include "analysis/spectrum/resample.hpp"
 #include "apps/record/record_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

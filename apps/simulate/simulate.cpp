@@ -6,6 +6,8 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/simulate/follow_impacts.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 

@@ -8,6 +8,8 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/spectrum/spectrum_document.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace swirl::apps::spectrum {

@@ -2,6 +2,9 @@
 
 #include "apps/output/write_table.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <span>
 

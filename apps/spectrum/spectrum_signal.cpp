@@ -4,6 +4,7 @@
 #include "analysis/spectrum/resample.hpp"
 #include "analysis/spectrum/uniform_motion.hpp"
 
+#include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "apps/sweep/grid.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>

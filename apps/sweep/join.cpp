@@ -3,6 +3,8 @@
 #include "apps/record/flag_text.hpp"
 #include "apps/sweep/shard.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 

@@ -3,6 +3,8 @@
 #include "apps/sweep/sweep_command.hpp"
 #include "apps/sweep/tracks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace swirl::apps::sweep {

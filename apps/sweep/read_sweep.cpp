@@ -2,6 +2,8 @@
 #include "apps/sweep/run_columns.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace swirl::apps::sweep {

@@ -6,6 +6,8 @@
 #include "apps/sweep/refine.hpp"
 #include "apps/sweep/starts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 

@@ -2,6 +2,8 @@
 
 #include "apps/output/value.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 

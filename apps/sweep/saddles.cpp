@@ -4,6 +4,8 @@
 #include "apps/sweep/starts.hpp"
 #include "apps/system/section_coordinates.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <optional>
 #include <string>

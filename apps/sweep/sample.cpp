@@ -3,6 +3,7 @@
 #include "apps/command_line/numbers.hpp"
 
 #include <Random123/philox.h>
+#include <fmt/format.h>
 #include <gsl/gsl_qrng.h>
 #include <Random123/uniform.hpp>
 

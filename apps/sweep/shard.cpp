@@ -3,6 +3,8 @@
 #include "apps/record/record_reader.hpp"
 #include "apps/sweep/run_columns.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 

@@ -1,5 +1,7 @@
 #include "apps/sweep/starts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace swirl::apps::sweep {

@@ -9,6 +9,8 @@
 #include "apps/sweep/starts.hpp"
 #include "apps/sweep/tracks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>

@@ -5,11 +5,7 @@
 // that no operation asks for memory.
 #pragma once
 
-#if __has_include(<flint/arb.h>)
-#include <flint/arb.h>
-#else
-#include <arb.h>
-#endif
+#include "map/intervals/arb.hpp"
 
 #include <string>
 #include <utility>

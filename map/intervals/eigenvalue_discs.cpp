@@ -1,10 +1,6 @@
 #include "map/intervals/eigenvalue_discs.hpp"
 
-#if __has_include(<flint/acb_mat.h>)
-#include <flint/acb_mat.h>
-#else
-#include <acb_mat.h>
-#endif
+#include "map/intervals/arb.hpp"
 
 #include <algorithm>
 #include <cmath>

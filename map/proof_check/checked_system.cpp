@@ -1,10 +1,6 @@
 #include "map/proof_check/checked_system.hpp"
 
-#if __has_include(<flint/arb_mat.h>)
-#include <flint/arb_mat.h>
-#else
-#include <arb_mat.h>
-#endif
+#include "map/intervals/arb.hpp"
 
 #include <Eigen/LU>
 

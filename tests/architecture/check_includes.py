@@ -21,7 +21,8 @@ FOLDERS = {
 
 # folder -> how the library headers that it may include begin; a folder not named here is free
 LIBRARIES = {
-    "map": ("Eigen/", "ceres/jet.h", "hwy/", "boost/", "Random123/", "gsl/", "flint/", "arb.h", "arb_mat.h", "acb_mat.h"),
+    "map": ("Eigen/", "ceres/jet.h", "hwy/", "boost/", "Random123/", "gsl/", "flint/", "arb.h", "arb_mat.h", "acb.h", "acb_mat.h",
+            "arf.h", "mag.h"),
     "analysis": ("Eigen/", "unsupported/Eigen/", "ceres/", "gsl/", "fftw3.h", "tbb/", "oneapi/tbb", "hwy/", "boost/",
                  "Random123/"),
 }

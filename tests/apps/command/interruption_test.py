@@ -100,7 +100,11 @@ class Kept(Ending):
     def test_nohup_is_heeded(self):
         process = subprocess.Popen(["nohup", SWIRL, *f"simulate {CHAOS} --collisions 400000 --quiet -o a.h5".split()],
                                    cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(0.3)
+        # nohup has become swirl, and the signals are its own, once the record has been begun.
+        begin = time.monotonic()
+        while not self.names() and time.monotonic() - begin < 60:
+            time.sleep(0.01)
+        self.assertIsNone(process.poll(), "it was over before it could be interrupted")
         process.send_signal(signal.SIGHUP)
         self.assertEqual((process.wait(60), self.names()), (0, ["a.h5"]))
 

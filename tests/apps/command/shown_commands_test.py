@@ -4,7 +4,6 @@ command.contract runs the blocks of README.md and the examples of --help, comman
 commands within sentences, the blocks of other documents and the Python of notebooks-export/README.md, each in a folder where what
 it reads has been made, by the commands that documents show for that. --all: also films, notebooks and what takes minutes."""
 
-import importlib.util
 import os
 import re
 import subprocess
@@ -28,7 +27,6 @@ FRAGMENT = re.compile(r"…|\.\.\.|\[|\||\b(COMMAND|NAME|RECORD|FIGURE|FILE|SHAR
 NEEDS_OUTPUT = ("plot", "animate", "notebook", "join")
 #: Half of the time of all; their own tests run others of them.
 SLOW = ("animate", "notebook")
-HAS_NOTEBOOKS = all(importlib.util.find_spec(name) for name in ("nbformat", "nbclient", "ipykernel"))
 
 SERIES = "t S\n" + "".join(f"{0.1 * i:.1f} {((37 * i) % 100) / 100}\n" for i in range(200))
 SMALL = "--sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.3:0.5:2 --grid beta=0.4:0.5:2 --transient 100 --collisions 100"
@@ -94,7 +92,7 @@ class Shown(InFolder):
         for document, text in DOCUMENTS.items():
             for command in filter(is_whole, in_sentences(text)):
                 word = command.split()[1]
-                if word in SLOW and not ALL or word == "notebook" and not HAS_NOTEBOOKS:
+                if word in SLOW and not ALL:
                     continue
                 with self.subTest(document=document, command=command):
                     self.run_shown(command, document)

@@ -41,7 +41,7 @@ def _interval(share, runs):
     z = 1.96
     middle = (share + z * z / (2 * runs)) / (1 + z * z / runs)
     half = z * numpy.sqrt(share * (1 - share) / runs + z * z / (4 * runs * runs)) / (1 + z * z / runs)
-    # Lists: of an array of shape (2, 1) matplotlib takes a row for a number, which NumPy 2 warns of.
+    # As lists: a row of one in an array matplotlib's bars take for a number, which NumPy 2 warns of.
     return numpy.maximum([share - (middle - half), (middle + half) - share], 0).tolist()
 
 

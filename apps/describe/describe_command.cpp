@@ -1,6 +1,7 @@
 #include "apps/describe/describe_command.hpp"
 
 #include "analysis/cycles/stability.hpp"
+#include "analysis/special_values.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/record_output.hpp"
 
@@ -16,6 +17,10 @@ side of the container's wall, psi near 0, - that on the inner one, psi near pi; 
 fix S = 1 - 2 pi j/(N tau). A mode is stable if all multipliers lie inside the unit circle. With e = 1 a disk, and anything
 without friction, has families over tau: `swirl orbits --pin tau=VALUE` and `swirl continue --along tau=A:B` give their
 members. A disk on the wall is a pendulum: psi'' = -k sin psi.
+Of a polygon with friction it lists the chords of e = 1, too: the centre runs to and fro along them without slip, at an angle a
+to the wall's normal, a diameter if a = 0. A small swirl feeds those whose fate is `accelerates` (a diameter: J grows as
+(3/4 K beta^2 n)^(1/3) after n impacts, for ever) or `limit` (up to the speed v*, where S = S*), if |pair| < 1, so that they
+attract. With e < 1 the loss of impacts balances a diameter's gain at J*.
 
 Examples:
   swirl describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9
@@ -28,14 +33,32 @@ void DescribeOptions::add_to(Flags& command) {
         ->type_name("T");
 }
 
+namespace {
+
+void add_chords(Description& d) {
+    const Chords all = chords_of(d.scene);
+    d.has_all_chords = all.complete;
+    for (const Chord& chord : all.chords) {
+        const ChordSpeeds speeds = chord_speeds(d.scene, chord);
+        const bool diameter = chord.is_diameter();
+        const std::optional<double> balanced = diameter ? balanced_speed(d.scene, chord) : std::nullopt;
+        d.chords.push_back({chord, speeds, diameter && chord.attracts() ? diameter_growth(d.scene) : analysis::nan,
+                            balanced ? 0.5 * *balanced * *balanced : analysis::nan,
+                            speeds.fate == ChordFate::limit ? speeds.limit_spin : analysis::nan});
+    }
+}
+
+}  // namespace
+
 Description description_of(const Scene<double>& scene, double max_time) {
     SteadyOptions search;
     search.longest_flight = max_time;
-    Description d{scene, search, scene_facts(scene), steady_modes(scene, search), {}, {}};
+    Description d{scene, search, scene_facts(scene), steady_modes(scene, search), {}, {}, true, {}};
     for (SteadyMode& mode : d.steady.modes) analysis::sort_multipliers(mode.multipliers);
     for (const SteadyFamily& family : d.steady.families)
         d.families.push_back({family, member_of(scene, family, 0.5 * (family.from + family.to))});
     d.none_exist = why_none(d.steady.set);
+    add_chords(d);
     return d;
 }
 

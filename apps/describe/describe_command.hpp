@@ -3,6 +3,7 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
+#include "map/chords/chord_fate.hpp"
 #include "map/steady/scene_facts.hpp"
 #include "map/steady/steady_modes.hpp"
 
@@ -27,13 +28,24 @@ struct DescribedFamily {
     std::optional<SteadyMode> midway;  ///< at the middle of its flight times (S = 0 where S is free)
 };
 
+/// A chord or diameter, and where the swirl leads a body on it. NaN: does not apply.
+struct DescribedChord {
+    Chord chord;
+    ChordSpeeds speeds;     ///< e = 1
+    double growth = 0;      ///< K of a diameter that attracts
+    double balance = 0;     ///< J* = v²/2 of a diameter with e < 1
+    double limit_spin = 0;  ///< S* of a chord with a limit
+};
+
 struct Description {
     Scene<double> scene;
     SteadyOptions search;
     SceneFacts facts;
     SteadyModes steady;
     std::vector<DescribedFamily> families;  ///< those of `steady`
-    std::string none_exist;                 ///< why there are no steady modes, where that is proven
+    std::vector<DescribedChord> chords;     ///< of a polygon with friction
+    bool has_all_chords = true;
+    std::string none_exist;  ///< why there are no steady modes, where that is proven
 
     /// True if `steady` lists all up to the longest flight that was asked for.
     bool is_complete() const { return steady.complete_to >= search.longest_flight; }
@@ -44,7 +56,7 @@ Description description_of(const Scene<double>& scene, double max_time);
 
 void write_description_document(const DescribeOptions& options, const Description& d, const Settings& settings);
 void print_description(const Description& d, const std::optional<Units>& units);
-/// Groups scene, settings, facts (attributes), rim (of a disk), steady_modes and families (if there are any).
+/// Groups scene, settings, facts (attributes), rim (of a disk), steady_modes, families and chords (if there are any).
 void write_description_record(const RecordGroup& root, const Description& d, const Settings& settings);
 
 int describe(DescribeOptions& options);

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <complex>
+#include <iterator>
 #include <limits>
 
 namespace swirl::apps::describe {
@@ -171,6 +173,39 @@ Table<DescribedFamily> family_table(bool disk) {
          F{"midway_stability", stability, "", "its stability"}.flags(names).record_only().shown("stability", "  {}")}};
 }
 
+/// The chords of e = 1.
+Table<DescribedChord> chord_table() {
+    using F = Field<DescribedChord>;
+    const auto of = [](auto member) { return [member](const DescribedChord& c) { return c.chord.*member; }; };
+    const auto pair = [](int k) { return [k](const DescribedChord& c) { return std::abs(c.chord.multipliers[k]); }; };
+    const auto multipliers = [](JsonWriter& json, const DescribedChord& c) {
+        json.array(std::vector<std::complex<double>>(std::begin(c.chord.multipliers), std::end(c.chord.multipliers)));
+    };
+    const auto limit = [](const DescribedChord& c) {
+        return c.speeds.fate == ChordFate::limit ? c.speeds.limit : no_value;
+    };
+    const auto fed_from = [](const DescribedChord& c) {
+        return c.speeds.fate == ChordFate::limit ? c.speeds.fed_from : no_value;
+    };
+    return {
+        {"chord"},
+        {F{"a", of(&Chord::angle), "rad", "angle of the chord and the normal; 0: a diameter"}.shown("a", "  {:>10.6f}"),
+         F{"j", of(&Chord::vertex_step), "1", "vertices on"}.shown("j", " {:>5}"),
+         F{"turn", of(&Chord::turn), "rad", "S tau, by what the body turns in a flight"}.shown("S tau", " {:>9.5f}"),
+         {"multipliers", multipliers},
+         F{"first_multiplier", pair(0), "1", "largest |multiplier| across"}.record_only().shown("|pair|", " {:>8.5f}"),
+         F{"second_multiplier", pair(1), "1", "the other"}.record_only().shown("", " {:>8.5f}"),
+         {"attracts", [](const DescribedChord& c) { return c.chord.attracts(); }, "1", "do deviations decay?"},
+         F{"fate", [](const DescribedChord& c) { return c.speeds.fate; }, "", "e = 1: where the swirl leads it"}
+             .flags(names_up_to(ChordFate::accelerates))
+             .shown("fate", "  {:<11}"),
+         {"fed_from", fed_from, "R_c omega_s", "speed above which it gains; 0: from its resonance on"},
+         F{"limit_speed", limit, "R_c omega_s", "v*"}.shown("v*", " {:>9.5f}"),
+         F{"limit_S", &DescribedChord::limit_spin, "omega_s", "S*"}.shown("S*", " {:>10.5f}"),
+         F{"growth", &DescribedChord::growth, "1", "K: J^3 grows by 3/4 K beta^2 an impact"}.shown("K", " {:>9.6f}"),
+         F{"balance_J", &DescribedChord::balance, "R_c^2 omega_s^2", "J* of e < 1"}.shown("J*", " {:>9.5f}")}};
+}
+
 /// Where S is free, the families are searched for up to some |S|.
 ///   time  1/ω_s in the units of the table
 std::string spins_in_words(const Description& d, double time) {
@@ -197,6 +232,7 @@ void write_description_document(const DescribeOptions& options, const Descriptio
         d.facts.rim ? write_object(json, rim_table(), *d.facts.rim) : json.null();
         write_json(json, "steady_modes", mode_table(disk, 0), d.steady.modes);
         write_json(json, "families", family_table(disk), d.families);
+        write_json(json, "chords", chord_table(), d.chords);
         json.key("none_exist");
         d.none_exist.empty() ? json.null() : json.value(d.none_exist);
         json.member("psi_is_free", d.steady.phase_is_free);
@@ -212,6 +248,11 @@ void print_description(const Description& d, const std::optional<Units>& units) 
     fmt::print("{}\n{}{}", scene_in_words(d.scene), units_in_words(units),
                shown_lines_of(in_units(fact_table(disk), units), d));
     if (d.facts.rim) fmt::print("{}", shown_lines_of(in_units(rim_table(), units), *d.facts.rim));
+    if (!d.chords.empty()) {
+        fmt::print("  chords and diameters without slip (e = 1, small swirl){}:\n",
+                   d.has_all_chords ? "" : ", those nearest to a diameter");
+        print_table(in_units(chord_table(), units), d.chords);
+    }
     if (!d.none_exist.empty()) return fmt::print("  {}\n", d.none_exist);
     fmt::print("  steady modes with tau <= {:g}{}: {}{}\n", d.search.longest_flight * time, spins_in_words(d, time),
                counted(d),
@@ -234,6 +275,7 @@ void write_description_record(const RecordGroup& root, const Description& d, con
     facts.attribute("complete", d.is_complete());
     facts.attribute("complete_to", d.steady.complete_to);
     if (d.facts.rim) write_attributes(root.group("rim"), rim_table(), *d.facts.rim);
+    if (!d.chords.empty()) write_record(root.group("chords"), chord_table(), d.chords);
     if (!d.families.empty()) write_record(root.group("families"), family_table(disk), d.families);
     const RecordGroup group = root.group("steady_modes");
     if (d.steady.modes.empty()) return;

@@ -55,7 +55,8 @@ bool is_taken(const Map& map, const Chord& chord) {
 Chord chord_at(const Scene<double>& scene, double a, long long j) {
     const double inner = 1 - scene.alpha;
     const long long step = ((j % scene.sides) + scene.sides) % scene.sides;
-    Chord chord{a, static_cast<int>(step), -inner / scene.alpha * std::sin(2 * a), 2 * inner * std::cos(a), {}};
+    const double turn = a == 0 ? 0 : -inner / scene.alpha * std::sin(2 * a);
+    Chord chord{a, static_cast<int>(step), turn, 2 * inner * std::cos(a), {}};
     set_multipliers(scene, chord);
     return chord;
 }

@@ -1,0 +1,30 @@
+"""Chords and diameters in describe, from outside: chords_test.py SWIRL"""
+
+import math
+import unittest
+
+from driving import InFolder, document
+
+PAPER = "--sides 6 --beta 0.1 --mu 0.5 --restitution 1"
+
+
+class Chords(InFolder):
+    def test_describe_lists_the_hexagons_limit(self):
+        found = document(f"describe {PAPER} --alpha 0.44 --max-time 1")["chords"]
+        chord = next(c for c in found if c["j"] == 3 and c["a"] > 0)
+        self.assertAlmostEqual(chord["a"], 0.5868, delta=5e-5)
+        self.assertEqual((chord["fate"], chord["attracts"]), ("limit", True))
+        self.assertAlmostEqual(chord["limit_S"], -10.451, delta=1e-3)
+        self.assertAlmostEqual(math.hypot(*chord["multipliers"][0]), 0.364, delta=5e-4)
+        diameter = next(c for c in found if c["a"] == 0)
+        self.assertEqual((diameter["fate"], diameter["limit_S"]), ("leaves", None))
+
+    def test_describe_gives_the_balance_below_e_1(self):
+        found = document("describe --sides 6 --alpha 0.56 --beta 0.1 --mu 0.5 --restitution 0.9999 --max-time 1")
+        diameter = next(c for c in found["chords"] if c["a"] == 0)
+        self.assertAlmostEqual(diameter["balance_J"], 1.1427, delta=0.02)
+        self.assertAlmostEqual((0.75 * diameter["growth"]) ** (1 / 3), 0.44702, delta=5e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()

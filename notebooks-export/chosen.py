@@ -33,14 +33,14 @@ def font_size_of(text):
     return size
 
 
-def range_of(text):
+def range_of(text, name="xlim"):
     """(A, B) of `A:B`, A < B."""
     ends = [_number(part) for part in text.split(":")]
     if len(ends) != 2 or not -MOST_LIMIT <= ends[0] < ends[1] <= MOST_LIMIT:
-        raise ValueError(f"xlim = {text}: allowed is A:B, two numbers from {-MOST_LIMIT:g} to {MOST_LIMIT:g} with A < B")
+        raise ValueError(f"{name} = {text}: allowed is A:B, two numbers from {-MOST_LIMIT:g} to {MOST_LIMIT:g} with A < B")
     least = LEAST_PART_SHOWN * max(map(abs, ends))
     if ends[1] - ends[0] < least:
-        raise ValueError(f"xlim = {text}: B - A is {ends[1] - ends[0]:.2g}, allowed is {least:.2g} or more")
+        raise ValueError(f"{name} = {text}: B - A is {ends[1] - ends[0]:.2g}, allowed is {least:.2g} or more")
     return tuple(ends)
 
 

@@ -18,6 +18,10 @@ def arguments():
     parser.add_argument("--font-size", metavar="POINTS", help="of the letters")
     parser.add_argument("--no-title", action="store_true", help="no title above")
     parser.add_argument("--xlim", metavar="A:B", help="range of the abscissa")
+    parser.add_argument("--ylim", metavar="A:B", help="range of the ordinate")
+    parser.add_argument("--log", metavar="AXES", help="x, y or xy: logarithmic axes")
+    parser.add_argument("--of", metavar="NAME", help="of kinds means and map: S, exponent, period or RC")
+    parser.add_argument("--over", metavar="NAME", help="of kind means: the parameter along the abscissa")
     parser.add_argument("--caption", metavar="FILE", help="what the figure shows, in words, to a file of its own")
     parser.add_argument("--x", metavar="NAME", help="of a section portrait")
     parser.add_argument("--y", metavar="NAME", help="of a section portrait")
@@ -29,6 +33,8 @@ def chosen_of(options):
     return {"width": script.value_of(chosen.length_of, options.width),
             "font_size": script.value_of(chosen.font_size_of, options.font_size),
             "xlim": script.value_of(chosen.range_of, options.xlim),
+            "ylim": script.value_of(lambda text: chosen.range_of(text, "ylim"), options.ylim),
+            "log": options.log, "of": options.of, "over": options.over,
             "titles": not options.no_title, "x": options.x, "y": options.y}
 
 

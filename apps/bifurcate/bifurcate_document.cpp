@@ -8,6 +8,7 @@
 
 #include <map>
 #include <span>
+#include <vector>
 
 namespace swirl::apps::bifurcate {
 
@@ -262,7 +263,6 @@ void write_diagram_record(RecordWriter& record, const BifurcateOptions& options,
 }
 
 void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
-    constexpr std::size_t most_lines = 100;
     std::map<std::string, std::int64_t> counts;
     std::int64_t all = 0;
     for (const auto& column : diagram.columns)
@@ -270,11 +270,13 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
             ++counts[std::string(name_of(attractor.mode))];
             ++all;
         }
-    const std::vector<ColumnShare> shares_by_column = shares_of(diagram);
-    const std::size_t lines = diagram.columns.size() <= most_lines ? shares_by_column.size() : 0;
+    std::vector<ColumnShare> rows = shares_of(diagram);
+    const std::size_t every = (diagram.columns.size() + 99) / 100;  // a hundred columns or fewer are listed
+    std::erase_if(rows, [every](const ColumnShare& row) { return row.number % every != 0; });
     const auto units = options.scene.units();
     fmt::print("{}", units_in_words(units));
-    print_table(in_units(share_table(diagram), units), std::span(shares_by_column).first(lines));
+    print_table(in_units(share_table(diagram), units), std::span(rows));
+    if (every > 1) fmt::print("one in {} of {} columns is listed (--json, -o)\n", every, diagram.columns.size());
     std::string shares;
     for (const auto& [mode, count] : counts)
         shares += fmt::format("{}{} {:.2f} %", shares.empty() ? "" : ", ", mode,

@@ -15,7 +15,7 @@ struct ImpactField {
     const char* heading = "";  ///< in the table for people, which lists those that have one
 };
 
-inline constexpr std::array<ImpactField, 21> impact_fields = {{
+inline constexpr std::array<ImpactField, 22> impact_fields = {{
     {"t", &ImpactRow::t, "1/omega_s", "time", "t"},
     {"x", &ImpactRow::x, "R_c", "centre of the body, from the swirl's centre"},
     {"y", &ImpactRow::y, "R_c", "centre of the body, from the swirl's centre"},
@@ -37,6 +37,8 @@ inline constexpr std::array<ImpactField, 21> impact_fields = {{
     {"jacobi", &ImpactRow::jacobi, "m R_c^2 omega_s^2", "J, energy in the swirling frame", "J"},
     {"jacobi_restitution", &ImpactRow::jacobi_restitution, "m R_c^2 omega_s^2", "change of J by restitution, -p u_n"},
     {"jacobi_friction", &ImpactRow::jacobi_friction, "m R_c^2 omega_s^2", "change of J by friction, q (u_t - 1)"},
+    {"energy", &ImpactRow::energy, "m R_c^2 omega_s^2",
+     "E_p = (v^2 + I S^2)/2 just after the impact, in the laboratory"},
 }};
 
 /// A disk has no chi.

@@ -18,6 +18,7 @@ struct ImpactRow {
     ContactMode contact_mode = ContactMode::frictionless;
     bool simultaneous = false;
     double jacobi = 0, jacobi_restitution = 0, jacobi_friction = 0;
+    double energy = 0;  ///< E_p = (v² + I S²)/2, in the laboratory
 };
 
 template <class T>
@@ -52,6 +53,7 @@ ImpactRow impact_row(const SceneOrbit<T>& orbit) {
     row.jacobi = number(jacobi_of(orbit.body(), c.after));
     row.jacobi_restitution = number(c.jacobi_restitution);
     row.jacobi_friction = number(c.jacobi_friction);
+    row.energy = number((lab.vx * lab.vx + lab.vy * lab.vy + orbit.body().inertia * lab.spin * lab.spin) / 2);
     return row;
 }
 

@@ -17,7 +17,8 @@ const char* const plot_details =
                       laboratory, in the container, and co-rotating with the swirl; on the wall too, with simulate
                       --sample), section (two coordinates just after each impact, --x and --y, coloured by time; of
                       several records by record), balance (J, and what restitution and friction change of it at each
-                      impact), contacts (motion on the wall and its events; with --sample normal force, friction, slip)
+                      impact), energy (E_p = m v^2/2 + I omega_p^2/2 over time), contacts (motion on the wall and its
+                      events; with --sample normal force, friction, slip)
   classify            verdict (with the orbit on the section, S and its spectrum), with --runs shares
   recurrence          recurrence: the plot of --image, the measures, the lengths of lines; or over several thresholds
   spectrum            spectrum, with its peaks
@@ -29,7 +30,8 @@ const char* const plot_details =
                       given first
   sweep, join         modes: bands, a map or panels, by the number of parameters; of --sample its points; over two
                       numbers of the start basins: the attractor that each start came to; with --track over one
-                      parameter attractors: share and mean S of each
+                      parameter attractors: share and mean S of each; means: mean S, or another quantity (--of), over
+                      one parameter (--over), a line for each value of another; map: that quantity over two parameters
   tradeoff            tradeoff: work against precision, how the verdict settles, what pieces of the model add
   describe, tour      steady-modes; tour
 --caption says what the figure shows in words: its title, all special points, also those that the figure leaves out where
@@ -48,9 +50,10 @@ void PlotOptions::add_to(Flags& command) {
     files.add_to(command, figure, true);
     command.add_option("--kind", kind, "which figure, where there are several")
         ->type_name("NAME")
-        ->offer({"orbit",  "spin",       "path",     "section",  "balance",      "contacts",    "verdict",
-                 "shares", "recurrence", "spectrum", "lyapunov", "multipliers",  "bifurcation", "boundaries",
-                 "basins", "attractors", "modes",    "tradeoff", "steady-modes", "tour"});
+        ->offer({"orbit",        "spin",       "path",       "section",    "balance",  "contacts",
+                 "verdict",      "shares",     "recurrence", "spectrum",   "lyapunov", "multipliers",
+                 "bifurcation",  "boundaries", "basins",     "attractors", "modes",    "tradeoff",
+                 "steady-modes", "tour",       "energy",     "means",      "map"});
     command.add_option("--width", width, "of the figure: millimetres, 3.4in, or a journal's column by name")
         ->type_name("WIDTH")
         ->offer({"aps", "aps-2", "nature", "nature-2", "elsevier", "elsevier-2"});
@@ -60,6 +63,14 @@ void PlotOptions::add_to(Flags& command) {
     command.add_option("--caption", caption, "what the figure shows in words, with every special point: .txt, .md")
         ->type_name("FILE");
     command.add_option("--xlim", xlim, "range of the abscissa")->type_name("A:B");
+    command.add_option("--ylim", ylim, "range of the ordinate")->type_name("A:B");
+    command.add_option("--log", log, "logarithmic axes")->type_name("AXES")->offer({"x", "y", "xy"});
+    command.add_option("--of", of, "of kinds means and map: S (default), exponent, period or RC")
+        ->type_name("NAME")
+        ->offer({"S", "exponent", "period", "RC"});
+    command
+        .add_option("--over", over, "of kind means: the parameter along the abscissa (default: that of most values)")
+        ->type_name("NAME");
     command.add_option("--x", x, "of kind section: psi (default), chi, vn, vt or S")
         ->type_name("NAME")
         ->offer({"psi", "chi", "vn", "vt", "S"});
@@ -74,6 +85,10 @@ int plot(PlotOptions& options) {
     scripts::add_argument(own, "width", options.width);
     scripts::add_argument(own, "font-size", options.font_size);
     scripts::add_argument(own, "xlim", options.xlim);
+    scripts::add_argument(own, "ylim", options.ylim);
+    scripts::add_argument(own, "log", options.log);
+    scripts::add_argument(own, "of", options.of);
+    scripts::add_argument(own, "over", options.over);
     scripts::add_argument(own, "x", options.x);
     scripts::add_argument(own, "y", options.y);
     if (options.no_title) own.emplace_back("--no-title");

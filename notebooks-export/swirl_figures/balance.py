@@ -59,7 +59,7 @@ def _draw_sums(axes, record, t, shown):
     axes.plot(*thinned(t[shown], (energy - energy[0])[shown]), color="0.25", lw=1.1, ls=(0, (4, 2)),
               label="all: $J$ less its first value")
     axes.axhline(0, color="0.8", lw=0.7, zorder=0)
-    axes.set(ylabel="sum of $\\Delta J$", xlabel=TIME, title="Their sums since the first listed impact")
+    axes.set(ylabel="sum of $\\Delta J$", xlabel=f"time {TIME}", title="Their sums since the first listed impact")
 
 
 def _is_complete(record):
@@ -79,7 +79,7 @@ def draw_into(figure, record, look):
     _draw_changes(panels[1], record, t, seen)
     if complete:
         _draw_sums(panels[2], record, t, shown)
-    panels[-1].set_xlabel(TIME)
+    panels[-1].set_xlabel(f"time {TIME}")
     for axes in panels[1:]:
         legend_inside(axes, markerscale=1 if seen.sum() < 2000 else 4)
     panels[0].margins(x=0.01)

@@ -3,6 +3,7 @@
 import numpy
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
+from matplotlib.patheffects import Normal, Stroke
 
 from .legends import LegendBelow
 from .look import NARROW, is_narrow, widen
@@ -11,9 +12,9 @@ from .record import RecordError
 from .samples import Samples
 from .special_points import draw_special
 from .style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION
-from .symbols import SPIN, axis_label, number, observable_label, scene_title
+from .symbols import MEAN_SPIN, SPIN, axis_label, number, observable_label, scene_title
 
-_PERIODS = (BLUE, VERMILION, GREEN, PURPLE, "#7A5C00", BLACK, SKY, "#882255", "#44AA99", "#332288", "#999933", ORANGE)
+_PERIODS = (BLUE, VERMILION, GREEN, PURPLE, "#7A5C00", "#AA4499", SKY, "#882255", "#44AA99", "#332288", "#999933", ORANGE)
 
 
 def _observable(record):
@@ -34,6 +35,37 @@ def _draw_contact(axes, record, look):
     style = {"ls": "", "marker": "_", "ms": 5, "mew": 1.2, "color": "#8A8A8A"}
     axes.plot(parameter[of], mean[of], zorder=1, **style)
     return [Line2D([], [], label="in contact: mean $S$", **style)]
+
+
+def _means(record, look):
+    """The rows of `shares` that have a mean of what spreads over many values, in lines: neighbouring columns that have one
+    such row each, of the same kind, follow one another in a line."""
+    parameter, mean, kind = record.column("shares", "parameter"), record.column("shares", "mean_S"), record.names("shares", "kind")
+    rows = numpy.flatnonzero((record.column("shares", "period") == 0) & numpy.isfinite(mean) & inside(parameter, look.xlim))
+    place = numpy.searchsorted(numpy.unique(record.column("columns", "parameter")), parameter[rows])
+    single = numpy.bincount(place, minlength=1)[place] == 1
+    joined = (numpy.diff(place) == 1) & single[1:] & single[:-1] & (kind[rows[1:]] == kind[rows[:-1]])
+    return numpy.split(rows, 1 + numpy.flatnonzero(~joined)) if len(rows) else []
+
+
+def _draw_means(axes, record, look):
+    """The mean over the time of what spreads over many values, of each group of starts with one verdict: joined where
+    neighbouring columns have one such group each, with its standard error where the record has that."""
+    lines = _means(record, look) if "shares" in record and _observable(record)[0] == "S" else []
+    if not lines:
+        return []
+    parameter, mean = record.column("shares", "parameter"), record.column("shares", "mean_S")
+    style = {"color": BLACK, "lw": 1.3, "marker": "o", "ms": 2.2 if len(parameter) < 80 else 0, "zorder": 3}
+    for rows in lines:
+        alone = {"ms": 2.6, "mec": "white", "mew": 0.5} if len(rows) == 1 else {}
+        axes.plot(parameter[rows], mean[rows], path_effects=[Stroke(linewidth=2.8, foreground="white"), Normal()], **(style | alone))
+    bars = ""
+    if record.has("shares", "mean_S_error"):
+        rows, error = numpy.concatenate(lines), record.column("shares", "mean_S_error")
+        rows = rows[numpy.isfinite(error[rows])]
+        axes.errorbar(parameter[rows], mean[rows], yerr=error[rows], fmt="none", ecolor=BLACK, elinewidth=0.8, zorder=3)
+        bars = ", bars: standard error"
+    return [Line2D([], [], label=f"mean spin {MEAN_SPIN} by time{bars}", **style)]
 
 
 def _pieces(stable):
@@ -153,7 +185,7 @@ def _draw_multiplier(axes, record, look):
         axes.set_yticks([0, 1] + [10.0**k for k in range(1, most + 1)][::-(-most // 4) or 1])
         axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}" if value <= 10 else f"$10^{{{round(numpy.log10(value))}}}$")
         axes.minorticks_off()
-    axes.set(ylabel="largest $|\\lambda|$", ylim=(0, top * 1.15))
+    axes.set(ylabel="largest multiplier $|\\lambda|$", ylim=(0, top * 1.15))
 
 
 def is_diagram(record):
@@ -196,6 +228,7 @@ def _draw_above(axes, record, look):
     widen(axes, abscissa=False)
     if samples:
         samples.draw()
+    handles += _draw_means(axes, record, look)
     axes.set_ylabel(f"{label}, just after each impact")
     return handles
 

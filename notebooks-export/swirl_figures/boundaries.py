@@ -121,6 +121,25 @@ def _seen(curves, x, xlim):
     return inside(place, xlim) | numpy.append(joined, False) | numpy.append(False, joined)
 
 
+#: Of a figure's height, that the legend may take.
+_MOST_OF_HEIGHT = 1 / 3
+
+
+def _fill(parts, handles, look):
+    """A handle for each kind of special points where a third of the figure has room for it; else a paragraph of their names,
+    and where that is too long, too, of their letters: the caption names them all."""
+    lines = [handle for handle in handles if not handle.get_label().startswith(tuple(f"{name}: " for name in _SHORT.values()))]
+    special = [handle.get_label() for handle in handles if handle not in lines]
+    words = ", ".join(label.replace(": ", "\u00a0", 1) for label in special)
+    letters = ", ".join(label.split(":", 1)[0] for label in special) + ": special points, named in the caption"
+    for shown, text in ((handles, ""), (lines, words), (lines, letters)):
+        if not special or parts.share(shown, look, text) <= _MOST_OF_HEIGHT:
+            break
+    parts.fill(shown, look, text)
+    if text == letters:
+        look.notes.append(f"Letters beside special points: {words.replace(chr(0xa0), ' ')}.")
+
+
 def _handles(curves, x, y, look):
     seen = _seen(curves, x, look.xlim)
     own, periods = (set(values[numpy.unique(curves.number[seen])]) for values in (curves.kinds, curves.periods))
@@ -150,7 +169,7 @@ def draw_into(figure, record, look):
     x, y = curves.axes
     look.title(figure, scene_title(curves.scene, leave_out=curves.axes))
     parts = LegendBelow(figure)
-    parts.fill(_handles(curves, x, y, look), look)
+    _fill(parts, _handles(curves, x, y, look), look)
     axes = parts.above.subplots()
     _draw_curves(axes, curves, x, y)
     _draw_special(axes, curves, x, y, look)
@@ -182,7 +201,7 @@ def draw_over_map(figure, records, look):
         _require_same_plane(grid, record, curves)
         handles.update((handle.get_label(), handle) for handle in _handles(curves, x, y, look))
     parts = LegendBelow(figure)
-    parts.fill(mode_handles(grid) + list(handles.values()), look)
+    _fill(parts, mode_handles(grid) + list(handles.values()), look)
     axes = parts.above.subplots()
     draw_cells(axes, grid, grid.largest_mode, **mode_style(grid.modes))
     limits = axes.get_xlim(), axes.get_ylim()

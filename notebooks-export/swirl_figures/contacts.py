@@ -149,7 +149,7 @@ def draw_into(figure, record, look):
     if forces:
         _draw_forces(panels[2], panels[3], record, xlim)
     panels[0].set_xlim(xlim)
-    panels[-1].set_xlabel(TIME)
+    panels[-1].set_xlabel(f"time {TIME}")
     if not look.xlim and end[-1] > xlim[1]:
         tell_cut(panels[0], look, panels[0].get_title(), xlim[1], end[-1])
     return [panels[0]]

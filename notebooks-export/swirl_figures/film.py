@@ -97,7 +97,7 @@ class Film:
         axes.plot(self._fine, spin, color="0.75", lw=1, zorder=1)
         axes.axhline(0, color="0.85", lw=0.7, zorder=0)
         margin = 0.1 * (numpy.ptp(shown) or 1)
-        axes.set(xlim=(self._begin, self._end), ylim=(shown.min() - margin, shown.max() + margin), xlabel=TIME, ylabel=SPIN)
+        axes.set(xlim=(self._begin, self._end), ylim=(shown.min() - margin, shown.max() + margin), xlabel=f"time {TIME}", ylabel=SPIN)
         axes.ticklabel_format(useOffset=False)
         self._spin_values = spin
         self._so_far, = axes.plot([], [], color=BLUE, lw=1.5, animated=True)

@@ -4,9 +4,9 @@ import dataclasses
 from dataclasses import dataclass
 from typing import Callable
 
-from . import (attractors, balance, basins, bifurcation, boundaries, contacts, lyapunov, multipliers, orbit, path, recurrence, section,
-               shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
-from .look import Look, blank_figure, limit_abscissa, require_section
+from . import (attractors, balance, basins, bifurcation, boundaries, contacts, energy, lyapunov, multipliers, orbit, path, quantities,
+               recurrence, section, shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
+from .look import Look, blank_figure, limit, require_kinds
 from .record import RecordError, open_record
 from .room import PAGE, make_room
 from .style import rasterise_what_exceeds, styled_with
@@ -43,10 +43,13 @@ KINDS = {
     "path": Kind(_simulate, path.draw_into, path.size),
     "section": Kind(_simulate, section.draw_into, section.size, section.draw_together),
     "balance": Kind(_simulate, balance.draw_into, balance.size),
+    "energy": Kind(_simulate, energy.draw_into, energy.size),
     "contacts": Kind(contacts.has_contacts, contacts.draw_into, contacts.size),
     "basins": Kind(basins.has_basins, basins.draw_into, basins.size),
     "attractors": Kind(attractors.has_tracks, attractors.draw_into, attractors.size),
     "modes": Kind(_with("sweep"), sweep.draw_into, sweep.size),
+    "means": Kind(quantities.has_quantities, quantities.draw_means, quantities.means_size),
+    "map": Kind(quantities.has_plane, quantities.draw_map, quantities.map_size),
     "boundaries": Kind(boundaries.is_of_curves, boundaries.draw_into, boundaries.size),
     "bifurcation": Kind(bifurcation.is_diagram, bifurcation.draw_into, bifurcation.size),
     "multipliers": Kind(_with("orbits"), multipliers.draw_into, multipliers.size),
@@ -102,7 +105,7 @@ def draw(records, kind=None, look=Look()):
     if len(records) > MOST_RECORDS:
         raise RecordError(f"{len(records)} records: a figure shows at most {MOST_RECORDS}")
     names = [kind_of(record, kind) for record in records]
-    require_section(look, names)
+    require_kinds(look, names)
     with styled_with(look.letters):
         figure = _drawn(records, names, look)
         rasterise_what_exceeds(figure)
@@ -129,20 +132,20 @@ def _blank(size, look):
 def _draw_one(record, name, look):
     kind = KINDS[name]
     figure = _blank(kind.size(record, look), look)
-    limit_abscissa(kind.draw_into(figure, record, look), look, name, record)
+    limit(kind.draw_into(figure, record, look), look, name, record)
     return figure
 
 
 def _draw_over_map(records, look):
     figure = _blank(boundaries.size(records[0], look), look)
-    limit_abscissa(boundaries.draw_over_map(figure, records, look), look, "boundaries", records[0])
+    limit(boundaries.draw_over_map(figure, records, look), look, "boundaries", records[0])
     return figure
 
 
 def _draw_together(records, name, look):
     kind = KINDS[name]
     figure = _blank(kind.size(records[0], look), look)
-    limit_abscissa(kind.together(figure, records, look), look, name, records[0])
+    limit(kind.together(figure, records, look), look, name, records[0])
     return figure
 
 
@@ -170,7 +173,7 @@ def _draw_below_one_another(records, names, look):
     parts = figure.subfigures(len(records), 1, height_ratios=heights, squeeze=False)[:, 0]
     for letter, part, record, name in zip("abcdefgh", parts, records, names):
         look.notes.append(f"({letter}) {name}" if len(set(names)) > 1 else f"({letter})")
-        limit_abscissa(KINDS[name].draw_into(part, record, look), look, name, record)
+        limit(KINDS[name].draw_into(part, record, look), look, name, record)
         _see_through(part)
         part.text(0.004, 0.995, f"({letter})", va="top", ha="left", weight="bold")
     return figure

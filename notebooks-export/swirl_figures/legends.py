@@ -51,19 +51,35 @@ class LegendBelow:
         self.above = figure.add_subfigure(self._grid[0])
         self._below = figure.add_subfigure(self._grid[1])
 
-    def fill(self, handles, look):
-        """Of a whole figure the legend's height is added to that of the panels if it takes more than a fifth of it."""
+    def _sizes(self, handles, look, words):
+        """(labels, columns, lines of words, height of the strip, height of the figure with it)"""
         width = width_of(self._figure)
         labels = _broken([handle.get_label() for handle in handles], width, look.letters)
         columns, lines = legend_lines(labels, width, look.letters)
-        strip = _height(lines, look.letters)
+        below = broken(words, letters_across(width, _SMALL * look.letters)).split("\n") if words else []
+        strip = _height(lines + len(below), look.letters)
         height = self._figure.bbox.height / self._figure.figure.dpi
         if strip > _SHARE * height and self._figure is self._figure.figure:
             height += strip - _SHARE * height
-            self._figure.set_size_inches(width, height)
+        return labels, columns, below, strip, height
+
+    def share(self, handles, look, words=""):
+        """Of the figure's height, that this legend would take."""
+        *_, strip, height = self._sizes(handles, look, words)
+        return strip / height
+
+    def fill(self, handles, look, words=""):
+        """Of a whole figure the legend's height is added to that of the panels if it takes more than a fifth of it. Words
+        stand below the handles, and need less room than a handle each."""
+        labels, columns, below, strip, height = self._sizes(handles, look, words)
+        if self._figure is self._figure.figure:
+            self._figure.set_size_inches(width_of(self._figure), height)
         self._grid.set_height_ratios((max(height - strip, 0.5), strip))
-        self._below.legend(handles, labels, loc="center", ncols=columns, columnspacing=1.2, handlelength=1.6,
-                           borderaxespad=0)
+        of_words = _height(len(below), look.letters) / strip if below else 0
+        self._below.legend(handles, labels, loc="center", bbox_to_anchor=(0, of_words, 1, 1 - of_words), ncols=columns,
+                           columnspacing=1.2, handlelength=1.6, borderaxespad=0)
+        if below:
+            self._below.text(0.5, 0.02, "\n".join(below), ha="center", va="bottom", fontsize="small", linespacing=1.35)
 
 
 def _share(places, ratios):

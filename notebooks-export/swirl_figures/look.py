@@ -21,6 +21,10 @@ class Look:
     font_size: float = None  #: points; None: 9, or 8 in a column
     titles: bool = True      #: False: none above the figure, as a paper's caption says it
     xlim: tuple = None       #: (least, most) of the abscissa
+    ylim: tuple = None       #: of the ordinate
+    log: str = None          #: axes that are logarithmic: "x", "y" or "xy"
+    of: str = None           #: the quantity of kinds means and map; None: S
+    over: str = None         #: the parameter along the abscissa of kind means; None: that of most values
     x: str = None            #: coordinates of a section portrait; None: psi
     y: str = None            #: None: S
     notes: list = dataclasses.field(default_factory=list, compare=False)  #: of its caption, filled as it is drawn
@@ -70,8 +74,43 @@ def rows_of(width, count, least):
     return math.ceil(count / columns_of(width, count, least))
 
 
-def limit_abscissa(axes, look, kind, record):
-    """--xlim, on the axes that the kind's drawing named as those with its abscissa."""
+def limit(axes, look, kind, record):
+    """--xlim, --ylim and --log, on the axes that the kind's drawing named as those with its abscissa."""
+    _make_logarithmic(axes, look, kind, record)
+    _limit_ordinate(axes, look, kind, record)
+    _limit_abscissa(axes, look, kind, record)
+
+
+def _make_logarithmic(axes, look, kind, record):
+    for letter, name in (("x", "abscissa"), ("y", "ordinate")) if look.log else ():
+        if letter not in look.log:
+            continue
+        if not axes:
+            raise RecordError(f"log = {look.log}: a figure of kind {kind} has no {name} to choose")
+        for panel in axes:
+            shown = (look.xlim if letter == "x" else look.ylim) or getattr(panel.dataLim, f"interval{letter}")
+            if panel.images or not shown[1] > 0:
+                raise RecordError(f"log = {look.log}: " + (f"a figure of kind {kind} has a picture of even cells along the {name}"
+                                  if panel.images else f"record '{record.path}' has nothing above 0 along the {name}"))
+            getattr(panel, f"set_{letter}scale")("log", nonpositive="mask")
+
+
+def _limit_ordinate(axes, look, kind, record):
+    if look.ylim is None:
+        return
+    if not axes:
+        raise RecordError(f"ylim = {range_words(look, 'ylim')}: a figure of kind {kind} has no ordinate to limit")
+    for panel in axes:
+        least, most = panel.dataLim.intervaly
+        if math.isfinite(least) and (least > look.ylim[1] or most < look.ylim[0]):
+            raise RecordError(f"ylim = {range_words(look, 'ylim')}: record '{record.path}' has nothing to draw there, "
+                              f"only from {least:.6g} to {most:.6g}")
+        if panel.get_yscale() == "log" and look.ylim[0] <= 0:
+            raise RecordError(f"ylim = {range_words(look, 'ylim')}: the ordinate is logarithmic, both must be above 0")
+        panel.set_ylim(look.ylim)
+
+
+def _limit_abscissa(axes, look, kind, record):
     if look.xlim is None:
         return
     if not axes:
@@ -86,8 +125,17 @@ def limit_abscissa(axes, look, kind, record):
         panel.set_xlim(look.xlim)
 
 
-def require_section(look, names):
-    """--x and --y, of section portraits alone."""
+def require_kinds(look, names):
+    """--x and --y, of section portraits alone, and --of and --over, of what a sweep found."""
+    for option, value, kinds in (("of", look.of, ("means", "map")), ("over", look.over, ("means",))):
+        other = next((name for name in names if name not in kinds), None)
+        if value is not None and other:
+            raise RecordError(f"{option} = {value}: a figure of kind {other} has nothing to choose there, one of kind "
+                              f"{' or '.join(kinds)} has")
+    if look.of is not None and look.of not in ("S", "exponent", "period", "RC"):
+        raise RecordError(f"of = {look.of}: allowed are S, exponent, period, RC")
+    if look.log not in (None, "x", "y", "xy"):
+        raise RecordError(f"log = {look.log}: allowed are x, y, xy")
     for option, value in (("x", look.x), ("y", look.y)):
         other = next((name for name in names if name != "section"), None)
         if value is not None and other:

@@ -8,11 +8,21 @@ from .sweep_grid import cell_edges
 from .symbols import MEAN_SPIN, axis_label
 
 
+#: Fewer bars stand apart.
+_SIDE_BY_SIDE = 60
+
+
 def _draw_shares(axes, grid, edges):
+    """Of many bars side by side no white is to show between: each mode is one area, from where it begins to the top, and the
+    next lies over it."""
     base = numpy.zeros(len(edges) - 1)
     for index, mode in enumerate(grid.modes):
-        axes.bar(edges[:-1], grid.share[:, index], numpy.diff(edges), bottom=base, align="edge",
-                 color=MODE_COLOURS[mode], ec="white", lw=0.6 if len(base) < 60 else 0)
+        if len(base) < _SIDE_BY_SIDE:
+            axes.bar(edges[:-1], grid.share[:, index], numpy.diff(edges), bottom=base, align="edge", color=MODE_COLOURS[mode],
+                     ec="white", lw=0.6)
+        elif grid.share[:, index].any():
+            axes.fill_between(edges, numpy.append(base, base[-1]), 1, step="post", color=MODE_COLOURS[mode], lw=0,
+                              where=numpy.append(base < 1 - 1e-9, False) | numpy.append(False, base < 1 - 1e-9))
         base += grid.share[:, index]
     axes.set(ylabel="share of the starts", ylim=(0, 1), xlim=(edges[0], edges[-1]))
 

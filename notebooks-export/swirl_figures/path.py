@@ -128,7 +128,7 @@ def draw_path_into(figure, panels, record):
     for axes in panels if is_narrow(figure) else panels[:1]:
         axes.set_ylabel(r"$y/R_c$")
     place = {"location": "bottom", "aspect": 40} if is_narrow(figure) else {"shrink": 0.75, "aspect": 25}
-    bar = figure.colorbar(lines, ax=panels, label=TIME, pad=0.01, **place)
+    bar = figure.colorbar(lines, ax=panels, label=f"time {TIME}", pad=0.01, **place)
     bar.ax.ticklabel_format(useOffset=False, style="plain")
     return _title(flights, record)
 

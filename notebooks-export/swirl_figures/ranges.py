@@ -6,9 +6,9 @@ import numpy
 from .record import RecordError
 
 
-def range_words(look):
-    """--xlim as it was given."""
-    return ":".join(f"{end:.15g}" for end in look.xlim)
+def range_words(look, of="xlim"):
+    """--xlim, or --ylim, as it was given."""
+    return ":".join(f"{end:.15g}" for end in getattr(look, of))
 
 
 def inside(x, xlim):

@@ -87,8 +87,9 @@ def _write_measures(axes, record):
 
 def _draw_lengths(axes, record):
     """How many lines of each length there are: straight on these axes where they are those of chance."""
-    for name, dimension, colour, label in (("diagonal_lines", "diagonal_length", BLUE, "diagonal"),
-                                           ("vertical_lines", "vertical_length", VERMILION, "vertical")):
+    longest = 1
+    for name, dimension, colour, label, size in (("diagonal_lines", "diagonal_length", BLUE, "diagonal", 3.6),
+                                                 ("vertical_lines", "vertical_length", VERMILION, "vertical", 1.8)):
         if not record.has("recurrence", name):
             continue
         count = record.column("recurrence", name)[0]
@@ -96,10 +97,12 @@ def _draw_lengths(axes, record):
         if record.has("recurrence", dimension):
             length = record.column("recurrence", dimension)
         shown = count > 0
-        axes.loglog(length[shown], count[shown], "o-", ms=2.5, lw=0.8, color=colour, label=f"{label} lines")
-    axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+        longest = max(longest, length[shown].max(initial=1))
+        axes.loglog(length[shown], count[shown], "o-", ms=size, mec="none", lw=0.8, color=colour, label=f"{label} lines")
+    axes.set_xlim(0.9, 1.1 * longest)
+    axes.xaxis.set_major_formatter(StrMethodFormatter("{x:,.0f}"))
     axes.xaxis.set_minor_formatter(NullFormatter())
-    axes.xaxis.set_major_locator(LogLocator(10, subs=(1, 2, 5)))
+    axes.xaxis.set_major_locator(LogLocator(10, subs=(1, 2, 5) if longest < 100 else (1,)))
     axes.set(xlabel="length of a line", ylabel="number of lines", title="Lines by their length")
     axes.legend(loc="upper right")
 

@@ -56,8 +56,10 @@ def _show_fewer(axis):
     locator = axis.get_major_locator()
     if isinstance(locator, MaxNLocator):
         locator.set_params(nbins=max(1, len(_numbers_along(axis)) - 2))
-    else:  # every second, of ticks at places of their own and of powers of ten
-        axis.set_ticks(axis.get_majorticklocs()[::2])
+    else:  # every second, of ticks at places of their own and of powers of ten; one beyond the axis would lengthen it
+        begin, end = sorted(axis.get_view_interval())
+        places = axis.get_majorticklocs()
+        axis.set_ticks(places[(places >= begin) & (places <= end)][::2])
 
 
 #: Between neighbouring numbers, in heights of a letter.

@@ -78,7 +78,7 @@ def draw_into(figure, record, look):
     else:
         order = numpy.random.default_rng(1).permutation(len(t))  # late dots do not all lie on the early ones
         dots = axes.scatter(x[order], y[order], c=t[order], cmap=TIMES, norm=times, s=dot_size(x, y), lw=0)
-    bar = figure.colorbar(dots, ax=axes, label=TIME, pad=0.02, aspect=30)
+    bar = figure.colorbar(dots, ax=axes, label=f"time {TIME}", pad=0.02, aspect=30)
     bar.ax.ticklabel_format(useOffset=False, style="plain")
     _label(axes, look)
     cells = ", the mean time in each cell" if len(t) > DOTS else ""

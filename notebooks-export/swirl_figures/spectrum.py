@@ -6,7 +6,7 @@ from matplotlib.lines import Line2D
 
 from .legends import LegendBelow, fits_across
 from .ranges import inside, part, require
-from .style import BLUE, ORANGE, VERMILION
+from .style import BLUE, GREY, ORANGE, VERMILION
 from .symbols import number, scene_title
 from .thinning import thinned
 
@@ -55,6 +55,21 @@ def _range_of_power(frequency, power):
     return max(least - margin, frequency[0]), min(most + margin, frequency[-1])
 
 
+def _is_folded(record, seen):
+    """Of a cycle: which peaks are harmonics above the highest frequency, that bins of their own width fold back below it."""
+    if not record.has("peaks", "folded"):
+        return numpy.zeros(seen.sum(), dtype=bool)
+    return record.column("peaks", "folded").astype(bool)[seen]
+
+
+def _sorts(record, is_line, folded):
+    """(which, colour, name) of the peaks: of a cycle its harmonics, and what is folded; else lines, and peaks of a continuum."""
+    fundamental = record.attributes("spectrum").get("fundamental", numpy.nan)
+    if numpy.isfinite(fundamental):
+        return ((~folded, VERMILION, f"harmonic of the cycle's {number(fundamental)}"), (folded, GREY, "harmonic folded by the bins"))
+    return ((is_line, VERMILION, "line"), (~is_line, ORANGE, "peak of a continuum"))
+
+
 def _draw_peaks(axes, record, frequency, power, xlim):
     """Handles of the legend."""
     if "peaks" not in record:
@@ -64,14 +79,14 @@ def _draw_peaks(axes, record, frequency, power, xlim):
     height = numpy.interp(place, frequency, power)
     height = numpy.maximum(height, power[numpy.clip(numpy.searchsorted(frequency, place), 1, len(power) - 1)])
     height = numpy.maximum(height, power[numpy.clip(numpy.searchsorted(frequency, place) - 1, 0, len(power) - 1)])
-    handles = []
-    for is_line, colour, name in ((True, VERMILION, "line"), (False, ORANGE, "peak of a continuum")):
-        of = (spread < LINE_SPREAD) == is_line
+    handles, folded = [], _is_folded(record, seen)
+    for of, colour, name in _sorts(record, spread < LINE_SPREAD, folded):
         if of.any():
-            style = {"ls": "", "marker": "v", "ms": 3.5, "mec": "none", "color": colour}
+            style = {"ls": "", "marker": "v", "ms": 3.5 if colour != GREY else 2, "mec": "none", "color": colour}
             axes.plot(place[of], height[of] * 1.25, **style)
             handles.append(Line2D([], [], label=f"{name} ({of.sum():,})", **style))
-    _name_peaks(axes, place, height * 1.25, numpy.argsort(-variance, kind="stable"))
+    strongest = numpy.argsort(-variance, kind="stable")
+    _name_peaks(axes, place, height * 1.25, strongest[~folded[strongest]])
     return handles
 
 

@@ -103,14 +103,21 @@ def _draw_contacts(axes, record, after=-numpy.inf, xlim=None):
                                            label="on the wall (mean of each piece)"))
 
 
-def _draw_mean(axes, record, after=-numpy.inf, xlim=None):
+def _last_mean(record, look, seen, means):
+    """Of the whole orbit what `simulate` says, also where the panel shows a part; of a range that was asked for its last."""
+    if look.xlim:
+        return f", at its end {number(seen[-1])}" if len(seen) else ""
+    return f", at last {number(record.attributes('result').get('mean_S', means[-1]))}"
+
+
+def _draw_mean(axes, record, look, after=-numpy.inf, xlim=None):
     times, means = running_mean(record)
     kept = times >= after
     times, means = times[kept], means[kept]
     shown, seen = part(times, xlim), means[inside(times, xlim)]
     if len(times[shown]):
-        last = f", at last {number(seen[-1])}" if len(seen) else ""
-        axes.plot(*thinned(times[shown], means[shown]), color=VERMILION, lw=1.3, label=f"running time mean{last}")
+        axes.plot(*thinned(times[shown], means[shown]), color=VERMILION, lw=1.3,
+                  label=f"running time mean{_last_mean(record, look, seen, means)}")
 
 
 def _before_the_long_rest(record, look, begin):
@@ -127,7 +134,7 @@ def _before_the_long_rest(record, look, begin):
 def _finish(axes, look, title, xlim, end):
     axes.margins(x=0.01)
     axes.autoscale_view()
-    axes.set(xlabel=TIME, ylabel=SPIN, title=title)
+    axes.set(xlabel=f"time {TIME}", ylabel=SPIN, title=title)
     if end is not None:
         axes.set_xlim(xlim)
         tell_cut(axes, look, title, xlim[1], end)
@@ -157,7 +164,7 @@ def _draw_all(axes, record, look):
         axes.scatter(t, spin, s=7 if len(t) < 2000 else 2, color=BLUE, alpha=0.8, lw=0)
     axes.plot([], [], "o", color=BLUE, ms=3.5, mec="none", label="after each impact")
     _draw_contacts(axes, record, xlim=xlim)
-    _draw_mean(axes, record, xlim=xlim)
+    _draw_mean(axes, record, look, xlim=xlim)
     _finish(axes, look, f"Spin, {_how_many(record, look, 'listed impact')}{' (darker: more)' * many}", xlim, end)
 
 
@@ -168,7 +175,7 @@ def _draw_steps(axes, record, flights, look, title):
         axes.plot(*_steps(flights, record), color=BLUE, lw=1.1, label="S")
     xlim, end = _before_the_long_rest(record, look, begin)
     _draw_contacts(axes, record, begin, xlim)
-    _draw_mean(axes, record, begin, xlim)
+    _draw_mean(axes, record, look, begin, xlim)
     _finish(axes, look, title, xlim, end)
 
 

@@ -2,10 +2,10 @@
 
 import math
 
-SPIN = r"$S = \omega_p/\omega_s$"
+SPIN = r"spin $S = \omega_p/\omega_s$"
 MEAN_SPIN = r"$\langle S \rangle$"
 TIME = r"$\omega_s t$"
-ENERGY = r"$J/(m R_c^2 \omega_s^2)$"
+ENERGY = r"Jacobi integral $J/(m R_c^2 \omega_s^2)$"
 
 _PARAMETERS = {
     "alpha": ("α", r"$\alpha = R_p/R_c$  (size of the body)"),
@@ -24,8 +24,8 @@ _PARAMETERS = {
     "spin": ("S", r"$S$ at the start, in $\omega_s$"),
 }
 
-_OBSERVABLES = {"psi": r"$\psi$, in radians", "chi": r"$\chi$, in radians", "vn": r"$v_n/(R_c\omega_s)$",
-                "vt": r"$v_t/(R_c\omega_s)$", "S": SPIN}
+_OBSERVABLES = {"psi": r"place on the wall $\psi$, in radians", "chi": r"direction of the vertex $\chi$, in radians",
+                "vn": r"normal velocity $v_n/(R_c\omega_s)$", "vt": r"tangential velocity $v_t/(R_c\omega_s)$", "S": SPIN}
 
 _POLYGONS = {3: "triangle", 4: "square", 5: "pentagon", 6: "hexagon", 7: "heptagon", 8: "octagon"}
 

@@ -41,6 +41,7 @@ class Seen:
     value_label: str
     counted: str  # what one value is: "impact", "sample"
     symbol: str   # of the value, in titles
+    period: int = 0  # in values, of a cycle; 0: none is known
 
     def scale(self):
         """What a change is small against: of S at least omega_s, of a column its own size."""
@@ -51,12 +52,19 @@ def _has_tail(record):
     return "tail" in record and len(record.column("tail", "points")) > 1
 
 
+def _period(record):
+    """Of a cycle that the orbit has come to; one that librates on the wall has its period in time, not in impacts."""
+    attributes = record.attributes("mode")
+    period = attributes.get("period", 0)
+    return int(period) if str(attributes.get("kind")) == "cycle" and numpy.isfinite(period) else 0
+
+
 def _seen_of_tail(record):
     names, points = [str(name) for name in record.names("tail", "coordinate")], record.column("tail", "points")
     spin = points[:, names.index("S")]
     first = int(record.attributes("tail").get("first", 1))
     return Seen(points[:, names.index("psi")], spin, observable_label("psi"), SPIN, "On the section", spin,
-                first + numpy.arange(len(spin)), "impact", SPIN, "impact", "S")
+                first + numpy.arange(len(spin)), "impact", SPIN, "impact", "S", _period(record))
 
 
 def _longest_run(there):
@@ -132,17 +140,26 @@ def _draw_values(axes, seen):
         axes.set_ylim(seen.values[0] - 1, seen.values[0] + 1)
 
 
+def power_of(values, period):
+    """(frequency, power), |DFT|² of the values less their mean. Of a cycle over whole periods, the last ones that there are:
+    its lines lie on bins, and between them is what the orbit has yet to come to the cycle. Else windowed (Hann), and a line
+    is some bins wide."""
+    whole = len(values) - len(values) % period if period else 0
+    values = values[len(values) - whole:] if whole else values
+    window = numpy.ones(whole) if whole else numpy.hanning(len(values))
+    return (numpy.fft.rfftfreq(len(values)), abs(numpy.fft.rfft((values - values.mean()) * window)) ** 2 / len(values))
+
+
 def _draw_spectrum(axes, seen):
-    """|DFT|² of the values, windowed (Hann): lines of a cycle or torus, a continuum of chaos."""
-    values = seen.values
-    power = abs(numpy.fft.rfft((values - values.mean()) * numpy.hanning(len(values)))) ** 2 / len(values)
-    axes.set(xlabel=f"frequency, in cycles per {seen.counted}", ylabel=f"power of {seen.symbol}",
-             title=f"Spectrum, {len(values):,} {seen.counted}s")
-    if power.max() <= 1e-24 * len(values) * seen.scale() ** 2:
+    """Lines of a cycle or torus, a continuum of chaos."""
+    frequency, power = power_of(seen.values, seen.period)
+    periods = f"{len(seen.values) // seen.period:,} periods" if seen.period else f"{len(seen.values):,} {seen.counted}s"
+    axes.set(xlabel=f"frequency, in cycles per {seen.counted}", ylabel=f"power of {seen.symbol}", title=f"Spectrum, {periods}")
+    if power.max() <= 1e-24 * len(seen.values) * seen.scale() ** 2:
         axes.text(0.5, 0.5, f"{seen.symbol} is constant", ha="center", transform=axes.transAxes)
         axes.set(xticks=[], yticks=[])
         return
-    axes.semilogy(numpy.fft.rfftfreq(len(values)), numpy.maximum(power, power.max() * 1e-14), color=BLUE, lw=0.8)
+    axes.semilogy(frequency, numpy.maximum(power, power.max() * 1e-14), color=BLUE, lw=0.8)
 
 
 def seen_of(record):

@@ -63,6 +63,14 @@ class Bifurcate(Refusing):
             for special in branch["special"]:
                 self.assertLess(special["after"], len(branch["points"]))  # a border may end it behind its last point
 
+    def test_of_many_columns_every_so_many_is_listed(self):
+        said = run("bifurcate --sides 6 --alpha 0.4 --mu 0.5 --restitution 0.9 --along beta=0.48:0.52:201 --starts 1 --transient 64 "
+                   "--collisions 64 --exhaustive").stdout.splitlines()
+        rows = [float(line.split()[0]) for line in said[1:] if "%" in line and "columns" not in line]
+        self.assertEqual(len(set(rows)), 67)
+        self.assertAlmostEqual(rows[1] - rows[0], 3 * 0.04 / 200, delta=1e-9)
+        self.assertIn("one in 3 of 201 columns is listed (--json, -o)", said)
+
     def test_chaos_is_named(self):
         answer = document(f"bifurcate {WINDOW} --along alpha=0.3:0.35:3 --starts 2")
         self.assertEqual({c["mode"] for c in answer["columns"]}, {"chaotic"})

@@ -36,10 +36,10 @@ COMMANDS = {
 }
 #: Of seconds each: with --all alone.
 SLOW = {"tour": "tour", "tradeoff": f"tradeoff {HEXAGON} --budget 2"}
-KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "contacts"], "verdict": ["verdict"], "measured": ["verdict"], "settled": ["verdict"], "chaos": ["verdict"],
+KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "energy", "contacts"], "verdict": ["verdict"], "measured": ["verdict"], "settled": ["verdict"], "chaos": ["verdict"],
             "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
-            "basins": ["basins", "modes"], "tracks": ["attractors", "modes"], "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes"], "tour": ["tour"],
+            "basins": ["basins", "modes", "means", "map"], "tracks": ["attractors", "modes", "means"], "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes", "means"], "tour": ["tour"],
             "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}
 
 

@@ -209,11 +209,25 @@ def write_sampled_sweep(path, names, count):
         _write(group, "mean_S_error", ["cell"], 0 * points[names[0]])
 
 
-def write_columns(path, count, empty=()):
-    """Attractors that fill S from 0 to 1 in each of so many columns of alpha, but for those that are empty."""
+def write_grid(path, shape):
+    """A sweep over alpha, or alpha and beta, in the layout of `swirl sweep`: chaos everywhere, mean S = 1."""
+    names = ["alpha", "beta"][:len(shape)]
+    with _record(path, {}, {name: value for name, value in {**SCENE, "alpha": 0.4}.items() if name not in names}) as file:
+        group = file.create_group("sweep")
+        for name, count in zip(names, shape):
+            group.create_dataset(name, data=numpy.linspace(0.2, 0.6, count)).make_scale(name)
+        group.create_dataset("run", data=[0, 1]).make_scale("run")
+        group.create_dataset("mode", data=["steady", "quasi-steady", "chaotic", "undecided"], dtype=h5py.string_dtype())
+        group["mode"].make_scale("mode")
+        _write(group, "share", [*names, "mode"], numpy.broadcast_to([0.0, 0, 1, 0], (*shape, 4)))
+        _write(group, "mean_S", names, numpy.ones(shape))
+        _write(group, "mean_S_error", names, numpy.full(shape, 0.1))
+
+
+def write_columns(path, count, empty=(), spin=numpy.linspace(0, 1, 500)):
+    """Attractors with these S, from 0 to 1, in each of so many columns of alpha, but for those that are empty."""
     places = numpy.linspace(0.1, 0.9, count)
     kept = numpy.setdiff1d(numpy.arange(count), empty)
-    spin = numpy.linspace(0, 1, 500)
     with _record(path, {"along": "alpha"}, SCENE) as file:
         group = file.create_group("samples")
         _dimension(group, "sample", len(kept) * len(spin))

@@ -62,13 +62,24 @@ class CutShort(WithRecords):
                     self.assertAlmostEqual(float(told[2]), open_record(self.records[name]).column("contacts", "t_end")[-1], delta=0.01)
                     self.assertIn(told[0], " ".join(look.notes))
 
-    def test_the_legends_mean_is_that_at_the_border(self):
-        axes = draw(self.records["rolls"], "spin").axes[0]
+    def mean_of(self, **options):
+        axes = draw(self.records["rolls"], "spin", Look(**options)).axes[0]
         label = next(text.get_text() for text in axes.get_legend().get_texts() if "mean" in text.get_text())
+        return label, float(label.split()[-1].replace("\N{MINUS SIGN}", "-")), axes.get_xlim()[1]
+
+    def test_the_legends_mean_is_the_commands_also_where_the_rest_is_cut(self):
+        label, mean, border = self.mean_of()
+        said = open_record(self.records["rolls"]).attribute("result", "mean_S")
         times, means = running_mean(open_record(self.records["rolls"]))
-        last = means[times <= axes.get_xlim()[1]][-1]
-        self.assertAlmostEqual(float(label.split("last ")[1].replace("\N{MINUS SIGN}", "-")), last, delta=1e-3)
-        self.assertGreater(abs(last - means[-1]), 0.1)
+        self.assertIn("at last", label)
+        self.assertAlmostEqual(mean, said, delta=1e-3)
+        self.assertGreater(abs(said - means[times <= border][-1]), 0.1)
+
+    def test_of_a_range_it_is_that_at_its_end(self):
+        label, mean, border = self.mean_of(xlim=(0, 10))
+        times, means = running_mean(open_record(self.records["rolls"]))
+        self.assertIn("at its end", label)
+        self.assertAlmostEqual(mean, means[times <= border][-1], delta=1e-3)
 
     def test_a_range_that_is_asked_for_is_not_cut(self):
         look = Look(xlim=(0, 60))

@@ -81,7 +81,7 @@ class Figures(WithRecords):
             self.assertGreater(len(colours), 20, name)
 
     def test_every_kind_of_a_record_is_drawn(self):
-        for name, kinds in (("chaotic", ["orbit", "spin", "path", "section", "balance"]), ("sweep2", ["modes"]), ("both", ["bifurcation"]),
+        for name, kinds in (("chaotic", ["orbit", "spin", "path", "section", "balance", "energy"]), ("sweep2", ["modes", "means", "map"]), ("both", ["bifurcation"]),
                             ("orbits", ["multipliers"])):
             self.assertEqual(kinds_of(self.records[name]), kinds)
         result = run(f"plot {self.records['chaotic']} -o {self.folder}/kind.png --kind spin --json")

@@ -16,7 +16,8 @@ namespace swirl::apps::spectrum {
 
 const char* const spectrum_details =
     R"(An orbit's S(t), constant in flight and smooth in contact, is averaged exactly over equal time bins; its frequencies
-are in units of the swirl's. A series' frequencies are cycles per unit of its times; uneven times are resampled, and
+are in units of the swirl's. Of a cycle the bins divide the period, and peaks are named by their harmonic k of its
+frequency; with --bins what lies above the highest frequency folds back below it, and such peaks are marked as folded. A series' frequencies are cycles per unit of its times; uneven times are resampled, and
 the document says how; gaps stay open, and segments that touch one are left out. The integral of the power is
 the variance. An orbit that ends early is analysed as far as it came, with exit code 3.
 
@@ -40,6 +41,15 @@ std::size_t segment_length(std::size_t n, std::int64_t segments, double overlap)
     return length;
 }
 
+/// A segment of whole periods, as many as fit into the length that it would have: then lines lie on frequencies of the
+/// transform, and between them is what rounding leaves.
+std::size_t whole_periods(const SpectrumSignal& signal, const analysis::SpectrumOptions& settings, std::size_t n) {
+    const std::size_t length =
+        settings.segment_length > 0 ? settings.segment_length : analysis::automatic_segment_length(n);
+    const std::size_t period = signal.samples_of_period;
+    return std::max(length / period, std::size_t{1}) * period;
+}
+
 analysis::SpectrumOptions settings_for(const SpectrumOptions& options, const SpectrumSignal& signal, std::size_t n) {
     analysis::SpectrumOptions settings;
     settings.window = analysis::window_from_name(options.window);
@@ -48,6 +58,8 @@ analysis::SpectrumOptions settings_for(const SpectrumOptions& options, const Spe
     settings.compensate_bin_average = options.compensate;
     settings.cycle_time = signal.cycle_time;
     settings.segment_length = segment_length(n, options.segments, options.overlap);
+    if (signal.samples_of_period > 0 && options.segments != 1)
+        settings.segment_length = whole_periods(signal, settings, n);
     return settings;
 }
 

@@ -6,7 +6,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
+#include <vector>
 
 namespace swirl::apps::spectrum {
 
@@ -25,8 +27,30 @@ SpectrumUnits units_of(const SpectrumReport& report) {
     return {"omega_s", "R_c", "R_c^2", "R_c^2 1/omega_s"};
 }
 
-Table<SpectralPeak> peak_table(const SpectrumUnits& units) {
+/// 1/T of the cycle that S(t) is; NaN: none is known.
+double fundamental_of(const SpectrumReport& report) {
+    return report.signal.period > 0 ? report.signal.cycle_time / report.signal.period : std::nan("");
+}
+
+/// The k with a peak at k times the cycle's frequency; NaN: at none.
+double harmonic_of(const SpectrumReport& report, const SpectralPeak& peak) {
+    constexpr double in_bins = 0.05;  // peaks are right to 1e-4 bins, but for those of a rectangular window
+    const double fundamental = fundamental_of(report), k = std::round(peak.frequency / fundamental);
+    const bool near = std::abs(peak.frequency - k * fundamental) <= in_bins * report.spectrum.frequency_step;
+    return near && k > 0 ? k : std::nan("");
+}
+
+/// Of a cycle nothing else has power: a harmonic above the highest frequency, which the bins folded back below it.
+bool is_folded(const SpectrumReport& report, const SpectralPeak& peak) {
+    return report.signal.period > 0 && std::isnan(harmonic_of(report, peak));
+}
+
+Table<SpectralPeak> peak_table(const SpectrumReport& report) {
     using F = Field<SpectralPeak>;
+    const SpectrumUnits units = units_of(report);
+    const auto harmonic = [&report](const SpectralPeak& peak) { return harmonic_of(report, peak); };
+    F number{"harmonic", harmonic, "1", "k of a cycle's line at k times its frequency; NaN: none"};
+    if (report.signal.period > 0) number.shown("harmonic", " {:>8.6g}");
     return {{"peak"},
             {F{"frequency", &SpectralPeak::frequency, units.frequency, "between bins"}.shown("peak: frequency",
                                                                                              "{:>16.9g}"),
@@ -35,7 +59,10 @@ Table<SpectralPeak> peak_table(const SpectrumUnits& units) {
                                                                                                           " {:>14.6g}"),
              F{"prominence", &SpectralPeak::prominence, "1", "power over the noise floor"}.shown("prominence",
                                                                                                  " {:>12.4g}"),
-             {"spread", &SpectralPeak::spread, "1", "scatter between segments: 0 a line, 1 a continuum"}}};
+             {"spread", &SpectralPeak::spread, "1", "scatter between segments: 0 a line, 1 a continuum"},
+             number,
+             {"folded", [&report](const SpectralPeak& peak) { return is_folded(report, peak); }, "1",
+              "of a cycle: a harmonic above the highest frequency, folded back below it"}}};
 }
 
 Settings settings_of(const SpectrumReport& report) {
@@ -65,6 +92,7 @@ Settings result_of(const SpectrumReport& report) {
     return {{"spectrum_outcome", state},
             {"two_sided", s.two_sided},
             {"frequency_step", s.frequency_step},
+            {"fundamental", fundamental_of(report)},
             {"variance", s.variance},
             {"entropy", report.entropy},
             {"verdict", std::string(name_of(report.share.verdict))},
@@ -84,7 +112,7 @@ void write_json(const SpectrumReport& report) {
         if (!report.signal.resampled.empty()) write_json(json, "resampled", report.signal.resampled);
         json.list("frequency", report.spectrum.frequency);
         json.list("power", report.spectrum.power);
-        write_json(json, "peaks", peak_table(units_of(report)), report.peaks);
+        write_json(json, "peaks", peak_table(report), report.peaks);
         write_members(json, result_of(report));
         json.list("notes", report.signal.notes, JsonLayout::rows);
         write_json(json, "settings", settings_of(report));
@@ -109,7 +137,7 @@ void write_record(const RecordGroup& root, const SpectrumReport& report) {
         group.write<double>("power", {"frequency"}, s.power,
                             {units.power, "power per unit of frequency; its integral is the variance", {}});
     }
-    if (!report.peaks.empty()) apps::write_record(root.group("peaks"), peak_table(units), report.peaks);
+    if (!report.peaks.empty()) apps::write_record(root.group("peaks"), peak_table(report), report.peaks);
 }
 
 void print_table(const SpectrumReport& report) {
@@ -121,10 +149,13 @@ void print_table(const SpectrumReport& report) {
                s.samples, report.signal.spacing, s.segments, s.segment_length, s.variance, report.entropy,
                name_of(report.share.verdict), 100 * report.share.line_fraction);
     constexpr std::size_t most = 20;
-    if (!report.peaks.empty())
-        apps::print_table(peak_table(units_of(report)),
-                          std::span(report.peaks).first(std::min(most, report.peaks.size())));
-    if (report.peaks.size() > most) fmt::print("and {} more (--json, -o)\n", report.peaks.size() - most);
+    std::vector<SpectralPeak> peaks = report.peaks;
+    const std::size_t folded = std::erase_if(peaks, [&](const SpectralPeak& peak) { return is_folded(report, peak); });
+    if (!peaks.empty()) apps::print_table(peak_table(report), std::span(peaks).first(std::min(most, peaks.size())));
+    if (peaks.size() > most) fmt::print("and {} more (--json, -o)\n", peaks.size() - most);
+    if (folded > 0)
+        fmt::print("and {} folded: harmonics of the cycle above {:g}, which these bins show below it\n", folded,
+                   s.frequency.back());
     for (const auto& note : report.signal.notes) fmt::print("note: {}\n", note);
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace swirl::apps::spectrum {
@@ -36,14 +37,13 @@ std::vector<std::string> columns_for(const SpectrumOptions& options) {
     throw BadInput(fmt::format("observable = '{}' is none of: S, x, y, position", options.observable));
 }
 
-/// Averages over `bins` equal bins of the orbit's time.
+/// Averages over `bins` bins of that width, from the orbit's first time on.
 ///   flight(i, until, averager)              adds the flight from impact i on
 ///   contact(segment, until, averager)       adds a segment of the way through contact
 template <class Value, class Flight, class FirstContact>
-std::vector<Value> averages(const OrbitColumns& orbit, std::size_t bins, const Flight& flight,
+std::vector<Value> averages(const OrbitColumns& orbit, std::size_t bins, double width, const Flight& flight,
                             const FirstContact& contact) {
     const auto& t = orbit.values[0];
-    const double width = (t.back() - t.front()) / static_cast<double>(bins);
     analysis::BinAverager<Value> averager(t.front(), width);
     const double last_edge = t.front() + static_cast<double>(bins) * width;  // can lie an ulp beyond t.back()
     auto return_step = orbit.contacts.begin();
@@ -60,10 +60,12 @@ std::vector<Value> averages(const OrbitColumns& orbit, std::size_t bins, const F
                 averager);
         ++return_step;
     }
-    return averager.averages();
+    std::vector<Value> found = averager.averages();
+    found.resize(bins);  // of whole periods: what the orbit has beyond them
+    return found;
 }
 
-std::vector<double> spin_averages(const OrbitColumns& orbit, std::size_t bins) {
+std::vector<double> spin_averages(const OrbitColumns& orbit, std::size_t bins, double width) {
     const auto flight = [&](std::size_t i, double until, analysis::BinAverager<double>& averager) {
         averager.add_constant(until, orbit.values[1][i]);
     };
@@ -73,7 +75,7 @@ std::vector<double> spin_averages(const OrbitColumns& orbit, std::size_t bins) {
                    moment_at(*orbit.contact_scene, segment, a).turned;
         });
     };
-    return averages<double>(orbit, bins, flight, contact);
+    return averages<double>(orbit, bins, width, flight, contact);
 }
 
 /// ∫ f dt from a to b, of what turns by less than half a radian in that time: ten points give it to rounding.
@@ -87,8 +89,9 @@ Complex integral_of(const F& f, double a, double b) {
     return half * sum;
 }
 
-/// Exact averages of the position over `bins` equal bins.
-std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bins, analysis::Frame frame) {
+/// Exact averages of the position over `bins` bins of that width.
+std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bins, double width,
+                                       analysis::Frame frame) {
     using analysis::UniformMotion;
     const auto point = [](const Vec2<double>& v) { return Complex(v.x, v.y); };
     const auto fly = [&](const UniformMotion& motion, double until, analysis::BinAverager<Complex>& averager) {
@@ -111,7 +114,7 @@ std::vector<Complex> position_averages(const OrbitColumns& orbit, std::size_t bi
         };
         averager.add(until, [&](double a, double b) { return integral_of(place, a, b); });
     };
-    return averages<Complex>(orbit, bins, flight, contact);
+    return averages<Complex>(orbit, bins, width, flight, contact);
 }
 
 /// A record lists the pieces of its contacts, not the motion on them: its orbit is followed again.
@@ -131,6 +134,52 @@ OrbitColumns orbit_of(SpectrumOptions& options, const std::vector<std::string>& 
     return followed_again(orbit, options.output, names);
 }
 
+/// The period of the cycle that S(t) is from the first impact kept to the last: in impacts, and in time.
+struct Cycle {
+    std::size_t impacts = 0;  ///< 0: none
+    double time = 0;
+};
+
+/// Of flights and spins that repeat to a billionth, and more than once. S that is constant has no period of its own.
+Cycle cycle_of(const std::vector<double>& t, const std::vector<double>& spin) {
+    constexpr double closeness = 1e-9;  // the orbit is on the cycle; rounding is far less
+    constexpr std::size_t longest = 4096, fewest_periods = 4;
+    const std::size_t flights = t.size() - 1;
+    double most_time = 0, most_spin = 0;
+    for (std::size_t i = 0; i < flights; ++i) {
+        most_time = std::max(most_time, t[i + 1] - t[i]);
+        most_spin = std::max(most_spin, std::abs(spin[i]));
+    }
+    // A flight is a difference of times, which are rounded.
+    const double near_time = closeness * most_time + 4 * std::numeric_limits<double>::epsilon() * std::abs(t.back());
+    const auto repeats = [&](std::size_t i, std::size_t p) {
+        return std::abs(spin[i + p] - spin[i]) <= closeness * most_spin &&
+               std::abs((t[i + p + 1] - t[i + p]) - (t[i + 1] - t[i])) <= near_time;
+    };
+    for (std::size_t p = 1; p <= std::min(longest, flights / fewest_periods); ++p) {
+        std::size_t i = 0;
+        while (i + p < flights && repeats(i, p)) ++i;
+        if (i + p < flights) continue;
+        if (p == 1) return {};
+        const std::size_t periods = flights / p;
+        return {p, (t[periods * p] - t[0]) / static_cast<double>(periods)};
+    }
+    return {};
+}
+
+/// Bins of a cycle: a power of two of them a period, eight or more an impact; of an orbit too long for it as they were.
+void divide_period(const Cycle& cycle, SpectrumSignal& signal, std::size_t& bins) {
+    constexpr std::size_t most = std::size_t{1} << 22;
+    std::size_t of_period = 8;
+    while (of_period < 8 * cycle.impacts) of_period *= 2;
+    const auto periods = static_cast<std::size_t>(signal.duration / cycle.time * (1 + 1e-12));
+    if (of_period * periods > most) return;
+    bins = of_period * periods;
+    signal.samples_of_period = of_period;
+    signal.spacing = cycle.time / static_cast<double>(of_period);
+    signal.duration = signal.spacing * static_cast<double>(bins);
+}
+
 SpectrumSignal signal_of_orbit(SpectrumOptions& options) {
     if (!options.resample.empty()) throw BadInput("--resample is a measured series'; an orbit has --bins");
     SpectrumSignal signal;
@@ -145,14 +194,17 @@ SpectrumSignal signal_of_orbit(SpectrumOptions& options) {
             throw BadInput(fmt::format("orbit of {} impacts: a spectrum needs 2 or more", t.size()));
         return signal;
     }
-    const std::size_t bins = options.bins > 0 ? static_cast<std::size_t>(options.bins) : automatic_bins(t.size() - 1);
+    std::size_t bins = options.bins > 0 ? static_cast<std::size_t>(options.bins) : automatic_bins(t.size() - 1);
     signal.duration = t.back() - t.front();
     signal.spacing = signal.duration / static_cast<double>(bins);
     if (is_spin(options)) {
-        signal.values = spin_averages(orbit, bins);
+        const Cycle cycle = orbit.contacts.empty() ? cycle_of(t, orbit.values[1]) : Cycle{};
+        signal.period = cycle.time;
+        if (cycle.impacts > 0 && options.bins == 0) divide_period(cycle, signal, bins);
+        signal.values = spin_averages(orbit, bins, signal.spacing);
         return signal;
     }
-    signal.positions = position_averages(orbit, bins, frame);
+    signal.positions = position_averages(orbit, bins, signal.spacing, frame);
     if (options.observable == "position") return signal;
     for (const auto& z : signal.positions) signal.values.push_back(options.observable == "x" ? z.real() : z.imag());
     signal.positions.clear();

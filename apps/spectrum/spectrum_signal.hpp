@@ -17,6 +17,8 @@ struct SpectrumSignal {
     std::vector<double> values;                   ///< NaN where missing
     std::vector<std::complex<double>> positions;  ///< instead of values, if the observable is position
     double cycle_time = 1;                        ///< time of frequency 1
+    double period = 0;                            ///< of the cycle that S(t) is, in time; 0: none is known
+    std::size_t samples_of_period = 0;            ///< where a period is a whole number of bins, else 0
     std::vector<std::string> notes;
     std::optional<OrbitColumns> orbit;
     std::optional<MeasuredSeries> series;
@@ -24,8 +26,9 @@ struct SpectrumSignal {
 };
 
 /// An orbit: S(t), constant in flight and smooth in contact, or the body's positions, averaged exactly over equal bins,
-/// from the first impact kept to the last. A series: its samples, resampled where their times are uneven. @throws
-/// BadInput
+/// from the first impact kept to the last; S of a cycle over bins that divide its period, as many periods as there are,
+/// so that the jumps of S fold onto the cycle's own frequencies and nowhere else. A series: its samples, resampled
+/// where their times are uneven. @throws BadInput
 SpectrumSignal signal_of(SpectrumOptions& options);
 
 }  // namespace swirl::apps::spectrum

@@ -26,6 +26,35 @@ class Spectra(InFolder):
             ratio = peak["frequency"] / frequency
             self.assertAlmostEqual(ratio, round(ratio), delta=1e-4)
 
+    def test_of_a_cycle_have_its_harmonics_and_nothing_else(self):
+        """Bins divide the period: jumps of S fold onto harmonics. Between them is rounding, below 1e-20 of the strongest line."""
+        found = document(f"spectrum {CYCLE}")
+        harmonics = [peak["harmonic"] for peak in found["peaks"]]
+        self.assertEqual(sorted(harmonics), list(range(1, len(harmonics) + 1)))
+        self.assertTrue(all(not peak["folded"] for peak in found["peaks"]))
+        strongest = max(found["power"])
+        reach = 2.5 * found["frequency_step"]  # a line is three bins wide (Hann)
+        between = [power for frequency, power in zip(found["frequency"], found["power"])
+                   if abs(frequency - round(frequency / found["fundamental"]) * found["fundamental"]) > reach]
+        self.assertGreater(len(between), 1000)
+        self.assertLess(max(between), 1e-20 * strongest)
+        period = found["settings"]["cycle_time"] / found["fundamental"]
+        self.assertAlmostEqual(period / found["settings"]["spacing"], 64, delta=1e-9)  # eight bins an impact
+
+    def test_in_bins_of_their_own_width_folded_harmonics_are_told(self):
+        found = document(f"spectrum {CYCLE} --bins 65536")
+        folded = [peak for peak in found["peaks"] if peak["folded"]]
+        self.assertGreater(len(folded), 100)
+        sampling = found["settings"]["cycle_time"] / found["settings"]["spacing"]
+        for peak in folded[:20]:  # k f1 = m sampling ± f
+            self.assertIsNone(peak["harmonic"])
+            ways = [(m * sampling + sign * peak["frequency"]) / found["fundamental"] for m in range(1, 40) for sign in (1, -1)]
+            step = found["frequency_step"] / found["fundamental"]
+            self.assertLess(min(abs(way - round(way)) for way in ways), 0.05 * step)
+        said = run(f"spectrum {CYCLE} --bins 65536").stdout
+        self.assertIn(f"and {len(folded)} folded: harmonics of the cycle above", said)
+        self.assertIsNone(document(f"spectrum {CHAOTIC} --collisions 1000")["fundamental"])
+
     def test_of_an_orbit_integrate_to_the_variance_of_its_bins(self):
         for rest in ("", "--observable x", "--observable y --frame container", "--observable x --frame corotating"):
             found = document(f"spectrum {CHAOTIC} --collisions 1000 --bins 4096 {rest}")

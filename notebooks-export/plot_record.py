@@ -23,6 +23,7 @@ def arguments():
     parser.add_argument("--of", metavar="NAME", help="of kinds means and map: S, exponent, period or RC")
     parser.add_argument("--over", metavar="NAME", help="of kind means: the parameter along the abscissa")
     parser.add_argument("--caption", metavar="FILE", help="what the figure shows, in words, to a file of its own")
+    parser.add_argument("--units", choices=("dimensionless", "physical"), default="dimensionless", help="of the axes")
     parser.add_argument("--x", metavar="NAME", help="of a section portrait")
     parser.add_argument("--y", metavar="NAME", help="of a section portrait")
     return parser.parse_args()
@@ -52,7 +53,16 @@ def main():
     def make():
         records = [figures.open_record(path) for path in options.record]
         kinds = [figures.kind_of(record, options.kind) for record in records]
-        figure = figures.draw(records, options.kind, look)
+        shown = look
+        if options.units == "physical":
+            units = figures.physical.shared_units(records)
+            if look.xlim:  # in SI, too
+                whole = figures.draw(records, options.kind, figures.Look(**{**fields, "xlim": None}))
+                scale = figures.physical.abscissa_scale(whole, units)
+                shown = figures.Look(**{**fields, "xlim": tuple(end / scale for end in look.xlim)})
+        figure = figures.draw(records, options.kind, shown)
+        if options.units == "physical":
+            figures.physical.in_si(figure, units)
         return kinds[0], figure, figures.caption.text_of(records, kinds, look)
 
     kind, figure, caption = script.made_from(options.record, make)

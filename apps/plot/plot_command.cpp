@@ -71,6 +71,11 @@ void PlotOptions::add_to(Flags& command) {
     command
         .add_option("--over", over, "of kind means: the parameter along the abscissa (default: that of most values)")
         ->type_name("NAME");
+    command
+        .add_option("--units", units,
+                    "of the axes: dimensionless (default), or physical: m, s, kg, of a scene in SI units")
+        ->type_name("NAME")
+        ->offer({"dimensionless", "physical"});
     command.add_option("--x", x, "of kind section: psi (default), chi, vn, vt or S")
         ->type_name("NAME")
         ->offer({"psi", "chi", "vn", "vt", "S"});
@@ -89,6 +94,7 @@ int plot(PlotOptions& options) {
     scripts::add_argument(own, "log", options.log);
     scripts::add_argument(own, "of", options.of);
     scripts::add_argument(own, "over", options.over);
+    scripts::add_argument(own, "units", options.units);
     scripts::add_argument(own, "x", options.x);
     scripts::add_argument(own, "y", options.y);
     if (options.no_title) own.emplace_back("--no-title");

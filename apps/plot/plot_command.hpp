@@ -8,7 +8,7 @@ namespace swirl::apps::plot {
 struct PlotOptions {
     scripts::ScriptFiles files;
     std::string kind;  ///< empty: the record's default
-    std::string width, font_size, xlim, ylim, log, of, over, x, y;
+    std::string width, font_size, xlim, ylim, log, of, over, x, y, units;
     std::string caption;  ///< a file for what the figure shows, in words; empty: none
     bool no_title = false;
 

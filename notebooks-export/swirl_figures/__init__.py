@@ -12,7 +12,7 @@ Figures are matplotlib Figures that belong to no window: save them with save(fig
 from .kinds import KINDS, draw, kind_of, kinds_of
 from .look import Look
 from .output import SUFFIXES, save
-from . import caption, output
+from . import caption, output, physical
 from .record import Record, RecordError, open_record
 
 __all__ = ["KINDS", "SUFFIXES", "Look", "Record", "RecordError", "draw", "kind_of", "kinds_of", "open_record", "save"]

@@ -13,13 +13,13 @@ from pathlib import Path
 
 import numpy
 
-from driving import SWIRL, folder_of_module, made_records, run, start
+from driving import SWIRL, examples_of, folder_of_module, made_records, run, start
 
 ROOT = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
 
 import figure_records
-from swirl_figures import draw, kinds_of, open_record, save
+from swirl_figures import draw, kinds_of, open_record, physical, save
 from swirl_figures.flights import flights_of
 from swirl_figures.path import FRAMES, sample, stays
 from swirl_figures.spin import running_mean, spin_on_wall
@@ -260,10 +260,52 @@ class Interrupted(WithRecords):
             self.assertEqual(sorted(self.folder.rglob("*")), before)
 
 
+class PhysicalUnits(unittest.TestCase):
+    """Axes in m, s, kg: the same curves, other numbers at the ticks."""
+
+    def test_axes_are_in_si_and_ratios_stay(self):
+        with tempfile.TemporaryDirectory() as folder:
+            record = Path(folder) / "o.h5"
+            scene = ("--sides 6 --container-radius 0.07 --polygon-radius 0.028 --swirl-radius 0.035 --swirl-rate 12 "
+                     "--mass 0.004 --mu 0.5 --restitution 0.9")
+            self.assertEqual(run(f"simulate {scene} --collisions 60 --quiet -o {record}").returncode, 0)
+            opened = open_record(record)
+            units = physical.units_of(opened)
+            self.assertEqual(units, (0.07, 1 / 12, 0.004))
+            for kind, labels in (("spin", {"t [s]"}), ("path", {"x [m]", "y [m]"}), ("balance", {"t [s]", "J [J]"}),
+                                 ("section", {"t [s]"})):  # of its colours
+                figure = draw(opened, kind)
+                plain = [line.get_xydata() for axes in figure.axes for line in axes.lines]
+                limits = [(axes.get_xlim(), axes.xaxis.get_label_text()) for axes in figure.axes]
+                self.assertGreater(physical.in_si(figure, units), 0, kind)
+                found = {axis.get_label_text().replace("$", "") for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)}
+                self.assertLessEqual(labels, found, kind)
+                self.assertFalse([label for label in found if "R_c" in label], kind)
+                figure.canvas.draw()
+                for axes, ((low, high), label) in zip(figure.axes, limits):
+                    self.assertEqual(axes.get_xlim(), (low, high), kind)  # the same picture
+                    if "omega_s t" in label:  # a tick says where it is, in seconds
+                        for tick in axes.xaxis.get_major_ticks():
+                            text = tick.label1.get_text().replace("\N{MINUS SIGN}", "-")
+                            if text and low <= tick.get_loc() <= high:
+                                self.assertAlmostEqual(float(text), tick.get_loc() / 12, delta=1e-6 * high, msg=kind)
+                self.assertTrue(all((one == other).all() for one, other in
+                                    zip(plain, [line.get_xydata() for axes in figure.axes for line in axes.lines])))
+            result = run(f"plot {record} -o {folder}/a.png --kind spin --units physical --xlim 1:3")
+            self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_a_record_without_units_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            record = Path(folder) / "o.h5"
+            self.assertEqual(run(f"simulate {STEADY} --collisions 20 --quiet -o {record}").returncode, 0)
+            result = run(f"plot {record} -o {folder}/a.png --units physical")
+            self.assertEqual((result.returncode, len(result.stderr.splitlines())), (2, 1), result.stderr)
+            self.assertIn("has no units", result.stderr)
+
+
 class Help(unittest.TestCase):
     def test_the_example_runs(self):
-        text = run("plot --help")
-        examples = re.findall(r"^\s*swirl (.*)$", text.stdout, re.M)
+        examples = examples_of("plot")
         self.assertGreaterEqual(len(examples), 2)
         with tempfile.TemporaryDirectory() as folder:
             for example in examples:

@@ -9,7 +9,7 @@ namespace swirl::analysis::classification_detail {
 
 namespace {
 
-constexpr const char* then_others_decide = "the largest exponent and the rotation number would decide";
+constexpr const char* then_others_decide = "the largest exponent and the rotation number then decide";
 
 void describe_period(const Findings& findings, const ClassifyOptions& options, Classification& result) {
     const double longest = static_cast<double>(options.period.max_period);
@@ -17,14 +17,14 @@ void describe_period(const Findings& findings, const ClassifyOptions& options, C
     if (!findings.has_cycle) {
         result.evidence.push_back({"period", 0, longest,
                                    "no attracting cycle of this period or a shorter one is near the orbit's end",
-                                   "1: steady; " + range + ": quasi-steady"});
+                                   "a cycle of period 1 is found: steady; of period " + range + ": quasi-steady"});
         return;
     }
-    result.evidence.push_back({"period", static_cast<double>(result.period), longest,
-                               "the smallest number of impacts after which all section coordinates return",
-                               (result.period == 1 ? range + ": quasi-steady" : std::string("1: steady")) +
-                                   "; none up to " + std::to_string(options.period.max_period) + ": " +
-                                   then_others_decide});
+    result.evidence.push_back(
+        {"period", static_cast<double>(result.period), longest,
+         "the smallest number of impacts after which all section coordinates return",
+         (result.period == 1 ? "period " + range + ": quasi-steady" : std::string("period 1: steady")) +
+             "; no period up to " + std::to_string(options.period.max_period) + ": " + then_others_decide});
 }
 
 void describe_cycle(const Findings& findings, const ClassifyOptions& options, Classification& result) {
@@ -45,25 +45,25 @@ void describe_cycle(const Findings& findings, const ClassifyOptions& options, Cl
     if (findings.farthest > 0)
         evidence.push_back(
             {"distance to cycle", findings.distance, findings.farthest,
-             "from the orbit's last state, against what its return allows",
+             "the cycle lies as near to the orbit's last state as its return allows",
              "above " + in_words(findings.farthest) + ": another cycle than the orbit's, " + then_others_decide});
     if (findings.has_multipliers)
         evidence.push_back({"slowest multiplier", findings.slowest_multiplier, 1 - neutral_margin,
-                            !findings.attracting ? "does not attract, but the orbit has stayed on the cycle"
-                            : findings.is_family ? "a multiplier is 1: a member of a family; the others attract"
+                            !findings.attracting ? "the cycle does not attract, but the orbit has stayed on it"
+                            : findings.is_family ? "one multiplier is 1, as of a member of a family; the others attract"
                                                  : "all multipliers attract",
                             findings.attracting
                                 ? "at or above 1 - " + in_words(neutral_margin) + ": no attracting cycle; " +
                                       then_others_decide + ", unless the orbit itself stays on it"
-                                : "nothing: it rests on the orbit's own closure"});
+                                : "nothing: the verdict rests on the orbit's own return"});
     if (findings.superstable)
         evidence.push_back({"rank of the derivative along the cycle", 0, 0,
                             "superstable: the cycle annihilates every direction, so that one exact return repeats",
-                            "1 or more: not superstable; the orbit itself would have to stay on the cycle"});
+                            "a rank of 1 or more: the orbit itself must stay on the cycle"});
     else if (!findings.attracting)
         evidence.push_back({"closure throughout", findings.closure_persists ? 1.0 : 0.0, 1,
                             "the orbit returns after every impact of the tail's last quarter",
-                            "0: it passes an unstable cycle; " + std::string(then_others_decide)});
+                            "it does not return: it passes an unstable cycle; " + std::string(then_others_decide)});
 }
 
 /// What suffices to be positive: beyond its errors and beyond what a bounded sum may leave.
@@ -78,7 +78,7 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
         result.evidence.push_back({"largest exponent", e.exponent, 0,
                                    "a step on the way, such as a rest, or several landings annihilate every direction: "
                                    "neighbouring orbits become one",
-                                   "finite: its sign would tell"});
+                                   "a finite exponent: its sign decides"});
         return;
     }
     const double sigmas = options.sigmas;
@@ -87,11 +87,9 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
     const bool positive = e.sign == ExponentSign::positive;
     result.evidence.push_back(
         {"largest exponent", e.exponent, errors,
-         std::string(name_of(e.sign)) + " (threshold: " + in_words(sigmas) + " standard errors)",
+         "the exponent is " + std::string(name_of(e.sign)) + " (threshold: " + in_words(sigmas) + " standard errors)",
          positive ? "at or below " + in_words(errors) + ": not positive, " +
-                        (findings.has_cycle ? "the cycle would stand"
-                                            : "the rotation number would decide; a chaotic transient longer than what "
-                                              "was followed looks the same")
+                        (findings.has_cycle ? "so the cycle stands" : "and the rotation number decides")
                   : "above " + in_words(std::max(errors, e.shrinking_bound)) + " (" + in_words(sigmas) +
                         " standard errors, and the bound of a neutral direction): " + cycle});
 }
@@ -103,7 +101,7 @@ void describe_recurrence(Classification& result) {
     result.evidence.push_back(
         {"recurrence rate without diagonal", result.recurrence_rate_without_diagonal, sun_2019,
          few ? "values of the observable do not recur" : "values of the observable recur",
-         "nothing: it does not decide (the rule of Sun 2019 alone would call it " +
+         "nothing: this does not decide (the rule of Sun 2019 alone would call it " +
              std::string(few ? "chaotic, and regular at or above " : "regular, and chaotic below ") +
              in_words(sun_2019) + ")"});
 }
@@ -117,31 +115,52 @@ void describe_rounding(const Findings& findings, const ClassifyOptions& options,
          "at most " + in_words(limit) + ": that cycle"});
 }
 
+std::string rotation_in_words(const RotationNumber& rotation) {
+    switch (rotation.outcome) {
+        case RotationOutcome::quasi_periodic:
+            return "the orbit winds round a torus: both halves give one number, and it is no fraction";
+        case RotationOutcome::periodic:
+            return "the number is a fraction of denominator " + std::to_string(rotation.denominator) +
+                   ", but no cycle of that period was found";
+        case RotationOutcome::not_converged:
+            return "no rotation number: the halves of the orbit give two that differ by " +
+                   in_words(rotation.half_difference) + " turns";
+        case RotationOutcome::not_a_rotation:
+            return "no rotation number: the orbit does not wind round a closed curve";
+        case RotationOutcome::constant:
+            return "no rotation number: the observable is constant to rounding";
+        case RotationOutcome::too_short:
+            return "no rotation number: " + std::to_string(RotationOptions{}.min_samples) + " impacts are needed";
+    }
+    return "";
+}
+
 void describe_rotation(const Findings& findings, Classification& result) {
     const RotationOptions limits;
     const RotationNumber& rotation = findings.rotation;
     const bool torus = rotation.outcome == RotationOutcome::quasi_periodic;
-    result.evidence.push_back({"rotation number", rotation.rotation, rotation.half_difference,
-                               std::string(name_of(rotation.outcome)) + " (threshold: difference of its halves)",
-                               torus ? "halves that differ by more than " + in_words(std::pow(10, -limits.min_digits)) +
-                                           " turns, or a fraction of denominator up to " +
-                                           std::to_string(limits.max_denominator) + ": undecided"
-                                     : "halves that agree to " + in_words(std::pow(10, -limits.min_digits)) +
-                                           " turns on no fraction of denominator up to " +
-                                           std::to_string(limits.max_denominator) +
-                                           ": quasi-steady, if the orbit keeps its size"});
+    result.evidence.push_back(
+        {"rotation number", rotation.rotation, rotation.half_difference, rotation_in_words(rotation),
+         torus ? "halves that differ by more than " + in_words(std::pow(10, -limits.min_digits)) +
+                     " turns, or a fraction of denominator up to " + std::to_string(limits.max_denominator) +
+                     ": undecided"
+               : "both halves give one number to " + in_words(std::pow(10, -limits.min_digits)) +
+                     " turns, no fraction of denominator up to " + std::to_string(limits.max_denominator) +
+                     ": quasi-steady, if the orbit keeps its size"});
 }
 
 bool describe_size(const Findings& findings, const ClassifyOptions& options, Classification& result) {
     const bool settled = std::abs(std::log(findings.spread_change)) <= std::log(options.settled_spread);
     const std::string range = in_words(1 / options.settled_spread) + " to " + in_words(options.settled_spread);
     const bool torus = findings.rotation.outcome == RotationOutcome::quasi_periodic;
-    const std::string changing = options.conserves ? "too short a tail for its slow beats" : "still settling";
-    result.evidence.push_back({"change of spread along the tail", findings.spread_change, options.settled_spread,
-                               settled ? "the orbit keeps its size" : changing,
-                               settled ? "outside " + range + ": undecided, " + changing
-                               : torus ? "within " + range + ": quasi-steady, a torus"
-                                       : "within " + range + ": still undecided, for want of a rotation number"});
+    const std::string changing =
+        options.conserves ? "the tail is too short for the orbit's slow beats" : "the orbit's size still changes";
+    result.evidence.push_back(
+        {"change of spread along the tail", findings.spread_change, options.settled_spread,
+         settled ? "the orbit keeps its size" : changing,
+         settled ? "outside " + range + ": undecided, since " + changing
+         : torus ? "within " + range + ": quasi-steady, a torus"
+                 : "within " + range + ": the orbit keeps its size; a rotation number is needed, too"});
     return settled;
 }
 
@@ -151,8 +170,8 @@ void describe_stay(Classification& result) {
     const double half_life = std::log(2) * steps / 3;
     result.evidence.push_back({"steps without leaving chaos", steps, half_life,
                                "a transient whose half-life is above " + in_words(half_life) +
-                                   " steps is not excluded (95 %): more starts, or steps, would tell",
-                               "nothing: it does not decide"});
+                                   " steps is not excluded (95 %); more starts, or steps, tell",
+                               "nothing: this does not decide"});
 }
 
 /// An attracting cycle's exponent is ln of its largest |multiplier| over its period, and no statistics.

@@ -27,14 +27,15 @@ Verdict judge(const AngleSpectrum& found) {
 }
 
 std::string words_of_level(const AngleSpectrum& found, double given) {
-    if (given > 0 && near_level * given < found.level) return "more than the noise given: the level counts";
-    if (given > near_level * found.level) return "much less than the noise given";
-    return "the highest third of the frequencies: noise, or motion as fast as the rows";
+    if (given > 0 && near_level * given < found.level)
+        return "the level is more than the noise given, so the level counts";
+    if (given > near_level * found.level) return "the level is much less than the noise given";
+    return "so much is in the highest third of the frequencies: noise, or motion as fast as the rows";
 }
 
 std::string words_of_lines(const AngleSpectrum& found) {
     if (found.lines > 0) return "S repeats, in one period or several";
-    return found.uncertain > 0 ? "none but what rounding may have made" : "S has no period";
+    return found.uncertain > 0 ? "there are none but such as rounding makes" : "S has no period";
 }
 
 /// Without lines rounding explains a continuum, or leaves open whether there is any (the last evidence).
@@ -45,42 +46,43 @@ double believed_share(const AngleSpectrum& found) {
 std::string words_of_continuum(const AngleSpectrum& found) {
     const double share = believed_share(found);
     if (share == 0)
-        return found.lines > 0 ? "nothing above the noise but lines"
-                               : "nothing above noise and rounding: S is constant";
-    if (share <= few_continuum) return "lines, and what their faint ones leave";
-    if (!(found.in_continuum > 0)) return "rounding may have made it";
+        return found.lines > 0 ? "nothing but lines is above the noise"
+                               : "nothing is above noise and rounding: S is constant";
+    if (share <= few_continuum) return "there are lines, and what faint lines leave";
+    if (!(found.in_continuum > 0)) return "rounding alone makes as much";
     if (share < much_continuum || found.blocks < fewest_blocks)
-        return "more than lines leave, less than chaos: weak chaos, or a torus too short a time";
-    return "irregular beyond the camera's noise (a container that is shaken would look the same)";
+        return "it is more than lines leave and less than chaos: weak chaos, or a torus seen too briefly";
+    return "S is irregular beyond the camera's noise (a shaken container looks the same)";
 }
 
 void describe(const AngleSpectrum& found, double given, Classification& result) {
     result.evidence.push_back({"white level of the angle in radians", found.level, given > 0 ? given : found.noise,
                                words_of_level(found, given),
-                               "nothing by itself: lines and continuum are what stands above it"});
-    result.evidence.push_back({"distances from a straight line, range in radians", found.range, 1.1 * found.resolution,
-                               found.is_straight() ? "rounding alone: S is constant" : "more than rounding",
-                               found.is_straight() ? "more: lines and continuum would decide"
-                                                   : "at most " + in_words(1.1 * found.resolution) + ": steady"});
+                               "nothing: this does not decide; lines and continuum are what stands above it"});
+    result.evidence.push_back(
+        {"distances from a straight line, range in radians", found.range, 1.1 * found.resolution,
+         found.is_straight() ? "rounding alone explains it: S is constant" : "it is more than rounding makes",
+         found.is_straight() ? "a larger range: lines and continuum decide"
+                             : "at most " + in_words(1.1 * found.resolution) + ": steady"});
     if (found.is_straight()) return;
     const double all = found.slow + found.in_lines + found.in_continuum;
     const double slow = all > 0 ? found.slow / all : 0;
     result.evidence.push_back(
-        {"share of S that drifts", slow, 0.5, slow > 0.5 ? "still settling" : "it lasts",
-         slow > 0.5 ? "at most 0.5: lines and continuum would decide" : "above 0.5: undecided, still settling"});
+        {"share of S that drifts", slow, 0.5, slow > 0.5 ? "S still settles" : "S keeps its mean",
+         slow > 0.5 ? "at most 0.5: lines and continuum decide" : "above 0.5: undecided, since S still settles"});
     if (slow > 0.5) return;
     result.evidence.push_back({"lines in the spectrum of the angle", static_cast<double>(found.lines), 1,
                                words_of_lines(found),
-                               found.lines > 0 ? "none: steady, if there is no continuum"
-                                               : "one or more: quasi-steady, if there is no continuum"});
+                               found.lines > 0 ? "no line: steady, if there is no continuum"
+                                               : "a line or more: quasi-steady, if there is no continuum"});
     result.evidence.push_back({"share of the continuum in S", believed_share(found), few_continuum,
                                words_of_continuum(found),
                                "at most " + in_words(few_continuum) + ": steady or quasi-steady; at least " +
                                    in_words(much_continuum) + ": chaotic; between: undecided"});
     if (found.lines > 0 || found.in_continuum > 0 || found.uncertain == 0) return;
     result.evidence.push_back({"lines that rounding may have made", static_cast<double>(found.uncertain), 0,
-                               "smaller than rounding's, but more than it leaves beside that noise",
-                               "none: steady; larger than rounding's: quasi-steady"});
+                               "rounding may make lines of their size",
+                               "no such lines: steady; larger ones: quasi-steady"});
 }
 
 }  // namespace

@@ -27,9 +27,9 @@ double deviation_of(std::span<const double> x) {
 std::string words_of(const Repetition& repetition) {
     const std::string structured = "structured at period " + std::to_string(repetition.structured);
     if (repetition.period > 0)
-        return "repeats within the noise" + (repetition.structured > 0 ? " (" + structured + ")" : "");
-    return repetition.structured > 0 ? "small, but " + structured + " and no finer: no noise"
-                                     : "repeats at no period looked for";
+        return "the series repeats within the noise" + (repetition.structured > 0 ? " (" + structured + ")" : "");
+    return repetition.structured > 0 ? "the residual is small, but " + structured + ", so it is no noise"
+                                     : "the series repeats at no period that was tried";
 }
 
 void describe_repetition(const Repetition& repetition, double limit, std::size_t samples, Classification& result) {
@@ -42,9 +42,9 @@ void describe_repetition(const Repetition& repetition, double limit, std::size_t
     if (!(repetition.residual > 0)) return;
     const auto add = [&](const char* name, double value, double threshold, bool is_white, const std::string& within,
                          const std::string& beyond) {
-        result.evidence.push_back({name, value, threshold, is_white ? "white" : "structured",
-                                   is_white ? beyond + ": no noise; lines and predictability would decide"
-                                            : within + ": noise about a cycle"});
+        result.evidence.push_back(
+            {name, value, threshold, is_white ? "the residual is white, as noise is" : "the residual has structure",
+             is_white ? beyond + ": no noise; lines and predictability decide" : within + ": noise about a cycle"});
     };
     const double white = white_autocorrelation(samples);
     add("autocorrelation of the residual", repetition.correlation, white, repetition.correlation <= white,
@@ -65,10 +65,10 @@ bool lasts(std::span<const double> x, double deviation, Classification& result) 
     const double change = std::abs(a - b) / (a + b);
     const auto add = [&](const char* name, double value) {
         const bool lasting = value <= largest_change;
-        result.evidence.push_back({name, value, largest_change, lasting ? "it lasts" : "still settling",
-                                   lasting ? "above " + in_words(largest_change) + ": undecided, still settling"
-                                           : "at most " + in_words(largest_change) +
-                                                 ": its repetitions, lines and predictability would decide"});
+        result.evidence.push_back(
+            {name, value, largest_change, lasting ? "the halves agree" : "the series still settles",
+             lasting ? "above " + in_words(largest_change) + ": undecided, since the series still settles"
+                     : "at most " + in_words(largest_change) + ": its repetitions, lines and predictability decide"});
         return lasting;
     };
     const bool mean_lasts = add("shift of the mean between the halves", shift);
@@ -85,7 +85,7 @@ LineShare lines_of(std::span<const double> x, Classification& result) {
         {"share of the variance in spectral lines", share.line_fraction, all,
          std::string(name_of(share.verdict)) +
              (share.steadiness_tested ? "" : " (too few segments to tell a line from a band)"),
-         lines ? "below " + in_words(all) + ": not all lines, predictability would decide"
+         lines ? "below " + in_words(all) + ": not all are lines, and predictability decides"
                : "at or above " + in_words(all) + ": all lines, quasi-steady if neighbours stay neighbours"});
     return share;
 }
@@ -95,9 +95,9 @@ void name_lines(std::span<const double> x, bool sampled_flow, Classification& re
     const bool kept = separation <= std::log(2);
     result.evidence.push_back(
         {"logarithmic separation of neighbours", separation, std::log(2),
-         !kept          ? "neighbours part: chaos on narrow bands, or noise"
-         : sampled_flow ? "neighbours stay: periodic or quasi-periodic in time"
-                        : "neighbours stay: a torus",
+         !kept          ? "neighbours part, as in chaos on narrow bands or in noise"
+         : sampled_flow ? "neighbours stay: the series is periodic or quasi-periodic in time"
+                        : "neighbours stay, as on a torus",
          (kept ? "above " : "at most ") + in_words(std::log(2)) + (kept ? ": undecided" : ": quasi-steady")});
     if (!kept) return;
     result.mode = Mode::quasi_steady;
@@ -107,21 +107,22 @@ void name_lines(std::span<const double> x, bool sampled_flow, Classification& re
 void name_irregular(std::span<const double> x, Classification& result) {
     const SurrogateTest surrogates = test_surrogates(x);
     const bool deterministic = surrogates.error < surrogates.smallest_of_surrogates;
-    result.evidence.push_back(
-        {"prediction error", surrogates.error, surrogates.smallest_of_surrogates,
-         deterministic ? "smaller than that of each of 39 surrogates: deterministic, not linear noise"
-                       : "not smaller than that of linear noise (the smallest of 39 surrogates)",
-         deterministic ? "at or above " + in_words(surrogates.smallest_of_surrogates) + ": as linear noise, undecided"
-                       : "below " + in_words(surrogates.smallest_of_surrogates) +
-                             ": deterministic, chaotic if neighbours part at one rate"});
+    result.evidence.push_back({"prediction error", surrogates.error, surrogates.smallest_of_surrogates,
+                               deterministic
+                                   ? "each of 39 surrogates errs more: the series is deterministic, not linear noise"
+                                   : "linear noise is predicted as well (the best of 39 surrogates)",
+                               deterministic ? "at or above " + in_words(surrogates.smallest_of_surrogates) +
+                                                   ": undecided, since linear noise does as well"
+                                             : "below " + in_words(surrogates.smallest_of_surrogates) +
+                                                   ": deterministic, chaotic if neighbours part at one rate"});
     const SeriesExponent exponent = exponent_of_series(x);
     result.evidence.push_back(
         {"divergence of neighbours per sample", exponent.exponent, exponent.spread,
-         exponent.trusted ? "a straight rise, the same in dimensions 2, 3 and 4 (threshold: their spread)"
-                          : "no straight rise that embedding dimensions 2, 3 and 4 agree on",
+         exponent.trusted ? "neighbours part at one rate in dimensions 2, 3 and 4 (threshold: their spread)"
+                          : "embedding dimensions 2, 3 and 4 agree on no straight rise",
          exponent.trusted ? "at or below 0, or a spread above " + in_words(largest_spread) + ": undecided"
                           : "positive with a spread of at most " + in_words(largest_spread) +
-                                (deterministic ? ": chaotic" : ": still undecided, as it is not predictable")});
+                                (deterministic ? ": chaotic" : ": still undecided, since it is not predictable")});
     if (!exponent.trusted) return;
     result.largest_exponent = exponent.exponent;
     result.largest_exponent_error = exponent.spread * exponent.exponent / 2;

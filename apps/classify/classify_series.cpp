@@ -9,6 +9,7 @@
 #include "apps/input/input_options.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/verdict_document.hpp"
+#include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/record/record_reader.hpp"
 
@@ -21,13 +22,13 @@
 namespace swirl::apps::classify {
 
 const char* const classify_series_details =
-    R"(Of a record of simulate the orbit that it holds is judged: its second half, or all of it if --skip left out its
+    R"(A record of simulate is judged by the orbit that it holds: by its second half, or by all of it if --skip left out its
 beginning, unless --transient and --collisions say which impacts. A measured series (--series, or a record without a
-scene) is judged without the map: does it repeat within its noise, are there
-lines in its spectrum, is it predicted better than noise and do neighbours part at a rate that all embeddings
-agree on? Little or disagreeing evidence gives undecided. With --noise SIGMA a constant with noise is known for
-steady. The longest segment without a gap counts; of an angle, gaps of up to three rows are bridged. A position
-is never called steady or quasi-steady: its distance swings along every flight.)";
+scene) is judged without the map: does it repeat within its noise, does its spectrum have lines, is it predicted
+better than noise, and do neighbours part at a rate that all embeddings agree on? If the evidence is little or
+disagrees, the mode is undecided. With --noise SIGMA a constant with noise is recognised as steady. The longest
+segment without a gap counts; gaps of up to three rows in an angle are bridged. A position is never called steady or
+quasi-steady, since its distance from a centre swings along every flight.)";
 
 namespace {
 
@@ -121,9 +122,11 @@ void write_to_record(const RecordGroup& root, const SeriesVerdict& v) {
 
 void print_verdict(const SeriesVerdict& v, bool verbose) {
     const std::string bridged = v.rows_bridged > 0 ? fmt::format(", {} of them bridged", v.rows_bridged) : "";
-    fmt::print("series: {}; rows are {}, {} used{}\n  {}\n  {}\n  because: {}\n", series_in_words(v.whole), rows_of(v),
-               v.rows_used, bridged, mode_in_words(v.verdict), sureness_in_words(v.verdict),
-               reason_in_words(v.verdict));
+    fmt::print("{}\n  {}\n{}",
+               wrapped(fmt::format("series: {}; rows are {}, {} used{}", series_in_words(v.whole), rows_of(v),
+                                   v.rows_used, bridged),
+                       2),
+               mode_in_words(v.verdict), verdict_in_lines(v.verdict));
     if (verbose) fmt::print("{}{}", lines_of(verdict_table(v), v), table_of(v.verdict.evidence));
 }
 
@@ -142,19 +145,27 @@ void judge_angle(SeriesVerdict& v) {
     v.used = part_of(v.whole, stretch.first, stretch.angles.size() - 1);
     v.verdict.steps = static_cast<std::int64_t>(v.rows_used);
     if (!stretch.is_even())
-        return leave_undecided(v, {"deviation of the times from even ones in rows", stretch.largest_deviation, 0.5,
-                                   "rows are missing or out of step (--rows impacts: each row is an impact)",
-                                   "at most 0.5: the spectrum of the angle would decide"});
+        return leave_undecided(
+            v, {"deviation of the times from even ones in rows", stretch.largest_deviation, 0.5,
+                fmt::format("times are {:.3g} rows away from even ones: rows are missing or out of step",
+                            stretch.largest_deviation),
+                "at most 0.5 rows: the spectrum of the angle decides; or --rows impacts, if rows are "
+                "impacts"});
     if (v.rows_used < analysis::fewest_angles)
-        return leave_undecided(v, {"rows of the angle in one stretch", static_cast<double>(v.rows_used),
-                                   static_cast<double>(analysis::fewest_angles), "too few for its spectrum",
-                                   "that many or more: the spectrum would decide"});
+        return leave_undecided(
+            v, {"rows of the angle in one stretch", static_cast<double>(v.rows_used),
+                static_cast<double>(analysis::fewest_angles),
+                fmt::format("{} rows are in one stretch, {} are needed", v.rows_used, analysis::fewest_angles),
+                fmt::format("{} rows or more in one stretch: the spectrum of the angle decides",
+                            analysis::fewest_angles)});
     v.verdict = analysis::classify_angle(stretch.angles, stretch.spacing * v.whole.swirl_rate, v.options,
                                          v.whole.angle.resolution);
     if (v.whole.is_unwrapped()) return;
     v.verdict.mean = analysis::nan;
     leave_undecided(v, {"largest turn from row to row, in half periods", v.whole.largest_turn, sure_turn,
-                        "too near 1 to tell which way it turned", "at most 0.9: lines and continuum would decide"});
+                        fmt::format("the body turns by {:.3g} of half a period from row to row: which way is a guess",
+                                    v.whole.largest_turn),
+                        "at most 0.9, so more rows a second: the lines and the continuum of the spectrum decide"});
 }
 
 /// The noise of S, where that of the angle was given: √2 σ / (ω_s Δt), its root mean square.
@@ -179,9 +190,8 @@ void judge_values(SeriesVerdict& v) {
     const bool regular = v.verdict.mode == analysis::Mode::steady || v.verdict.mode == analysis::Mode::quasi_steady;
     if (v.whole.quantity != distance_of_position || !regular) return;
     leave_undecided(v, {"regular in time", 1, 0,
-                        "steady or quasi-steady: a distance swings along every flight of either, and is constant in "
-                        "every contact",
-                        "S, or an angle, of the same motion: either of the two"});
+                        "it is steady or quasi-steady, and a distance cannot tell which: it swings along every flight",
+                        "S, or an angle, of the same motion: that tells which of the two"});
 }
 
 bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {

@@ -28,23 +28,23 @@ analysis::Kind kind_of(analysis::SwingKind swing, bool slides, bool on_edge, boo
 void describe_periods(const analysis::Swing& swing, bool limit_known, analysis::Classification& verdict) {
     const bool enough = swing.periods >= enough_periods;
     verdict.evidence.push_back({"periods seen", static_cast<double>(swing.periods), enough_periods,
-                                enough ? "enough to compare" : "too few to call it periodic",
+                                enough ? "these are enough to compare" : "these are too few to call psi periodic",
                                 enough ? "fewer than " + std::to_string(enough_periods) + ": undecided"
-                                       : "at least " + std::to_string(enough_periods) + ": their spread would decide"});
+                                       : "at least " + std::to_string(enough_periods) + ": their spread decides"});
     if (!enough) return;
     const bool periodic = swing.period_spread <= regular;
     verdict.evidence.push_back({"spread of the periods", swing.period_spread, regular,
-                                periodic ? "psi is periodic" : "psi is not periodic (yet)",
-                                periodic ? "above " + in_words(regular) + ": their trend would decide"
-                                         : "at most " + in_words(regular) + ": periodic already"});
+                                periodic ? "psi is periodic" : "psi is not periodic so far",
+                                periodic ? "above " + in_words(regular) + ": their trend decides"
+                                         : "at most " + in_words(regular) + ": periodic"});
     if (periodic || limit_known) return;
     const bool settles = swing.still_to_come <= nearly;
     verdict.evidence.push_back(
         {"change of the period still to come", swing.still_to_come, nearly,
          settles ? "the periods' changes fall like n^-" + in_words(swing.settling_exponent) + ": they come to a limit"
-                 : "the periods come to no limit that can be told yet",
-         settles ? "above " + in_words(nearly) + ": undecided, still settling"
-                 : "at most " + in_words(nearly) + ": named by the motion that it settles on"});
+                 : "the periods still change, and their limit is unknown",
+         settles ? "above " + in_words(nearly) + ": undecided, since psi still settles"
+                 : "at most " + in_words(nearly) + ": the mode is that of the motion that psi settles on"});
 }
 
 }  // namespace
@@ -117,23 +117,24 @@ void ContactTail::describe(const analysis::Swing& swing, const std::optional<Rim
                            analysis::Classification& verdict) const {
     const bool constant = swing.range <= rest;
     const bool cut = was_cut();
-    verdict.evidence.push_back({"time in contact", followed_, contact_horizon,
-                                cut ? "no impact so far: too fast a motion on the wall to be followed to the threshold"
-                                    : "no impact: the body stays on the wall",
-                                "an impact before that: named by the orbit of its impacts"});
+    verdict.evidence.push_back(
+        {"time in contact", followed_, contact_horizon,
+         cut ? "there was no impact, but the motion on the wall is too fast to be followed further"
+             : "there was no impact: the body stays on the wall",
+         "an impact before that: the orbit of its impacts gives the mode"});
     verdict.evidence.push_back({"range of S", swing.range, rest, constant ? "S is constant" : "S varies",
                                 constant ? "above " + in_words(rest) + ": quasi-steady, if periodic"
                                          : "at most " + in_words(rest) + ": steady"});
     if (settled) {
         verdict.evidence.push_back({"energy of rolling, last quarter", height_late_, height_early_,
                                     "slip takes energy (threshold: the first quarter's)",
-                                    "above " + in_words(height_early_) + ": the work of slip would decide"});
+                                    "above " + in_words(height_early_) + ": the work of slip decides"});
     } else if (slides_) {
         const double limit = dying * slip_early_;
-        verdict.evidence.push_back({"work of slip, last quarter", slip_late_, limit,
-                                    slip_dies() ? "slip dies out" : "slip stays",
-                                    slip_dies() ? "above " + in_words(limit) + ": sliding"
-                                                : "at most " + in_words(limit) + ": rolling in the end"});
+        verdict.evidence.push_back(
+            {"work of slip, last quarter", slip_late_, limit, slip_dies() ? "slip dies out" : "slip goes on",
+             slip_dies() ? "above " + in_words(limit) + ": sliding"
+                         : "at most " + in_words(limit) + ": rolling in the end, since slip dies out"});
     }
     if (swing.kind == analysis::SwingKind::at_rest) return;
     describe_periods(swing, settled.has_value(), verdict);
@@ -141,7 +142,7 @@ void ContactTail::describe(const analysis::Swing& swing, const std::optional<Rim
     const double mean = mean_rolling_spin(scene_, *settled), allowed = nearly * std::max(1.0, std::abs(mean));
     verdict.evidence.push_back({"change of mean S still to come", std::abs(swing.mean - mean), allowed,
                                 "psi settles on the pendulum on which friction just holds; mean S is that pendulum's",
-                                "above " + in_words(allowed) + ": undecided, still settling"});
+                                "above " + in_words(allowed) + ": undecided, since psi still settles"});
 }
 
 }  // namespace swirl::apps

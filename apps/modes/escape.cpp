@@ -187,7 +187,7 @@ void name_remaining(const analysis::EscapeRate& escape, NamedMode& named) {
         {"rate of escape from chaos", escape.rate, escape.least_rate,
          fmt::format("{} of {} runs have left chaos: half of those that remain will within {:.3g} impacts", escape.left,
                      escape.left + escape.remaining, escape.half_life),
-         "fewer than 3 runs that left, or none of them late: chaotic"});
+         "fewer than 3 runs leave, or none of them late: chaotic"});
 }
 
 void write_escape(JsonWriter& json, const std::optional<analysis::EscapeRate>& escape) {

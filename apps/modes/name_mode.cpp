@@ -42,7 +42,7 @@ void count_chatter_once(const std::vector<double>& spins, const analysis::Classi
     verdict.evidence.push_back(
         {rebounds_evidence, static_cast<double>(verdict.period - impacts), 0,
          "the cycle leads through sustained contact; rebounds that end there count as one impact",
-         "no contact: a cycle of impacts alone"});
+         "a cycle without contact: it is one of impacts alone"});
     for (auto& evidence : verdict.evidence)
         if (evidence.name == "period") evidence.value = static_cast<double>(impacts);
     verdict.period = impacts;
@@ -108,14 +108,14 @@ void name_dissipative_orbit(analysis::Classification& verdict) {
         {"loss by every impact", 1, 1,
          "with e < 1 every impact lowers J (without friction) or the energy (without swirl), so that no "
          "attractor has impacts: the orbit is on its way to contact",
-         "0 (e = 1, or friction and swirl): period, exponent and rotation number would decide"}};
+         "e = 1, or friction and swirl: period, exponent and rotation number decide"}};
 }
 
 /// An orbit that ended with neither impacts nor contact to go on with.
 void name_ending(Outcome outcome, long long impacts, analysis::Classification& verdict) {
     verdict.evidence.push_back({"impacts until the end", static_cast<double>(impacts), static_cast<double>(impacts),
-                                fmt::format("the orbit has ended: {}", name_of(outcome)),
-                                "more: named by the orbit of its impacts"});
+                                fmt::format("the orbit ended ({}) before its impacts showed a mode", name_of(outcome)),
+                                "an orbit that goes on: its impacts give the mode"});
 }
 
 /// An orbit that has no next impact from `last` on.

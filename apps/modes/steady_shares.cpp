@@ -36,7 +36,7 @@ std::vector<SteadyShare> steady_shares(const Scene<double>& scene, std::span<con
 
 Table<SteadyShare> steady_share_table(const std::string& dimension) {
     return {{dimension},
-            {{"S", &SteadyShare::spin, "omega_s", "S of the attracting steady mode"},
+            {{"S", &SteadyShare::spin, "1", "S of the attracting steady mode"},
              {"period", [](const SteadyShare&) { return std::int64_t{1}; }, "1", "of a fixed point, 1"},
              {"share", &SteadyShare::share, "1", "share of the starts that came to it"},
              {"flight_time", &SteadyShare::flight_time, "1/omega_s", "from impact to impact"},

@@ -1,6 +1,7 @@
 #include "apps/modes/verdict_document.hpp"
 
 #include "apps/modes/mode_fields.hpp"
+#include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>
@@ -32,8 +33,8 @@ Table<NamedMode> verdict_table() {
             {{"mode", of(&Verdict::mode), no_column},
              kind_field<NamedMode>(of(&Verdict::kind)),
              period_field<NamedMode>(of(&Verdict::period)),
-             {"mean_S", of(&Verdict::mean), "omega_s", "time mean of S"},
-             {"mean_S_per_impact", of(&Verdict::mean_per_step), "omega_s", "mean of S over impacts"},
+             {"mean_S", of(&Verdict::mean), "1", "time mean of S"},
+             {"mean_S_per_impact", of(&Verdict::mean_per_step), "1", "mean of S over impacts"},
              {"recurrence_rate", of(&Verdict::recurrence_rate), no_column},
              {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal), no_column},
              {"largest_exponent", of(&Verdict::largest_exponent), no_column},
@@ -72,12 +73,11 @@ void write_verdict(const RecordGroup& group, const NamedMode& named, const analy
 
 std::string table_of(const NamedMode& named, bool verbose, const std::optional<Units>& units) {
     const analysis::Classification& verdict = named.verdict;
-    const double mean_spin = verdict.mean / units.value_or(Units{}).time;
-    const std::string mean = std::isfinite(mean_spin) ? fmt::format("; mean S {:.8g}", mean_spin) : "";
-    const std::string text =
-        fmt::format("  {}{}; outcome {} after {} impact{}\n  {}\n  because: {}\n", mode_in_words(verdict), mean,
-                    name_of(named.outcome), named.impacts, named.impacts == 1 ? "" : "s", sureness_in_words(verdict),
-                    reason_in_words(verdict));
+    const std::string mean = std::isfinite(verdict.mean) ? fmt::format("; mean S {:.8g}", verdict.mean) : "";
+    const std::string text = wrapped(fmt::format("  {}{}; outcome {} after {} impact{}", mode_in_words(verdict), mean,
+                                                 name_of(named.outcome), named.impacts, named.impacts == 1 ? "" : "s"),
+                                     4) +
+                             "\n" + verdict_in_lines(verdict);
     return verbose ? text + lines_of(in_units(verdict_table(), units), named) + table_of(verdict.evidence) : text;
 }
 

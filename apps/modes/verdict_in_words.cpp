@@ -1,5 +1,7 @@
 #include "apps/modes/verdict_in_words.hpp"
 
+#include "apps/output/wrapped.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,8 +46,7 @@ std::string mode_in_words(const Classification& verdict) {
 }
 
 std::string sureness_in_words(const Classification& verdict) {
-    if (verdict.mode == Mode::undecided)
-        return verdict.evidence.empty() ? "open" : "open; decided by: " + verdict.evidence.back().changes_if;
+    if (verdict.mode == Mode::undecided) return "undecided: " + reason_in_words(verdict);
     if (!verdict.multipliers.empty() || evidence_of(verdict, "closure throughout") != nullptr)
         return sureness_of_cycle(verdict);
     if (const Evidence* contact = evidence_of(verdict, "time in contact"); contact != nullptr)
@@ -74,27 +75,59 @@ const Evidence* reason_of_contact(const Classification& verdict) {
 
 }  // namespace
 
-std::string reason_in_words(const Classification& verdict) {
-    if (verdict.evidence.empty()) return "there is no evidence";
-    const auto says = [](const Evidence& e) { return fmt::format("{} {:.4g}: {}", e.name, e.value, e.says); };
+namespace {
+
+/// An orbit that keeps its size is undecided for another reason: it has no rotation number.
+const Evidence* reason_of_undecided(const Classification& verdict) {
+    const Evidence& last = verdict.evidence.back();
+    const bool keeps_size =
+        last.name == "change of spread along the tail" && std::abs(std::log(last.value)) <= std::log(last.threshold);
+    const Evidence* rotation = keeps_size ? evidence_of(verdict, "rotation number") : nullptr;
+    return rotation != nullptr ? rotation : &last;
+}
+
+/// The piece of evidence that the verdict rests on. There is one.
+const Evidence& deciding(const Classification& verdict) {
+    if (verdict.mode == Mode::undecided) return *reason_of_undecided(verdict);
     if (const Evidence* closure = evidence_of(verdict, "closure"); closure != nullptr && verdict.period > 0)
-        return fmt::format("{}, after {} impact{}, to {:.2g}", closure->says, verdict.period,
-                           verdict.period == 1 ? "" : "s", closure->value);
-    if (verdict.mode == Mode::undecided) return says(verdict.evidence.back());
+        return *closure;
     if (evidence_of(verdict, "time in contact") != nullptr)
-        if (const Evidence* e = reason_of_contact(verdict)) return says(*e);
+        if (const Evidence* e = reason_of_contact(verdict)) return *e;
     for (const char* decides :
          {"share of the continuum in S", "rotation number", "largest exponent", "divergence of neighbours per sample",
           "logarithmic separation of neighbours", "residual about the phase means"})
-        if (const Evidence* e = evidence_of(verdict, decides)) return says(*e);
-    return says(verdict.evidence.back());
+        if (const Evidence* e = evidence_of(verdict, decides)) return *e;
+    return verdict.evidence.back();
+}
+
+}  // namespace
+
+std::string reason_in_words(const Classification& verdict) {
+    if (verdict.evidence.empty()) return "there is no evidence";
+    const Evidence& e = deciding(verdict);
+    if (verdict.mode == Mode::undecided) return e.says;
+    if (e.name == "closure")
+        return fmt::format("{}, after {} impact{}, to {:.2g}", e.says, verdict.period, verdict.period == 1 ? "" : "s",
+                           e.value);
+    return fmt::format("{} {:.4g}: {}", e.name, e.value, e.says);
+}
+
+std::string verdict_in_lines(const Classification& verdict) {
+    const std::string sureness = sureness_in_words(verdict);
+    std::string lines = fmt::format("  {}\n", sureness);
+    if (verdict.mode != Mode::undecided) lines += fmt::format("  because: {}\n", reason_in_words(verdict));
+    if (!verdict.evidence.empty() && !sureness.starts_with("settled"))
+        lines += fmt::format("  changes if: {}\n", deciding(verdict).changes_if);
+    return all_wrapped(lines, 4);
 }
 
 std::string table_of(const std::vector<Evidence>& evidence) {
     std::string text;
     for (const auto& e : evidence)
-        text += fmt::format("  evidence: {:<40} {:>12.4g}  against {:>10.4g}  {}\n            changes if: {}\n", e.name,
-                            e.value, e.threshold, e.says, e.changes_if);
+        text += all_wrapped(fmt::format("  evidence: {:<40} {:>12.4g}  against {:>10.4g}\n"
+                                        "            {}\n            changes if: {}\n",
+                                        e.name, e.value, e.threshold, e.says, e.changes_if),
+                            14);
     return text;
 }
 

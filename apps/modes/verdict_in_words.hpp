@@ -11,13 +11,17 @@ namespace swirl::apps {
 std::string mode_in_words(const analysis::Classification& verdict);
 
 /// How sure, in one line. `settled`: nothing that follows can change it (an attracting cycle, rest). `as far as it was
-/// followed`: nothing settles chaos or a torus. `open`: undecided, and what is missing.
+/// followed`: nothing settles chaos or a torus. `undecided`: why.
 std::string sureness_in_words(const analysis::Classification& verdict);
 
 /// What decided, in one line: of the evidence the piece that the verdict rests on.
 std::string reason_in_words(const analysis::Classification& verdict);
 
-/// All of the evidence, two lines each.
+/// What people read below the mode, in lines of at most 100 columns: how sure; why ("because: …"); and, unless it is
+/// settled, what would change it ("changes if: …").
+std::string verdict_in_lines(const analysis::Classification& verdict);
+
+/// All of the evidence, a few lines each.
 std::string table_of(const std::vector<analysis::Evidence>& evidence);
 
 }  // namespace swirl::apps

@@ -72,8 +72,8 @@ TEST_P(WithNoise, ADoubledCycleHasItsWholePeriod) {
 
 TEST(ClassifySeries, TheEvidenceNamesThePeriodThatIsStructured) {
     const auto says = [](const Series& x) { return classify_series(x).evidence.at(2).says; };
-    EXPECT_EQ(says(made(settled_logistic(3.55))), "repeats within the noise (structured at period 4)");
-    EXPECT_EQ(says(made(logistic(3.58))), "small, but structured at period 4 and no finer: no noise");
+    EXPECT_EQ(says(made(settled_logistic(3.55))), "the series repeats within the noise (structured at period 4)");
+    EXPECT_EQ(says(made(logistic(3.58))), "the residual is small, but structured at period 4, so it is no noise");
 }
 
 TEST_P(WithNoise, ARotationIsATorus) {

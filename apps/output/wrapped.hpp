@@ -1,0 +1,21 @@
+// Text for people in lines of at most 100 columns.
+#pragma once
+
+#include <string>
+
+namespace swirl::apps {
+
+inline constexpr std::size_t most_columns = 100;
+
+/// One line, broken between words where it is longer than most_columns; what follows a break begins with `indent`
+/// blanks. A word that is longer than that stays whole.
+std::string wrapped(const std::string& line, std::size_t indent);
+
+/// The same of each line of a text.
+std::string all_wrapped(const std::string& text, std::size_t indent);
+
+/// What `--help` prints: paragraphs are filled, flags' descriptions broken under themselves, and examples broken before
+/// a flag with "\", so that they run as they stand.
+std::string help_in_columns(const std::string& help);
+
+}  // namespace swirl::apps

@@ -30,7 +30,7 @@ void AnimateOptions::add_to(Flags& command) {
         ->offer({"container", "laboratory", "co-rotating"});
     command.add_option("--fps", fps, "pictures a second (default 20)")->type_name("N");
     command.add_option("--duration", duration, "of the film, in seconds (default 8)")->type_name("SECONDS");
-    command.add_option("--from", from, "time of the orbit at which it begins, in 1/omega_s (default its first)")
+    command.add_option("--from", from, "time of the orbit at which the film begins, in 1/omega_s (default its first)")
         ->type_name("T");
     command.add_option("--to", to, "time at which it ends (default: 40 later, or its last)")->type_name("T");
     command.add_option("--orbit", orbit, "which of a record of orbits, from 0 (default 0)")->type_name("I");

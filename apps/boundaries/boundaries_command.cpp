@@ -37,8 +37,8 @@ the doubled cycle's on that border, and what they lead to. Landing is not follow
 --against MAP.h5, a sweep over the same two parameters: which attracting cycles, by the curves, no run came to
 (too-few-starts, or transient: a run has no verdict), and which a run came to and no curve leads to (curve-missing), after
 curves were sought from these, too. Members of families, and cells outside of the plane, are compared with nothing.
-Curves solve the smooth equations of a cycle's word (which vertices strike, in which contact mode), which are in double
-alone and search for no contact: that is why there is no other --accuracy.
+Curves solve the smooth equations of a cycle's word (which vertices strike, in which contact mode). These are in double
+and search for no contact, so there is no other --accuracy.
 `swirl plot` draws the record, alone or over the record of a sweep.
 
 Examples:

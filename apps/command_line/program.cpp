@@ -2,6 +2,7 @@
 
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/words.hpp"
+#include "apps/output/wrapped.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -13,7 +14,7 @@
 namespace swirl::apps {
 
 Program::Program(const std::string& description, const std::string& version, const std::string& footer)
-    : app_(std::make_unique<CLI::App>(description)) {
+    : app_(std::make_unique<CLI::App>(description, "swirl")) {
     app_->set_version_flag("--version", version);
     app_->require_subcommand(0, 1);
     app_->footer(footer);
@@ -47,7 +48,13 @@ Program::Action Program::called(int argc, char** argv) {
     check_words(*app_, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
     try {
         app_->parse(argc, argv);
-    } catch (const CLI::Success& success) {  // --help or --version; app_->exit(…) prints it
+    } catch (const CLI::CallForHelp&) {
+        return [this] {
+            std::cout << help_in_columns(app_->help());
+            std::cout.flush();
+            return static_cast<int>(exit_done);
+        };
+    } catch (const CLI::Success& success) {  // --version; app_->exit(…) prints it
         return [this, success] {
             app_->exit(success);
             std::cout.flush();

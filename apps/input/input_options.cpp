@@ -17,7 +17,7 @@ commas or blanks, with a header or none; lines that begin with # or % are skippe
 --time NAME (or its number from 1 on, or none), by default the header's t or time, without a header the first of
 several columns. The values are --column NAME, by default S or spin, else the last other column; or S of an angle
 (--angle COLUMN --swirl-rate W), or a distance (--position X Y). Times must rise; an empty cell, nan or NA is a gap,
-and so is a row that is not there between times that are otherwise even.)";
+and so is a missing row between times that are otherwise even.)";
 
 void InputOptions::add_to(Flags& command) {
     scene.add_to(command);

@@ -15,9 +15,9 @@ namespace swirl::apps::lyapunov {
 const char* const lyapunov_details =
     R"(Exponents are means of ln growth per collision, by falling size, from QR of the exact derivative: weighted means
 where both halves of the orbit agree on them to 1e-8 (regular orbits), plain means elsewhere; standard errors are from
-blocks. One that is -inf (null in JSON) lost a rank: sticking annihilates a direction. neutral: zero, because the summed
-growth stays bounded. Without friction and with e = 1 J is conserved, and exponents pair to zero.
-An orbit that ends before its collisions are whole (in-contact, no-contact ...) is told with exit 3 and what there was.
+blocks. An exponent of -inf (null in JSON) says that sticking annihilates a direction: DF loses a rank. An exponent is
+neutral, zero, where the summed growth stays bounded. Without friction and with e = 1 J is conserved, and exponents pair to zero.
+An orbit that ends early (in-contact, no-contact ...) gives the exponents of the impacts that it had, and exit code 3.
 
 Example:
   swirl lyapunov --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --collisions 20000)";
@@ -54,7 +54,9 @@ Table<std::size_t> exponent_table(const OrbitSpectrum& s) {
     const Look sign{"", look_of("  {}").text};
     return {{"exponent"},
             {F{"exponents", from(s.exponents), "1", "per collision"}.shown("per collision", "  {:>16.9g}"),
-             F{"exponents_per_time", from(s.per_time), "omega_s", "per unit of time"}.shown("per time", " {:>16.9g}"),
+             F{"exponents_per_time", from(s.per_time), "omega_s", "per unit of time"}
+                 .shown("per time", " {:>16.9g}")
+                 .in_si("1/s"),
              F{"standard_errors", from(means.standard_errors), "1", "per collision"}.shown("std. error", " {:>12.2g}"),
              F{"standard_errors_per_time", from(means.per_time_standard_errors), no_column},
              F{"plain_means", from(means.exponents), no_column}.shown("plain mean", " {:>16.9g}"),
@@ -113,8 +115,8 @@ void write_document(const LyapunovCommandOptions& options, const Scene<double>& 
 }
 
 void print_spectrum(const Scene<double>& scene, const OrbitSpectrum& s, const std::optional<Units>& units) {
-    fmt::print("{}\n{}  outcome {}; {} collisions counted, time {:.6g}\n", scene_in_words(scene), units_in_words(units),
-               name_of(s.outcome), s.spectrum.steps, s.spectrum.time * units.value_or(Units{}).time);
+    fmt::print("{}\n{}  outcome {}; {} collisions counted, time {}\n", scene_in_words(scene), units_in_words(units),
+               name_of(s.outcome), s.spectrum.steps, with_unit(s.spectrum.time, units, "1/omega_s"));
     if (s.signs.empty()) return;
     print_table(in_units(exponent_table(s), units), places_of(s, false));
     fmt::print("  sum {:.9g}\n", s.sum);

@@ -14,9 +14,19 @@
 namespace swirl::apps::simulate {
 
 const char* const simulate_details =
-    R"(Outcomes: completed; no-contact (the body never meets the wall again: proven); in-contact (e < 1: the body came to
-stay on the wall, with no impact for 1,000 time units); contact-cut-short (the same for less: its motion there is too fast
-to be followed so long); resting (e = 1: held on the wall from the start; beta = 0: slower than 1e-75); diverged (Newton's
+    R"(The table lists the state just after each impact, all numbers where R_c = omega_s = m = 1, or in m, s, kg where the scene
+is given in them; S is a ratio and has no unit:
+  psi     direction of the contact, from the container's centre, less the swirl's (its arm): arg n - t
+  chi     direction of the contact from the body's centre, less arg n (a disk has none)
+  vn, vt  velocity of the body's centre along n, outwards, and along t, counter-clockwise, in the laboratory
+  S       omega_p/omega_s, the body's spin over the swirl's. S > 0: with the swirl, counter-clockwise seen from above (y up)
+  p, q    impulse of the wall on the body: -p n + q t
+  J       energy in the frame that turns with the swirl, E - omega_s L
+  vertex  the vertex that struck; mode: what the contact did (sliding, c-sticking, ...); *: another vertex struck, too
+
+Outcomes: completed; no-contact (the body never meets the wall again: proven); in-contact (e < 1: the body came to
+stay on the wall, with no impact for 1,000 time units); contact-cut-short (the same for less, since its motion on the wall is too
+fast to be followed so long); resting (e = 1: held on the wall from the start; beta = 0: slower than 1e-75); diverged (Newton's
 law with friction creates energy without end, or the next impact would be no number: an inertia factor far below
 rounding); unresolved (one flight outlasted the search for its contact, or no contact motion was consistent); interrupted.
 All but the first exit with 3, interrupted with 130.
@@ -43,11 +53,12 @@ void check_start(const SimulateOptions& options, const Scene<double>& scene) {
 
 void check_limits(const SimulateOptions& options) {
     if (options.collisions && options.time) throw BadInput("--collisions and --time are both given; give one");
+    const auto time = [units = options.scene.units()](double t) { return in_units(t, units, "1/omega_s"); };
     if (options.time && !(*options.time > 0 && std::isfinite(*options.time)))
-        throw BadInput(fmt::format("time = {} is outside its range: time > 0, finite", *options.time));
+        throw BadInput(fmt::format("time = {} is outside its range: time > 0, finite", time(*options.time)));
     if (options.sample && !(*options.sample >= least_sample_step && std::isfinite(*options.sample)))
-        throw BadInput(
-            fmt::format("sample = {} is outside its range: {:g} or more, finite", *options.sample, least_sample_step));
+        throw BadInput(fmt::format("sample = {} is outside its range: {:g} or more, finite", time(*options.sample),
+                                   time(least_sample_step)));
     if (options.sample && !options.output.json && options.output.record.empty())
         throw BadInput("--sample goes into a document or a record: give --json or -o FILE.h5");
     if (!options.time && options.skip >= options.limit())
@@ -84,7 +95,7 @@ void SimulateOptions::add_to(Flags& command) {
     command.add_option("--collisions", collisions, "follow K impacts (default 100)")
         ->type_name("K")
         ->transform(whole_number(1, most_impacts));
-    command.add_option("--time", time, "follow until time T, in 1/omega_s")->type_name("T");
+    command.add_option("--time", time, "follow until time T, in 1/omega_s (SI units: s)")->type_name("T");
     command.add_option("--skip", skip, "leave out the first K impacts")
         ->type_name("K")
         ->transform(whole_number(0, most_impacts));
@@ -93,13 +104,15 @@ void SimulateOptions::add_to(Flags& command) {
         ->transform(whole_number(1, most_impacts));
     command
         .add_option("--sample", sample,
-                    "also x, y, angle and S at the multiples of DT, in flight and in contact: `samples`")
+                    "list the body at all multiples of DT (as T), in flight and in contact: `samples`")
         ->type_name("DT");
 }
 
 int simulate(SimulateOptions& options) {
     options.scene.read_file();
     options.start.take_units(options.scene);
+    for (auto* time : {&options.time, &options.sample})
+        if (*time) *time = without_units(**time, options.scene.units(), "1/omega_s");
     check_limits(options);
     const Scene<double> scene = options.scene.scene<double>();
     options.output.accuracy();  // a wrong name is told before any work
@@ -130,10 +143,10 @@ int simulate(SimulateOptions& options) {
         json->end_object();
         json->finish();
     } else if (!options.output.quiet) {
-        const Units units = options.scene.units().value_or(Units{});
-        fmt::print("{}: {} after {} impacts, t = {:.10g}, time mean of S = {:.8g}\n{}", scene_in_words(scene),
-                   ending.outcome, ending.impacts, ending.time * units.time, ending.mean_spin / units.time,
-                   units_in_words(options.scene.units()));
+        const auto units = options.scene.units();
+        fmt::print("{}\n{}{} after {} impacts, t = {:.10g}{}, time mean of S = {:.8g}\n", scene_in_words(scene),
+                   units_in_words(units), ending.outcome, ending.impacts, in_units(ending.time, units, "1/omega_s"),
+                   units ? " s" : "", ending.mean_spin);
     }
     if (ending.outcome == "interrupted") return exit_interrupted;
     return ending.outcome == "completed" ? exit_done : exit_numerical_ending;

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy
 from PIL import Image
 
-from driving import folder_of_module, made_records, run, start
+from driving import examples_of, folder_of_module, made_records, run, start
 
 ROOT = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
@@ -107,7 +107,7 @@ class Films(WithRecords):
             return film.n_frames, film.size, film.info
 
     def test_the_helps_example_makes_a_film_that_is_replaced_by_the_same(self):
-        examples = re.findall(r"^\s*swirl (.*)$", run("animate --help").stdout, re.M)
+        examples = examples_of("animate")
         self.assertEqual(len(examples), 2)
         with tempfile.TemporaryDirectory() as folder:
             contents = set()

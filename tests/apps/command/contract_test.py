@@ -11,7 +11,7 @@ from pathlib import Path
 
 import xarray
 
-from driving import SEARCH, SWIRL, InFolder, document, interrupted, run, sized
+from driving import SEARCH, SWIRL, InFolder, document, examples_of, interrupted, run, sized
 
 ROOT, REFERENCES = (Path(sys.argv.pop(1)) for _ in range(2))
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
@@ -269,9 +269,7 @@ class Help(InFolder):
         commands = re.findall(r"^  (\w+) ", run("--help").stdout.split("Subcommands:")[1], re.M)
         self.assertGreaterEqual(len(commands), 12)
         for command in set(commands) - {"plot", "animate", "notebook"}:  # their own tests run those
-            text = run(f"{command} --help")
-            self.assertEqual(text.returncode, 0)
-            examples = re.findall(r"^\s*swirl (.*)$", text.stdout, re.M)
+            examples = examples_of(command)
             self.assertTrue(examples, command)
             shown += examples
         readme = re.findall(r"^swirl (.*?)(?:\s+#.*)?$", (ROOT / "README.md").read_text(), re.M)

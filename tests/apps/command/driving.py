@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shlex
 import signal
 import subprocess
@@ -31,6 +32,12 @@ def _refuse(constant):
 def run(arguments, **options):
     words = shlex.split(arguments) if isinstance(arguments, str) else arguments
     return subprocess.run([SWIRL, *words], capture_output=True, text=True, timeout=300, **options)
+
+
+def examples_of(command):
+    """The examples of its help, each as one line without "swirl"."""
+    shown = run(f"{command} --help").stdout
+    return re.findall(r"^\s*swirl (?!\w+  )(.*)$", re.sub(r" *\\\n *", " ", shown).split("Example")[-1], re.M)
 
 
 def start(arguments, **options):

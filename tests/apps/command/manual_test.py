@@ -9,7 +9,7 @@ import sys
 import unittest
 from pathlib import Path
 
-from driving import SWIRL, InFolder, run
+from driving import SWIRL, InFolder, examples_of, run
 
 COMMANDS = re.findall(r"^  ([a-z]+) ", run("--help").stdout.split("Subcommands:")[1], re.M)
 
@@ -60,8 +60,8 @@ class Manual(InFolder):
                 self.assertIn("--help", flags)
                 for flag in flags:
                     self.assertRegex(plain(page), rf"(?<![\w-]){flag}(?![\w-])", (command, form))
-                for example in re.findall(r"^\s*(swirl .*)$", help_of(command).split("Example")[-1], re.M):
-                    self.assertIn(example, plain(page), command)
+                for example in examples_of(command):
+                    self.assertIn(f"swirl {example}", plain(page), command)
 
     def test_every_word_of_help_is_in_the_page(self):
         for command in COMMANDS:

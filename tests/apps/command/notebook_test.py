@@ -14,7 +14,7 @@ import time
 import unittest
 from pathlib import Path
 
-from driving import InFolder, run, start
+from driving import InFolder, examples_of, run, start
 
 ALL = "--all" in sys.argv and not sys.argv.remove("--all")
 ROOT = Path(sys.argv.pop(1)).resolve()
@@ -39,7 +39,7 @@ def printed(book):
 
 class OfARecord(InFolder):
     def test_the_helps_example_runs_again_elsewhere_without_its_record(self):
-        for example in re.findall(r"^\s*swirl (.*)$", run("notebook --help").stdout, re.M):
+        for example in examples_of("notebook"):
             result = run(example, cwd=self.folder)
             self.assertEqual((result.returncode, result.stderr), (0, ""), example)
         record, book = self.folder / "orbit.h5", nbformat.read(self.folder / "orbit.ipynb", as_version=4)

@@ -78,7 +78,7 @@ Table<AttractorRow> attractor_table(const BifurcateOptions& options, const Diagr
                      {"mode", of(&Attractor::mode), "", "mode that the start settled on"},
                      kind_field<Row>(of(&Attractor::kind)),
                      period_field<Row>(of(&Attractor::period), "0: none"),
-                     {"mean_S", of(&Attractor::mean_spin), "omega_s", "time mean of S"},
+                     {"mean_S", of(&Attractor::mean_spin), "1", "time mean of S"},
                      F{"samples", count, "1", "how many follow in the group samples, in this order"}.record_only(),
                      {"S", samples("S")},
                      F{"values", samples(options.observable)}.when(options.observable != "S")},
@@ -93,7 +93,7 @@ Table<AttractorRow> sample_table(const BifurcateOptions& options, const Diagram&
     const std::string& observable = options.observable;
     return table_of(
         "sample", diagram,
-        {{"S", coordinate("S"), "omega_s", "S just after an impact"},
+        {{"S", coordinate("S"), "1", "S just after an impact"},
          F{"value", coordinate(observable), units_of_coordinate(observable), observable + " just after an impact"}.when(
              observable != "S")},
         {"parameter", "S", "value", "column", "start"});
@@ -117,7 +117,7 @@ Table<ColumnShare> share_table(const Diagram& diagram) {
              kind_field<Row>(of(&Attractor::kind)).shown("kind", " {:<20}"),
              F{"outcome", of(&Attractor::outcome), "", "how their orbits ended"},
              period_field<Row>(of(&Attractor::period), "0: none").shown("period", dash_for_zero(" {:>7}")),
-             F{"mean_S", &Row::mean_spin, "omega_s", "mean of the starts' time means"}.shown("mean S", " {:>15.10f}")},
+             F{"mean_S", &Row::mean_spin, "1", "mean of the starts' time means"}.shown("mean S", " {:>15.10f}")},
             {"parameter", "share", "column", "mode", "kind", "outcome", "period"}};
 }
 
@@ -147,7 +147,7 @@ Table<SteadyRow> steady_table(const Diagram& diagram) {
     return {{"steady_mode"},
             {{"parameter", &SteadyRow::parameter, "1", "parameter " + diagram.along.name},
              {"column", &SteadyRow::column, "1", "column"},
-             {"S", of(&SteadyShare::spin), "omega_s", "S of the attracting steady mode"},
+             {"S", of(&SteadyShare::spin), "1", "S of the attracting steady mode"},
              {"share", of(&SteadyShare::share), "1", "share of the random starts that came to it"},
              {"flight_time", of(&SteadyShare::flight_time), "1/omega_s", "from impact to impact"},
              {"multiplier", of(&SteadyShare::multiplier), "1", "its largest |multiplier|"}}};

@@ -78,7 +78,7 @@ Table<PointRow> cycle_table(const SceneBranches& scene, const std::string& rows,
              F{"points", all_coordinates_of, "1", "section points; NaN beyond the period"}
                  .along({"phase", "coordinate"}, longest * static_cast<std::size_t>(scene.map.dimension))
                  .record_only(),
-             F{"S", [](const Row& row) { return coordinates_of(row, "S"); }, "omega_s",
+             F{"S", [](const Row& row) { return coordinates_of(row, "S"); }, "1",
                "S after each impact of the cycle; NaN beyond it"}
                  .along({"phase"}, longest),
              F{"value", [=](const Row& row) { return coordinates_of(row, observable); },
@@ -86,7 +86,7 @@ Table<PointRow> cycle_table(const SceneBranches& scene, const std::string& rows,
                  .along({"phase"}, longest)
                  .record_only()
                  .when(observable != "S"),
-             {"mean_S", of(&Point::mean), "omega_s", "time mean of S"},
+             {"mean_S", of(&Point::mean), "1", "time mean of S"},
              {"return_time", [](const Row& row) { return row.cycle->at.shooting.duration; }, "1/omega_s",
               "sum of the flights"},
              {"multipliers", [](JsonWriter& json, const Row& row) { json.array(row.cycle->multipliers); }},
@@ -245,22 +245,25 @@ void write_branches(const RecordGroup& root, const SceneBranches& scene, const s
 }
 
 void print_branches(const SceneBranches& scene, const ParameterRange& along,
-                    const std::vector<analysis::Branch>& branches) {
+                    const std::vector<analysis::Branch>& branches, const std::optional<Units>& units) {
+    const bool by_time = along.name == "tau";
+    const char* unit = by_time && units ? " s" : "";
+    const auto value = [&](const analysis::BranchPoint& point) {
+        const double parameter = analysis::parameter_of(scene.options, scene.map.has_parameter, point.at);
+        return by_time ? in_units(parameter, units, "1/omega_s") : parameter;
+    };
     for (std::size_t b = 0; b < branches.size(); ++b) {
         const auto& branch = branches[b];
-        const auto value = [&](const analysis::BranchPoint& point) {
-            return analysis::parameter_of(scene.options, scene.map.has_parameter, point.at);
-        };
-        fmt::print("branch {}, period {}: {} points, {} from {:.10g} ({}) to {:.10g} ({})", b, branch.period(),
-                   branch.points.size(), along.name, value(branch.points.front()), analysis::name_of(branch.begin),
-                   value(branch.points.back()), analysis::name_of(branch.end));
-        if (branch.parent >= 0) fmt::print(", switched from branch {}", branch.parent);
+        fmt::print("branch {}, period {}: {} points, {} from {:.8g}{} ({}) to {:.8g}{} ({})", b, branch.period(),
+                   branch.points.size(), along.name, value(branch.points.front()), unit,
+                   analysis::name_of(branch.begin), value(branch.points.back()), unit, analysis::name_of(branch.end));
+        if (branch.parent >= 0) fmt::print(", from branch {}", branch.parent);
         fmt::print("\n");
         for (const auto& special : branch.special) {
             const auto& c = special.cycle;
-            fmt::print("  {:<15} {} = {:.12f}  S {:>15.12f}  |multiplier| {:.9f}", kind_of(special), along.name,
-                       value(c), c.at.points.front().tail(1)[0], std::abs(c.multipliers.front()));
-            if (!special.located) fmt::print("  not located: between two points of the branch");
+            fmt::print("  {:<15} {} = {:.10f}{}  S {:>13.10f}  |multiplier| {:.6f}", kind_of(special), along.name,
+                       value(c), unit, c.at.points.front().tail(1)[0], std::abs(c.multipliers.front()));
+            if (!special.located) fmt::print("  between two points");
             if (special.normal_form && special.kind != analysis::SpecialKind::fold)
                 fmt::print("  {}", special.normal_form->supercritical ? "supercritical" : "subcritical");
             fmt::print("\n");

@@ -49,8 +49,9 @@ void write_branches(const RecordGroup& root, const SceneBranches& scene, const s
 /// Where an observable stands in a state of that size: psi, chi, vn, vt or S.
 Eigen::Index place_of(const std::string& observable, Eigen::Index size);
 
+///   units  the user's, if there are any, of a family's flight times
 void print_branches(const SceneBranches& scene, const ParameterRange& along,
-                    const std::vector<analysis::Branch>& branches);
+                    const std::vector<analysis::Branch>& branches, const std::optional<Units>& units = {});
 
 /// How pieces of work are run: in turn, or as `run_pieces` does.
 using RunPieces = std::function<void(std::size_t count, const std::function<KeepResult(std::size_t)>& work)>;

@@ -12,7 +12,7 @@ std::vector<std::string> coordinate_names(Eigen::Index size) {
 }
 
 std::string units_of_coordinate(const std::string& name) {
-    if (name == "S") return "omega_s";
+    if (name == "S") return "1";
     return name == "psi" || name == "chi" ? "rad" : "R_c omega_s";
 }
 

@@ -24,7 +24,7 @@ struct CertifyOptions {
 
     void add_to(Flags& command);
     int period() const { return static_cast<int>(its_period.value_or(1)); }
-    double max_time() const { return longest.value_or(12); }
+    double max_time() const { return scene.longest_flight(longest, 12, 1000); }  ///< in 1/ω_s. @throws BadInput
 };
 
 extern const char* const certify_details;

@@ -84,7 +84,7 @@ Table<Orbit> orbit_table(const std::string& along) {
              F{"inertia", inertia_of, no_column},
              F{"value", value, no_column}.table_only().shown(along, " {:>16.12g}").when(parameter.has_value()),
              {"point", [](JsonWriter& json, const Orbit& o) { write_point_of(json, o.scene, o.point); }},
-             F{"S", [](const Orbit& o) { return o.point.spin; }, "omega_s", "S of its first point"}.table_only().shown(
+             F{"S", [](const Orbit& o) { return o.point.spin; }, "1", "S of its first point"}.table_only().shown(
                  "S", " {:>16.12f}"),
              F{"radius", radius, no_column}.shown("radius", " {:>8.1e}"),
              {"multipliers", write_discs},
@@ -158,11 +158,12 @@ void print_certified(const CertifyOptions& options, const Certified& certified) 
         const proof::AllFixedPoints& all = *certified.all;
         if (!all.none.empty()) fmt::print("  no fixed point exists: {}\n", all.none);
         fmt::print(
-            "  {} fixed points with tau <= {:g}, {}\n", all.proven.size(), all.max_time,
+            "  {} fixed points with tau <= {}, {}\n", all.proven.size(), with_unit(all.max_time, units, "1/omega_s"),
             all.complete() ? "proven to be all" : fmt::format("{} parts of the plane undecided", all.open.size()));
         for (const proof::OpenCell& cell : all.open)
-            fmt::print("  undecided: tau {:.9g} to {:.9g}, phi {:.9g} to {:.9g}: {}\n", cell.tau_low, cell.tau_high,
-                       cell.phi_low, cell.phi_high, cell.reason);
+            fmt::print("  undecided: tau {:.9g} to {:.9g}{}, phi {:.9g} to {:.9g}: {}\n",
+                       in_units(cell.tau_low, units, "1/omega_s"), in_units(cell.tau_high, units, "1/omega_s"),
+                       units ? " s" : "", cell.phi_low, cell.phi_high, cell.reason);
     }
     if (!certified.whole) fmt::print("  interrupted: not all were looked at\n");
     if (!certified.found) fmt::print("  no cycle found\n");

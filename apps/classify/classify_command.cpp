@@ -17,8 +17,8 @@
 namespace swirl::apps::classify {
 
 const char* const classify_details =
-    R"(Modes: steady (one state), quasi-steady (a cycle or a torus of states), chaotic, undecided. A verdict lists its
-evidence. An orbit that comes to stay on the wall (outcome in-contact) is named by its contact: rolling (at rest in the
+    R"(Modes: steady (one state), quasi-steady (a cycle or a torus of states), chaotic, undecided. One line says what was
+found and why, one what would change it; --verbose lists all evidence. An orbit that comes to stay on the wall (outcome in-contact) is named by its contact: rolling (at rest in the
 co-rotating frame, steady; also called snaking), rolling-librating, rolling-circulating, sliding, two-vertex; a cycle
 that lands and leaves again is a landing. Without any contact the mode is undecided. An orbit is followed until nothing
 can change its verdict (an attracting cycle), at most through --transient and --collisions; --exhaustive: through all.

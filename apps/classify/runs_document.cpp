@@ -42,8 +42,8 @@ Table<RunVerdict> runs_table() {
              {"outcome", &Run::outcome, "", "how the orbit ended"},
              period_field<Run>(&Run::period),
              Field<Run>{"impacts", &Run::impacts, "1", "impacts followed"}.record_only(),
-             {"mean_S", &Run::mean_spin, "omega_s", "time mean of S"},
-             {"mean_S_per_impact", &Run::mean_spin_per_impact, "omega_s", "mean of S over impacts"},
+             {"mean_S", &Run::mean_spin, "1", "time mean of S"},
+             {"mean_S_per_impact", &Run::mean_spin_per_impact, "1", "mean of S over impacts"},
              {"recurrence_rate", &Run::recurrence_rate, "1", "RC of S"},
              {"ln_multiplier", &Run::ln_multiplier, "1", "of a cycle: ln of its largest |multiplier|, DF^period"},
              {"largest_exponent", &Run::largest_exponent, "1", "largest Lyapunov exponent per impact"},
@@ -67,9 +67,8 @@ Table<SharedAttractor> attractors_table(const RunsFound& found) {
          kind_field<SharedAttractor>(first(&RunVerdict::kind)).shown("kind", " {:<20}"),
          F{"outcome", first(&RunVerdict::outcome), "", "how their orbits ended"},
          period_field<SharedAttractor>(first(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
-         F{"mean_S", &SharedAttractor::mean_spin, "omega_s", "mean of the runs' time means"}.shown("mean S",
-                                                                                                   " {:>14.8g}"),
-         F{"mean_S_error", &SharedAttractor::mean_spin_error, "omega_s", "its standard error over the runs"}.shown(
+         F{"mean_S", &SharedAttractor::mean_spin, "1", "mean of the runs' time means"}.shown("mean S", " {:>14.8g}"),
+         F{"mean_S_error", &SharedAttractor::mean_spin_error, "1", "its standard error over the runs"}.shown(
              "error", " {:>9.2g}"),
          F{"largest_exponent", &SharedAttractor::largest_exponent, "1", "mean over the runs, per impact"}.shown(
              "exponent", " {:>11.4g}"),
@@ -121,9 +120,8 @@ void print_runs(const ClassifyCommandOptions& options, const Scene<double>& scen
     print_table(in_units(attractors_table(found), units), found.attractors);
     for (const SteadyShare& mode : found.steady)
         if (mode.share == 0)
-            fmt::print("  no start came to the steady mode with S {:.10g} (|multiplier| {:.4g}, flight time {:.4g})\n",
-                       mode.spin / units.value_or(Units{}).time, mode.multiplier,
-                       mode.flight_time * units.value_or(Units{}).time);
+            fmt::print("  no start came to the steady mode with S {:.10g} (|multiplier| {:.4g}, flight time {})\n",
+                       mode.spin, mode.multiplier, with_unit(mode.flight_time, units, "1/omega_s"));
     if (found.first)
         fmt::print("the first of them, seed {}:\n{}", found.runs[found.attractors.front().runs.front()].seed,
                    table_of(*found.first, options.verbose, units));

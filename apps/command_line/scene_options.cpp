@@ -23,17 +23,17 @@ struct SceneName {
 
 const std::array<SceneName, 12> scene_names = {{
     {"sides", "N: 3 to 1000000, or disk", {"disk"}},
-    {"alpha", "R_p/R_c, 0 < alpha < 1"},
-    {"beta", "r_s/R_c, >= 0"},
-    {"mu", "friction, >= 0"},
-    {"restitution", "e, 0 to 1"},
+    {"alpha", "R_p/R_c, body over container, 0 < alpha < 1"},
+    {"beta", "r_s/R_c, circle of the swirl over container, >= 0"},
+    {"mu", "mu, coefficient of friction, >= 0"},
+    {"restitution", "e, coefficient of restitution, 0 to 1"},
     {"law", "poisson (default), newton or stronge", {"poisson", "newton", "stronge"}},
     {"inertia-factor", "kappa, I = kappa m R_p^2 (default: the uniform lamina's)"},
-    {"container-radius", "R_c, in your unit of length"},
-    {"swirl-radius", "r_s, instead of --beta"},
-    {"swirl-rate", "omega_s, in radians per your unit of time (default 1); also with --series and --angle"},
-    {"polygon-radius", "R_p, instead of --alpha"},
-    {"mass", "m, in your unit of mass (default 1)"},
+    {"container-radius", "R_c in m; with any of these five all that you give and read is in m, s, kg"},
+    {"swirl-radius", "r_s in m, instead of --beta"},
+    {"swirl-rate", "omega_s in rad/s (default 1); also with --series and --angle"},
+    {"polygon-radius", "R_p in m, instead of --alpha"},
+    {"mass", "m in kg (default 1)"},
 }};
 
 /// A ratio, and the length that may be given instead.
@@ -146,6 +146,15 @@ const std::string& SceneOptions::required(const std::string& name, const std::st
                         "--scene FILE)",
                         name));
     throw BadInput(fmt::format("--{} is missing (or --{} with --container-radius)", instead, name));
+}
+
+double SceneOptions::longest_flight(const std::optional<double>& given, double otherwise, double most) const {
+    const auto own = units();
+    const double time = given ? without_units(*given, own, "1/omega_s") : otherwise;
+    if (!(time > 0 && time <= most))
+        throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= {:.6g}", given.value_or(time),
+                                   in_units(most, own, "1/omega_s")));
+    return time;
 }
 
 std::optional<Units> SceneOptions::units() const {

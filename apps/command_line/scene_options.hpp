@@ -31,6 +31,9 @@ public:
     /// The units, if any physical number was given. @throws BadInput
     std::optional<Units> units() const;
 
+    /// --max-time in 1/ω_s, given in the user's units or not at all. @throws BadInput
+    double longest_flight(const std::optional<double>& given, double otherwise, double most) const;
+
     /// True if any flag of a scene, or a scene file, was given; the flag `but` apart.
     bool given(const std::string& but = "") const { return flags_.size() > flags_.count(but) || !file_.empty(); }
     /// What a flag itself was given, without the file's or another's word.

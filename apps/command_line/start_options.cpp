@@ -27,7 +27,8 @@ LabStart<double> random_start(double beta, double speed, std::uint64_t seed, std
 namespace {
 
 // Named in the help, over the flags.
-constexpr const char* start_group = "Start (in your own units where the scene has --container-radius or --swirl-rate)";
+constexpr const char* start_group =
+    "Start (in m, s, rad where the scene is in SI units: --container-radius, --swirl-rate ...)";
 
 std::uint64_t seed_from(const std::string& text) {
     std::uint64_t seed = 0;
@@ -54,7 +55,7 @@ void StartOptions::add_to(Flags& command) {
         {"vx", "velocity, in R_c omega_s (default 0)"},
         {"vy", "velocity, in R_c omega_s (default 0)"},
         {"angle", "vertex 0's direction, in radians (default 0); with --series the column of a measured angle"},
-        {"spin", "in omega_s: S (default 0)"}};
+        {"spin", "in omega_s, so it is S; in SI units in rad/s (default 0)"}};
     for (const auto& [name, help] : lab_names)
         command
             .add_text(
@@ -64,12 +65,12 @@ void StartOptions::add_to(Flags& command) {
             ->group(start_group);
     command
         .add_option("--point", point_,
-                    "psi,chi,vn,vt,S just after an impact (a disk drops chi): radians, R_c omega_s, omega_s")
+                    "psi,chi,vn,vt,S just after an impact (a disk drops chi), see `swirl simulate --help`")
         ->type_name("")
         ->group(start_group);
     command
         .add_option("--speed", speed_,
-                    "random start at the container's centre with this speed, in R_c omega_s (default 1/7 R_c omega_s)")
+                    "random start at the container's centre, in R_c omega_s (default 1/7 R_c omega_s)")
         ->type_name("")
         ->group(start_group);
     add_seed(command, seed_, "of the random start (default 1)", &seed_given_)->group(start_group);

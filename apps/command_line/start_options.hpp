@@ -45,7 +45,7 @@ public:
     /// As if the flag `name` had been given (a record's start). @throws BadInput for a seed out of range
     void set(const std::string& name, const std::string& text);
     /// Numbers are in the scene's physical units from now on, if it has any: lengths in that of R_c, velocities in that
-    /// of R_c ω_s, spins in that of ω_s. Call once after SceneOptions::read_file().
+    /// of R_c ω_s, --spin in that of ω_s; S of --point is a ratio. Call once after SceneOptions::read_file().
     void take_units(const SceneOptions& scene) {
         if (!scene.units()) return;
         length_ = scene.text("container-radius", length_);
@@ -86,7 +86,7 @@ Start<T> StartOptions::start(const Scene<T>& scene, std::uint64_t run) const {
     const T velocity = length * rate;
     if (!point_.empty()) {
         SectionPoint<T> z = section_point_from<T>("--point", point_, scene.is_disk());
-        return SectionPoint<T>{z.psi, z.chi, z.vn / velocity, z.vt / velocity, z.spin / rate};
+        return SectionPoint<T>{z.psi, z.chi, z.vn / velocity, z.vt / velocity, z.spin};
     }
     if (is_random()) {
         const LabStart<double> s = random_start(static_cast<double>(scene.beta), speed(), seed_, run);

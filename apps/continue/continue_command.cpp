@@ -99,6 +99,9 @@ void write_document(const ContinueOptions& options, const Scene<double>& scene, 
 
 int continue_orbit(ContinueOptions& options) {
     options.scene.read_file();
+    options.from = point_without_units(options.from, options.scene.units());
+    if (options.along.starts_with("tau="))
+        options.along = range_without_units(options.along, options.scene.units(), "1/omega_s");
     const ParameterRange along = parameter_range_from(options.along, false, true);
     const Scene<double> scene = options.scene.scene<double>();
     const Accuracy accuracy = options.output.accuracy();
@@ -142,7 +145,7 @@ int continue_orbit(ContinueOptions& options) {
     else if (!options.output.quiet && branches.empty())
         fmt::print("no cycle of period {} was found from --from\n", options.period);
     else if (!options.output.quiet)
-        print_branches(system, along, branches);
+        print_branches(system, along, branches, options.scene.units());
     if (is_interrupted()) return exit_interrupted;
     return branches.empty() ? exit_numerical_ending : exit_done;
 }

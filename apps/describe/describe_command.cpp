@@ -29,7 +29,9 @@ Examples:
 void DescribeOptions::add_to(Flags& command) {
     scene.add_to(command);
     output.add_to(command);
-    command.add_option("--max-time", max_time, "longest flight time of steady modes, in 1/omega_s (default 12)")
+    command
+        .add_option("--max-time", longest,
+                    "longest flight time of steady modes, in 1/omega_s (SI units: s; default 12/omega_s)")
         ->type_name("T");
 }
 
@@ -66,8 +68,7 @@ int describe(DescribeOptions& options) {
     options.scene.read_file();
     const Scene<double> scene = options.scene.scene<double>();
     options.output.require_double("describe works in double");
-    if (!(options.max_time > 0 && options.max_time <= 1e4))
-        throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= 10000", options.max_time));
+    options.max_time = options.scene.longest_flight(options.longest, 12, 1e4);
     std::optional<RecordWriter> record = open_record(options.output, "What is known of a swirled polygon",
                                                      {options.scene.file()}, options.scene.units());
     exit_when_interrupted();

@@ -15,7 +15,8 @@ namespace swirl::apps::describe {
 struct DescribeOptions {
     SceneOptions scene;
     OutputOptions output;
-    double max_time = 12;
+    std::optional<double> longest;  ///< --max-time as given
+    double max_time = 12;           ///< in 1/ω_s
 
     void add_to(Flags& command);
 };

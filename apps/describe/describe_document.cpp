@@ -80,7 +80,7 @@ Table<RimFacts> rim_table() {
              "  circulates above H", "{:.6g}"),
          F{"rest_force", &RimFacts::rest_force, "m R_c omega_s^2", "of the wall at rest"}.shown(
              "  force of the wall at rest", "{:.6g}"),
-         F{"mean_S", spin, "omega_s", "S at rest, mean S librating"}.shown("  S at rest and mean librating", "{:.6g}"),
+         F{"mean_S", spin, "1", "S at rest, mean S librating"}.shown("  S at rest and mean librating", "{:.6g}"),
          F{"widest_libration", &RimFacts::widest_libration, "rad", "|psi| up to which librations are held"}.shown(
              "  librations held up to |psi|", "{:.6g}"),
          {"circulates_forward", &RimFacts::circulates_forward, no_column},
@@ -116,7 +116,7 @@ Table<SteadyMode> mode_table(bool disk, std::size_t d) {
              F{"j", &SteadyMode::j, "1", "vertices on"}.shown("j", " {:>5}"),
              F{"tau", &SteadyMode::tau, "1/omega_s", "flight time"}.shown("tau", " {:>13.9f}"),
              F{"chi", chi, "rad", "arg r - arg n at the impact"}.shown("chi", " {:>12.9f}"),
-             F{"S", [](const SteadyMode& m) { return m.point.spin; }, "omega_s", "spin"}.shown("S", " {:>13.9f}"),
+             F{"S", [](const SteadyMode& m) { return m.point.spin; }, "1", "spin"}.shown("S", " {:>13.9f}"),
              {"speed", &SteadyMode::speed, "R_c omega_s", "u_n before the impact"},
              F{"contact_mode", &SteadyMode::contact, "", "contact mode of the impact"}
                  .flags(names_up_to(ContactMode::r_reversed))
@@ -167,7 +167,7 @@ Table<DescribedFamily> family_table(bool disk) {
          {"S_is_free", [](const DescribedFamily& f) { return f.family.spin_is_free; }, "1",
           "S is any constant in a member"},
          {"midway", midway},
-         F{"midway_S", spin, "omega_s", "S of the member midway"}.record_only().shown("midway: S", " {:>13.9f}"),
+         F{"midway_S", spin, "1", "S of the member midway"}.record_only().shown("midway: S", " {:>13.9f}"),
          F{"midway_largest_multiplier", largest, "1", "its largest |multiplier|"}.record_only().shown("|multiplier|",
                                                                                                       " {:>12.8g}"),
          F{"midway_stability", stability, "", "its stability"}.flags(names).record_only().shown("stability", "  {}")}};
@@ -207,10 +207,9 @@ Table<DescribedChord> chord_table() {
 }
 
 /// Where S is free, the families are searched for up to some |S|.
-///   time  1/ω_s in the units of the table
-std::string spins_in_words(const Description& d, double time) {
+std::string spins_in_words(const Description& d) {
     const bool free = d.steady.set == SteadySet::families && !d.scene.is_disk();
-    return free ? fmt::format(" and |S| <= {:g}", d.search.fastest_spin / time) : "";
+    return free ? fmt::format(" and |S| <= {:g}", d.search.fastest_spin) : "";
 }
 
 std::string counted(const Description& d) {
@@ -243,7 +242,7 @@ void write_description_document(const DescribeOptions& options, const Descriptio
 }
 
 void print_description(const Description& d, const std::optional<Units>& units) {
-    const double time = units.value_or(Units{}).time;
+    const auto time = [&](double tau) { return with_unit(tau, units, "1/omega_s"); };
     const bool disk = d.scene.is_disk();
     fmt::print("{}\n{}{}", scene_in_words(d.scene), units_in_words(units),
                shown_lines_of(in_units(fact_table(disk), units), d));
@@ -254,11 +253,10 @@ void print_description(const Description& d, const std::optional<Units>& units) 
         print_table(in_units(chord_table(), units), d.chords);
     }
     if (!d.none_exist.empty()) return fmt::print("  {}\n", d.none_exist);
-    fmt::print("  steady modes with tau <= {:g}{}: {}{}\n", d.search.longest_flight * time, spins_in_words(d, time),
-               counted(d),
+    fmt::print("  steady modes with tau <= {}{}: {}{}\n", time(d.search.longest_flight), spins_in_words(d), counted(d),
                d.is_complete() ? ""
-                               : fmt::format("; all up to tau = {:.6g}: there are more than are looked at",
-                                             d.steady.complete_to * time));
+                               : fmt::format("; all up to tau = {}: there are more than are looked at",
+                                             time(d.steady.complete_to)));
     if (d.steady.phase_is_free) fmt::print("  psi of a steady mode is any constant (beta = 0); listed is psi = 0\n");
     if (!d.steady.modes.empty()) print_table(in_units(mode_table(disk, 0), units), d.steady.modes);
     if (!d.families.empty()) print_table(in_units(family_table(disk), units), d.families);

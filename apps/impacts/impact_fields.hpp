@@ -22,7 +22,7 @@ inline constexpr std::array<ImpactField, 22> impact_fields = {{
     {"vx", &ImpactRow::vx, "R_c omega_s", "velocity of the centre just after the impact"},
     {"vy", &ImpactRow::vy, "R_c omega_s", "velocity of the centre just after the impact"},
     {"angle", &ImpactRow::angle, "rad", "direction of vertex 0, unwound"},
-    {"spin", &ImpactRow::spin, "omega_s", "S just after the impact", "S"},
+    {"spin", &ImpactRow::spin, "omega_s", "S just after the impact"},
     {"t_turns", &ImpactRow::t_turns, "1", "whole turns of the swirl: t = t_phase + 2 pi t_turns"},
     {"t_phase", &ImpactRow::t_phase, "rad", "direction of the swirl's arm, 0 to 2 pi, to all digits however long t"},
     {"angle_turns", &ImpactRow::angle_turns, "1", "whole turns of the body: angle = angle_phase + 2 pi angle_turns"},

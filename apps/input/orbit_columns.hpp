@@ -3,6 +3,7 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
+#include "apps/output/units.hpp"
 #include "map/orbit/trajectory_segment.hpp"
 
 #include <cstdint>
@@ -39,6 +40,12 @@ struct OrbitColumns {
     ImpactRange range;                                  ///< of the whole orbit's impacts: those that are kept
     std::int64_t contacts_listed = 0;                   ///< a record's, over the whole orbit
 };
+
+/// The user's units; none: dimensionless.
+std::optional<Units> units_of(const OrbitColumns& orbit);
+
+/// "R_c omega_s" of vn, "1" of S, which is a ratio; of several what they share, else "1".
+std::string unit_of_observables(const std::vector<std::string>& names);
 
 /// "S" is called spin among the columns of an orbit.
 std::string column_of_observable(const std::string& observable);

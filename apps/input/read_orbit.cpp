@@ -1,3 +1,4 @@
+#include "apps/impacts/impact_fields.hpp"
 #include "apps/input/orbit_columns.hpp"
 
 #include "apps/command_line/number_checks.hpp"
@@ -131,11 +132,27 @@ OrbitColumns followed_again(const OrbitColumns& record, const OutputOptions& out
     return follow_orbit(scene, start, output, record.range, names);
 }
 
-void scale_columns(RecordWriter& record, const OrbitColumns& orbit) {
-    if (orbit.units.empty()) return;
+std::optional<Units> units_of(const OrbitColumns& orbit) {
+    if (orbit.units.empty()) return std::nullopt;
     const auto unit = [&](const char* name) { return setting<double>(orbit.units, name, 1); };
-    const Units units{unit("length"), unit("time"), unit("mass")};
-    record.scale_units([units](const std::string& of) { return physical_scale(units, of); });
+    return Units{unit("length"), unit("time"), unit("mass")};
+}
+
+std::string unit_of_observables(const std::vector<std::string>& names) {
+    std::string shared;
+    for (const std::string& name : names) {
+        std::string unit = "1";
+        for (const auto& field : impact_fields)
+            if (name == field.name) unit = field.units;
+        if (!shared.empty() && shared != unit) return "1";
+        shared = unit;
+    }
+    return shared;
+}
+
+void scale_columns(RecordWriter& record, const OrbitColumns& orbit) {
+    if (const auto units = units_of(orbit))
+        record.scale_units([units = *units](const std::string& of) { return physical_scale(units, of); });
 }
 
 }  // namespace swirl::apps

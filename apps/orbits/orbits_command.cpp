@@ -23,7 +23,7 @@ const char* const orbits_details =
 with a flight time up to --max-time, from two equations in closed form (`swirl describe`), each confirmed by the map. Longer
 periods, and cycles through contact: solved by multi-shooting with exact derivatives from close returns of trajectories and
 from random section points, then polished to rounding; where that fails, as near grazing, with the impacts' times as
-unknowns. How many cycles were missed is estimated from how often each was found (Chao 1984): that many at least, if some
+unknowns. How often each cycle was found tells how many were missed (Chao 1984): at least that many, if some
 are harder to find than others. --complete searches on, twice as long each time, until the estimate is none and nothing new
 came; cycles that fewer than 3 in n of the candidates lead to may be missing all the same. Multipliers are those of DF^k;
 index: how many lie outside the unit circle. A family (the disk at e = 1, conserved J or S) is given once, with its tangent;
@@ -45,7 +45,9 @@ void OrbitsOptions::add_to(Flags& command) {
     command.add_option("--max-period", max_period, "cycles of all periods up to this")
         ->type_name("K")
         ->transform(whole_number(1, 256));
-    command.add_option("--max-time", max_time, "longest flight time of fixed points, in 1/omega_s (default 12)")
+    command
+        .add_option("--max-time", longest,
+                    "longest flight time of fixed points, in 1/omega_s (SI units: s; default 12/omega_s)")
         ->type_name("T");
     command.add_flag("--complete", complete, "search on until no cycle seems to be missing");
     command
@@ -54,7 +56,8 @@ void OrbitsOptions::add_to(Flags& command) {
         ->type_name("R")
         ->transform(whole_number(1, most));
     command.add_option("--near", near, "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)")->type_name("");
-    command.add_option("--pin", pin, "S=VALUE or tau=VALUE: members of families with this S or return time")
+    command
+        .add_option("--pin", pin, "S=VALUE or tau=VALUE (SI units: s): members of families with this S or return time")
         ->type_name("")
         ->offer({"S=", "tau="});
     command.add_option("--starts", candidates.starts, "random section points per period (default 1500)")
@@ -100,8 +103,6 @@ std::optional<SectionPoint<double>> near_point(const OrbitsOptions& options, con
 /// What no combination of flags or no range allows.
 void check(const OrbitsOptions& options) {
     options.periods();
-    if (!(options.max_time > 0 && options.max_time <= 1e4))
-        throw BadInput(fmt::format("max-time = {:g} is outside its range: 0 < max-time <= 10000", options.max_time));
     if (!options.pin.empty() && !options.near.empty()) throw BadInput("--pin and --near are both given; give one");
     if (options.complete && !options.near.empty()) throw BadInput("--complete and --near are both given; give one");
 }
@@ -117,6 +118,10 @@ double mean_spin_per_impact(const analysis::Cycle& cycle) {
 int orbits(OrbitsOptions& options) {
     options.scene.read_file();
     const Scene<double> scene = options.scene.scene<double>();
+    options.max_time = options.scene.longest_flight(options.longest, 12, 1e4);
+    options.near = point_without_units(options.near, options.scene.units());
+    if (options.pin.starts_with("tau="))
+        options.pin = range_without_units(options.pin, options.scene.units(), "1/omega_s");
     check(options);
     const std::optional<Pin> pin = pin_from(options.pin);
     const auto near = near_point(options, scene);

@@ -16,7 +16,8 @@ struct OrbitsOptions {
     CandidateOptions candidates;
     int period = 0;
     int max_period = 0;
-    double max_time = 12;  ///< of fixed points
+    std::optional<double> longest;  ///< --max-time as given
+    double max_time = 12;           ///< flight time of fixed points, in 1/ω_s
     bool complete = false;
     std::int64_t most_starts = 200'000;
     std::string near;

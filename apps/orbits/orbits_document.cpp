@@ -80,10 +80,10 @@ Table<Cycle> cycle_table(const Scene<double>& scene, const FoundOrbits& found, s
              .along({"phase", "coordinate"}, longest * d)
              .json_written(write_points),
          F{"return_time", &Cycle::return_time, "1/omega_s", "sum of the flights"}.shown("return time", " {:>14.10f}"),
-         F{"S", [](const Cycle& c) { return c.points.front().tail(1)[0]; }, "omega_s", "S of its first point"}
+         F{"S", [](const Cycle& c) { return c.points.front().tail(1)[0]; }, "1", "S of its first point"}
              .table_only()
              .shown("S", " {:>16.12f}"),
-         F{"mean_S", &Cycle::mean, "omega_s", "time mean of S"}.shown("mean S", " {:>16.12f}"),
+         F{"mean_S", &Cycle::mean, "1", "time mean of S"}.shown("mean S", " {:>16.12f}"),
          F{"mean_S_per_impact", mean_spin_per_impact, no_column},
          {"multipliers", [](JsonWriter& json, const Cycle& c) { json.array(c.multipliers); }},
          F{"multiplier_re", re, "1", "real part"}.along({"multiplier_index"}, d).record_only(),
@@ -125,17 +125,18 @@ Table<PeriodSearch> search_table() {
              F{"most_missed", of(&UnseenCycles::most_missed), "1", "its interval at 95 %"}}};
 }
 
-std::string in_words(const SteadySearch& steady) {
+std::string in_words(const SteadySearch& steady, const std::optional<Units>& units) {
+    const auto time = [&](double tau) { return with_unit(tau, units, "1/omega_s"); };
     const std::string_view none = why_none(steady.set);
     if (!none.empty()) return fmt::format("period 1, impacts alone: {}", none);
     const char* kind = steady.set == SteadySet::families ? "families of fixed points" : "fixed points";
     if (steady.not_fixed > 0)
         return fmt::format(
-            "period 1, impacts alone: of the exact map's {} {} with tau <= {:g} this accuracy has {}; it may have "
+            "period 1, impacts alone: of the exact map's {} {} with tau <= {} this accuracy has {}; it may have "
             "others",
-            steady.found + steady.not_fixed, kind, steady.max_time, steady.found);
-    const std::string all = fmt::format("period 1, impacts alone: all {} {} with tau <= {:g}", steady.found, kind,
-                                        std::min(steady.complete_to, steady.max_time));
+            steady.found + steady.not_fixed, kind, time(steady.max_time), steady.found);
+    const std::string all = fmt::format("period 1, impacts alone: all {} {} with tau <= {}", steady.found, kind,
+                                        time(std::min(steady.complete_to, steady.max_time)));
     return steady.is_complete() ? all : all + "; there are more than are looked at";
 }
 
@@ -207,7 +208,7 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
 void print_orbits(const OrbitsOptions& options, const Scene<double>& scene, const FoundOrbits& found) {
     fmt::print("{}\n{}{}", scene_in_words(scene), units_in_words(options.scene.units()),
                found.interrupted ? "  interrupted\n" : "");
-    if (found.steady) fmt::print("  {}\n", in_words(*found.steady));
+    if (found.steady) fmt::print("  {}\n", in_words(*found.steady, options.scene.units()));
     for (const auto& search : found.searches) fmt::print("  {}\n", in_words(search));
     for (const auto& limit : found.limits) fmt::print("  {}\n", limit);
     if (std::isfinite(found.distance)) fmt::print("  nearest point of a cycle at {:.3g} from --near\n", found.distance);

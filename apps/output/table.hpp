@@ -16,7 +16,7 @@ inline constexpr NoColumn no_column{};
 
 /// A column of a result: its name, how it is read from a row, and what a record says of it. JSON and records list it
 /// unless told otherwise, tables for people if it is `shown`. Written as
-///   {"mean_S", &Row::mean_spin, "omega_s", "time mean of S"}
+///   {"mean_S", &Row::mean_spin, "1", "time mean of S"}
 /// with a member or a function of a row that gives what value_from() takes. Units: "1" of a pure number, a count or a
 /// truth, none of names.
 template <class Row>
@@ -89,6 +89,9 @@ struct Field {
     /// See look_of().
     Field& shown(std::string words, const char* format) { return shown(std::move(words), look_of(format)); }
 
+    /// A table in SI units names this one: 1/s of an exponent, where "omega_s" would be rad/s.
+    Field& in_si(std::string label) { return unit = std::move(label), *this; }
+
     std::string name;
     ElementType type = ElementType::string;
     Description description;
@@ -99,6 +102,7 @@ struct Field {
     std::vector<std::string> dimensions;  ///< a list's own
     std::size_t row_length = 0;
     std::string heading;
+    std::string unit;  ///< that a table for people names, in SI: set by in_units(), unless it is named here
     std::optional<Look> look;
 };
 

@@ -1,4 +1,4 @@
-// The user's units: what a scene is converted from, and results are shown in.
+// The user's units, SI: what a scene is converted from, and results are shown in.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace swirl::apps {
 
-/// The units of physical input: lengths in R_c, times in 1/ω_s, masses in m.
+/// R_c in metres, 1/ω_s in seconds, m in kilograms.
 struct Units {
     double length = 1;
     double time = 1;
@@ -18,7 +18,24 @@ struct Units {
 ///   unit  R_c, omega_s and m with powers, "1/" before what divides: "1/omega_s", "m R_c^2 omega_s^2"
 std::optional<double> physical_scale(const Units& units, const std::string& unit);
 
-/// "in your units: R_c = 2, 1/omega_s = 0.25, m = 3", a line; nothing without units.
+/// "m/s" of "R_c omega_s", "rad/s" of "1"; "rad" is its own, what has no unit has none.
+std::string unit_label(const std::string& unit);
+
+/// A number in `unit` as people read it, and one as they gave it where R_c = ω_s = m = 1; the same without units.
+double in_units(double value, const std::optional<Units>& units, const std::string& unit);
+double without_units(double given, const std::optional<Units>& units, const std::string& unit);
+
+/// "14.3 s", and "14.3" without units.
+std::string with_unit(double value, const std::optional<Units>& units, const std::string& unit);
+
+/// What users give as a text, in R_c = ω_s = m = 1, so that documents are without units; the same text without
+/// units, or where it is not of this form.
+///   point  "psi,chi,vn,vt,S", a disk's without chi: vn and vt are velocities, S is a ratio
+///   range  "NAME=A:B", "NAME=A:B:COUNT" or "NAME=V,V,...": A, B, V in `unit`
+std::string point_without_units(const std::string& text, const std::optional<Units>& units);
+std::string range_without_units(const std::string& text, const std::optional<Units>& units, const std::string& unit);
+
+/// "SI units: R_c = 2 m, omega_s = 4 rad/s, m = 3 kg", a line; nothing without units.
 std::string units_in_words(const std::optional<Units>& units);
 
 }  // namespace swirl::apps

@@ -153,10 +153,15 @@ private:
 
 // Tables for people, of shown_fields().
 
-/// The same table with what it shows in the user's units: numbers of a field are multiplied by what its units ask for.
+/// The same table with what it shows in SI units, if there are any: numbers of a field are multiplied by what its units
+/// ask for, and its heading names the unit.
 template <class Row>
 Table<Row> in_units(Table<Row> table, const std::optional<Units>& units) {
     for (auto& field : table.fields) {
+        if (!units)
+            field.unit.clear();
+        else if (field.unit.empty())
+            field.unit = unit_label(field.description.units);
         const auto scale = units ? physical_scale(*units, field.description.units) : std::nullopt;
         if (!scale) continue;
         if (!field.look) {
@@ -179,8 +184,13 @@ Table<Row> in_units(Table<Row> table, const std::optional<Units>& units) {
 template <class Row>
 std::string heading_of(const std::vector<Field<Row>>& shown) {
     std::string line;
-    for (const auto& field : shown) line += fmt::format(fmt::runtime(field.look->heading), field.heading);
-    return line + "\n";
+    std::string units;
+    for (const auto& field : shown) {
+        line += fmt::format(fmt::runtime(field.look->heading), field.heading);
+        units += fmt::format(fmt::runtime(field.look->heading), field.unit);
+    }
+    units.erase(units.find_last_not_of(' ') + 1);
+    return line + "\n" + (units.empty() ? "" : units + "\n");
 }
 
 template <class Row>
@@ -205,7 +215,8 @@ std::string shown_lines_of(const Table<Row>& table, const Row& row) {
         const Value value = field.read(row);
         const auto* number = std::get_if<double>(&value);
         if (number == nullptr || std::isfinite(*number))
-            lines += fmt::format("  {:<33} {}\n", field.heading, field.look->text(value));
+            lines += fmt::format("  {:<33} {}{}{}\n", field.heading, field.look->text(value),
+                                 field.unit.empty() ? "" : " ", field.unit);
     }
     return lines;
 }
@@ -219,7 +230,8 @@ std::string lines_of(const Table<Row>& table, const Row& row) {
         const Value value = field.read(row);
         const auto* number = std::get_if<double>(&value);
         if (number != nullptr && std::isfinite(*number))
-            lines += fmt::format("  {:<33} {:>16.8g}\n", field.name, *number);
+            lines +=
+                fmt::format("  {:<33} {:>16.8g}{}{}\n", field.name, *number, field.unit.empty() ? "" : " ", field.unit);
     }
     return lines;
 }

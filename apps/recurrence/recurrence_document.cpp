@@ -181,7 +181,10 @@ void print_table(const RecurrenceReport& report) {
         fmt::print("{} after {} impacts\n", report.points.orbit->outcome, report.points.orbit->impacts);
     if (report.points.series) fmt::print("series: {}\n", series_in_words(*report.points.series));
     fmt::print("{:<22} {:>18}\n{:<22}", "points", report.points.points.count, "threshold");
-    for (const double value : result.thresholds.delta) fmt::print(" {:>18.12g}", value);
+    const auto units = units_of(report.points);
+    const std::string unit = unit_of(report.points);
+    for (const double value : result.thresholds.delta) fmt::print(" {:>18.12g}", in_units(value, units, unit));
+    if (units) fmt::print(" {}", unit_label(unit));
     for (const auto& field : measure_table().fields) {
         if (!field.in_json) continue;
         fmt::print("\n{:<22}", field.name);

@@ -132,6 +132,14 @@ double rounding_floor(const recurrence::Points& points) {
 
 }  // namespace
 
+std::optional<Units> units_of(const RecurrencePoints& points) {
+    return points.orbit ? units_of(*points.orbit) : std::nullopt;
+}
+
+std::string unit_of(const RecurrencePoints& points) {
+    return points.orbit ? unit_of_observables(points.orbit->names) : "1";
+}
+
 std::size_t values_in(const std::string& text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
 }
@@ -210,8 +218,9 @@ Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoint
     if (thresholds.kind == "recurrence_rate" && cross)
         throw BadInput("recurrence-rate sets the threshold of one trajectory; a cross recurrence takes --threshold");
     for (const double value : thresholds.given)
-        thresholds.delta.push_back(
-            thresholds.kind == "threshold" ? value : recurrence::threshold_of_rate(points.points, value, settings));
+        thresholds.delta.push_back(thresholds.kind == "threshold"
+                                       ? without_units(value, units_of(points), unit_of(points))
+                                       : recurrence::threshold_of_rate(points.points, value, settings));
     return thresholds;
 }
 

@@ -43,4 +43,8 @@ struct Thresholds {
 Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoints& points, bool cross,
                          const analysis::recurrence::Settings& settings);
 
+/// The user's units, and that of the observable: thresholds are given and read in it.
+std::optional<Units> units_of(const RecurrencePoints& points);
+std::string unit_of(const RecurrencePoints& points);
+
 }  // namespace swirl::apps::recurrence

@@ -11,11 +11,13 @@ namespace swirl::apps::simulate {
 
 namespace {
 
-/// A number of the table: six decimals, or an exponent where they would show nothing or not fit.
+/// A number of the table: four decimals, fewer where they would not fit, an exponent where they would show nothing.
 std::string number_in(double value, int width) {
     const double size = std::abs(value);
-    const bool fixed = value == 0 || (size >= 1e-5 && size < std::pow(10, width - 8));
-    return fixed ? fmt::format("{:>{}.6f}", value, width) : fmt::format("{:>{}.2e}", value, width);
+    for (int decimals = 4; size >= 1e-3 && decimals >= 0; --decimals)
+        if (const auto text = fmt::format("{:.{}f}", value, decimals); static_cast<int>(text.size()) <= width)
+            return fmt::format("{:>{}}", text, width);
+    return fmt::format("{:>{}}", value == 0 ? "0" : fmt::format("{:.{}e}", value, value < 0 ? 0 : 1), width);
 }
 
 Look number_of_width(int width) {
@@ -24,25 +26,27 @@ Look number_of_width(int width) {
 }
 
 /// Group `collisions`.
-Table<ImpactRow> impact_table(bool disk) {
+Table<ImpactRow> impact_table(const Scene<double>& scene) {
     using F = Field<ImpactRow>;
-    const Look simultaneous{"", [](const Value& value) { return std::get<bool>(value) ? " simultaneous" : ""; }};
-    const Look mode{" {:<12}", look_of(" {}").text};
-    Table<ImpactRow> table{{"collision"}, {}, {}, {"number", "t", "vertex", "psi", "chi", "vn", "vt"}};
+    const Look simultaneous{"", [](const Value& value) { return std::get<bool>(value) ? " *" : ""; }};
+    const Look mode{" {:<10}", look_of(" {}").text};
+    Table<ImpactRow> table{{"collision"}, {}, {}, {"number", "t", "vertex", "psi", "chi", "vn", "vt", "S"}};
     table.fields.push_back(
-        F{"number", &ImpactRow::number, "1", "number of the impact, from 1"}.coordinate().shown("impact", "{:>9}"));
+        F{"number", &ImpactRow::number, "1", "number of the impact, from 1"}.coordinate().shown("impact", "{:>6}"));
     for (const auto& field : impact_fields) {
         F number(field.name, field.member, field.units, field.long_name);
-        if (*field.heading != '\0')
-            number.shown(field.heading, number_of_width(field.member == &ImpactRow::t ? 14 : 10));
-        table.fields.push_back(number.when(belongs(field, disk)));
+        if (*field.heading != '\0') number.shown(field.heading, number_of_width(field.member == &ImpactRow::t ? 9 : 7));
+        table.fields.push_back(number.when(belongs(field, scene.is_disk())));
     }
+    table.fields.push_back(
+        F{"S", &ImpactRow::spin, "1", "S just after the impact"}.table_only().shown("S", number_of_width(7)));
     table.fields.push_back(F{"vertex", &ImpactRow::vertex, "1", "vertex that struck"}
                                .stored_as(ElementType::int32)
-                               .shown("vertex", " {:>7}"));
+                               .shown("vertex", " {:>6}"));
     table.fields.push_back(F{"contact_mode", &ImpactRow::contact_mode, "", "contact mode"}
                                .flags(names_up_to(ContactMode::r_reversed))
                                .shown("mode", mode));
+    if (scene.mu == 0) table.fields.back().look.reset();  // all are frictionless
     table.fields.push_back(
         F{"simultaneous", &ImpactRow::simultaneous, "1", "another vertex struck at the same time"}.shown("",
                                                                                                          simultaneous));
@@ -70,7 +74,7 @@ Table<ContactRow> contact_table() {
          F{"begin", &Row::begin, "", "what began it"}.flags(events),
          F{"end", &Row::end, "", "what ended it"}.flags(events),
          F{"motion", &Row::motion, "", "how the body moved"}.flags({"sliding", "sticking", "rolling"}),
-         {"mean_S", &Row::mean_spin, "omega_s", "time mean of S"},
+         {"mean_S", &Row::mean_spin, "1", "time mean of S"},
          {"jacobi_friction", &Row::jacobi_friction, "m R_c^2 omega_s^2", "change of J by friction, int f (u_t - 1) dt"},
          {"landing_jacobi", &Row::landing_jacobi, "m R_c^2 omega_s^2",
           "change of J by the chatter summed up before it"},
@@ -82,8 +86,8 @@ Table<ContactRow> contact_table() {
 /// A line of the table of impacts.
 ///   time  1/ω_s in its units
 std::string contact_in_words(const ContactRow& row, double time) {
-    return fmt::format("  contact {} to {}  {:<8} on {}: {}, then {}\n", number_in(row.t_start * time, 14),
-                       number_in(row.t_end * time, 14), row.motion, fmt::join(row.vertices, "+"), row.begin, row.end);
+    return fmt::format("  contact {} to {}  {:<8} on {}: {}, then {}\n", number_in(row.t_start * time, 12),
+                       number_in(row.t_end * time, 12), row.motion, fmt::join(row.vertices, "+"), row.begin, row.end);
 }
 
 constexpr std::size_t shortest_chatter = 4;    // rows: fewer say more themselves
@@ -98,7 +102,7 @@ bool fades(const ImpactRow& before, const ImpactRow& row) {
 std::string chatter_in_words(const std::vector<ImpactRow>& rows, double time) {
     const ImpactRow &second = rows[1], &last = rows.back();
     return fmt::format("  chatter {} to {}  impacts {} to {} on {}: flights from {:.2e} down to {:.2e}\n",
-                       number_in(second.t * time, 14), number_in(last.t * time, 14), second.number, last.number,
+                       number_in(second.t * time, 12), number_in(last.t * time, 12), second.number, last.number,
                        last.vertex, second.flight_time * time, last.flight_time * time);
 }
 
@@ -120,7 +124,7 @@ Table<SampleRow> sample_table() {
 }  // namespace
 
 Sinks::Sinks(const SimulateOptions& options, const Scene<double>& scene, RecordWriter* record, JsonWriter* json)
-    : impacts_(impact_table(scene.is_disk())),
+    : impacts_(impact_table(scene)),
       shown_(shown_fields(in_units(impacts_, options.scene.units()))),
       time_(options.scene.units().value_or(Units{}).time),
       json_(json),

@@ -23,7 +23,7 @@ struct SpectrumUnits {
 
 SpectrumUnits units_of(const SpectrumReport& report) {
     if (!report.signal.orbit) return {};
-    if (report.options.observable == "S") return {"omega_s", "omega_s", "omega_s^2", "omega_s"};
+    if (report.options.observable == "S") return {"omega_s", "1", "1", "1/omega_s"};
     return {"omega_s", "R_c", "R_c^2", "R_c^2 1/omega_s"};
 }
 
@@ -145,17 +145,21 @@ void print_table(const SpectrumReport& report) {
         fmt::print("{} after {} impacts\n", report.signal.orbit->outcome, report.signal.orbit->impacts);
     if (report.signal.series) fmt::print("series: {}\n", series_in_words(*report.signal.series));
     const auto& s = report.spectrum;
-    fmt::print("{} samples at {:g}, {} segments of {}; variance {:.8g}, entropy {:.4f}, {} ({:.1f} % in lines)\n",
-               s.samples, report.signal.spacing, s.segments, s.segment_length, s.variance, report.entropy,
-               name_of(report.share.verdict), 100 * report.share.line_fraction);
+    const auto units = report.signal.orbit ? units_of(*report.signal.orbit) : std::nullopt;
+    fmt::print("{}", units_in_words(units));
+    fmt::print("{} samples every {}, {} segments of {}; variance {}, entropy {:.4f}\n{} ({:.1f} % in lines)\n",
+               s.samples, with_unit(report.signal.spacing, units, "1/omega_s"), s.segments, s.segment_length,
+               with_unit(s.variance, units, units_of(report).variance), report.entropy, name_of(report.share.verdict),
+               100 * report.share.line_fraction);
     constexpr std::size_t most = 20;
     std::vector<SpectralPeak> peaks = report.peaks;
     const std::size_t folded = std::erase_if(peaks, [&](const SpectralPeak& peak) { return is_folded(report, peak); });
-    if (!peaks.empty()) apps::print_table(peak_table(report), std::span(peaks).first(std::min(most, peaks.size())));
+    if (!peaks.empty())
+        apps::print_table(in_units(peak_table(report), units), std::span(peaks).first(std::min(most, peaks.size())));
     if (peaks.size() > most) fmt::print("and {} more (--json, -o)\n", peaks.size() - most);
     if (folded > 0)
-        fmt::print("and {} folded: harmonics of the cycle above {:g}, which these bins show below it\n", folded,
-                   s.frequency.back());
+        fmt::print("and {} folded: harmonics of the cycle above {}, which these bins show below it\n", folded,
+                   with_unit(s.frequency.back(), units, "omega_s"));
     for (const auto& note : report.signal.notes) fmt::print("note: {}\n", note);
 }
 

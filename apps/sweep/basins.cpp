@@ -41,7 +41,7 @@ Table<Basin> basin_table() {
         {F{"mode", mode, "", "mode of the attractor"}.shown("mode", "  {:<12}"),
          kind_field<Basin>(kind).shown("kind", " {:<19}"),
          period_field<Basin>(period).shown("period", dash_for_zero(" {:>6}")),
-         F{"mean_S", spin, "omega_s", "time mean of S of a polished cycle"}.shown("mean S", " {:>14.8g}"),
+         F{"mean_S", spin, "1", "time mean of S of a polished cycle"}.shown("mean S", " {:>14.8g}"),
          F{"starts", &Basin::starts, "1", "starts that were run and came to it"}.shown("starts", "  {:>8}"),
          F{"share", &Basin::share, "1", "share of all cells"}.shown("share", {"  {:>10}", in_percent}),
          {"share_low", [](const Basin& b) { return b.interval.low; }, "1", "from this share on, by Wilson's interval"},

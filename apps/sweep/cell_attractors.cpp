@@ -63,8 +63,8 @@ Table<CellAttractor> cell_attractor_table(bool tracked) {
              {"share_low", [](const Row& row) { return row.interval.low; }, "1",
               "from this share on, by Wilson's interval at 95 %"},
              {"share_high", [](const Row& row) { return row.interval.high; }, "1", "up to this share"},
-             {"mean_S", &Row::mean_spin, "omega_s", "mean over its runs of the time mean of S"},
-             {"mean_S_error", &Row::spin_error, "omega_s", "its standard error over these runs"},
+             {"mean_S", &Row::mean_spin, "1", "mean over its runs of the time mean of S"},
+             {"mean_S_error", &Row::spin_error, "1", "its standard error over these runs"},
              F{"point", &Row::point, "1", "a cycle's first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}
                  .json_as(point)
                  .along({"coordinate"}, polygon_dimension)

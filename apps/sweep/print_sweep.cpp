@@ -1,5 +1,6 @@
 // A sweep for people: a map in characters and the shares.
 #include "apps/output/write_table.hpp"
+#include "apps/sweep/starts.hpp"
 #include "apps/sweep/sweep_command.hpp"
 #include "apps/sweep/tracks.hpp"
 
@@ -20,8 +21,15 @@ char letter_of(const CellSummary& cell) {
     return cell.shares[most] == 1 ? all[most] : some[most];
 }
 
-std::string shown(const GridAxis& axis, double point) {
-    return axis.has_words() ? axis.word_at(point) : fmt::format("{:.6g}", point);
+std::string shown(const Sweep& sweep, const GridAxis& axis, double point) {
+    if (axis.has_words()) return axis.word_at(point);
+    return fmt::format("{:.6g}", in_units(point, sweep.units, units_of_axis(axis.name)));
+}
+
+/// "vx [m/s]" where the sweep is in SI units.
+std::string named(const Sweep& sweep, const GridAxis& axis) {
+    const std::string unit = sweep.units ? unit_label(units_of_axis(axis.name)) : "";
+    return unit.empty() ? axis.name : fmt::format("{} [{}]", axis.name, unit);
 }
 
 void print_map(const Sweep& sweep) {
@@ -30,7 +38,8 @@ void print_map(const Sweep& sweep) {
     fmt::print("{} across; S steady, Q quasi-steady, C chaotic, ? undecided; small: not every run\n",
                last.has_words()
                    ? last.text
-                   : fmt::format("{} from {:g} to {:g}", last.name, last.points.front(), last.points.back()));
+                   : fmt::format("{} from {} to {}", named(sweep, last), shown(sweep, last, last.points.front()),
+                                 shown(sweep, last, last.points.back())));
     for (std::size_t row = rows; row-- > 0;) {
         std::string line;
         for (std::size_t column = 0; column < columns; ++column)
@@ -38,7 +47,7 @@ void print_map(const Sweep& sweep) {
         std::string label;
         const auto point = cell_point(sweep.grid, row * columns);
         for (std::size_t k = 0; k + 1 < sweep.grid.size(); ++k)
-            label += fmt::format("{} {:<10} ", sweep.grid[k].name, shown(sweep.grid[k], point[k]));
+            label += fmt::format("{} {:<10} ", named(sweep, sweep.grid[k]), shown(sweep, sweep.grid[k], point[k]));
         fmt::print("{}{}\n", label, line);
     }
 }
@@ -50,7 +59,7 @@ void print_basins(const Sweep& sweep) {
         fmt::print("  of {} of {} cells the verdict names no attractor\n", none, sweep.basins->of_cell.size());
 }
 
-void print_saddles(const Boundaries& boundaries) {
+void print_saddles(const Boundaries& boundaries, const std::optional<Units>& units) {
     using analysis::StraddleEnd;
     const auto count = [&](StraddleEnd where) {
         return std::count_if(boundaries.places.begin(), boundaries.places.end(),
@@ -61,7 +70,7 @@ void print_saddles(const Boundaries& boundaries) {
                                     StraddleEnd::undecided, StraddleEnd::ended, StraddleEnd::not_found})
         if (count(where) > 0) fmt::print(" {} {}", name_of(where), count(where));
     fmt::print("\n");
-    if (!boundaries.saddles.empty()) print_table(saddle_table(), boundaries.saddles);
+    if (!boundaries.saddles.empty()) print_table(in_units(saddle_table(), units), boundaries.saddles);
 }
 
 /// Those over most cells.
@@ -98,7 +107,7 @@ void print_sweep(const Sweep& sweep) {
     if (cells < cell_count(sweep.grid) && !sweep.shard)
         fmt::print("of a grid of {}; the others have the verdict of their neighbours\n", cell_count(sweep.grid));
     if (sweep.basins) print_basins(sweep);
-    if (sweep.boundaries) print_saddles(*sweep.boundaries);
+    if (sweep.boundaries) print_saddles(*sweep.boundaries, sweep.units);
     if (!sweep.attractors.empty()) print_tracks(sweep);
 }
 

@@ -79,8 +79,8 @@ Table<Saddle> saddle_table() {
         {"saddle"},
         {kind_field<Saddle>(&Saddle::kind).shown("kind", "  {:<15}"),
          period_field<Saddle>(&Saddle::period).shown("period", dash_for_zero(" {:>6}")),
-         F{"mean_S", &Saddle::mean_spin, "omega_s", "time mean of S"}.shown("mean S", " {:>14.8g}"),
-         {"mean_S_per_impact", &Saddle::mean_spin_per_impact, "omega_s", "mean of S over its impacts"},
+         F{"mean_S", &Saddle::mean_spin, "1", "time mean of S"}.shown("mean S", " {:>14.8g}"),
+         {"mean_S_per_impact", &Saddle::mean_spin_per_impact, "1", "mean of S over its impacts"},
          F{"index", &Saddle::index, "1", "of a cycle: multipliers outside the unit circle"}.json_as(index).shown(
              "index", dash_for_zero(" {:>6}")),
          F{"multiplier", &Saddle::multiplier, "1", "of a cycle: its largest |multiplier|"}.shown("|multiplier|",

@@ -95,6 +95,12 @@ void require_starts(const StartOptions& options, const std::vector<GridAxis>& gr
             throw BadInput(fmt::format("--{0} and --grid {0}=… are both given: give one of them", name));
 }
 
+std::vector<std::string> grid_without_units(std::vector<std::string> texts, const std::optional<Units>& units) {
+    for (std::string& text : texts)
+        text = range_without_units(text, units, units_of_axis(text.substr(0, text.find('='))));
+    return texts;
+}
+
 std::string units_of_axis(const std::string& name) {
     if (name == "x" || name == "y") return "R_c";
     if (name == "vx" || name == "vy" || name == "speed") return "R_c omega_s";

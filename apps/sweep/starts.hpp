@@ -33,6 +33,9 @@ std::vector<std::pair<std::string, double>> start_settings(const StartOptions& o
 /// @throws BadInput if the grid, the start's flags and the number of runs do not go together
 void require_starts(const StartOptions& options, const std::vector<GridAxis>& grid, std::int64_t runs);
 
+/// --grid in R_c = ω_s = m = 1: x, y, vx, vy, spin and speed are given in the user's units, if there are any.
+std::vector<std::string> grid_without_units(std::vector<std::string> texts, const std::optional<Units>& units);
+
 /// Of an axis: "R_c" for x, "1" for a parameter of the scene …
 std::string units_of_axis(const std::string& name);
 

@@ -19,10 +19,11 @@
 namespace swirl::apps::sweep {
 
 const char* const sweep_details =
-    R"(Names the mode of R random starts in every cell of a grid over one to five of alpha, beta, mu, restitution,
-inertia-factor, sides, law (a list) and the starts' speed, or of one start for each cell of a grid over numbers of the start (x, y,
-vx, vy, angle, spin; in R_c, R_c omega_s, radians, omega_s): a map of basins of attraction. Of random starts run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's
-scene: an orbit is followed until its verdict is settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
+    R"(A grid goes over one to five of alpha, beta, mu, restitution, inertia-factor, sides, law (a list) and the starts' speed; in
+every cell the modes of R random starts are named. Or it goes over numbers of the start (x, y, vx, vy, angle, spin; in R_c,
+R_c omega_s, radians, omega_s, or in SI units): every cell has one start, and the map is one of basins of attraction. Run r
+of a cell is what `swirl classify --seed SEED+r` gives for the cell's scene: an orbit is followed until its verdict is
+settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
 mean_S_error the standard error over them. Each cell also lists the attracting steady modes that follow from the scene's
 equations, with their shares of the runs: 0 of one that no start came to. A document lists what the runs of each cell came to
 (attractors), with Wilson's intervals. --grid law=NAME,NAME goes over impact laws, not with --refine. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
@@ -167,7 +168,7 @@ Sweep planned(SweepOptions& options) {
     GridForm form{{}, options.start.seed(), options.refine};
     if (!options.sample.empty()) form.sample = sample_from(options.sample);
     Sweep sweep;
-    sweep.grid = grid_from(options.grid, form);
+    sweep.grid = grid_from(grid_without_units(options.grid, options.scene.units()), form);
     if (options.track) require_trackable(options, sweep.grid);
     if (options.saddles > 0) require_boundaries(options, sweep.grid);
     sweep.runs = options.runs;

@@ -101,7 +101,7 @@ std::vector<Field<Cell>> steady_fields(const Sweep& sweep) {
     const auto steady_column = [&sweep, most](double SteadyShare::*member) {
         return [&sweep, most, member](const Cell& cell) { return filled(sweep.steady_of(cell.index), member, most); };
     };
-    return {F{"steady_S", steady_column(&SteadyShare::spin), "omega_s", "S of an attracting steady mode; NaN: no more"}
+    return {F{"steady_S", steady_column(&SteadyShare::spin), "1", "S of an attracting steady mode; NaN: no more"}
                 .along({"steady_mode"}, most)
                 .record_only(),
             F{"steady_share", steady_column(&SteadyShare::share), "1", "share of the runs that came to it"}
@@ -137,9 +137,9 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
         axes,
         {{"parameters", parameters},
          {"modes", write_shares},
-         {"mean_S", of(&CellSummary::mean_spin), "omega_s", "mean over the runs of the time mean of S"},
-         {"mean_S_error", of(&CellSummary::mean_spin_error), "omega_s", "its standard error over the runs"},
-         {"mean_S_per_impact", of(&CellSummary::mean_spin_per_impact), "omega_s",
+         {"mean_S", of(&CellSummary::mean_spin), "1", "mean over the runs of the time mean of S"},
+         {"mean_S_error", of(&CellSummary::mean_spin_error), "1", "its standard error over the runs"},
+         {"mean_S_per_impact", of(&CellSummary::mean_spin_per_impact), "1",
           "mean over the runs of the mean of S over impacts"},
          {"recurrence_rate", of(&CellSummary::recurrence_rate), "1", "mean over the runs of RC of S"},
          {"largest_exponent", of(&CellSummary::largest_exponent), "1", "mean over the runs, per impact"},

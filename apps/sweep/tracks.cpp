@@ -66,8 +66,8 @@ Table<Track> track_table() {
              F{"cells", &Track::cells, no_column}.shown("cells", " {:>7}"),
              F{"least_share", &Track::least_share, no_column}.shown("share from", {" {:>11}", in_percent}),
              F{"largest_share", &Track::largest_share, no_column}.shown("to", {" {:>11}", in_percent}),
-             F{"least_mean_S", &Track::least_spin, "omega_s", "least of the cells"}.shown("mean S from", " {:>13.6g}"),
-             F{"largest_mean_S", &Track::largest_spin, "omega_s", "largest of the cells"}.shown("to", " {:>13.6g}")}};
+             F{"least_mean_S", &Track::least_spin, "1", "least of the cells"}.shown("mean S from", " {:>13.6g}"),
+             F{"largest_mean_S", &Track::largest_spin, "1", "largest of the cells"}.shown("to", " {:>13.6g}")}};
 }
 
 }  // namespace swirl::apps::sweep

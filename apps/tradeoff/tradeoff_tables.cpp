@@ -143,10 +143,10 @@ void add_orbits(std::vector<Arithmetic>& fields) {
                     },
                     "1", "mode, period or outcome is not the last rung's"}
              .json_as([](const ArithmeticRung& row) { return row.verdict_differs; }),
-         Arithmetic{"mean_S", number(&O::mean_spin), "omega_s", "time mean of S"},
-         Arithmetic{"mean_S_error", number(&O::mean_spin_error), "omega_s", "its sampling error"}.shown("S sampled to",
-                                                                                                        " {:>12.1g}"),
-         Arithmetic{"mean_S_off", &ArithmeticRung::mean_spin_off, "omega_s", "mean S less the last rung's"}.shown(
+         Arithmetic{"mean_S", number(&O::mean_spin), "1", "time mean of S"},
+         Arithmetic{"mean_S_error", number(&O::mean_spin_error), "1", "its sampling error"}.shown("S sampled to",
+                                                                                                  " {:>12.1g}"),
+         Arithmetic{"mean_S_off", &ArithmeticRung::mean_spin_off, "1", "mean S less the last rung's"}.shown(
              "off by", " {:>8.1g}"),
          Arithmetic{"largest_exponent", number(&O::largest_exponent), "1", "per impact"},
          Arithmetic{"largest_exponent_error", number(&O::largest_exponent_error), "1", "its standard error"},
@@ -219,11 +219,11 @@ Table<EvidenceRung> evidence_table() {
          kind_field<EvidenceRung>(of(&RunVerdict::kind)).shown("kind", " {:<15}"),
          period_field<EvidenceRung>(of(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
          F{"outcome", of(&RunVerdict::outcome), "", "how the orbit ended"},
-         F{"mean_S", of(&RunVerdict::mean_spin), "omega_s", "time mean of S"}.shown("mean S", " {:>13.7g}"),
-         F{"mean_S_error", &EvidenceRung::mean_spin_error, "omega_s", "its sampling error, 0 of a cycle"}.shown(
-             "sampled to", " {:>10.1g}"),
-         F{"mean_S_off", &EvidenceRung::mean_spin_off, "omega_s", "mean S less that of the most impacts"}.shown(
-             "off by", " {:>8.1g}"),
+         F{"mean_S", of(&RunVerdict::mean_spin), "1", "time mean of S"}.shown("mean S", " {:>13.7g}"),
+         F{"mean_S_error", &EvidenceRung::mean_spin_error, "1", "its sampling error, 0 of a cycle"}.shown("sampled to",
+                                                                                                          " {:>10.1g}"),
+         F{"mean_S_off", &EvidenceRung::mean_spin_off, "1", "mean S less that of the most impacts"}.shown("off by",
+                                                                                                          " {:>8.1g}"),
          F{"largest_exponent", of(&RunVerdict::largest_exponent), "1", "per impact"}.shown("exponent", " {:>10.4g}"),
          F{"largest_exponent_error", of(&RunVerdict::largest_exponent_error), "1", "its standard error"}.shown(
              "error", " {:>8.1g}"),

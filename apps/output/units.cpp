@@ -102,7 +102,8 @@ double without_units(double given, const std::optional<Units>& units, const std:
 }
 
 std::string with_unit(double value, const std::optional<Units>& units, const std::string& unit) {
-    return fmt::format("{:g}{}{}", in_units(value, units, unit), units ? " " : "", units ? unit_label(unit) : "");
+    const std::string label = units ? unit_label(unit) : "";
+    return fmt::format("{:g}{}{}", in_units(value, units, unit), label.empty() ? "" : " ", label);
 }
 
 std::string point_without_units(const std::string& text, const std::optional<Units>& units) {

@@ -1,6 +1,7 @@
 #include "analysis/cycles/stability.hpp"
 #include "apps/branches/branches.hpp"
 #include "apps/describe/describe_command.hpp"
+#include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/system/section_coordinates.hpp"
 
@@ -252,7 +253,7 @@ void print_description(const Description& d, const std::optional<Units>& units) 
                    d.has_all_chords ? "" : ", those nearest to a diameter");
         print_table(in_units(chord_table(), units), d.chords);
     }
-    if (!d.none_exist.empty()) return fmt::print("  {}\n", d.none_exist);
+    if (!d.none_exist.empty()) return fmt::print("{}\n", wrapped(fmt::format("  {}", d.none_exist), 4));
     fmt::print("  steady modes with tau <= {}{}: {}{}\n", time(d.search.longest_flight), spins_in_words(d), counted(d),
                d.is_complete() ? ""
                                : fmt::format("; all up to tau = {}: there are more than are looked at",

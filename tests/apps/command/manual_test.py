@@ -150,7 +150,7 @@ class Bash(InFolder):
         flags = re.findall(r"^ +'(\w+) (--[\w-]+)'[^)]*\) _swirl_words (.*) ;;$", script, re.M)
         self.assertGreater(len(flags), 60)
         for command, flag, words in flags:
-            text = help_of(command)
+            text = " ".join(help_of(command).split())  # two words may stand on two lines
             for word in re.findall(r"'([^']*)'", words):
                 self.assertIn(word.rstrip("=:"), text, (command, flag))
 

@@ -202,7 +202,7 @@ Table<DescribedChord> chord_table() {
              .shown("fate", "  {:<11}"),
          {"fed_from", fed_from, "R_c omega_s", "speed above which it gains; 0: from its resonance on"},
          F{"limit_speed", limit, "R_c omega_s", "v*"}.shown("v*", " {:>9.5f}"),
-         F{"limit_S", &DescribedChord::limit_spin, "omega_s", "S*"}.shown("S*", " {:>10.5f}"),
+         F{"limit_S", &DescribedChord::limit_spin, "1", "S*"}.shown("S*", " {:>10.5f}"),
          F{"growth", &DescribedChord::growth, "1", "K: J^3 grows by 3/4 K beta^2 an impact"}.shown("K", " {:>9.6f}"),
          F{"balance_J", &DescribedChord::balance, "R_c^2 omega_s^2", "J* of e < 1"}.shown("J*", " {:>9.5f}")}};
 }

@@ -63,16 +63,6 @@ struct Follower {
         return MotionChoice<T>{true, Support::edge, ContactMotion::sticking, on.state, step, ContactEvent::strike};
     }
 
-    ContactSink shifted_sink() const {
-        if (!sink) return {};
-        return [this](const ContactSums<double>& sums, Support s, ContactMotion m, const ContactState<double>& z) {
-            const ContactSums<T>& before = phase.sums;
-            sink({static_cast<double>(before.time + sums.time), static_cast<double>(before.turned + sums.turned),
-                  static_cast<double>(before.work + sums.work)},
-                 s, m, z);
-        };
-    }
-
     /// Adds a piece to the sums and to what is reported.
     void add(const MotionChoice<T>& choice, ContactEvent begin, const ContactEnd<T>& end) {
         const auto number = [](const T& x) { return static_cast<double>(x); };
@@ -90,7 +80,7 @@ struct Follower {
     /// One piece; returns the next state to choose a motion at, or nothing if the phase is over.
     std::optional<MotionChoice<T>> piece(const MotionChoice<T>& choice, ContactEvent begin, const T& left) {
         const ContactEnd<T> end =
-            run_contact(scene, choice.support, choice.motion, choice.state, left, shifted_sink(), steps_left);
+            run_contact(scene, choice.support, choice.motion, choice.state, left, sink, steps_left, phase.sums);
         add(choice, begin, end);
         MotionChoice<T> next = choice;
         next.state = end.state;
@@ -125,8 +115,7 @@ struct Follower {
     void follow(MotionChoice<T> at, ContactEvent begin, double horizon) {
         int idle = 0;
         while (true) {  // ends at: an end of the phase, the horizon, or too many idle pieces
-            const bool broken = begin == ContactEvent::slip;
-            const MotionChoice<T> choice = choose_motion(scene, at.support, at.state, at.vertex_step, broken);
+            const MotionChoice<T> choice = choose_motion(scene, at.support, at.state, at.vertex_step, begin);
             if (!choice.stays) {
                 if (choice.ends == ContactEvent::jam) return jam(choice);
                 return finish(ContactEvent::release, post_impact_state(scene, choice.state), choice.vertex_step);

@@ -37,16 +37,44 @@ bool is_finite(const State<T>& y) {
     return std::all_of(y.value.begin(), y.value.end(), [](const T& value) { return isfinite(value); });
 }
 
-/// Shows a step to a sink, in parts short enough to interpolate between.
+/// Shows a step to a sink, in parts short enough to interpolate between. Sums are rounded once, as those of a phase
+/// are: the last moment of a piece is its end, and does not fall into the next one.
+///   before      sums of what came before the piece
+///   time, next  of the piece, at the begin of the step and after a time h of it
 template <class T>
-void show(const Problem<T>& problem, const Step<T>& step, const T& time, const T& h, const ContactSink& sink) {
+void show(const Problem<T>& problem, const Step<T>& step, const ContactSums<T>& before, const T& time, const T& next,
+          const T& h, const ContactSink& sink) {
     constexpr int parts = 4;
+    const auto number = [](const T& x) { return static_cast<double>(x); };
     for (int part = 1; part <= parts; ++part) {
         const T t = part == parts ? h : T(h * part / parts);
         const State<T> at = step.at(t);
-        sink({static_cast<double>(time + t), static_cast<double>(at.value[4]), static_cast<double>(at.value[5])},
+        const T now = part == parts ? next : T(time + t);
+        sink({number(T(before.time + now)), number(T(before.turned + at.value[4])),
+              number(T(before.work + at.value[5]))},
              problem.support, problem.motion, in_double(at.contact()));
     }
+}
+
+/// What is left of a slip that jams: from where B₂ − sμB₃ is `painleve_margin` to where it is zero, at the rates that
+/// it has. A time of order ε.
+template <class T>
+struct Border {
+    T time{};
+    State<T> state;
+};
+
+template <class T>
+Border<T> at_border(const Problem<T>& problem, const Step<T>& step, const T& time) {
+    Border<T> border{T(0), step.at(time)};
+    const ContactState<T> z = border.state.contact();
+    const Reaction<T> r = reaction_of(problem.scene, problem.support, problem.motion, z);
+    const T falls = -derivative_at(step.series().stiffness, time);
+    if (!(falls > 0) || !(r.stiffness > 0)) return border;
+    border.time = r.stiffness / falls;
+    const T rates[] = {z.ut - 1, z.spin - z.ut, r.ut_rate, r.spin_rate, z.spin, T(r.friction * (z.ut - 1))};
+    for (std::size_t i = 0; i < contact_detail::state_size; ++i) border.state.value[i] += rates[i] * border.time;
+    return border;
 }
 
 /// A disk's pendulum is advanced in closed form if that saves so many steps, and if contact and friction hold with more
@@ -101,7 +129,7 @@ std::optional<ContactEnd<T>> endless_contact(const ContactScene<T>& scene, Suppo
 template <class T>
 ContactEnd<T> run_contact(const ContactScene<T>& scene, Support support, ContactMotion motion,
                           const ContactState<T>& start, const Plain<T>& duration, const ContactSink& sink,
-                          long most_steps) {
+                          long most_steps, const ContactSums<T>& before) {
     const Problem<T> problem{scene, support, motion};
     if (!sink)
         if (const auto end = endless_contact(scene, support, motion, start, duration)) return *end;
@@ -126,19 +154,25 @@ ContactEnd<T> run_contact(const ContactScene<T>& scene, Support support, Contact
         if (failure.found) {
             const Condition<T> condition = conditions_of(problem, y)[failure.which];
             end.first_lifts = condition.first_lifts;
-            if (sink && failure.time > 0) show(problem, step, time, failure.time, sink);
-            return finish(condition.event, failure.time > 0 ? step.at(failure.time) : y, T(time + failure.time));
+            const T ends = time + failure.time;
+            if (sink && failure.time > 0) show(problem, step, before, time, ends, failure.time, sink);
+            if (condition.event == ContactEvent::jam) {
+                const Border<T> border = at_border(problem, step, failure.time);
+                return finish(condition.event, border.state, T(ends + border.time));
+            }
+            return finish(condition.event, failure.time > 0 ? step.at(failure.time) : y, ends);
         }
-        if (sink) show(problem, step, time, h, sink);
+        const T later = duration - time <= h ? duration : T(time + h);
+        if (sink) show(problem, step, before, time, later, h, sink);
         y = next;
-        time = duration - time <= h ? duration : T(time + h);
+        time = later;
     }
     return finish(ContactEvent::horizon, y, time);
 }
 
 #define SWIRL_COMPILE_RUN_CONTACT(T)                                                                           \
     template ContactEnd<T> run_contact(const ContactScene<T>&, Support, ContactMotion, const ContactState<T>&, \
-                                       const Plain<T>&, const ContactSink&, long);
+                                       const Plain<T>&, const ContactSink&, long, const ContactSums<T>&);
 SWIRL_EVERY_NUMBER(SWIRL_COMPILE_RUN_CONTACT)
 
 }  // namespace swirl

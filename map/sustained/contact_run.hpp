@@ -76,9 +76,10 @@ inline constexpr long most_contact_steps = 100'000;
 /// event is located to rounding on the step's polynomial. A disk's pendulum that no event can end takes its whole
 /// duration in one closed-form step, unless a sink is given (rim_pendulum.hpp): in double, since no impact follows it.
 /// Cost in double: one to three microseconds per step, a few steps per radian of swirl or turn.
+///   before  sums of the contact before this motion, which those that the sink is shown go on from
 template <class T>
 ContactEnd<T> run_contact(const ContactScene<T>& scene, Support support, ContactMotion motion,
                           const ContactState<T>& start, const Plain<T>& duration, const ContactSink& sink = {},
-                          long most_steps = most_contact_steps);
+                          long most_steps = most_contact_steps, const ContactSums<T>& before = {});
 
 }  // namespace swirl

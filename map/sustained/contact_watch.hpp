@@ -15,6 +15,7 @@ struct Condition {
 };
 
 inline constexpr std::size_t most_conditions = 4;
+inline constexpr std::size_t hold_condition = 1;    ///< friction's: sticking holds, a slip goes on
 inline constexpr std::size_t strike_condition = 2;  ///< the neighbour's
 template <class T>
 using Conditions = std::array<Condition<T>, most_conditions>;

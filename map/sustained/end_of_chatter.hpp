@@ -30,6 +30,7 @@ struct Touch {
     bool on_edge = false;  ///< the same, as a vertex of an edge whose other one is in contact
     bool pressed = false;  ///< in free flight it would accelerate into the wall
     T error{};
+    T lasts{};  ///< how long its chatter goes on
 };
 
 template <class T>
@@ -85,11 +86,12 @@ Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_i
     if (!(u.un < 0) || (scene.mu > T(0) && slips_beyond_painleve(scene, post_impact)))
         return {false, false, pressed, T(0)};
     const ChatterError<T> error = chatter_error(scene, post_impact);
-    Touch<T> touch{error.moved <= chatter_tolerance<T>(), false, pressed, error.estimate};
+    Touch<T> touch{error.moved <= chatter_tolerance<T>(), false, pressed, error.estimate, T(-error.moved / u.un)};
     if (neighbour.back && *neighbour.back > 0) {
         const T longer = std::max(T(1), T(acceleration / *neighbour.back));
         touch.on_edge = error.moved * longer <= chatter_tolerance<T>();
         if (touch.on_edge) touch.error *= longer * longer;
+        touch.lasts *= longer;
     }
     if (neighbour.still) {
         touch.rests = touch.rests && !neighbour.back;  // else the body rocks about the neighbour

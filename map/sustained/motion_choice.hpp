@@ -18,11 +18,16 @@ struct MotionChoice {
     ContactEvent ends = ContactEvent::release;  ///< if it does not stay: release or jam
 };
 
-/// Sliding where u_t ≠ 0; from rest sticking where friction can hold it, else the slip that its own forces drive. Where
-/// none is consistent an edge lifts one of its vertices.
-///   broken  friction has just stopped holding: not sticking
+/// Sliding where u_t ≠ 0; from rest sticking where friction can hold it, else the slip that its own forces drive. Of an
+/// edge all motions are looked at that are consistent with λ ≥ 0, friction and no acceleration into the wall: each
+/// vertex sticks, slips either way or lifts. With large friction there may be several. Contact that goes on then keeps
+/// both vertices; contact that begins has as few as it can, flight first, then one vertex (that in flight would not
+/// leave the wall), as the limit e → 0 has it, where the last impacts leave at a velocity that nothing takes back.
+/// README.md, "Which motion".
+///   before  what ended the motion before: `slip` where friction has just stopped holding (not sticking), `landing` and
+///           `strike` where contact begins; else it goes on
 template <class T>
 MotionChoice<T> choose_motion(const ContactScene<T>& scene, Support support, const ContactState<T>& state,
-                              int vertex_step, bool broken = false);
+                              int vertex_step, ContactEvent before = ContactEvent::horizon);
 
 }  // namespace swirl

@@ -10,6 +10,7 @@
 // constraints (Brogliato, Nonsmooth Mechanics, 3rd ed. 2016, ch. 5); derived in map/sustained/README.md.
 #pragma once
 
+#include "map/numbers/real.hpp"
 #include "map/sustained/contact_state.hpp"
 
 namespace swirl {
@@ -34,6 +35,13 @@ Reaction<T> reaction_of(const ContactScene<T>& scene, Support support, ContactMo
 /// follows is not decided by rounding.
 template <class T>
 T stick_margin(const ContactScene<T>& scene, const ContactState<T>& state);
+
+/// B₂ − sμB₃ up to this is rounding: a slip that comes so close to Painlevé's border is on it. With what rounding
+/// leaves λ there, known to ε/(B₂ − sμB₃), velocities change by ε only on the way to it.
+template <class T>
+T painleve_margin() {
+    return tolerance<T>(1e-13);
+}
 
 /// dν/dt of the contact's normal.
 template <class T>

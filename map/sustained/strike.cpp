@@ -4,6 +4,7 @@
 #include "map/sustained/chatter_completion.hpp"
 #include "map/sustained/contact_jets.hpp"
 #include "map/sustained/impulse_by_law.hpp"
+#include "map/sustained/reaction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,21 @@ void receive(const ContactScene<T>& scene, const ContactKinematics<T>& before, c
     strike.jacobi_friction += j.tangential * (T(0.5) * (before.ut + after.ut) - T(1));
 }
 
+/// The impulse of a slip at u_n = 0 with c = B₂ − sμB₃ ≤ 0. On the border, c = 0, C is zero until the slip has stopped:
+/// Newton's and Stronge's restitution have nothing to give back, Poisson's has the impulse p_k. There B₁ > B₂/μ² =
+/// sB₃/μ, so that it sticks.
+template <class T>
+Impulse<T> jam_impulse(const ContactScene<T>& scene, ContactKinematics<T> u) {
+    const T sign = u.ut > T(0) ? T(1) : T(-1);
+    const T stiffness = u.b2() - sign * scene.mu * u.b3();
+    u.un = T(0);
+    // As many digits as the border is known to.
+    if (plain(T(abs(stiffness))) > 16 * painleve_margin<Plain<T>>()) return impulse_by_law(scene, u, scene.restitution);
+    const T stops = abs(u.ut) / (scene.mu * u.b1() - sign * u.b3());  // p_k
+    const T more = scene.rule == ImpactRule::poisson ? T(scene.restitution * stops) : T(0);
+    return {T(stops + more), T(-sign * scene.mu * stops - u.b3() / u.b1() * more), ContactMode::c_sticking};
+}
+
 }  // namespace
 
 template <class T>
@@ -42,12 +58,7 @@ Impulse<T> strike_once(const ContactScene<T>& scene, PostImpactState<T>& post_im
 template <class T>
 Impulse<T> jam_once(const ContactScene<T>& scene, PostImpactState<T>& post_impact, Strike<T>& strike) {
     const ContactKinematics<T> before = contact_kinematics(scene.body, post_impact);
-    const T sign = before.ut > T(0) ? T(1) : T(-1);
-    const T stiffness = before.b2() - sign * scene.mu * before.b3();
-    const T stop = abs(before.ut) / (scene.mu * before.b1() - sign * before.b3());  // p where slip ends
-    ContactKinematics<T> pressed = before;
-    pressed.un = std::max(T(T(2) * stiffness * stop), T(0));
-    const Impulse<T> j = impulse_by_law(scene, pressed, scene.restitution);
+    const Impulse<T> j = jam_impulse(scene, before);
     receive(scene, before, j, post_impact, strike);
     return j;
 }

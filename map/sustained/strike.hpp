@@ -22,8 +22,8 @@ Impulse<T> strike_once(const ContactScene<T>& scene, PostImpactState<T>& post_im
 
 /// The impulse at zero normal velocity (jam) of a vertex that slides where B₂ − sμB₃ ≤ 0: compression lasts until the
 /// slip has stopped, then restitution follows by the scene's law. A motion reaches that border only where the numerator
-/// of λ vanishes with it (Génot & Brogliato, Eur. J. Mech. A/Solids 18 (1999) 653), and the integration stops up to
-/// 4·10⁶ ε before it: a positive remainder of B₂ − sμB₃ is taken for zero.
+/// of λ vanishes with it (Génot & Brogliato, Eur. J. Mech. A/Solids 18 (1999) 653); B₂ − sμB₃ within rounding of zero
+/// (`painleve_margin`) is zero, of which Stronge's law would take a root.
 template <class T>
 Impulse<T> jam_once(const ContactScene<T>& scene, PostImpactState<T>& post_impact, Strike<T>& strike);
 

@@ -87,7 +87,7 @@ class Tracks(Refusing):
             self.assertEqual([place for place, _ in rows], list(group["cell"][:]))
             self.assertEqual([-1 if a["track"] is None else a["track"] for _, a in rows], list(group["track"][:]))
             self.assertEqual([a["share"] for _, a in rows], list(group["share"][:]))
-            self.assertEqual(group["mean_S"].attrs["units"], "omega_s")
+            self.assertEqual(group["mean_S"].attrs["units"], "1")
         again = run(f"{LINE} -o {path} --json")
         self.assertEqual(json.loads(again.stdout)["cells"], self.line["cells"])
         self.assertEqual(again.stderr.count("holds this sweep already"), 1, again.stderr)

@@ -107,6 +107,7 @@ Attractor attractor_from(const Scene<double>& scene, const NamedMode& named, Orb
     attractor.period = named.verdict.period;
     attractor.mean_spin = named.verdict.mean;
     attractor.mean_spin_per_impact = named.verdict.mean_per_step;
+    attractor.mean_errors = named.mean_errors;
     attractor.last = samples.last;
     if (named.outcome != Outcome::completed || is_dissipative_without_drive(scene)) return attractor;
     if (is_decided(named) && named.verdict.period > 0)

@@ -69,6 +69,7 @@ Table<AttractorRow> attractor_table(const BifurcateOptions& options, const Diagr
     using Row = AttractorRow;
     using F = Field<Row>;
     const auto of = [](auto member) { return [member](const Row& row) { return row.attractor->*member; }; };
+    const auto error_of = [](auto m) { return [m](const Row& row) { return row.attractor->mean_errors.*m; }; };
     const auto samples = [](const std::string& name) {
         return [name](JsonWriter& json, const Row& row) { write_samples(json, *row.attractor, name); };
     };
@@ -79,6 +80,10 @@ Table<AttractorRow> attractor_table(const BifurcateOptions& options, const Diagr
                      kind_field<Row>(of(&Attractor::kind)),
                      period_field<Row>(of(&Attractor::period), "0: none"),
                      {"mean_S", of(&Attractor::mean_spin), "1", "time mean of S"},
+                     {"mean_S_error", error_of(&MeanErrors::per_time), "1", "its standard error along the orbit"},
+                     {"mean_S_per_impact", of(&Attractor::mean_spin_per_impact), "1", "mean of S over impacts"},
+                     {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "its standard error"},
+                     {"mean_S_kind", error_of(&MeanErrors::kind), "", "exact, sampled, bounded, too-short or none"},
                      F{"samples", count, "1", "how many follow in the group samples, in this order"}.record_only(),
                      {"S", samples("S")},
                      F{"values", samples(options.observable)}.when(options.observable != "S")},
@@ -108,17 +113,22 @@ Table<ColumnShare> share_table(const Diagram& diagram) {
         return fmt::format("  {:>6.2f} %", 100 * std::get<double>(value));
     };
     const auto parameter = [](const Row& row) { return row.column->parameter; };
-    return {{"share_of_column"},
-            {F{"parameter", parameter, "1", "parameter " + diagram.along.name}.record_only().shown(diagram.along.name,
-                                                                                                   "  {:>14.10g}"),
-             F{"column", &Row::number, "1", "column"}.record_only(),
-             F{"share", &Row::share, "1", "share of the column's starts"}.shown("share", {"  {:>8}", in_percent}),
-             F{"mode", of(&Attractor::mode), "", "mode of these starts"}.shown("mode", "  {:<13}"),
-             kind_field<Row>(of(&Attractor::kind)).shown("kind", " {:<20}"),
-             F{"outcome", of(&Attractor::outcome), "", "how their orbits ended"},
-             period_field<Row>(of(&Attractor::period), "0: none").shown("period", dash_for_zero(" {:>7}")),
-             F{"mean_S", &Row::mean_spin, "1", "mean of the starts' time means"}.shown("mean S", " {:>15.10f}")},
-            {"parameter", "share", "column", "mode", "kind", "outcome", "period"}};
+    return {
+        {"share_of_column"},
+        {F{"parameter", parameter, "1", "parameter " + diagram.along.name}.record_only().shown(diagram.along.name,
+                                                                                               "  {:>14.10g}"),
+         F{"column", &Row::number, "1", "column"}.record_only(),
+         F{"share", &Row::share, "1", "share of the column's starts"}.shown("share", {"  {:>8}", in_percent}),
+         F{"mode", of(&Attractor::mode), "", "mode of these starts"}.shown("mode", "  {:<13}"),
+         kind_field<Row>(of(&Attractor::kind)).shown("kind", " {:<20}"),
+         F{"outcome", of(&Attractor::outcome), "", "how their orbits ended"},
+         period_field<Row>(of(&Attractor::period), "0: none").shown("period", dash_for_zero(" {:>7}")),
+         F{"mean_S", &Row::mean_spin, "1", "mean of the starts' time means"},
+         F{"mean_S_error", &Row::mean_spin_error, "1", "its standard error over them; of one its own"},
+         F{"mean_S_in_words", [](const Row& row) { return with_error(row.mean_spin, row.mean_spin_error); }, no_column}
+             .table_only()
+             .shown("mean S", " {:>19}")},
+        {"parameter", "share", "column", "mode", "kind", "outcome", "period"}};
 }
 
 std::vector<ColumnShare> shares_of(const Diagram& diagram) {

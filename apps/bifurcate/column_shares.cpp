@@ -21,12 +21,13 @@ std::vector<ColumnShare> shares_of(const DiagramColumn& column, std::size_t numb
         run.period = start->period;
         run.mean_spin = start->mean_spin;
         run.mean_spin_per_impact = start->mean_spin_per_impact;
+        run.mean_errors = start->mean_errors;
         runs.push_back(run);
     }
     std::vector<ColumnShare> shares;
     for (const auto& shared : attractors_of(runs))
         shares.push_back({&column, number, static_cast<double>(shared.runs.size()) / static_cast<double>(runs.size()),
-                          starts[shared.runs.front()], shared.mean_spin});
+                          starts[shared.runs.front()], shared.mean_spin, shared.mean_spin_error});
     return shares;
 }
 

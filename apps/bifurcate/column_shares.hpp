@@ -11,6 +11,7 @@ struct ColumnShare {
     double share;                ///< of the column's starts
     const Attractor* attractor;  ///< the first start's
     double mean_spin;            ///< mean over the starts that share it
+    double mean_spin_error;      ///< its standard error over them; of one start its own
 };
 
 /// By falling share; the same attractor for two starts as `swirl classify --runs` tells them apart. Of the random

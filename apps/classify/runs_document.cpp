@@ -34,6 +34,7 @@ void write_shares(JsonWriter& json, std::string_view key, const RunsFound& found
 
 Table<RunVerdict> runs_table() {
     using Run = RunVerdict;
+    const auto error_of = [](auto member) { return [member](const Run& run) { return run.mean_errors.*member; }; };
     return {{"run"},
             {Field<Run>{"seed", &Run::seed, "", "seed of the random start"}.stored_as(ElementType::string),
              {"attractor", &Run::attractor, "1", "place in the group attractors"},
@@ -44,6 +45,9 @@ Table<RunVerdict> runs_table() {
              Field<Run>{"impacts", &Run::impacts, "1", "impacts followed"}.record_only(),
              {"mean_S", &Run::mean_spin, "1", "time mean of S"},
              {"mean_S_per_impact", &Run::mean_spin_per_impact, "1", "mean of S over impacts"},
+             {"mean_S_error", error_of(&MeanErrors::per_time), "1", "standard error of mean_S along the run"},
+             {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "that of mean_S_per_impact"},
+             {"mean_S_kind", error_of(&MeanErrors::kind), "", "exact, sampled, bounded, too-short or none"},
              {"recurrence_rate", &Run::recurrence_rate, "1", "RC of S"},
              {"ln_multiplier", &Run::ln_multiplier, "1", "of a cycle: ln of its largest |multiplier|, DF^period"},
              {"largest_exponent", &Run::largest_exponent, "1", "largest Lyapunov exponent per impact"},
@@ -67,9 +71,13 @@ Table<SharedAttractor> attractors_table(const RunsFound& found) {
          kind_field<SharedAttractor>(first(&RunVerdict::kind)).shown("kind", " {:<20}"),
          F{"outcome", first(&RunVerdict::outcome), "", "how their orbits ended"},
          period_field<SharedAttractor>(first(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
-         F{"mean_S", &SharedAttractor::mean_spin, "1", "mean of the runs' time means"}.shown("mean S", " {:>14.8g}"),
-         F{"mean_S_error", &SharedAttractor::mean_spin_error, "1", "its standard error over the runs"}.shown(
-             "error", " {:>9.2g}"),
+         F{"mean_S", &SharedAttractor::mean_spin, "1", "mean of the runs' time means"},
+         F{"mean_S_error", &SharedAttractor::mean_spin_error, "1",
+           "its standard error over the runs; of one run its own"},
+         F{"mean_S_in_words", [](const SharedAttractor& a) { return with_error(a.mean_spin, a.mean_spin_error); },
+           no_column}
+             .table_only()
+             .shown("mean S", " {:>19}"),
          F{"largest_exponent", &SharedAttractor::largest_exponent, "1", "mean over the runs, per impact"}.shown(
              "exponent", " {:>11.4g}"),
          F{"ln_multiplier", first(&RunVerdict::ln_multiplier), "1", "of a cycle: ln of its largest |multiplier|"}.shown(

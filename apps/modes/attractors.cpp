@@ -38,15 +38,17 @@ bool same_attractor(const RunVerdict& a, const RunVerdict& b) {
 }
 
 void summarise(std::span<const RunVerdict> runs, SharedAttractor& attractor) {
+    std::vector<double> errors;
     const auto measured = [&](double RunVerdict::*member) {
         std::vector<double> values;
         for (const std::size_t r : attractor.runs)
             if (std::isfinite(runs[r].*member)) values.push_back(runs[r].*member);
         return values;
     };
+    for (const std::size_t r : attractor.runs) errors.push_back(runs[r].mean_errors.per_time);
     const auto spins = measured(&RunVerdict::mean_spin);
     attractor.mean_spin = mean_of(spins);
-    attractor.mean_spin_error = error_of_mean(spins);
+    attractor.mean_spin_error = error_of_mean(spins, errors);
     attractor.recurrence_rate = mean_of(measured(&RunVerdict::recurrence_rate));
     attractor.largest_exponent = mean_of(measured(&RunVerdict::largest_exponent));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/classification/mode.hpp"
+#include "apps/modes/means.hpp"
 #include "map/orbit/outcome.hpp"
 
 #include <cstddef>
@@ -25,6 +26,7 @@ struct RunVerdict {
     double ln_multiplier = 0;    ///< of a cycle: ln of its largest |multiplier|
     std::int64_t attractor = 0;  ///< its place among those of all runs
     std::vector<double> point;   ///< of its cycle
+    MeanErrors mean_errors;      ///< of its own two means
 };
 
 /// Its parts (apps/ranks/packed.hpp).
@@ -33,14 +35,14 @@ void for_each_part(RunVerdict& run, Part&& part) {
     part(run.seed), part(run.mode), part(run.kind), part(run.outcome), part(run.impacts), part(run.period);
     part(run.mean_spin), part(run.mean_spin_per_impact), part(run.recurrence_rate);
     part(run.largest_exponent), part(run.largest_exponent_error), part(run.ln_multiplier), part(run.attractor);
-    part(run.point);
+    part(run.point), part(run.mean_errors);
 }
 
 /// A set of runs with one verdict, and what they have in common.
 struct SharedAttractor {
     std::vector<std::size_t> runs;  ///< their places, in order; the first is the representative
     double mean_spin = 0;           ///< mean over the runs that measured it; so are the next two
-    double mean_spin_error = 0;     ///< its standard error over the runs, NaN for fewer than two
+    double mean_spin_error = 0;     ///< its standard error over the runs; of one run its own, if that is sampled
     double recurrence_rate = 0;
     double largest_exponent = 0;
 };

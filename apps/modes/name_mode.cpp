@@ -178,6 +178,7 @@ NamedMode named_from(const SceneMap<D>& map, const OrbitBegin& begin, FollowedSc
         name_dissipative_orbit(named.verdict);
     }
     look_for_landings(map, settings, named.verdict);
+    named.mean_errors = errors_of_means(map, tail, named.verdict);
     return named;
 }
 

@@ -4,6 +4,7 @@
 #include "analysis/classification/classify.hpp"
 #include "apps/command_line/accuracy.hpp"
 #include "apps/command_line/start_options.hpp"
+#include "apps/modes/means.hpp"
 #include "map/orbit/outcome.hpp"
 
 #include <functional>
@@ -16,6 +17,7 @@ namespace swirl::apps {
 /// The verdict on one orbit, and how following it ended.
 struct NamedMode {
     analysis::Classification verdict;
+    MeanErrors mean_errors;  ///< of the verdict's means
     Outcome outcome = Outcome::completed;
     long long impacts = 0;
     Accuracy accuracy = Accuracy::double_precision;  ///< in which its orbit was followed

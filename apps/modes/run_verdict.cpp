@@ -30,7 +30,8 @@ RunVerdict run_verdict(std::uint64_t seed, const NamedMode& named) {
                       v.largest_exponent_error,
                       ln_multiplier_of(v),
                       0,
-                      v.point};
+                      v.point,
+                      named.mean_errors};
 }
 
 }  // namespace swirl::apps

@@ -29,12 +29,19 @@ Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s)
 Table<NamedMode> verdict_table() {
     using Verdict = analysis::Classification;
     const auto of = [](auto member) { return [member](const NamedMode& named) { return named.verdict.*member; }; };
+    const auto error_of = [](auto member) {
+        return [member](const NamedMode& named) { return named.mean_errors.*member; };
+    };
     return {{},
             {{"mode", of(&Verdict::mode), no_column},
              kind_field<NamedMode>(of(&Verdict::kind)),
              period_field<NamedMode>(of(&Verdict::period)),
              {"mean_S", of(&Verdict::mean), "1", "time mean of S"},
              {"mean_S_per_impact", of(&Verdict::mean_per_step), "1", "mean of S over impacts"},
+             {"mean_S_error", error_of(&MeanErrors::per_time), "1", "standard error of mean_S"},
+             {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "that of mean_S_per_impact"},
+             {"mean_S_bound", error_of(&MeanErrors::bound), "1", "of a torus: mean_S is off by this at most"},
+             {"mean_S_kind", error_of(&MeanErrors::kind), no_column},
              {"recurrence_rate", of(&Verdict::recurrence_rate), no_column},
              {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal), no_column},
              {"largest_exponent", of(&Verdict::largest_exponent), no_column},
@@ -73,7 +80,8 @@ void write_verdict(const RecordGroup& group, const NamedMode& named, const analy
 
 std::string table_of(const NamedMode& named, bool verbose, const std::optional<Units>& units) {
     const analysis::Classification& verdict = named.verdict;
-    const std::string mean = std::isfinite(verdict.mean) ? fmt::format("; mean S {:.8g}", verdict.mean) : "";
+    const std::string mean =
+        std::isfinite(verdict.mean) ? fmt::format("; mean S {}", mean_in_words(verdict.mean, named.mean_errors)) : "";
     const std::string text = wrapped(fmt::format("  {}{}; outcome {} after {} impact{}", mode_in_words(verdict), mean,
                                                  name_of(named.outcome), named.impacts, named.impacts == 1 ? "" : "s"),
                                      4) +

@@ -16,6 +16,7 @@ RunVerdict verdict_of(const RunResult& run) {
     verdict.period = static_cast<std::int64_t>(run.period);
     verdict.mean_spin = run.mean_spin;
     verdict.mean_spin_per_impact = run.mean_spin_per_impact;
+    verdict.mean_errors.per_time = run.mean_spin_error;
     return verdict;
 }
 
@@ -64,7 +65,7 @@ Table<CellAttractor> cell_attractor_table(bool tracked) {
               "from this share on, by Wilson's interval at 95 %"},
              {"share_high", [](const Row& row) { return row.interval.high; }, "1", "up to this share"},
              {"mean_S", &Row::mean_spin, "1", "mean over its runs of the time mean of S"},
-             {"mean_S_error", &Row::spin_error, "1", "its standard error over these runs"},
+             {"mean_S_error", &Row::spin_error, "1", "its standard error over these runs; of one its own"},
              F{"point", &Row::point, "1", "a cycle's first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}
                  .json_as(point)
                  .along({"coordinate"}, polygon_dimension)

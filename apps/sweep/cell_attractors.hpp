@@ -18,7 +18,7 @@ struct CellAttractor {
     double share = 0;       ///< of the cell's runs
     Interval interval;      ///< Wilson's, 95 %
     double mean_spin = 0;   ///< mean over its runs of their mean S
-    double spin_error = 0;  ///< its standard error over these runs alone, s/√n; NaN of one run
+    double spin_error = 0;  ///< its standard error over these runs alone, s/√n; of one run its own
     std::size_t run = 0;    ///< the number of `first` in its cell
     std::size_t cell = 0;
     std::int64_t track = no_track;  ///< see tracks.hpp

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace swirl::apps::sweep {
 
@@ -18,6 +19,7 @@ struct RunColumn {
     const char* long_name;
     ElementType type = ElementType::float64;
     std::vector<std::string> meanings = {};  ///< of a name's number
+    std::optional<double> before = {};       ///< what stands for it where an older record lacks it
 };
 
 /// What a record holds of each run.
@@ -35,6 +37,22 @@ std::vector<RunColumn> run_columns() {
         {"run_recurrence_rate", &RunResult::recurrence_rate, "1", "RC of S"},
         {"run_largest_exponent", &RunResult::largest_exponent, "1", "largest Lyapunov exponent per impact"},
         {"run_impacts", &RunResult::impacts, "1", "impacts followed", count},
+        {"run_mean_S_error",
+         &RunResult::mean_spin_error,
+         "1",
+         "standard error of run_mean_S along the run",
+         ElementType::float64,
+         {},
+         analysis::nan},
+        {"run_mean_S_per_impact_error",
+         &RunResult::mean_spin_per_impact_error,
+         "1",
+         "that of run_mean_S_per_impact",
+         ElementType::float64,
+         {},
+         analysis::nan},
+        {"run_mean_S_kind", &RunResult::mean_kind, "", "how its mean was come by", names,
+         names_up_to(MeanKind::too_short), 0},
     };
 }
 
@@ -65,7 +83,10 @@ std::vector<RunResult> read_run_columns(const RecordReader& record, const std::s
     std::vector<RunResult> results;
     for (const auto& column : run_columns())
         in_type_of(column, [&]<class T>() {
-            const auto values = record.read<T>(group + "/" + column.name);
+            const std::string path = group + "/" + column.name;
+            const auto values = column.before && !record.contains(path)
+                                    ? std::vector<T>(results.size(), static_cast<T>(*column.before))
+                                    : record.read<T>(path);
             if (results.empty()) results.resize(values.size());
             const auto named = [&](T value) {
                 return column.meanings.empty() || static_cast<std::size_t>(value) < column.meanings.size();

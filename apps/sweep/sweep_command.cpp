@@ -24,7 +24,7 @@ every cell the modes of R random starts are named. Or it goes over numbers of th
 R_c omega_s, radians, omega_s, or in SI units): every cell has one start, and the map is one of basins of attraction. Run r
 of a cell is what `swirl classify --seed SEED+r` gives for the cell's scene: an orbit is followed until its verdict is
 settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
-mean_S_error the standard error over them. Each cell also lists the attracting steady modes that follow from the scene's
+mean_S_error the standard error over them (of one run of chaos its own, by blocks). Each cell also lists the attracting steady modes that follow from the scene's
 equations, with their shares of the runs: 0 of one that no start came to. A document lists what the runs of each cell came to
 (attractors), with Wilson's intervals. --grid law=NAME,NAME goes over impact laws, not with --refine. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
 

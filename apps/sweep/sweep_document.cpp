@@ -31,6 +31,9 @@ Table<RunResult> run_table() {
              period_field<RunResult>(period),
              {"mean_S", &RunResult::mean_spin, no_column},
              {"mean_S_per_impact", &RunResult::mean_spin_per_impact, no_column},
+             {"mean_S_error", &RunResult::mean_spin_error, no_column},
+             {"mean_S_per_impact_error", &RunResult::mean_spin_per_impact_error, no_column},
+             {"mean_S_kind", mean_kind_of, no_column},
              {"largest_exponent", &RunResult::largest_exponent, no_column},
              {"impacts", [](const RunResult& run) { return static_cast<std::int64_t>(run.impacts); }, no_column}}};
 }
@@ -138,9 +141,11 @@ Table<Cell> cell_table(const Sweep& sweep, const std::vector<std::string>& axes 
         {{"parameters", parameters},
          {"modes", write_shares},
          {"mean_S", of(&CellSummary::mean_spin), "1", "mean over the runs of the time mean of S"},
-         {"mean_S_error", of(&CellSummary::mean_spin_error), "1", "its standard error over the runs"},
+         {"mean_S_error", of(&CellSummary::mean_spin_error), "1",
+          "its standard error over the runs; of one run its own"},
          {"mean_S_per_impact", of(&CellSummary::mean_spin_per_impact), "1",
           "mean over the runs of the mean of S over impacts"},
+         {"mean_S_per_impact_error", of(&CellSummary::mean_spin_per_impact_error), "1", "likewise"},
          {"recurrence_rate", of(&CellSummary::recurrence_rate), "1", "mean over the runs of RC of S"},
          {"largest_exponent", of(&CellSummary::largest_exponent), "1", "mean over the runs, per impact"},
          F{"impacts_spent", of(&CellSummary::impacts_spent), "1", "impacts that were followed, by all runs"}.json_as(

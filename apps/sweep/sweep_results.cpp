@@ -29,7 +29,10 @@ RunResult result_of(const NamedMode& named) {
                      v.mean_per_step,
                      v.recurrence_rate,
                      v.largest_exponent,
-                     static_cast<double>(named.impacts)};
+                     static_cast<double>(named.impacts),
+                     named.mean_errors.per_time,
+                     named.mean_errors.per_impact,
+                     static_cast<double>(named.mean_errors.kind)};
 }
 
 Interval wilson_interval(double share, double n) {
@@ -49,8 +52,10 @@ CellSummary summary_of(std::span<const RunResult> runs) {
     }
     const auto spins = measured(runs, &RunResult::mean_spin);
     cell.mean_spin = mean_of(spins);
-    cell.mean_spin_error = error_of_mean(spins);
-    cell.mean_spin_per_impact = mean_of(measured(runs, &RunResult::mean_spin_per_impact));
+    cell.mean_spin_error = error_of_mean(spins, measured(runs, &RunResult::mean_spin_error));
+    const auto per_impact = measured(runs, &RunResult::mean_spin_per_impact);
+    cell.mean_spin_per_impact = mean_of(per_impact);
+    cell.mean_spin_per_impact_error = error_of_mean(per_impact, measured(runs, &RunResult::mean_spin_per_impact_error));
     cell.recurrence_rate = mean_of(measured(runs, &RunResult::recurrence_rate));
     cell.largest_exponent = mean_of(measured(runs, &RunResult::largest_exponent));
     for (const auto& run : runs) cell.impacts_spent += run.impacts;

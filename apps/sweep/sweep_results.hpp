@@ -16,10 +16,15 @@ struct RunResult {
     double period = 0;                       ///< 0: none
     double mean_spin = 0, mean_spin_per_impact = 0, recurrence_rate = 0, largest_exponent = 0;  ///< NaN: not measured
     double impacts = 0;
+    double mean_spin_error = 0, mean_spin_per_impact_error = 0;  ///< along the run; NaN: none
+    double mean_kind = 0;                                        ///< MeanKind's number
 };
 
 inline analysis::Mode mode_of(const RunResult& run) {
     return static_cast<analysis::Mode>(static_cast<int>(run.mode));
+}
+inline MeanKind mean_kind_of(const RunResult& run) {
+    return static_cast<MeanKind>(static_cast<int>(run.mean_kind));
 }
 inline analysis::Kind kind_of(const RunResult& run) {
     return static_cast<analysis::Kind>(static_cast<int>(run.kind));
@@ -36,9 +41,10 @@ inline constexpr std::array<analysis::Mode, mode_count> all_modes = {
 struct CellSummary {
     std::array<double, mode_count> shares{};  ///< by all_modes
     double mean_spin = 0;                     ///< mean of the runs' mean_S
-    double mean_spin_error = 0;               ///< its standard error over the runs; NaN for fewer than two
-    double mean_spin_per_impact = 0;          ///< mean over the runs, and the next two
-    double recurrence_rate = 0;
+    double mean_spin_error = 0;               ///< its standard error over the runs; of one run its own, if sampled
+    double mean_spin_per_impact = 0;          ///< mean over the runs
+    double mean_spin_per_impact_error = 0;    ///< as mean_spin_error
+    double recurrence_rate = 0;               ///< mean over the runs, and the next
     double largest_exponent = 0;
     double impacts_spent = 0;  ///< by all runs
 };

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "analysis/classification/classify.hpp"
+#include "analysis/classification/tail.hpp"
 #include "analysis/means/mean_error.hpp"
 
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace swirl::apps {
 

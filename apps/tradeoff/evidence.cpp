@@ -1,15 +1,13 @@
 #include "apps/tradeoff/evidence.hpp"
 
-#include "analysis/classification/tail.hpp"
 #include "apps/command_line/parallel_pieces.hpp"
 #include "apps/modes/run_verdict.hpp"
-#include "apps/system/orbit_ending.hpp"
-#include "apps/tradeoff/sampling_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 namespace swirl::apps::tradeoff {
@@ -117,19 +115,20 @@ void add_starts(const Scene<double>& scene, const OrbitStarts& starts, std::span
     }
 }
 
-/// Of the time mean of S over the impacts that the verdict on the first start looked at.
-double sampling_error_of(const Scene<double>& scene, const OrbitStarts& starts, const EvidenceRung& rung) {
-    if (rung.verdict.outcome != Outcome::completed) return std::nan("");
-    if (rung.verdict.period > 0) return 0;
-    return with_scene_map(scene, [&](const auto& map) {
-        const OrbitBegin begin = begin_orbit(map, starts.start(scene.beta, 0));
-        const auto tail = analysis::follow_tail(map, begin.state, rung.collisions + 1 - begin.impacts, rung.collisions);
-        return time_mean(tail.integrals, tail.durations).error;
-    });
+/// How far mean S on one number of impacts is from that on the most: the root mean square over the starts.
+double mean_spin_differs(const Level& level, const Level& most) {
+    double squares = 0;
+    int count = 0;
+    for (std::size_t run = 0; run < level.size(); ++run) {
+        const double off = level[run]->verdict.mean_spin - most[run]->verdict.mean_spin;
+        if (!std::isfinite(off)) continue;
+        squares += off * off;
+        ++count;
+    }
+    return count > 0 ? std::sqrt(squares / count) : std::nan("");
 }
 
-std::vector<EvidenceRung> rungs_of(const Scene<double>& scene, const OrbitStarts& starts,
-                                   const std::vector<std::int64_t>& ladder, const std::vector<Level>& levels) {
+std::vector<EvidenceRung> rungs_of(const std::vector<std::int64_t>& ladder, const std::vector<Level>& levels) {
     std::vector<EvidenceRung> rungs;
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const Level &level = levels[k], &last = levels.back();
@@ -140,7 +139,8 @@ std::vector<EvidenceRung> rungs_of(const Scene<double>& scene, const OrbitStarts
         const RunVerdict& most = last.front()->verdict;
         rung.mean_spin_off = rung.verdict.mean_spin - most.mean_spin;
         rung.exponent_off = rung.verdict.largest_exponent - most.largest_exponent;
-        rung.mean_spin_error = sampling_error_of(scene, starts, rung);
+        rung.mean_spin_error = rung.verdict.mean_errors.per_time;
+        rung.mean_spin_differs = mean_spin_differs(level, last);
         rung.runs = static_cast<std::int64_t>(level.size());
         for (std::size_t run = 0; run < level.size(); ++run)
             rung.changed += level[run]->verdict.mode != last[run]->verdict.mode ? 1 : 0;
@@ -170,7 +170,7 @@ Evidence gather_evidence(const Scene<double>& scene, const OrbitStarts& starts, 
     if (levels.empty()) return evidence;
     const auto reached = std::span(ladder).first(levels.size());
     add_starts(scene, starts, reached, budget.spent() - begin, budget, output, levels);
-    evidence.rungs = rungs_of(scene, starts, ladder, levels);
+    evidence.rungs = rungs_of(ladder, levels);
     if (!starts.is_random) return evidence;
     std::vector<RunVerdict> last;
     for (const auto& judged : levels.back()) last.push_back(judged->verdict);

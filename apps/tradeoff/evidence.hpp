@@ -16,12 +16,13 @@ namespace swirl::apps::tradeoff {
 /// The verdict on so many impacts after as many that are left out. NaN where not measured.
 struct EvidenceRung {
     std::int64_t collisions = 0;
-    RunVerdict verdict;                     ///< of the first start: what `classify` says of it
-    double mean_spin_error = std::nan("");  ///< sampling error of mean S: 0 of a cycle, whose mean is known
-    double mean_spin_off = std::nan("");    ///< mean S less that of the most impacts
-    double exponent_off = std::nan("");     ///< the same of the largest exponent
-    std::int64_t runs = 0;                  ///< starts
-    std::int64_t changed = 0;               ///< of these, how many have another mode on the most impacts
+    RunVerdict verdict;                       ///< of the first start: what `classify` says of it
+    double mean_spin_error = std::nan("");    ///< standard error of mean S along that orbit (MeanErrors); 0: exact
+    double mean_spin_off = std::nan("");      ///< mean S less that of the most impacts
+    double mean_spin_differs = std::nan("");  ///< root mean square of the same over all starts
+    double exponent_off = std::nan("");       ///< the same of the largest exponent
+    std::int64_t runs = 0;                    ///< starts
+    std::int64_t changed = 0;                 ///< of these, how many have another mode on the most impacts
     analysis::RateInterval changed_rate;
     double seconds = std::nan("");  ///< that the verdict on the first start took
 };

@@ -137,13 +137,15 @@ ModelPiece orientation_piece(const Map& map, const DrawnFlights& drawn) {
             bare_map(Polygon(polygon), drawn.timed, drawn.timed_steps), bare_map(Disk(disk), rims, drawn.timed_steps)};
 }
 
-/// The look for chatter after every impact. Where no contact can come it is left out: it is there at the next e below.
+/// The look for contact after every impact: for chatter at e < 1, and at e = 1 for a vertex that friction holds, whose
+/// rebounds fall, too (ReturnMap). Where no contact can come it is left out: it is there at the next e below.
 template <class Map>
 ModelPiece watch_piece(const Map& map, const DrawnFlights& drawn) {
     const Scene<double>& scene = map.scene();
-    const bool watched = scene.restitution < 1;
+    constexpr bool may_be_held = Map::shape == Shape::polygon && Map::rule != ImpactRule::frictionless;
+    const bool watched = scene.restitution < 1 || may_be_held;
     const Map lossy(with_other(scene, &Scene<double>::restitution, std::nextafter(1.0, 0.0)));
-    return {"watch for contact", watched ? "every command" : "nothing: e = 1",
+    return {"watch for contact", watched ? "every command" : "nothing: e = 1, and no friction holds a vertex",
             with_contact_watched(watched ? map : lossy, drawn.timed, drawn.timed_steps),
             bare_map(map, drawn.timed, drawn.timed_steps)};
 }

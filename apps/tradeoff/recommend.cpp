@@ -19,11 +19,17 @@ std::string objection_to(const ArithmeticRung& row) {
     return "";
 }
 
-/// The fewest impacts from which on, at 95 %, less than `may_change` of the starts have another mode on the most; 0:
-/// there are none below the most. Modes need not settle one after another: what a number shows, a larger one may not.
+/// Are so many impacts enough? At 95 % less than `may_change` of the starts have another mode on the most, and their
+/// mean S differs by less than `mean_may_differ`.
+bool is_enough(const EvidenceRung& rung) {
+    return rung.changed_rate.most < may_change && !(rung.mean_spin_differs >= mean_may_differ);
+}
+
+/// The fewest impacts that are enough, as all larger numbers are; 0: there are none below the most. Modes need not
+/// settle one after another: what a number shows, a larger one may not.
 std::int64_t enough(const std::vector<EvidenceRung>& rungs) {
     std::int64_t least = 0;
-    for (std::size_t k = rungs.empty() ? 0 : rungs.size() - 1; k-- > 0 && rungs[k].changed_rate.most < may_change;)
+    for (std::size_t k = rungs.empty() ? 0 : rungs.size() - 1; k-- > 0 && is_enough(rungs[k]);)
         least = rungs[k].collisions;
     return least;
 }
@@ -51,13 +57,16 @@ std::string evidence_in_words(const Tradeoff& found) {
     const bool more_are_unknown = used + 1 == rungs.end() && !found.evidence.judged_most;
     std::string words = fmt::format(" with {2}{0} + {0} impacts ({1:.2g} s an orbit; ", used->collisions, used->seconds,
                                     more_are_unknown ? "at least " : "");
-    if (used->mean_spin_error > 0) words += fmt::format("mean S is sampled to {:.1g}; ", used->mean_spin_error);
+    if (used->mean_spin_error > 0) words += fmt::format("mean S is known to {:.1g}; ", used->mean_spin_error);
     if (used + 1 != rungs.end())
         return words + fmt::format("compared with {0} + {0} {1}, and less than {2:g} % on every number between)",
                                    rungs.back().collisions, changed_in_words(*used), 100 * may_change);
     if (more_are_unknown) return words + "the budget ended before more were judged: give a larger --budget)";
     if (rungs.size() < 2) return words + "fewer were not tried)";
     const EvidenceRung& fewer = rungs[rungs.size() - 2];
+    if (fewer.changed_rate.most < may_change)
+        return words + fmt::format("on {0} + {0} mean S differs by {1:.1g}, where less than {2:g} would do)",
+                                   fewer.collisions, fewer.mean_spin_differs, mean_may_differ);
     return words + fmt::format("on {0} + {0} {1}, where less than {2:g} % would do)", fewer.collisions,
                                changed_in_words(fewer), 100 * may_change);
 }

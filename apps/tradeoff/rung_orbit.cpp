@@ -1,9 +1,11 @@
 #include "apps/tradeoff/rung_orbit.hpp"
 
 #include "analysis/classification/classify.hpp"
+#include "analysis/means/mean_error.hpp"
 #include "apps/system/scene_map.hpp"
 #include "apps/tradeoff/rung_in.hpp"
-#include "apps/tradeoff/sampling_error.hpp"
+
+#include <numeric>
 
 namespace swirl::apps::tradeoff {
 
@@ -106,9 +108,10 @@ std::optional<RungOrbit> orbit_in(const SceneMap<D>& exact, const Rung& rung, co
     const RungSectionMap<D> map(rung_map, exact, budget);
     const auto tail = follow<D>(rung_map, rung.begin(scene, begin), count, budget, orbit);
     if (tail.steps > 0) {
-        const TimeMean mean = time_mean(tail.integrals, tail.durations);
-        orbit.mean_spin = mean.mean;
-        if (!tail.ended) orbit.mean_spin_error = mean.error;  // of an orbit that goes on as it was
+        const double turned = std::accumulate(tail.integrals.begin(), tail.integrals.end(), 0.0);
+        orbit.mean_spin = turned / std::accumulate(tail.durations.begin(), tail.durations.end(), 0.0);
+        if (!tail.ended)  // of an orbit that goes on as it was
+            orbit.mean_spin_error = analysis::error_of_ratio(tail.integrals, tail.durations).standard_error;
     }
     if (!tail.ended && is_dissipative_without_drive(scene)) {
         orbit.kind = analysis::Kind::transient;

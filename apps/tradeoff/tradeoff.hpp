@@ -26,6 +26,9 @@ struct Amounts {
 /// Fewer impacts are enough where, at 95 %, less than this share of the starts has another mode on the most.
 inline constexpr double may_change = 0.1;
 
+/// … and where mean S differs from that on the most by less than this, as a root mean square over the starts.
+inline constexpr double mean_may_differ = 0.05;
+
 /// At the knee a step errs by at most so many roundings of a double. Double's own errors are below.
 inline constexpr double roundings_at_knee = most_roundings;
 
@@ -53,13 +56,14 @@ struct Tradeoff {
     Evidence evidence;
     std::vector<ModelRung> model;
     DrawnFlights drawn;
-    std::int64_t compared = 0;           ///< flights
-    const Rung* recommended = nullptr;   ///< none: `reason` says why
-    const Rung* knee = nullptr;          ///< none: nothing could be compared, or timed
-    std::int64_t enough_collisions = 0;  ///< the fewest impacts that are enough (`may_change`); 0: none below the most
-    std::string reason;                  ///< why that rung, or why none
-    std::string advice;                  ///< a sentence
-    bool cut_short = false;              ///< the budget was spent before all that it should hold was counted
+    std::int64_t compared = 0;          ///< flights
+    const Rung* recommended = nullptr;  ///< none: `reason` says why
+    const Rung* knee = nullptr;         ///< none: nothing could be compared, or timed
+    std::int64_t enough_collisions =
+        0;  ///< the fewest impacts that are enough (`may_change`, `mean_may_differ`); 0: none below the most
+    std::string reason;      ///< why that rung, or why none
+    std::string advice;      ///< a sentence
+    bool cut_short = false;  ///< the budget was spent before all that it should hold was counted
 };
 
 /// Measures. Takes about the budget.

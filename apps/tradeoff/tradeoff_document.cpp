@@ -18,6 +18,7 @@ Settings settings_of(const TradeoffOptions& options, const Amounts& amounts) {
             {"starts", amounts.runs},
             {"late_contact", late_contact},
             {"may_change", may_change},
+            {"mean_may_differ", mean_may_differ},
             {"roundings_at_knee", roundings_at_knee},
             {"chaos_judged_after", chaos_judged_after}};
 }

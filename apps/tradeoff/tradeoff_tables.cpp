@@ -220,10 +220,12 @@ Table<EvidenceRung> evidence_table() {
          period_field<EvidenceRung>(of(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
          F{"outcome", of(&RunVerdict::outcome), "", "how the orbit ended"},
          F{"mean_S", of(&RunVerdict::mean_spin), "1", "time mean of S"}.shown("mean S", " {:>13.7g}"),
-         F{"mean_S_error", &EvidenceRung::mean_spin_error, "1", "its sampling error, 0 of a cycle"}.shown("sampled to",
-                                                                                                          " {:>10.1g}"),
+         F{"mean_S_error", &EvidenceRung::mean_spin_error, "1", "its standard error, 0 where exact"}.shown(
+             "sampled to", " {:>10.1g}"),
          F{"mean_S_off", &EvidenceRung::mean_spin_off, "1", "mean S less that of the most impacts"}.shown("off by",
                                                                                                           " {:>8.1g}"),
+         F{"mean_S_differs", &EvidenceRung::mean_spin_differs, "1", "the same, root mean square over the starts"}.shown(
+             "all starts", " {:>10.1g}"),
          F{"largest_exponent", of(&RunVerdict::largest_exponent), "1", "per impact"}.shown("exponent", " {:>10.4g}"),
          F{"largest_exponent_error", of(&RunVerdict::largest_exponent_error), "1", "its standard error"}.shown(
              "error", " {:>8.1g}"),

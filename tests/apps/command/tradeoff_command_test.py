@@ -166,7 +166,8 @@ class Ladders(unittest.TestCase):
         rows = measured(CHAOS)["evidence"]
         self.assertEqual([row["collisions"] for row in rows][:3], [100, 300, 1000])
         self.assertEqual((rows[-1]["changed"], rows[-1]["mean_S_off"], rows[-1]["exponent_off"]), (0, 0, 0))
-        self.assertGreater(rows[0]["mean_S_error"], rows[-1]["mean_S_error"])
+        known = [row["mean_S_error"] for row in rows if row["mean_S_error"] is not None]  # few impacts are too short to tell
+        self.assertGreater(known[0], known[-1])
         same = document(f"classify {CHAOS} --transient 300 --collisions 300")
         for key in ("mode", "kind", "mean_S", "largest_exponent"):
             self.assertEqual(rows[1][key], same[key], key)

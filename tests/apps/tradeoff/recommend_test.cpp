@@ -64,6 +64,18 @@ protected:
     }
 };
 
+TEST_F(Recommendation, FewerImpactsAreNotEnoughWhereMeanSDiffers) {
+    auto off = verdicts(100, 0, 64), near = verdicts(300, 0, 64);
+    off.mean_spin_differs = 0.6;
+    near.mean_spin_differs = 0.04;
+    EXPECT_EQ(enough_of(of({off, near, verdicts(1000, 0, 64)})), 300);
+    Tradeoff none = of({off, verdicts(300, 0, 64)});
+    recommend(none);
+    EXPECT_EQ(none.enough_collisions, 0);
+    EXPECT_NE(none.advice.find("on 100 + 100 mean S differs by 0.6, where less than 0.05 would do"), std::string::npos)
+        << none.advice;
+}
+
 TEST_F(Recommendation, FewerImpactsAreEnoughWhereLessThanATenthOfTheStartsChangesAtNinetyFivePercent) {
     EXPECT_EQ(enough_of(of({verdicts(100, 9, 64), verdicts(300, 1, 64), verdicts(1000, 0, 64)})), 300);
     EXPECT_EQ(enough_of(of({verdicts(100, 0, 64), verdicts(300, 2, 64), verdicts(1000, 0, 64)})), 0);  // up to 10.8 %

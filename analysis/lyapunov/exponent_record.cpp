@@ -59,6 +59,7 @@ ExponentAccumulator::ExponentAccumulator(std::size_t dimension, const LyapunovOp
       sums_(dimension, 0.0),
       compensation_(dimension, 0.0),
       lost_(dimension, 0),
+      annihilations_(dimension),
       blocks_(dimension + 1),
       wandering_(dimension),
       channels_(dimension + 1) {
@@ -78,9 +79,10 @@ ExponentAccumulator::ExponentAccumulator(std::size_t dimension, const LyapunovOp
 void ExponentAccumulator::add(std::span<const double> log_growth, double duration) {
     ++step_;
     time_ += duration;
+    std::size_t losses = 0;
     for (std::size_t i = 0; i < sums_.size(); ++i) {
         const bool lost = log_growth[i] == -infinity;
-        if (lost) ++lost_[i];
+        if (lost) ++lost_[i], ++losses;
         const double growth = lost ? 0 : log_growth[i];
         const double sum = sums_[i] + growth;
         compensation_[i] +=
@@ -89,10 +91,18 @@ void ExponentAccumulator::add(std::span<const double> log_growth, double duratio
         channels_[i] = growth;
         wandering_[i].add(growth);
     }
+    if (losses > 0) note_losses(losses);
     channels_.back() = duration;
     blocks_.add(channels_);
     add_weighted(channels_);
     if (step_ == next_checkpoint_) checkpoint();
+}
+
+void ExponentAccumulator::note_losses(std::size_t directions) {
+    Annihilation& those = annihilations_[directions - 1];
+    if (those.steps++ == 0) those.first = step_;
+    those.directions = static_cast<std::int64_t>(directions);
+    those.last = step_;
 }
 
 void ExponentAccumulator::add_weighted(std::span<const double> growth) {
@@ -146,6 +156,8 @@ LyapunovSpectrum ExponentAccumulator::finish(LyapunovOutcome outcome) const {
         result.effective_blocks.push_back(error.effective_blocks);
         result.growth_orders.push_back(lost ? nan : wandering_[i].growth_order());
         result.lost_ranks.push_back(lost_[i]);
+        const std::int64_t kept = step_ - lost_[i];
+        result.without_losses.push_back(kept > 0 ? (sums_[i] + compensation_[i]) / static_cast<double>(kept) : nan);
         result.block_sums.push_back(lost ? std::vector<double>{} : growth);
         const bool weighted = outcome == LyapunovOutcome::completed && weighted_[1].weight > 0;
         const auto average = [&](const WeightedSum& part) { return part.sums[i] / part.weight; };
@@ -153,6 +165,8 @@ LyapunovSpectrum ExponentAccumulator::finish(LyapunovOutcome outcome) const {
         result.weighted_half_difference.push_back(
             !weighted || lost ? nan : std::abs(average(weighted_[1]) - average(weighted_[2])));
     }
+    for (const Annihilation& those : annihilations_)
+        if (those.steps > 0) result.annihilations.push_back(those);
     result.record = record_;
     if (step_ > 0 && (record_.empty() || record_.back().step != step_)) result.record.push_back({step_, time_, mean});
     for (Checkpoint& point : result.record) point.exponents = permuted(point.exponents, order);

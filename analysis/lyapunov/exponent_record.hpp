@@ -38,6 +38,12 @@ struct Checkpoint {
     std::vector<double> exponents;  ///< per step, means up to here; −∞ once a rank is lost
 };
 
+/// The steps that annihilated this many directions at once.
+struct Annihilation {
+    std::int64_t directions = 0, steps = 0;
+    std::int64_t first = 0, last = 0;  ///< counted steps, from 1
+};
+
 /// Exponents by falling size; vectors of length D (of length 1 from `largest_exponent`).
 struct LyapunovSpectrum {
     LyapunovOutcome outcome = LyapunovOutcome::completed;
@@ -55,9 +61,12 @@ struct LyapunovSpectrum {
     std::vector<double> weighted_exponents;
     std::vector<double> weighted_half_difference;  ///< |first half − second half| of them: evidence of convergence
     std::vector<std::int64_t> lost_ranks;          ///< steps on which this direction was annihilated
-    std::vector<Checkpoint> record;                ///< the last one is where the computation ended
-    std::vector<std::vector<double>> block_sums;   ///< [exponent][block], sums of ln growth; without lost directions
-    std::int64_t block_length = 0;                 ///< steps
+    std::vector<Annihilation> annihilations;       ///< by rising number of directions; empty without lost ranks
+    /// Per step, over the steps that did not annihilate this direction; `exponents` where none did. NaN if all did.
+    std::vector<double> without_losses;
+    std::vector<Checkpoint> record;               ///< the last one is where the computation ended
+    std::vector<std::vector<double>> block_sums;  ///< [exponent][block], sums of ln growth; without lost directions
+    std::int64_t block_length = 0;                ///< steps
 };
 
 /// Turns the growth ln R_ii of every step into a LyapunovSpectrum. O(D) per step, O(D (64 + checkpoints)) memory.
@@ -73,6 +82,7 @@ public:
 
 private:
     void checkpoint();
+    void note_losses(std::size_t directions);
     void add_weighted(std::span<const double> growth);
     std::vector<double> means() const;
 
@@ -90,7 +100,8 @@ private:
     std::vector<double> sums_;
     std::vector<double> compensation_;  ///< of the sums' rounding (Neumaier)
     std::vector<std::int64_t> lost_;
-    BlockSums blocks_;  ///< channels: the exponents, then the duration
+    std::vector<Annihilation> annihilations_;  ///< [directions − 1]
+    BlockSums blocks_;                         ///< channels: the exponents, then the duration
     std::vector<DyadicSquares> wandering_;
     std::vector<WeightedSum> weighted_;  ///< whole orbit, first half, second half
     std::vector<Checkpoint> record_;

@@ -15,7 +15,8 @@ namespace swirl::apps::lyapunov {
 const char* const lyapunov_details =
     R"(Exponents are means of ln growth per collision, by falling size, from QR of the exact derivative: weighted means
 where both halves of the orbit agree on them to 1e-8 (regular orbits), plain means elsewhere; standard errors are from
-blocks. An exponent of -inf (null in JSON) says that sticking annihilates a direction: DF loses a rank. An exponent is
+blocks. An exponent of -inf (null in JSON) says that a direction is annihilated: sticking takes one rank of DF, the end of
+a chatter several. The table names the impacts that did, and lists the exponents of the others ("without them"). An exponent is
 neutral, zero, where the summed growth stays bounded. Without friction and with e = 1 J is conserved, and exponents pair to zero.
 An orbit that ends early (in-contact, no-contact ...) gives the exponents of the impacts that it had, and exit code 3.
 
@@ -52,6 +53,8 @@ Table<std::size_t> exponent_table(const OrbitSpectrum& s) {
     const auto from = [](const std::vector<double>& values) { return [&values](std::size_t i) { return values[i]; }; };
     const auto& means = s.spectrum;
     const Look sign{"", look_of("  {}").text};
+    F without{"without_losses", from(means.without_losses), "1", "per collision, over the impacts that did not"};
+    if (!means.annihilations.empty()) without.shown("without them", " {:>16.9g}");
     return {{"exponent"},
             {F{"exponents", from(s.exponents), "1", "per collision"}.shown("per collision", "  {:>16.9g}"),
              F{"exponents_per_time", from(s.per_time), "omega_s", "per unit of time"}
@@ -61,9 +64,24 @@ Table<std::size_t> exponent_table(const OrbitSpectrum& s) {
              F{"standard_errors_per_time", from(means.per_time_standard_errors), no_column},
              F{"plain_means", from(means.exponents), no_column}.shown("plain mean", " {:>16.9g}"),
              F{"weighted_means", from(means.weighted_exponents), no_column},
-             F{"signs", [&s](std::size_t i) { return s.signs[i].sign; }, no_column}.shown("", sign)},
+             F{"lost_ranks", [&means](std::size_t i) { return means.lost_ranks[i]; }, "1",
+               "impacts that annihilated this direction"},
+             without, F{"signs", [&s](std::size_t i) { return s.signs[i].sign; }, no_column}.shown("", sign)},
             {},
             {"exponents", "standard_errors"}};
+}
+
+/// Which impacts annihilated how many directions at once.
+Table<analysis::Annihilation> annihilation_table(const OrbitSpectrum& s) {
+    using Row = analysis::Annihilation;
+    const auto impact = [&s](std::int64_t Row::*step) {
+        return [&s, step](const Row& row) { return static_cast<std::int64_t>(s.before) + row.*step; };
+    };
+    return {{"annihilation"},
+            {{"directions", &Row::directions, "1", "directions that were annihilated at once"},
+             {"impacts", &Row::steps, "1", "impacts that did so"},
+             {"first", impact(&Row::first), "1", "number of the first of them, from the orbit's first impact on"},
+             {"last", impact(&Row::last), "1", "of the last"}}};
 }
 
 /// How the running means converged.
@@ -106,6 +124,7 @@ void write_document(const LyapunovCommandOptions& options, const Scene<double>& 
     print_document([&](JsonWriter& json) {
         write_scene(json, scene, options.scene, &options.start);
         write_lists(json, exponent_table(s), places_of(s, false));
+        write_json(json, "annihilations", annihilation_table(s), s.spectrum.annihilations);
         write_json(json, "neutral", neutral_table(scene, s), places_of(s, true));
         write_json(json, "convergence", convergence_table(s.exponents.size()), s.spectrum.record);
         json.member("outcome", name_of(s.outcome));
@@ -119,6 +138,9 @@ void print_spectrum(const Scene<double>& scene, const OrbitSpectrum& s, const st
                name_of(s.outcome), s.spectrum.steps, with_unit(s.spectrum.time, units, "1/omega_s"));
     if (s.signs.empty()) return;
     print_table(in_units(exponent_table(s), units), places_of(s, false));
+    for (const analysis::Annihilation& those : s.spectrum.annihilations)
+        fmt::print("  {} direction{} annihilated by {} impact{}, the first of them number {}\n", those.directions,
+                   those.directions == 1 ? "" : "s", those.steps, those.steps == 1 ? "" : "s", s.before + those.first);
     fmt::print("  sum {:.9g}\n", s.sum);
     if (std::isfinite(s.jacobi_residual))
         fmt::print("  J is conserved: its gradient is carried along to {:.1e}\n", s.jacobi_residual);
@@ -132,6 +154,8 @@ void write_spectrum(const RecordGroup& root, const LyapunovCommandOptions& optio
     if (s.exponents.empty()) return;
     const RecordGroup group = root.group("lyapunov");
     write_record(group, exponent_table(s), places_of(s, false));
+    if (!s.spectrum.annihilations.empty())
+        write_record(root.group("annihilations"), annihilation_table(s), s.spectrum.annihilations);
     write_record(group, convergence_table(s.exponents.size()), s.spectrum.record);
 }
 

@@ -37,6 +37,7 @@ struct OrbitSpectrum {
     double jacobi_residual = 0;            ///< ‖∇J(F(z)) DF − ∇J(z)‖ relative, NaN where J is not conserved
     Outcome outcome = Outcome::completed;  ///< how following the orbit ended
     long long impacts = 0;
+    long long before = 0;  ///< impacts before the first counted one
 };
 
 /// If the halves of an orbit agree on a weighted mean to this, the orbit counts as regular (periodic or

@@ -46,6 +46,7 @@ OrbitSpectrum spectrum_of(const Scene<double>& scene, const Start<double>& start
         analysis::LyapunovOptions options;
         options.transient = transient;
         options.steps = collisions;
+        result.before = begin.impacts + transient;
         if (begin.outcome != Outcome::completed) {
             result.spectrum = analysis::ExponentAccumulator(map.dimension, options)
                                   .finish(analysis::LyapunovOutcome::ended_in_transient);

@@ -184,6 +184,13 @@ TEST(Lyapunov, ALostRankIsMinusInfinityAndTheRestGoesOn) {
         EXPECT_TRUE(std::isnan(result.standard_errors[2]));
         EXPECT_EQ(result.lost_ranks[2], 1000);
         EXPECT_EQ(result.lost_ranks[1], 0);
+        EXPECT_EQ(result.without_losses[1], result.exponents[1]);
+        EXPECT_TRUE(std::isnan(result.without_losses[2]));  // no step did not
+        ASSERT_EQ(result.annihilations.size(), 1U);
+        EXPECT_EQ(result.annihilations[0].directions, 1);
+        EXPECT_EQ(result.annihilations[0].steps, 1000);
+        EXPECT_EQ(result.annihilations[0].first, 1);
+        EXPECT_EQ(result.annihilations[0].last, 1000);
     }
 }
 
@@ -196,6 +203,28 @@ TEST(Lyapunov, ANilpotentPartLosesAllItsDirections) {
     EXPECT_EQ(result.exponents[2], -infinity);
     map.A.setZero();
     EXPECT_EQ(largest_exponent(map, Vector<3>{0, 0, 0}, of_length(100)).exponents[0], -infinity);
+}
+
+TEST(Lyapunov, SaysWhichStepsAnnihilatedHowManyDirectionsAndWhatTheOthersHave) {
+    LyapunovOptions options;
+    options.steps = 1000;
+    ExponentAccumulator accumulator(3, options);
+    for (int step = 1; step <= 1000; ++step) {
+        const bool one = step % 100 == 0, two = step == 700;
+        accumulator.add(std::vector<double>{0.5, two ? -infinity : -0.25, one || two ? -infinity : -2}, 1);
+    }
+    const LyapunovSpectrum found = accumulator.finish(LyapunovOutcome::completed);
+    EXPECT_EQ(found.exponents[1], -infinity);
+    EXPECT_NEAR(found.without_losses[0], 0.5, 1e-14);
+    EXPECT_NEAR(found.without_losses[1], -0.25, 1e-14);
+    EXPECT_NEAR(found.without_losses[2], -2, 1e-14);
+    ASSERT_EQ(found.annihilations.size(), 2U);
+    EXPECT_EQ(found.annihilations[0].directions, 1);
+    EXPECT_EQ(found.annihilations[0].steps, 9);
+    EXPECT_EQ(found.annihilations[0].first, 100);
+    EXPECT_EQ(found.annihilations[0].last, 1000);
+    EXPECT_EQ(found.annihilations[1].directions, 2);
+    EXPECT_EQ(found.annihilations[1].first, 700);
 }
 
 TEST(Lyapunov, ARankLostOnceInAWhileIsStillMinusInfinity) {

@@ -23,7 +23,9 @@ enum class Kind {
     sliding,              ///< in contact for ever and slipping
     two_vertex,           ///< in contact for ever on the two vertices of an edge
     chaotic,              ///< a positive largest exponent
-    transient             ///< still changing: its size, or what it does
+    transient,            ///< still changing: its size, or what it does
+    accelerated,          ///< its energy grows without end
+    chord                 ///< on a winding no-slip chord, or on the way along it, to a limit of S
 };
 
 inline std::string_view name_of(Mode mode) {
@@ -68,6 +70,10 @@ inline std::string_view name_of(Kind kind) {
             return "chaotic";
         case Kind::transient:
             return "transient";
+        case Kind::accelerated:
+            return "accelerated";
+        case Kind::chord:
+            return "chord";
     }
     return "";
 }

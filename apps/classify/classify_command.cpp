@@ -20,7 +20,8 @@ const char* const classify_details =
     R"(Modes: steady (one state), quasi-steady (a cycle or a torus of states), chaotic, undecided. One line says what was
 found and why, one what would change it; --verbose lists all evidence. An orbit that comes to stay on the wall (outcome in-contact) is named by its contact: rolling (at rest in the
 co-rotating frame, steady; also called snaking), rolling-librating, rolling-circulating, sliding, two-vertex; a cycle
-that lands and leaves again is a landing. Without any contact the mode is undecided. An orbit is followed until nothing
+that lands and leaves again is a landing. With e = 1 friction accelerates polygons: accelerated (on a diameter, its energy
+grows without end), chord (on a chord without slip, to a limit of S; map/chords/README.md). Without any contact the mode is undecided. An orbit is followed until nothing
 can change its verdict (an attracting cycle), at most through --transient and --collisions; --exhaustive: through all.
 
 With --runs R run r is the verdict of --seed SEED+r; the shares of modes and kinds and the attractors that coexist are

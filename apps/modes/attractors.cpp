@@ -26,6 +26,8 @@ bool has_own_mean(analysis::Kind kind) {
         case Kind::rolling_circulating:
         case Kind::chaotic:
         case Kind::transient:
+        case Kind::accelerated:
+        case Kind::chord:
             return false;
     }
     return false;

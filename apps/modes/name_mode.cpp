@@ -1,5 +1,6 @@
 #include "apps/modes/name_mode.hpp"
 
+#include "apps/modes/chord_mode.hpp"
 #include "apps/modes/contact_mode.hpp"
 #include "apps/modes/naming.hpp"
 #include "apps/system/chatter_once.hpp"
@@ -136,12 +137,14 @@ void keep_samples(const SceneMap<D>& map, const analysis::Tail<SceneMap<D>>& tai
 }
 
 template <int D>
-NamedMode name_in(const SceneMap<D>& map, const Start<double>& start, const analysis::ClassifyOptions& settings,
-                  bool dissipative, const analysis::Stop& stop, OrbitSamples* samples) {
+NamedMode name_in(const SceneMap<D>& map, const SceneStart& from, const analysis::ClassifyOptions& settings,
+                  const analysis::Stop& stop, OrbitSamples* samples) {
+    const auto& [scene, start] = from;
     const OrbitBegin begin = begin_orbit(map, start);
     if (begin.outcome != Outcome::completed) return named_without_orbit(begin);
-    auto orbit = followed(map, begin.state, steps_before(begin, settings), settings, dissipative, stop);
-    return named_from(map, begin, orbit, settings, dissipative, samples);
+    auto orbit =
+        followed(map, begin.state, steps_before(begin, settings), settings, is_dissipative_without_drive(scene), stop);
+    return named_from(map, scene, begin, orbit, settings, samples);
 }
 
 }  // namespace
@@ -161,8 +164,9 @@ NamedMode named_without_orbit(const OrbitBegin& begin) {
 }
 
 template <int D>
-NamedMode named_from(const SceneMap<D>& map, const OrbitBegin& begin, FollowedScene<D>& orbit,
-                     const analysis::ClassifyOptions& settings, bool dissipative, OrbitSamples* samples) {
+NamedMode named_from(const SceneMap<D>& map, const Scene<double>& scene, const OrbitBegin& begin,
+                     FollowedScene<D>& orbit, const analysis::ClassifyOptions& settings, OrbitSamples* samples) {
+    const bool dissipative = is_dissipative_without_drive(scene);
     NamedMode named;
     named.impacts = begin.impacts;
     const auto& tail = orbit.tail;
@@ -178,21 +182,21 @@ NamedMode named_from(const SceneMap<D>& map, const OrbitBegin& begin, FollowedSc
         name_dissipative_orbit(named.verdict);
     }
     look_for_landings(map, settings, named.verdict);
+    if (named.outcome == Outcome::diverged) name_divergence(named);
+    if constexpr (D == polygon_dimension) look_for_growth(map, scene, tail, named);
     named.mean_errors = errors_of_means(map, tail, named.verdict);
     return named;
 }
 
-template NamedMode named_from(const SceneMap<disk_dimension>&, const OrbitBegin&, FollowedScene<disk_dimension>&,
-                              const analysis::ClassifyOptions&, bool, OrbitSamples*);
-template NamedMode named_from(const SceneMap<polygon_dimension>&, const OrbitBegin&, FollowedScene<polygon_dimension>&,
-                              const analysis::ClassifyOptions&, bool, OrbitSamples*);
+template NamedMode named_from(const SceneMap<disk_dimension>&, const Scene<double>&, const OrbitBegin&,
+                              FollowedScene<disk_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
+template NamedMode named_from(const SceneMap<polygon_dimension>&, const Scene<double>&, const OrbitBegin&,
+                              FollowedScene<polygon_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
 
 NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& options,
                     Accuracy accuracy, const analysis::Stop& stop, OrbitSamples* samples) {
     const analysis::ClassifyOptions settings = settings_for(scene, options);
-    const auto name = [&](const auto& map) {
-        return name_in(map, start, settings, is_dissipative_without_drive(scene), stop, samples);
-    };
+    const auto name = [&](const auto& map) { return name_in(map, SceneStart{scene, start}, settings, stop, samples); };
     NamedMode named = with_scene_map(scene, name, contact_horizon, accuracy);
     named.accuracy = accuracy;
     return named;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/classification/classify.hpp"
+#include "analysis/classification/growth.hpp"
 #include "apps/command_line/accuracy.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "apps/modes/means.hpp"
@@ -21,6 +22,8 @@ struct NamedMode {
     Outcome outcome = Outcome::completed;
     long long impacts = 0;
     Accuracy accuracy = Accuracy::double_precision;  ///< in which its orbit was followed
+    analysis::GrowthExponent growth;                 ///< of the energy, by impacts, of one that is accelerated
+    double limit_spin = analysis::nan;               ///< S* of a chord
     bool finished = true;  ///< false: stopped before there was a verdict; nothing else is meaningful then
 };
 

@@ -11,6 +11,7 @@ namespace {
 template <int D>
 struct Naming {
     std::size_t place;  ///< among the starts
+    Scene<double> scene;
     SceneMap<D> map;
     OrbitBegin begin;
     analysis::ClassifyOptions settings;
@@ -29,7 +30,7 @@ struct Naming {
         orbit.look(map);
     }
 
-    NamedMode named(OrbitSamples* samples) { return named_from(map, begin, orbit.orbit(), settings, false, samples); }
+    NamedMode named(OrbitSamples* samples) { return named_from(map, scene, begin, orbit.orbit(), settings, samples); }
 };
 
 /// Those that take their next steps together, of one shape and impact rule.
@@ -128,7 +129,8 @@ std::optional<Naming<D>> naming_of(std::size_t place, const SceneStart& start,
     const SceneMap<D> map(start.scene);
     const OrbitBegin begin = begin_orbit(map, start.start);
     if (begin.outcome != Outcome::completed) return {};
-    Naming<D> naming{place, map, begin, settings, settling<D>(begin.state, steps_before(begin, settings), settings)};
+    Naming<D> naming{place, start.scene, map,
+                     begin, settings,    settling<D>(begin.state, steps_before(begin, settings), settings)};
     if (!naming.orbit.keeps_states()) return {};
     return naming;
 }

@@ -26,6 +26,24 @@ Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s)
             {"accuracy", std::string(name_of(named.accuracy))}};
 }
 
+using Growth = Field<NamedMode>;
+
+auto growth(double analysis::GrowthExponent::*member) {
+    return [member](const NamedMode& named) { return named.growth.*member; };
+}
+
+/// As one object, or null.
+Growth growth_field() {
+    return {"growth_exponent", [](JsonWriter& json, const NamedMode& named) {
+                if (std::isnan(named.growth.value)) return json.null();
+                json.begin_object();
+                json.member("value", named.growth.value);
+                json.member("low", named.growth.low);
+                json.member("high", named.growth.high);
+                json.end_object();
+            }};
+}
+
 Table<NamedMode> verdict_table() {
     using Verdict = analysis::Classification;
     const auto of = [](auto member) { return [member](const NamedMode& named) { return named.verdict.*member; }; };
@@ -47,6 +65,14 @@ Table<NamedMode> verdict_table() {
              {"largest_exponent", of(&Verdict::largest_exponent), no_column},
              {"largest_exponent_error", of(&Verdict::largest_exponent_error), no_column},
              {"rotation_number", of(&Verdict::rotation), no_column},
+             growth_field(),
+             Growth{"growth_exponent", growth(&analysis::GrowthExponent::value), "1", "power of n by which J grows"}
+                 .record_only(),
+             Growth{"growth_exponent_low", growth(&analysis::GrowthExponent::low), "1", "of its interval of 95 %"}
+                 .record_only(),
+             Growth{"growth_exponent_high", growth(&analysis::GrowthExponent::high), "1", "of its interval of 95 %"}
+                 .record_only(),
+             {"limit_S", &NamedMode::limit_spin, no_column},
              {"outcome", &NamedMode::outcome, no_column},
              {"impacts", &NamedMode::impacts, no_column},
              {"point", of(&Verdict::point), no_column},

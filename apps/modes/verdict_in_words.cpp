@@ -46,6 +46,9 @@ std::string mode_in_words(const Classification& verdict) {
 }
 
 std::string sureness_in_words(const Classification& verdict) {
+    if (const Evidence* chord = evidence_of(verdict, "slowest multiplier of the chord"); chord != nullptr)
+        return fmt::format("settled: the chord attracts, slowest multiplier {:.6g}", chord->value);
+    if (verdict.kind == Kind::accelerated) return "as far as it was followed: energy is created without bound";
     if (verdict.mode == Mode::undecided) return "undecided: " + reason_in_words(verdict);
     if (!verdict.multipliers.empty() || evidence_of(verdict, "closure throughout") != nullptr)
         return sureness_of_cycle(verdict);

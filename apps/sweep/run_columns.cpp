@@ -29,7 +29,7 @@ std::vector<RunColumn> run_columns() {
     for (const auto mode : all_modes) modes.emplace_back(name_of(mode));
     return {
         {"run_mode", &RunResult::mode, "", "mode", names, modes},
-        {"run_kind", &RunResult::kind, "", "kind", names, names_up_to(analysis::Kind::transient)},
+        {"run_kind", &RunResult::kind, "", "kind", names, names_up_to(analysis::Kind::chord)},
         {"run_outcome", &RunResult::outcome, "", "outcome", names, names_up_to(Outcome::unresolved)},
         {"run_period", &RunResult::period, "1", "period, 0: none", count},
         {"run_mean_S", &RunResult::mean_spin, "1", "time mean of S"},

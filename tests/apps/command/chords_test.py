@@ -1,9 +1,9 @@
-"""Chords and diameters in describe, from outside: chords_test.py SWIRL"""
+"""Chords and diameters in describe and classify, from outside: chords_test.py SWIRL"""
 
 import math
 import unittest
 
-from driving import InFolder, document
+from driving import InFolder, document, run
 
 PAPER = "--sides 6 --beta 0.1 --mu 0.5 --restitution 1"
 
@@ -24,6 +24,27 @@ class Chords(InFolder):
         diameter = next(c for c in found["chords"] if c["a"] == 0)
         self.assertAlmostEqual(diameter["balance_J"], 1.1427, delta=0.02)
         self.assertAlmostEqual((0.75 * diameter["growth"]) ** (1 / 3), 0.44702, delta=5e-6)
+
+    def test_a_diameter_accelerates(self):
+        found = document(f"classify {PAPER} --alpha 0.56")
+        self.assertEqual((found["mode"], found["kind"], found["mean_S"]), ("quasi-steady", "accelerated", None))
+        growth = found["growth_exponent"]
+        self.assertLess(growth["low"], growth["value"])
+        self.assertLess(growth["value"], growth["high"])
+        self.assertAlmostEqual(growth["value"], 1 / 3, delta=0.05)
+        gain = next(e for e in found["evidence"] if e["name"] == "gain of energy per impact")
+        self.assertAlmostEqual(gain["value"] / gain["threshold"], 1, delta=0.2)
+
+    def test_a_chord_has_its_limit(self):
+        found = document(f"classify {PAPER} --alpha 0.44")
+        self.assertEqual((found["mode"], found["kind"], found["mean_S"]), ("quasi-steady", "chord", None))
+        self.assertAlmostEqual(found["limit_S"], -10.451, delta=1e-3)
+        self.assertIsNone(found["growth_exponent"])
+        self.assertIn("S goes to -10.45", run(f"classify {PAPER} --alpha 0.44").stdout)
+
+    def test_chaos_is_neither(self):
+        found = document("classify --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1")
+        self.assertEqual((found["kind"], found["growth_exponent"], found["limit_S"]), ("chaotic", None, None))
 
 
 if __name__ == "__main__":

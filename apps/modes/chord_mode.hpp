@@ -1,0 +1,21 @@
+// Is an orbit on a chord or a diameter (map/chords/README.md), and where does that lead it?
+#pragma once
+
+#include "analysis/classification/tail.hpp"
+#include "apps/modes/name_mode.hpp"
+#include "apps/system/scene_map.hpp"
+
+namespace swirl::apps {
+
+/// Names what its tail's kind does not tell: `chord`, with the S* that it is led to, or `accelerated`. Of an orbit that
+/// has not settled on a cycle, e = 1, friction and swirl: 256 more impacts from its last state all stick, go on by the
+/// chord's j, and deviate from it by no more than twice the forced response to the swirl. Newton's law: energy that
+/// grows geometrically along the tail. Otherwise nothing is changed.
+/// Cost: a look at the last state; where that is near a chord 256 impacts.
+void look_for_growth(const SceneMap<polygon_dimension>& map, const Scene<double>& scene,
+                     const analysis::Tail<SceneMap<polygon_dimension>>& tail, NamedMode& named);
+
+/// An orbit whose speeds have left the numbers.
+void name_divergence(NamedMode& named);
+
+}  // namespace swirl::apps

@@ -32,12 +32,19 @@ int fail(int code, const std::string& message) {
     return code;
 }
 
+/// What could not be printed. Whoever closed a pipe that is printed into wants no more, not even to be told.
+int fail_to_print(const std::string& message) {
+    const bool is_silent = std::ferror(stdout) != 0 && reader_of_output_has_gone();
+    return is_silent ? exit_io_failed : fail(exit_io_failed, message);
+}
+
 /// Under --help.
 const char* const path_through_commands =
     R"(The path:  simulate -> classify -> sweep         one orbit; its mode; the modes over parameters
            orbits -> continue -> bifurcate      cycles; their branches over a parameter; attractors and branches
            plot, animate, notebook              the figure, film or notebook of any record (-o FILE.h5)
-`swirl COMMAND --help` ends with an example that runs:  swirl tour  names the modes of built-in scenes.)";
+`swirl COMMAND --help` (or `swirl help COMMAND`) ends with an example that runs:  swirl tour  names the modes of built-in
+scenes.)";
 
 /// Runs of a sweep take and free a megabyte each. glibc would return it to the system every time, which then clears it
 /// page by page for the next: a sixth of a sweep's time.
@@ -51,8 +58,7 @@ void keep_freed_memory() {
 
 int run_command(Program& program, int argc, char** argv) {
     const int code = program.called(argc, argv)();
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-        return fail(exit_io_failed, "cannot write to standard output");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return fail_to_print("cannot write to standard output");
     return code;
 }
 
@@ -67,9 +73,9 @@ int run_or_fail(Program& program, int argc, char** argv) {
     } catch (const RecordError& error) {
         return fail(exit_io_failed, error.what());
     } catch (const JsonError& error) {
-        return fail(exit_io_failed, error.what());
+        return fail_to_print(error.what());
     } catch (const std::system_error& error) {  // fmt, when a line can't be printed
-        return fail(exit_io_failed, error.what());
+        return fail_to_print(error.what());
     } catch (const std::bad_alloc&) {
         return fail(exit_io_failed, "out of memory");
     } catch (const std::exception& error) {  // an error of a library that no command expects

@@ -13,7 +13,11 @@
 
 namespace swirl::apps {
 
-/// The decimal `text` as a T, without a detour through double. @throws BadInput naming the option
+/// True of a number whose digits are not all 0 although the nearest double is: 1e-400, -2e-324.
+bool underflows(const std::string& text);
+
+/// The decimal `text` as a T, without a detour through double. @throws BadInput naming the option: it is no number, or
+/// underflows
 template <class T>
 T number_from(const std::string& name, const std::string& text) {
     std::size_t begin = 0;
@@ -22,6 +26,8 @@ T number_from(const std::string& name, const std::string& text) {
     const double rough = std::strtod(text.c_str() + begin, &end);
     if (begin == text.size() || end == text.c_str() + begin || *end != '\0')
         throw BadInput(fmt::format("{} = '{}' is not a number", name, text));
+    if (rough == 0 && underflows(text))
+        throw BadInput(fmt::format("{} = {} is outside its range: 0, or 1e-75 to 1e75 in size", name, text));
     if constexpr (std::is_same_v<T, double>) {
         return rough;
     } else if constexpr (std::is_same_v<T, long double>) {
@@ -52,5 +58,9 @@ std::vector<T> numbers_from(const std::string& name, const std::string& text, st
 /// scene is then the same in every command. (In double the sum would give 0.7000000000000001.) @throws BadInput naming
 /// A or B
 std::vector<double> points_between(const std::string& a, const std::string& b, long count);
+
+/// `count` points from A to B, both > 0, each the double nearest to A (B/A)^{i/(count − 1)}: of 0.001 … 1 in three
+/// steps the numbers that a user writes as 0.01 and 0.1. @throws BadInput naming A or B
+std::vector<double> points_between_logarithms(const std::string& a, const std::string& b, long count);
 
 }  // namespace swirl::apps

@@ -4,6 +4,7 @@
 #include "apps/command_line/words.hpp"
 #include "apps/output/wrapped.hpp"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -42,12 +43,24 @@ std::string in_lower_case(std::string text) {
     return text;
 }
 
+/// `help NAME` is `NAME --help`, and `help` alone `--help`. @throws BadInput for more words
+std::vector<std::string> without_help(const std::vector<std::string>& words) {
+    if (words.empty() || words.front() != "help") return words;
+    if (words.size() > 2)
+        throw BadInput(fmt::format("help takes the name of one command; {} are given", words.size() - 1));
+    return words.size() == 1 ? std::vector<std::string>{"--help"} : std::vector<std::string>{words[1], "--help"};
+}
+
 }  // namespace
 
 Program::Action Program::called(int argc, char** argv) {
-    check_words(*app_, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    const std::vector<std::string> words =
+        without_help(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    check_words(*app_, words);
     try {
-        app_->parse(argc, argv);
+        std::vector<const char*> arguments = {argc > 0 ? argv[0] : "swirl"};
+        for (const std::string& word : words) arguments.push_back(word.c_str());
+        app_->parse(static_cast<int>(arguments.size()), arguments.data());
     } catch (const CLI::CallForHelp&) {
         return [this] {
             std::cout << help_in_columns(app_->help());

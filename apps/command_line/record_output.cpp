@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <system_error>
 
@@ -56,13 +57,33 @@ void require_replaceable(const OutputOptions& output) {
             output.record, *other, output.command));
 }
 
+void require_record_name(const OutputOptions& output) {
+    constexpr std::array<std::array<const char*, 2>, 8> others = {{{".png", "plot"},
+                                                                   {".svg", "plot"},
+                                                                   {".pdf", "plot"},
+                                                                   {".jpg", "plot"},
+                                                                   {".gif", "animate"},
+                                                                   {".mp4", "animate"},
+                                                                   {".webm", "animate"},
+                                                                   {".ipynb", "notebook"}}};
+    const std::string suffix = std::filesystem::path(output.record).extension().string();
+    for (const auto& [other, command] : others)
+        if (suffix == other)
+            throw BadInput(
+                fmt::format("output '{0}': -o writes a record (HDF5): give -o FILE.h5, then swirl {1} FILE.h5 "
+                            "-o {0}",
+                            output.record, command));
+}
+
 void require_output(const OutputOptions& output, const std::vector<std::string>& inputs) {
+    require_record_name(output);
     require_no_input(output.record, inputs);
     require_replaceable(output);
 }
 
 void require_creatable(const OutputOptions& output) {
     if (output.record.empty()) return;
+    require_record_name(output);
     if (const auto obstacle = obstacle_to_creating(output.record))
         throw BadInput(fmt::format("cannot create record '{}': {}", output.record, *obstacle));
 }

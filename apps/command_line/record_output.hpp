@@ -19,7 +19,10 @@ void require_no_input(const std::string& output, const std::vector<std::string>&
 /// Refuses an existing file that is not a record of the command, unless --force is given. @throws BadInput
 void require_replaceable(const OutputOptions& output);
 
-/// Both of these, before any work.
+/// Refuses the name of a figure, film or notebook, which other commands make of the record. @throws BadInput
+void require_record_name(const OutputOptions& output);
+
+/// All of these, before any work.
 void require_output(const OutputOptions& output, const std::vector<std::string>& inputs);
 
 /// Refuses an output that can't be created, for work that writes it at its end. @throws BadInput

@@ -1,6 +1,7 @@
 #include "apps/command_line/standard_streams.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -28,6 +29,11 @@ void prepare_standard_streams() {
     take(STDERR_FILENO, O_RDONLY);
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+}
+
+bool reader_of_output_has_gone() {
+    pollfd output{STDOUT_FILENO, 0, 0};  // errors are told unasked: POLLERR of a pipe, POLLHUP of a socket
+    return ::poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLHUP)) != 0;
 }
 
 void tell(const std::string& line) {

@@ -11,6 +11,9 @@ namespace swirl::apps {
 /// beyond the limit of a file's size, fails like any other writing instead of ending the process.
 void prepare_standard_streams();
 
+/// True if standard output is a pipe or a socket whose reader has closed it, as `| head` does.
+bool reader_of_output_has_gone();
+
 /// A line on standard error. Nothing depends on whether it can be written.
 void tell(const std::string& line);
 

@@ -91,8 +91,39 @@ class Arguments(InFolder):
         self.assertEqual(document(f"simulate {SCENE} --collisions 010"), ten)
         self.assertEqual(document(f"simulate {SCENE} --collisions +0000000000010"), ten)
         self.assertEqual(len(ten["collisions"]), 10)
-        for text in ("0x10", "1e1", "10.0", "1'000", "10 ", "+-10", "9223372036854775808", "--10"):
+        for text in ("0x10", "1e-1", "10.0", "1.5e0", "1e+-1", "1e", "e1", "1e19", "1'000", "10 ", "+-10", "9223372036854775808", "--10"):
             self.refused(["simulate", *SCENE.split(), f"--collisions={text}"], "collisions", text.strip())
+
+    def test_a_whole_number_may_have_an_exponent(self):
+        ten = document(f"simulate {SCENE} --collisions 10")
+        for text in ("1e1", "1E+1", "0.1e2", "100e-1"):
+            self.assertEqual(document(f"simulate {SCENE} --collisions {text}"), ten)
+
+    def test_what_underflows_is_not_read_as_zero(self):
+        """1e-400 has no double but 0, and half of the smallest one, 2^-1074 = 4.9e-324, none but 0 either."""
+        without = SCENE.replace("--mu 0.5", "")
+        for text in ("1e-400", "-2e-324", "0.00001e-330"):
+            self.refused(f"classify {without} --mu={text}", "mu", text, "1e-75")
+            self.refused(f"classify {SCENE} --x={text}", "x", text)
+            self.refused(f"sweep {without} --grid mu={text}:1:3", text)
+        self.refused(f"classify {SCENE} --threshold=1e-400", "threshold", "1e-400")
+        zero = document(f"describe {without} --mu 0e-400")  # is 0 as it is written
+        self.assertEqual(zero["scene"]["mu"], 0)
+        for text in ("1e-400", "1_0.0e-400", "-2e-324"):
+            scene = self.file("scene.toml", f"[scene]\nsides = 6\nalpha = 0.4\nbeta = 0.5\nmu = {text} # tiny\nrestitution = 0.9\n")
+            self.before = sorted(self.folder.iterdir())
+            self.refused(f"classify --scene {scene}", "mu", text.replace("_", ""))
+
+    def test_help_of_a_command(self):
+        for words, same in (("help classify", "classify --help"), ("help", "--help")):
+            self.assertEqual((run(words).returncode, run(words).stdout), (0, run(same).stdout))
+        self.refused("help clasify", "did you mean classify?")
+        self.refused("help classify sweep", "one command")
+
+    def test_a_record_is_no_figure(self):
+        for suffix, command in (("png", "plot"), ("mp4", "animate"), ("ipynb", "notebook")):
+            for line in (f"simulate {SCENE}", f"sweep {SCENE} --grid mu=0.1:0.2:2", f"bifurcate {SCENE} --along beta=0.4:0.6:2"):
+                self.refused(f"{line} -o map.{suffix}", f"map.{suffix}", f"swirl {command} FILE.h5")
 
     def test_no_number_is_nan_or_infinite(self):
         for command, options in NUMBERS.items():

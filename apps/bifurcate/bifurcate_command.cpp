@@ -98,7 +98,7 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
 /// What is to be done; nothing is yet. @throws BadInput
 Diagram planned(BifurcateOptions& options) {
     options.scene.read_file();
-    options.start.take_units(options.scene);
+    options.start.take_from(options.scene);
     options.settings.accuracy = options.output.accuracy();
     Diagram diagram;
     diagram.along = parameter_range_from(options.along, true, false);

@@ -2,6 +2,7 @@
 
 #include "apps/command_line/text_file.hpp"
 
+#include <algorithm>
 #include <array>
 
 // toml++ asserts, or lets the optimiser assume, what text may break ("[%" under 3.3) before it says what is wrong with
@@ -39,17 +40,16 @@ const std::array<SceneName, 12> scene_names = {{
 /// A ratio, and the length that may be given instead.
 constexpr std::pair<const char*, const char*> same_quantity[] = {{"alpha", "polygon-radius"}, {"beta", "swirl-radius"}};
 
+constexpr std::array<const char*, 9> start_names = {"x", "y", "vx", "vy", "angle", "spin", "point", "speed", "seed"};
+
+bool is_start_name(const std::string& name) {
+    return std::find(start_names.begin(), start_names.end(), name) != start_names.end();
+}
+
 bool is_scene_name(const std::string& name) {
     for (const auto& known : scene_names)
         if (name == known.name) return true;
     return false;
-}
-
-std::string text_of(const std::string& file, const std::string& key, const toml::node& node) {
-    if (const auto* text = node.as_string()) return text->get();
-    if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
-    if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());  // 0.4 as a flag has it
-    throw BadInput(fmt::format("scene file '{}': key '{}' must be a number or a string", file, key));
 }
 
 // A scene is a dozen lines; above it a file is taken for one that never ends.
@@ -63,12 +63,44 @@ std::string in_ascii(std::string text) {
     return text;
 }
 
-toml::table parsed(const std::string& file) {
+struct ParsedFile {
+    std::string name, text;
+    toml::table table;
+
+    /// What stands there for a number, as long as it lies in one line.
+    std::string written(const toml::node& node) const {
+        const toml::source_region& at = node.source();
+        const std::vector<std::string> lines = pieces_of(text, '\n');
+        if (at.begin.line != at.end.line || at.begin.line < 1 || at.begin.line > lines.size()) return "";
+        std::string number = lines[at.begin.line - 1].substr(at.begin.column - 1, at.end.column - at.begin.column);
+        std::erase(number, '_');
+        return number.substr(0, number.find_first_not_of("0123456789+-.eE"));
+    }
+
+    /// A number or a string as a flag has it; of numbers in brackets, as of a point, a list with commas.
+    std::string text_of(const std::string& key, const toml::node& node) const {
+        if (const auto* words = node.as_string()) return words->get();
+        if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
+        if (const auto* number = node.as_floating_point()) {
+            const std::string digits = number->get() == 0 ? written(node) : "";
+            return underflows(digits) ? digits : fmt::format("{}", number->get());  // 0.4 as a flag has it
+        }
+        const auto* list = node.as_array();
+        if (list == nullptr || key != "point")
+            throw BadInput(fmt::format("scene file '{}': key '{}' must be a number or a string", name, key));
+        std::string all;
+        for (const toml::node& one : *list) all += (all.empty() ? "" : ",") + text_of("of point", one);
+        return all;
+    }
+};
+
+ParsedFile parsed(const std::string& file) {
     std::string text = read_text("scene file", file, longest_scene_file);
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark
-    const std::string ascii = in_ascii(text);
+    std::string ascii = in_ascii(text);
     try {
-        return toml::parse(ascii);
+        toml::table table = toml::parse(ascii);
+        return {file, std::move(ascii), std::move(table)};
     } catch (const toml::parse_error& error) {
         throw BadInput(fmt::format("scene file '{}', line {}: {}{}", file, error.source().begin.line,
                                    error.description(), ascii == text ? "" : " (? is what is not ASCII)"));
@@ -102,26 +134,33 @@ void SceneOptions::add_to(Flags& command) {
             ->offer(known.words)
             ->group("Scene");
     }
-    command.add_option("--scene", file_, "TOML file with the same names as keys under [scene]; flags win")
+    command
+        .add_option("--scene", file_,
+                    "TOML file with the same names as keys under [scene], a start's under [start]; flags win")
         ->type_name("FILE.toml")
         ->group("Scene");
 }
 
 void SceneOptions::read_file() {
     if (!file_.empty()) {
-        const toml::table document = parsed(file_);
-        for (const auto& [key, node] : document)
-            if (key.str() != "scene")
-                throw BadInput(
-                    fmt::format("scene file '{}': unknown key '{}'; only [scene] is known", file_, key.str()));
-        const toml::table* scene = document["scene"].as_table();
-        if (scene == nullptr) throw BadInput(fmt::format("scene file '{}' has no table [scene]", file_));
-        for (const auto& [key, node] : *scene) {
-            const std::string name(key.str());
-            if (!is_scene_name(name))
-                throw BadInput(fmt::format("scene file '{}': unknown key '{}' under [scene]", file_, name));
-            values_[name] = text_of(file_, name, node);
-        }
+        const ParsedFile parsed_file = parsed(file_);
+        for (const auto& [key, node] : parsed_file.table)
+            if (key.str() != "scene" && key.str() != "start")
+                throw BadInput(fmt::format("scene file '{}': unknown key '{}'; only [scene] and [start] are known",
+                                           file_, key.str()));
+        const auto take = [&](const char* part, bool (*is_known)(const std::string&),
+                              std::map<std::string, std::string>& values) {
+            const toml::table* table = parsed_file.table[part].as_table();
+            if (table == nullptr) throw BadInput(fmt::format("scene file '{}' has no table [{}]", file_, part));
+            for (const auto& [key, node] : *table) {
+                const std::string name(key.str());
+                if (!is_known(name))
+                    throw BadInput(fmt::format("scene file '{}': unknown key '{}' under [{}]", file_, name, part));
+                values[name] = parsed_file.text_of(name, node);
+            }
+        };
+        take("scene", is_scene_name, values_);
+        if (parsed_file.table.contains("start")) take("start", is_start_name, start_);
     }
     // A flag replaces the file's other way of saying the same, too.
     for (const auto& [flag, other] : same_quantity) {

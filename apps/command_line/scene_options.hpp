@@ -46,6 +46,9 @@ public:
         return has(name) ? values_.at(name) : otherwise;
     }
 
+    /// What the scene file has under [start], by the names of the flags.
+    const std::map<std::string, std::string>& start_in_file() const { return start_; }
+
     /// The scene file; empty: none.
     const std::string& file() const { return file_; }
 
@@ -64,6 +67,7 @@ private:
     T positive(const std::string& name) const;
 
     std::map<std::string, std::string> values_;
+    std::map<std::string, std::string> start_;
     std::map<std::string, std::string> flags_;
     std::string file_;
 };

@@ -89,6 +89,37 @@ void StartOptions::set(const std::string& name, const std::string& text) {
     }
 }
 
+namespace {
+
+/// A point, a start in the laboratory, a random one: one way to give a start each.
+int way_of(const std::string& name) {
+    if (name == "point") return 0;
+    return name == "speed" || name == "seed" ? 1 : 2;
+}
+
+}  // namespace
+
+void StartOptions::take_from(const SceneOptions& scene) {
+    const auto& in_file = scene.start_in_file();
+    for (const auto& [name, text] : in_file)
+        if (way_of(name) != way_of(in_file.begin()->first))
+            throw BadInput(fmt::format("scene file '{}': [start] has {} and {}, which are two ways to give a start",
+                                       scene.file(), in_file.begin()->first, name));
+    const bool flags_have[] = {!point_.empty(), !speed_.empty() || seed_given_, !lab_.empty()};
+    const auto wins = [&](int way) {
+        for (int other = 0; other < 3; ++other)
+            if (other != way && flags_have[other]) return false;
+        return true;
+    };
+    for (const auto& [name, text] : in_file) {
+        const bool given = (name == "speed" && !speed_.empty()) || (name == "seed" && seed_given_) || gives(name);
+        if (wins(way_of(name)) && !given) set(name, text);
+    }
+    if (!scene.units()) return;
+    length_ = scene.text("container-radius", length_);
+    rate_ = scene.text("swirl-rate", rate_);
+}
+
 double StartOptions::speed() const {
     if (speed_.empty()) return paper_speed;
     const double value = number_from<double>("speed", speed_);

@@ -44,13 +44,11 @@ public:
     std::string angle_text() const { return lab_.count("angle") != 0 ? lab_.at("angle") : ""; }
     /// As if the flag `name` had been given (a record's start). @throws BadInput for a seed out of range
     void set(const std::string& name, const std::string& text);
-    /// Numbers are in the scene's physical units from now on, if it has any: lengths in that of R_c, velocities in that
-    /// of R_c ω_s, --spin in that of ω_s; S of --point is a ratio. Call once after SceneOptions::read_file().
-    void take_units(const SceneOptions& scene) {
-        if (!scene.units()) return;
-        length_ = scene.text("container-radius", length_);
-        rate_ = scene.text("swirl-rate", rate_);
-    }
+    /// What the scene file says: its start, of which a flag replaces a number, and a flag of another way to give a
+    /// start all; and its physical units, if it has any, in which numbers are from now on: lengths in that of R_c,
+    /// velocities in that of R_c ω_s, --spin in that of ω_s; S of --point is a ratio.
+    /// Call once after SceneOptions::read_file(). @throws BadInput
+    void take_from(const SceneOptions& scene);
     /// Of the random start, in R_c ω_s. @throws BadInput
     double speed() const;
     std::uint64_t seed() const { return seed_; }

@@ -61,7 +61,7 @@ ImpactRange InputOptions::range() const {
 OrbitColumns InputOptions::orbit(const OutputOptions& output, const std::vector<std::string>& names) {
     if (kind() == InputKind::record) return read_orbit(record, range(), names);
     scene.read_file();
-    start.take_units(scene);
+    start.take_from(scene);
     return follow_orbit(scene, start, output, range(), names);
 }
 

@@ -163,7 +163,7 @@ void write_spectrum(const RecordGroup& root, const LyapunovCommandOptions& optio
 
 int lyapunov(LyapunovCommandOptions& options) {
     options.scene.read_file();
-    options.start.take_units(options.scene);
+    options.start.take_from(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
     const Accuracy accuracy = options.output.accuracy();
     const Start<double> start = options.start.start<double>(scene);

@@ -110,7 +110,7 @@ void SimulateOptions::add_to(Flags& command) {
 
 int simulate(SimulateOptions& options) {
     options.scene.read_file();
-    options.start.take_units(options.scene);
+    options.start.take_from(options.scene);
     for (auto* time : {&options.time, &options.sample})
         if (*time) *time = without_units(**time, options.scene.units(), "1/omega_s");
     check_limits(options);

@@ -160,7 +160,7 @@ void keep_sweep(const SweepOptions& options, const Sweep& sweep) {
 /// What is to be done; nothing is yet. @throws BadInput
 Sweep planned(SweepOptions& options) {
     options.scene.read_file();
-    options.start.take_units(options.scene);
+    options.start.take_from(options.scene);
     if (options.refine > 0 && !options.sample.empty())
         throw BadInput("refine and sample are both given: a sample has no neighbours");
     if (options.refine > 0 && !options.shard.empty())

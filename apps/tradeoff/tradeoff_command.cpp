@@ -67,7 +67,7 @@ int tradeoff(TradeoffOptions& options) {
         throw BadInput(fmt::format("budget = {} is outside its range: {} to {} seconds", options.budget, least_budget,
                                    most_budget));
     options.scene.read_file();
-    options.start.take_units(options.scene);
+    options.start.take_from(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
     options.output.require_double("tradeoff measures all of them");
     const Amounts amounts(options.budget);

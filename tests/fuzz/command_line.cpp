@@ -59,7 +59,7 @@ int read_shared(ReadOptions& options) {
     answers([&] { require_range(parameter_range_from(options.plane, false, false, "plane")); });
     if (!options.input.scene.file().empty()) return exit_done;
     answers([&] { options.input.scene.read_file(); });
-    if (!answers([&] { options.input.start.take_units(options.input.scene); })) return exit_bad_input;
+    if (!answers([&] { options.input.start.take_from(options.input.scene); })) return exit_bad_input;
     answers([&] { read_scene<double>(options); });
     answers([&] { read_scene<long double>(options); });
     answers([&] { read_scene<Quad>(options); });

@@ -31,7 +31,7 @@ void require_scene(const ReadScene& options) {
 int read_scene(ReadScene& options) {
     using tests::fuzz::answers, tests::fuzz::require;
     if (!answers([&] { options.scene.read_file(); })) return exit_bad_input;
-    if (!answers([&] { options.start.take_units(options.scene); })) return exit_bad_input;
+    if (!answers([&] { options.start.take_from(options.scene); })) return exit_bad_input;
     const bool good = answers([&] { require_scene<double>(options); });
     answers([&] { require_scene<long double>(options); });
     answers([&] { require_scene<Quad>(options); });

@@ -32,7 +32,9 @@ void BifurcateOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
-    command.add_option("--along", along, "NAME=A:B:COUNT: alpha, beta, mu, restitution, inertia-factor")
+    command
+        .add_option("--along", along,
+                    "NAME=A:B:COUNT, NAME=A:B:COUNT:log or NAME=V,V,...: alpha, beta, mu, restitution, inertia-factor")
         ->type_name("")
         ->offer(parameters_to_offer());
     command.add_option("--observable", observable, "S (default), psi, chi, vn or vt: values are listed beside S")
@@ -107,6 +109,13 @@ Diagram planned(BifurcateOptions& options) {
     return diagram;
 }
 
+std::string interruption_in_words(const Diagram& diagram, const std::string& record) {
+    const auto whole = std::count_if(diagram.columns.begin(), diagram.columns.end(),
+                                     [](const DiagramColumn& column) { return column.complete; });
+    return fmt::format("swirl: interrupted; {} of {} columns are whole{}", whole, diagram.along.columns.size(),
+                       record.empty() ? "" : fmt::format(", and what is done is in '{}'", record));
+}
+
 int draw_diagram(BifurcateOptions& options, HandOut& hand_out) {
     Diagram diagram = planned(options);
     require_output(options.output, {options.scene.file()});
@@ -129,7 +138,9 @@ int draw_diagram(BifurcateOptions& options, HandOut& hand_out) {
         write_diagram_document(options, diagram);
     else if (!options.output.quiet)
         print_diagram(options, diagram);
-    if (!options.output.quiet && !options.output.json)
+    if (diagram.interrupted && !options.output.quiet)
+        tell(interruption_in_words(diagram, options.output.record));
+    else if (!options.output.quiet && !options.output.json)
         tell(fmt::format("swirl: {:.2f} s",
                          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
     return diagram.interrupted ? exit_interrupted : exit_done;

@@ -6,8 +6,6 @@
 #include "apps/system/letter.hpp"
 #include "apps/system/shooting_map.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
@@ -17,6 +15,41 @@ namespace {
 
 using analysis::CyclePoints;
 
+/// One bar for the searches of all periods. That of period k counts k times, as a candidate costs k impacts; a search
+/// that goes on takes half of what is left of it each time.
+class SearchProgress {
+public:
+    SearchProgress(const FindOptions& options)
+        : complete_(options.complete),
+          bar_("orbits", before(options.first_period, options.last_period + 1), options.quiet) {
+        first_ = options.first_period;
+    }
+
+    void begin(int period) {
+        begun_ = before(first_, period);
+        left_ = period;
+    }
+    void begin_round() {
+        round_ = complete_ ? left_ / 2 : left_;
+        left_ -= round_;
+    }
+    void end_round() { begun_ += round_; }
+    /// `share` of the round's candidates are tried.
+    void at(double share) { bar_.at(begun_ + round_ * share); }
+
+private:
+    static double before(int first, int period) {
+        double sum = 0;
+        for (int k = first; k < period; ++k) sum += k;
+        return sum;
+    }
+
+    bool complete_;
+    int first_ = 1;
+    double begun_ = 0, round_ = 0, left_ = 0;
+    Progress bar_;
+};
+
 /// What the search for one period works with.
 struct PeriodWork {
     const Scene<double>& scene;
@@ -24,6 +57,7 @@ struct PeriodWork {
     const FindOptions& options;
     int period;
     analysis::SearchOptions search;
+    SearchProgress& progress;
 };
 
 /// Contact comes of impacts that lose, or of a vertex that friction holds (map/orbit/return_map.hpp).
@@ -33,12 +67,11 @@ bool can_land(const Scene<double>& scene) {
 
 void try_candidates(const PeriodWork& work, const std::vector<CyclePoints>& candidates, analysis::KnownCycles& known,
                     PeriodSearch& result) {
-    const FindOptions& options = work.options;
-    Progress progress(fmt::format("orbits of period {}", work.period), static_cast<double>(candidates.size()),
-                      options.quiet);
     analysis::SearchOptions search = work.search;
-    search.progress = [&](double done) { progress.at(done); };
+    work.progress.begin_round();
+    search.progress = [&](double done) { work.progress.at(done / static_cast<double>(candidates.size())); };
     const auto counts = analysis::add_cycles(work.map, 0, candidates, search, known);
+    work.progress.end_round();
     result.tried += counts.tried;
     result.converged += counts.converged;
     result.unseen = analysis::unseen_cycles(known.times_found());
@@ -64,6 +97,7 @@ void search_period(const PeriodWork& work, const std::vector<CyclePoints>& traje
     const FindOptions& options = work.options;
     PeriodSearch result;
     result.period = work.period;
+    work.progress.begin(work.period);
     analysis::KnownCycles known(work.map, 0, analysis::same_cycle, true);
     auto candidates = returning_candidates(work.map, work.period, trajectories, options.candidates);
     auto random =
@@ -91,9 +125,10 @@ FoundOrbits find_orbits(const Scene<double>& scene, const analysis::ShootingMap&
     const bool searches = options.last_period > 1 || can_land(scene);
     const auto trajectories = searches ? trajectories_of(scene, options.candidates) : std::vector<CyclePoints>{};
     const auto timed = timed_map_of(scene);
+    SearchProgress progress(options);
     for (int k = options.first_period; k <= options.last_period && !stopped(); ++k) {
         if (k == 1 && !can_land(scene)) continue;
-        PeriodWork work{scene, map, options, k, {}};
+        PeriodWork work{scene, map, options, k, {}, progress};
         work.search.period = k;
         work.search.accept = accepted;
         work.search.timed = &timed;

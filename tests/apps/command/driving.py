@@ -53,10 +53,15 @@ def interrupted(arguments, seconds, wait=60):
     return process.wait(wait)
 
 
+#: What a task that takes longer than 10 s says at times, where there is no terminal.
+_PROGRESS = re.compile(r"^swirl: .* % done.* (to go|left)$")
+
+
 def document(arguments, code=0, **options):
     """What it printed, as strict JSON; an answer comes without a word on standard error."""
     result = run(arguments + " --json", **options)
-    assert result.returncode == code and (code or not result.stderr), (arguments, result.returncode, result.stderr)
+    words = [line for line in result.stderr.splitlines() if not _PROGRESS.match(line)]
+    assert result.returncode == code and (code or not words), (arguments, result.returncode, result.stderr)
     return json.loads(result.stdout, parse_constant=_refuse)
 
 

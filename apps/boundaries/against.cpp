@@ -70,7 +70,7 @@ private:
         double cells = 0;
         for (int axis = 0; axis < 2; ++axis)
             cells = std::max(cells, std::abs(second.parameters[axis] - first.parameters[axis]) / spacing(axis));
-        const int parts = static_cast<int>(std::ceil(2 * cells));
+        const int parts = static_cast<int>(std::min(std::ceil(2 * cells), 10'000.0));
         if (parts < 2) return;
         const analysis::ShootingMap map = shooting_map_of(scene_at(scene_, plane_, first.parameters));
         for (int i = 1; i < parts; ++i) {
@@ -82,11 +82,15 @@ private:
         }
     }
 
-    /// Of the cells; infinite where there is one.
+    /// Of the cells, of a list or logarithms that of the nearest two; infinite where there is one.
     double spacing(int axis) const {
         const auto& values = map_.values[static_cast<std::size_t>(axis)];
-        return values.size() < 2 ? std::numeric_limits<double>::infinity()
-                                 : std::abs(values.back() - values.front()) / static_cast<double>(values.size() - 1);
+        if (values.size() < 2) return std::numeric_limits<double>::infinity();
+        const double mean = std::abs(values.back() - values.front()) / static_cast<double>(values.size() - 1);
+        double least = mean;
+        for (std::size_t i = 1; i < values.size(); ++i) least = std::min(least, std::abs(values[i] - values[i - 1]));
+        constexpr double of_rounding = 1e-6;
+        return least < (1 - of_rounding) * mean ? least : mean;
     }
 
     /// The cell and those beside it.

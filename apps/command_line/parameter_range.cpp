@@ -1,11 +1,11 @@
 #include "apps/command_line/parameter_range.hpp"
 
+#include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/numbers.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace swirl::apps {
@@ -20,36 +20,60 @@ constexpr long most_columns = 1'000'000;
 }
 
 long count_from(const std::string& text, const std::string& count) {
-    long value = 0;
-    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), value);
-    if (error != std::errc() || end != count.data() + count.size() || value < 2 || value > most_columns)
+    const auto value = whole_number_from(count);
+    if (!value || *value < 2 || *value > most_columns)
         refuse(text, fmt::format("COUNT = {} is outside its range: 2 to {}", count, most_columns));
-    return value;
+    return *value;
+}
+
+/// NAME=V,V,…: rising.
+void take_list(const std::string& named, const std::vector<std::string>& values, ParameterRange& along) {
+    for (const std::string& text : values) {
+        const double value = number_from<double>(along.name, text);
+        if (!std::isfinite(value)) refuse(named, fmt::format("{} = {} is not finite", along.name, text));
+        if (std::find(along.columns.begin(), along.columns.end(), value) != along.columns.end())
+            refuse(named, text + " is given twice");
+        along.columns.push_back(value);
+    }
+    std::sort(along.columns.begin(), along.columns.end());
+    along.low = along.columns.front();
+    along.high = along.columns.back();
 }
 
 }  // namespace
 
 ParameterRange parameter_range_from(const std::string& text, bool counted, bool families, const std::string& flag) {
     const std::string named = flag + " " + text;
-    const std::string wanted = counted ? "NAME=A:B:COUNT is wanted" : "NAME=A:B is wanted";
+    const std::string wanted =
+        counted ? "NAME=A:B:COUNT, NAME=A:B:COUNT:log or NAME=V,V,... is wanted" : "NAME=A:B is wanted";
     const auto equals = text.find('=');
     if (text.empty()) throw BadInput(fmt::format("--{} is missing: {}", flag, wanted));
     if (equals == std::string::npos) refuse(named, wanted);
-    const auto parts = pieces_of(text, ':', equals + 1);
-    if (parts.size() != (counted ? 3U : 2U)) refuse(named, wanted);
+    const bool is_list = counted && text.find(',', equals) != std::string::npos;
+    auto parts = pieces_of(text, ':', equals + 1);
+    const bool by_logarithm = counted && parts.size() == 4 && parts.back() == "log";
+    if (by_logarithm) parts.pop_back();
+    if (!is_list && parts.size() != (counted ? 3U : 2U)) refuse(named, wanted);
     ParameterRange along;
     along.name = text.substr(0, equals);
     along.parameter = parameter_named(along.name);
     if (!along.parameter && !(families && (along.name == "S" || along.name == "tau")))
         refuse(named, fmt::format("NAME is none of: alpha, beta, mu, restitution, inertia-factor{}",
                                   families ? ", and for families S, tau" : ""));
+    if (is_list) {
+        take_list(named, pieces_of(text, ',', equals + 1), along);
+        return along;
+    }
     const double a = number_from<double>("A", parts[0]);
     const double b = number_from<double>("B", parts[1]);
     if (!std::isfinite(a) || !std::isfinite(b) || a == b) refuse(named, "A and B must be finite and differ");
+    if (by_logarithm && !(a > 0 && b > 0)) refuse(named, "A and B of :log must be above 0");
     along.low = std::min(a, b);
     along.high = std::max(a, b);
     along.falling = a > b;
-    if (counted) along.columns = points_between(parts[0], parts[1], count_from(named, parts[2]));
+    if (counted)
+        along.columns = (by_logarithm ? points_between_logarithms : points_between)(parts[0], parts[1],
+                                                                                    count_from(named, parts[2]));
     return along;
 }
 

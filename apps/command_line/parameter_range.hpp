@@ -1,4 +1,5 @@
-// --along NAME=A:B[:COUNT]: the parameter that a branch or a diagram runs over; --plane NAME=A:B.
+// --along NAME=A:B[:COUNT], and, with columns, NAME=A:B:COUNT:log and NAME=V,V,…: the parameter that a branch or a
+// diagram runs over; --plane NAME=A:B.
 #pragma once
 
 #include "apps/command_line/errors.hpp"

@@ -1,10 +1,11 @@
 #include "apps/sweep/grid.hpp"
 
+#include "apps/command_line/number_checks.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace swirl::apps::sweep {
@@ -27,21 +28,23 @@ bool is_among(const std::array<const char*, n>& names, const std::string& name) 
 }
 
 long count_from(const std::string& text, const std::string& count) {
-    long value = 0;
-    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), value);
-    if (error != std::errc() || end != count.data() + count.size() || value < 1 || value > most_points)
+    const auto value = whole_number_from(count);
+    if (!value || *value < 1 || *value > most_points)
         refuse(text, fmt::format("COUNT = {} is outside its range: 1 to {}", count, most_points));
-    return value;
+    return *value;
 }
 
-/// NAME, A, B and, unless the cells are a sample, COUNT.
+/// NAME, A, B and, unless the cells are a sample, COUNT; then log, if it is given.
 std::vector<std::string> parts_of(const std::string& text, bool sampled) {
     const auto equals = text.find('=');
-    const char* wanted = sampled ? "NAME=A:B is wanted, as --sample has the COUNT" : "NAME=A:B:COUNT is wanted";
+    const char* wanted = sampled ? "NAME=A:B, NAME=A:B:log or NAME=V,V,... is wanted, as --sample has the COUNT"
+                                 : "NAME=A:B:COUNT, NAME=A:B:COUNT:log or NAME=V,V,... is wanted";
     if (equals == std::string::npos) refuse(text, wanted);
     std::vector<std::string> parts = pieces_of(text, ':', equals + 1);
     parts.insert(parts.begin(), text.substr(0, equals));
-    if (parts.size() != (sampled ? 3U : 4U)) refuse(text, wanted);
+    const std::size_t least = sampled ? 3 : 4;
+    const bool has_log = parts.size() == least + 1 && parts.back() == "log";
+    if (parts.size() != least && !has_log) refuse(text, wanted);
     return parts;
 }
 
@@ -53,79 +56,132 @@ long refined(const std::string& text, long count, int levels) {
     return ((count - 1) << levels) + 1;
 }
 
-/// A + (B − A)u; of whole numbers each of A … B with an equal share.
-std::vector<double> sampled_points(const std::string& name, double a, double b, const std::vector<double>& units) {
+/// A + (B − A)u, or A (B/A)^u; of whole numbers each of A … B with an equal share.
+std::vector<double> sampled_points(const std::string& name, double a, double b, bool by_logarithm,
+                                   const std::vector<double>& units) {
     std::vector<double> points;
     points.reserve(units.size());
     const double low = std::min(a, b), high = std::max(a, b);
     for (const double u : units)
-        points.push_back(name == "sides" ? std::min(high, low + std::floor(u * (high - low + 1))) : a + (b - a) * u);
+        if (by_logarithm)
+            points.push_back(std::clamp(a * std::exp(std::log(b / a) * u), low, high));
+        else
+            points.push_back(name == "sides" ? std::min(high, low + std::floor(u * (high - low + 1)))
+                                             : a + (b - a) * u);
     return points;
 }
 
-/// The number of a law. @throws BadInput naming the axis
-double law_number(const std::string& text, const std::string& word) {
-    try {
-        return static_cast<double>(law_from(word.empty() ? "(empty)" : word));
-    } catch (const BadInput& error) {
-        refuse(text, error.what());
-    }
+/// Laws, words and whatever has a comma.
+bool is_list(const std::string& text, const GridForm& form) {
+    const std::string after = text.substr(std::min(text.find('='), text.size()));
+    return form.scenes > 0 || text == "law" || text.starts_with("law=") || after == "=disk" ||
+           after.find(',') != std::string::npos;
 }
 
-/// law=NAME,NAME…: each of them; of a sample each with an equal share.
-GridAxis law_axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
+void require_axis_name(const std::string& text, const std::string& name) {
+    if (!is_axis_name(name)) refuse(text, fmt::format("NAME is none of: {}", axis_names));
+}
+
+/// NAME=V,V…: each of them; of a sample each with an equal share; of a table of scenes one a row.
+GridAxis list_axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
     if (text == "law") refuse(text, "law=NAME,NAME,... is wanted");
-    if (form.levels > 0) refuse(text, "--refine halves steps, and there is nothing between two laws");
-    std::vector<double> laws;
+    if (form.levels > 0)
+        refuse(text, text.starts_with("law=") ? "--refine halves steps, and there is nothing between two laws"
+                                              : "--refine halves steps, and a list has none");
+    GridAxis axis{text.substr(0, text.find('=')), text, {}, units != nullptr || form.scenes > 0, false};
+    require_axis_name(text, axis.name);
+    std::vector<double> values;
     for (const std::string& word : pieces_of(text, ',', text.find('=') + 1)) {
-        const double law = law_number(text, word);
-        if (std::find(laws.begin(), laws.end(), law) != laws.end()) refuse(text, word + " is given twice");
-        laws.push_back(law);
+        try {
+            values.push_back(axis_value(axis.name, word.empty() ? "(empty)" : word));
+        } catch (const BadInput& error) {
+            refuse(text, error.what());
+        }
+        const bool is_new = std::find(values.begin(), values.end() - 1, values.back()) == values.end() - 1;
+        if (!is_new && form.scenes == 0) refuse(text, word + " is given twice");
     }
-    if (units == nullptr) return {"law", text, laws, false};
-    std::vector<double> points;
-    points.reserve(units->size());
-    const auto count = static_cast<double>(laws.size());
-    for (const double u : *units) points.push_back(laws[static_cast<std::size_t>(std::min(count - 1, u * count))]);
-    return {"law", text, points, true};
+    const bool has_disk =
+        axis.name == "sides" && std::find(values.begin(), values.end(), double{disk_sides}) != values.end();
+    axis.in_words = axis.name == "law" || has_disk;
+    if (form.scenes == 0 && !axis.in_words) std::sort(values.begin(), values.end());
+    if (units == nullptr) {
+        axis.points = values;
+        return axis;
+    }
+    const auto count = static_cast<double>(values.size());
+    for (const double u : *units)
+        axis.points.push_back(values[static_cast<std::size_t>(std::min(count - 1, u * count))]);
+    return axis;
 }
 
-GridAxis axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
-    if (text == "law" || text.starts_with("law=")) return law_axis_from(text, form, units);
-    const std::vector<std::string> parts = parts_of(text, units != nullptr);
-    GridAxis axis{parts[0], text, {}, units != nullptr};
-    if (!is_among(scene_axes, axis.name) && !is_among(start_numbers, axis.name) && axis.name != start_speed)
-        refuse(text,
-               "NAME is none of: alpha, beta, mu, restitution, inertia-factor, sides, law, speed, x, y, vx, vy, angle, "
-               "spin");
-    const double a = number_from<double>("A", parts[1]), b = number_from<double>("B", parts[2]);
-    if (units != nullptr) {
-        if (!std::isfinite(a) || !std::isfinite(b) || a == b) refuse(text, "A and B must be finite and differ");
-        axis.points = sampled_points(axis.name, a, b, *units);
-    } else {
-        const long count = count_from(text, parts[3]);
-        if (!std::isfinite(a) || !std::isfinite(b)) refuse(text, "A and B must be finite");
-        if (count == 1 && a != b) refuse(text, "COUNT = 1 needs A = B");
-        if (count > 1 && a == b) refuse(text, "A = B needs COUNT = 1");
-        axis.points = points_between(parts[1], parts[2], refined(text, count, form.levels));
-    }
+/// What is no point of its axis.
+void check_points(const std::string& text, const GridAxis& axis) {
     for (const double point : axis.points)
         if (axis.name == start_speed && point < 0)
             refuse(text, fmt::format("speed = {} is outside its range: speed >= 0", point));
         else if (axis.name == "sides" && point != std::round(point))
             refuse(text, fmt::format("sides = {} is not a whole number", point));
+        else if (axis.name == "sides" && !axis.in_words && point < 3)
+            refuse(text, fmt::format("sides = {} is outside its range: 3 to {}, or disk in a list", point, max_sides));
+}
+
+GridAxis range_axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
+    const std::vector<std::string> parts = parts_of(text, units != nullptr);
+    GridAxis axis{parts[0], text, {}, units != nullptr, false};
+    require_axis_name(text, axis.name);
+    if (axis.name == "law") refuse(text, "law=NAME,NAME,... is wanted");
+    const bool by_logarithm = parts.back() == "log";
+    const double a = number_from<double>("A", parts[1]), b = number_from<double>("B", parts[2]);
+    if (by_logarithm && axis.name == "sides") refuse(text, "sides are whole numbers: give a list, sides=3,6,12");
+    if (by_logarithm && !(a > 0 && b > 0)) refuse(text, "A and B of :log must be above 0");
+    if (units != nullptr) {
+        if (!std::isfinite(a) || !std::isfinite(b) || a == b) refuse(text, "A and B must be finite and differ");
+        axis.points = sampled_points(axis.name, a, b, by_logarithm, *units);
+        return axis;
+    }
+    const long count = count_from(text, parts[3]);
+    if (!std::isfinite(a) || !std::isfinite(b)) refuse(text, "A and B must be finite");
+    if (count == 1 && a != b) refuse(text, "COUNT = 1 needs A = B");
+    if (count > 1 && a == b) refuse(text, "A = B needs COUNT = 1");
+    const long steps = refined(text, count, form.levels);
+    axis.points =
+        by_logarithm ? points_between_logarithms(parts[1], parts[2], steps) : points_between(parts[1], parts[2], steps);
+    return axis;
+}
+
+GridAxis axis_from(const std::string& text, const GridForm& form, const std::vector<double>* units) {
+    GridAxis axis = is_list(text, form) ? list_axis_from(text, form, units) : range_axis_from(text, form, units);
+    check_points(text, axis);
     return axis;
 }
 
 }  // namespace
 
 std::string GridAxis::word_at(double point) const {
-    return has_words() ? std::string(name_of(static_cast<Law>(static_cast<int>(point)))) : fmt::format("{}", point);
+    if (name == "law") return std::string(name_of(static_cast<Law>(static_cast<int>(point))));
+    if (name == "sides") return point == disk_sides ? "disk" : fmt::format("{:.0f}", point);
+    return fmt::format("{}", point);
+}
+
+const char* const axis_names =
+    "alpha, beta, mu, restitution, inertia-factor, sides, law, speed, x, y, vx, vy, angle, spin";
+
+bool is_axis_name(const std::string& name) {
+    return is_among(scene_axes, name) || is_among(start_numbers, name) || name == start_speed || name == "law";
+}
+
+double axis_value(const std::string& name, const std::string& text) {
+    if (name == "law") return static_cast<double>(law_from(text));
+    if (name == "sides") return sides_from(text);
+    const double value = number_from<double>(name, text);
+    if (!std::isfinite(value)) throw BadInput(fmt::format("{} = {} is not finite", name, text));
+    return value;
 }
 
 std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const GridForm& form) {
-    if (texts.empty()) throw BadInput("--grid is missing: NAME=A:B:COUNT, once to five times");
-    if (texts.size() > most_axes)
+    if (texts.empty())
+        throw BadInput("--grid is missing: NAME=A:B:COUNT or NAME=V,V,..., once to five times (or --scenes FILE.csv)");
+    if (texts.size() > most_axes && form.scenes == 0)
         throw BadInput(fmt::format("{} grids are given: 1 to {} are allowed", texts.size(), most_axes));
     std::vector<GridAxis> grid;
     std::vector<std::vector<double>> units;
@@ -134,9 +190,12 @@ std::vector<GridAxis> grid_from(const std::vector<std::string>& texts, const Gri
         grid.push_back(axis_from(text, form, form.sample ? &units[grid.size()] : nullptr));
         for (std::size_t i = 0; i + 1 < grid.size(); ++i)
             if (grid[i].name == grid.back().name) refuse(text, grid.back().name + " is given twice");
+        if (form.scenes > 0 && grid.back().points.size() != form.scenes)
+            throw BadInput(fmt::format("{} of {} values is no column of {} scenes", grid.back().name,
+                                       grid.back().points.size(), form.scenes));
     }
     double cells = 1;  // may be more than a size_t counts
-    if (!form.sample)
+    if (!grid.front().sampled)
         for (const auto& axis : grid) cells *= static_cast<double>(axis.points.size());
     if (cells > most_cells)
         throw BadInput(fmt::format("the grid has {:.4g} cells: {:.0f} are the most", cells, most_cells));
@@ -181,8 +240,7 @@ Scene<double> cell_scene(SceneOptions scene, const std::vector<GridAxis>& grid, 
     const auto point = cell_point(grid, cell);
     for (std::size_t k = 0; k < grid.size(); ++k)
         if (is_among(scene_axes, grid[k].name) || grid[k].has_words())
-            scene.set(grid[k].name,
-                      grid[k].name == "sides" ? fmt::format("{:.0f}", point[k]) : grid[k].word_at(point[k]));
+            scene.set(grid[k].name, grid[k].word_at(point[k]));
     return scene.scene<double>();
 }
 

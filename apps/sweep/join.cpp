@@ -26,10 +26,31 @@ void JoinOptions::add_to(Flags& command) {
 namespace {
 
 /// In the order of settings_of.
-constexpr std::array<const char*, 24> in_order = {
-    "swirl_version", "grid",           "sample", "sides",     "alpha",      "beta",       "mu",        "restitution",
-    "law",           "inertia_factor", "runs",   "speed",     "x",          "y",          "vx",        "vy",
-    "angle",         "spin",           "seed",   "transient", "collisions", "exhaustive", "threshold", "accuracy"};
+constexpr std::array<const char*, 25> in_order = {"swirl_version",
+                                                  "grid",
+                                                  "sample",
+                                                  "scenes",
+                                                  "sides",
+                                                  "alpha",
+                                                  "beta",
+                                                  "mu",
+                                                  "restitution",
+                                                  "law",
+                                                  "inertia_factor",
+                                                  "runs",
+                                                  "speed",
+                                                  "x",
+                                                  "y",
+                                                  "vx",
+                                                  "vy",
+                                                  "angle",
+                                                  "spin",
+                                                  "seed",
+                                                  "transient",
+                                                  "collisions",
+                                                  "exhaustive",
+                                                  "threshold",
+                                                  "accuracy"};
 
 /// The settings in the order of settings_of. @throws BadInput for one that is not known
 Settings ordered(const std::string& path, const Settings& settings) {
@@ -61,6 +82,7 @@ Sweep sweep_from(const std::string& path, const ReadShard& read, SweepOptions& o
     for (const auto& [name, value] : sweep.settings) {
         const std::string text = flag_text_of(value).value_or("");
         if (name == "sample") form.sample = sample_from(text);
+        if (name == "scenes") form.scenes = static_cast<std::size_t>(setting<std::int64_t>(path, sweep.settings, name));
         if (name == "inertia_factor" && text != "uniform") options.scene.set("inertia-factor", text);
         for (const char* parameter : {"sides", "alpha", "beta", "mu", "restitution", "law"})
             if (name == parameter) options.scene.set(name, text);
@@ -83,8 +105,9 @@ void require_all(const std::vector<ReadShard>& shards, const std::vector<std::st
                 fmt::format("record '{}' is shard {}/{}, others are of {}", paths[i], shard.number, shard.of, of));
         const std::string differs = different_setting(shards.front().settings, shards[i].settings);
         if (!differs.empty())
-            throw BadInput(
-                fmt::format("record '{}' was made with another {} than in '{}'", paths[i], differs, paths[0]));
+            throw BadInput(fmt::format("record '{}' was made with {}, '{}' with {}", paths[i],
+                                       setting_in_words(shards[i].settings, differs), paths[0],
+                                       setting_in_words(shards.front().settings, differs)));
         if (seen[static_cast<std::size_t>(shard.number - 1)]++)
             throw BadInput(fmt::format("shard {}/{} is given twice, last as '{}'", shard.number, of, paths[i]));
     }
@@ -109,7 +132,8 @@ int join(JoinOptions& options) {
     SweepOptions of_sweep;
     of_sweep.output = options.output;
     Sweep sweep = sweep_from(options.shards.front(), shards.front(), of_sweep);
-    for (std::size_t i = 0; i < shards.size(); ++i) put(options.shards[i], shards[i], sweep);
+    std::vector<char> done(sweep.results.size(), 0);
+    for (std::size_t i = 0; i < shards.size(); ++i) put(options.shards[i], shards[i], sweep.runs, sweep, done);
     note_interruptions();
     const bool all = find_steady_modes(of_sweep, sweep);
     finish_up();

@@ -1,6 +1,5 @@
-// A sweep for people: a map in characters and the shares.
+// A sweep for people: the modes of its cells, and the shares.
 #include "apps/output/write_table.hpp"
-#include "apps/sweep/starts.hpp"
 #include "apps/sweep/sweep_command.hpp"
 #include "apps/sweep/tracks.hpp"
 
@@ -11,46 +10,6 @@
 namespace swirl::apps::sweep {
 
 namespace {
-
-/// The mode that most runs of a cell have; a capital letter if all have it.
-char letter_of(const CellSummary& cell) {
-    constexpr std::string_view all = "SQC?", some = "sqc-";
-    std::size_t most = 0;
-    for (std::size_t m = 1; m < mode_count; ++m)
-        if (cell.shares[m] > cell.shares[most]) most = m;
-    return cell.shares[most] == 1 ? all[most] : some[most];
-}
-
-std::string shown(const Sweep& sweep, const GridAxis& axis, double point) {
-    if (axis.has_words()) return axis.word_at(point);
-    return fmt::format("{:.6g}", in_units(point, sweep.units, units_of_axis(axis.name)));
-}
-
-/// "vx [m/s]" where the sweep is in SI units.
-std::string named(const Sweep& sweep, const GridAxis& axis) {
-    const std::string unit = sweep.units ? unit_label(units_of_axis(axis.name)) : "";
-    return unit.empty() ? axis.name : fmt::format("{} [{}]", axis.name, unit);
-}
-
-void print_map(const Sweep& sweep) {
-    const auto& last = sweep.grid.back();
-    const std::size_t columns = last.points.size(), rows = cell_count(sweep.grid) / columns;
-    fmt::print("{} across; S steady, Q quasi-steady, C chaotic, ? undecided; small: not every run\n",
-               last.has_words()
-                   ? last.text
-                   : fmt::format("{} from {} to {}", named(sweep, last), shown(sweep, last, last.points.front()),
-                                 shown(sweep, last, last.points.back())));
-    for (std::size_t row = rows; row-- > 0;) {
-        std::string line;
-        for (std::size_t column = 0; column < columns; ++column)
-            line += letter_of(summary_of(sweep.cell(row * columns + column)));
-        std::string label;
-        const auto point = cell_point(sweep.grid, row * columns);
-        for (std::size_t k = 0; k + 1 < sweep.grid.size(); ++k)
-            label += fmt::format("{} {:<10} ", named(sweep, sweep.grid[k]), shown(sweep, sweep.grid[k], point[k]));
-        fmt::print("{}{}\n", label, line);
-    }
-}
 
 void print_basins(const Sweep& sweep) {
     print_table(in_units(basin_table(), sweep.units), sweep.basins->basins);
@@ -91,7 +50,7 @@ void print_tracks(const Sweep& sweep) {
 }  // namespace
 
 void print_sweep(const Sweep& sweep) {
-    if (!sweep.grid.front().sampled && (sweep.visited.empty() || !sweep.shard)) print_map(sweep);
+    if ((!sweep.grid.front().sampled || is_of_scenes(sweep)) && !sweep.shard) print_modes(sweep);
     std::vector<RunResult> results;
     std::size_t cells = 0;
     for (std::size_t c = 0; c < cell_count(sweep.grid); ++c) {

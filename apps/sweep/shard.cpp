@@ -18,7 +18,7 @@ bool is_one(const Shard& shard) {
     return 1 <= shard.number && shard.number <= shard.of && shard.of <= most_shards;
 }
 
-std::vector<std::int64_t> cells_of(const Sweep& sweep) {
+std::vector<std::int64_t> cells_in_shard(const Sweep& sweep) {
     std::vector<std::int64_t> cells;
     for (std::size_t c = 0; c < cell_count(sweep.grid); ++c)
         if (sweep.is_visited(c)) cells.push_back(static_cast<std::int64_t>(c));
@@ -56,7 +56,7 @@ void write_shard(const SweepOptions& options, const Sweep& sweep) {
     const RecordGroup group = record.root().group("shard");
     group.attribute("number", sweep.shard->number);
     group.attribute("of", sweep.shard->of);
-    const std::vector<std::int64_t> cells = cells_of(sweep);
+    const std::vector<std::int64_t> cells = cells_in_shard(sweep);
     std::vector<RunResult> results;
     for (const std::int64_t cell : cells)
         for (const RunResult& run : sweep.cell(static_cast<std::size_t>(cell))) results.push_back(run);
@@ -89,20 +89,29 @@ ReadShard read_shard_file(const std::string& path) {
     return read;
 }
 
-void put(const std::string& path, const ReadShard& read, Sweep& sweep) {
-    const auto runs = static_cast<std::size_t>(sweep.runs), cells = cell_count(sweep.grid);
+void take_runs(std::span<const RunResult> runs, std::size_t cell, char is_done, Sweep& sweep, std::vector<char>& done) {
+    const std::size_t first = cell * static_cast<std::size_t>(sweep.runs);
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        sweep.results[first + r] = runs[r];
+        done[first + r] = is_done;
+    }
+}
+
+void put(const std::string& path, const ReadShard& read, std::int64_t runs, Sweep& sweep, std::vector<char>& done) {
+    const auto each = static_cast<std::size_t>(runs);
+    const std::size_t cells = cell_count(sweep.grid);
     const auto is_its = [&](std::int64_t c) {
         return c >= 0 && static_cast<std::size_t>(c) < cells && c % read.shard.of == read.shard.number - 1;
     };
     const auto expected =
         (cells + static_cast<std::size_t>(read.shard.of - read.shard.number)) / static_cast<std::size_t>(read.shard.of);
-    if (read.cells.size() != expected || read.results.size() != expected * runs ||
+    if (read.cells.size() != expected || read.results.size() != expected * each ||
         !std::all_of(read.cells.begin(), read.cells.end(), is_its))
         throw BadInput(
             fmt::format("record '{}' does not hold the cells of shard {}/{}", path, read.shard.number, read.shard.of));
     for (std::size_t i = 0; i < read.cells.size(); ++i)
-        std::copy_n(read.results.begin() + static_cast<std::ptrdiff_t>(i * runs), runs,
-                    sweep.results.begin() + read.cells[i] * static_cast<std::ptrdiff_t>(runs));
+        take_runs(std::span(read.results).subspan(i * each, each), static_cast<std::size_t>(read.cells[i]), 1, sweep,
+                  done);
 }
 
 std::string different_setting(const Settings& wanted, const Settings& found) {
@@ -116,16 +125,46 @@ std::string different_setting(const Settings& wanted, const Settings& found) {
     return "";
 }
 
-void read_shard(const std::string& path, Sweep& sweep) {
+std::string setting_in_words(const Settings& settings, const std::string& name) {
+    constexpr std::size_t longest = 60;
+    const auto found = std::find_if(settings.begin(), settings.end(), [&](const auto& s) { return s.first == name; });
+    if (found == settings.end()) return "no " + name;
+    std::string text = settings_text({*found});
+    text.pop_back();  // the end of its line
+    return text.size() > longest ? "another " + name : text;
+}
+
+std::int64_t runs_of_same_sweep(const std::string& path, const Settings& wanted, const Settings& found) {
+    const auto without_runs = [](Settings settings) {
+        std::erase_if(settings, [](const auto& setting) { return setting.first == "runs"; });
+        return settings;
+    };
+    const auto runs_in = [](const Settings& settings) {
+        for (const auto& [name, value] : settings)
+            if (name == "runs")
+                if (const auto* runs = std::get_if<std::int64_t>(&value)) return *runs;
+        return std::int64_t{0};
+    };
+    const std::string differs = different_setting(without_runs(wanted), without_runs(found));
+    const std::int64_t runs = runs_in(found), wanted_runs = runs_in(wanted);
+    if (differs.empty() && 1 <= runs && runs <= wanted_runs) return runs;
+    const std::string name = differs.empty() ? "runs" : differs;
+    throw BadInput(fmt::format(
+        "record '{}' was made with {}, here is {}: give the same{}, or another file, or replace it "
+        "with --force",
+        path, setting_in_words(found, name), setting_in_words(wanted, name), differs.empty() ? " or more" : ""));
+}
+
+bool read_shard(const std::string& path, Sweep& sweep, std::vector<char>& done) {
     const ReadShard read = read_shard_file(path);
-    const bool same = read.shard.number == sweep.shard->number && read.shard.of == sweep.shard->of;
-    const std::string differs = same ? different_setting(sweep.settings, read.settings) : "shard";
-    if (!differs.empty())
+    if (read.shard.number != sweep.shard->number || read.shard.of != sweep.shard->of)
         throw BadInput(
-            fmt::format("record '{}' was made with another {}; give the same, or another file, or replace it with "
+            fmt::format("record '{}' is shard {}/{}, not {}/{}: give that, or another file, or replace it with "
                         "--force",
-                        path, differs));
-    put(path, read, sweep);
+                        path, read.shard.number, read.shard.of, sweep.shard->number, sweep.shard->of));
+    const std::int64_t runs = runs_of_same_sweep(path, sweep.settings, read.settings);
+    put(path, read, runs, sweep, done);
+    return runs == sweep.runs;
 }
 
 }  // namespace swirl::apps::sweep

@@ -6,6 +6,7 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/sweep/run_cells.hpp"
+#include "apps/sweep/scenes_file.hpp"
 #include "apps/sweep/starts.hpp"
 #include "apps/sweep/tracks.hpp"
 
@@ -19,14 +20,17 @@
 namespace swirl::apps::sweep {
 
 const char* const sweep_details =
-    R"(A grid goes over one to five of alpha, beta, mu, restitution, inertia-factor, sides, law (a list) and the starts' speed; in
+    R"(A grid goes over one to five of alpha, beta, mu, restitution, inertia-factor, sides, law and the starts' speed
+(NAME=A:B:COUNT; by logarithms NAME=A:B:COUNT:log; a list NAME=V,V,...); in
 every cell the modes of R random starts are named. Or it goes over numbers of the start (x, y, vx, vy, angle, spin; in R_c,
 R_c omega_s, radians, omega_s, or in SI units): every cell has one start, and the map is one of basins of attraction. Run r
 of a cell is what `swirl classify --seed SEED+r` gives for the cell's scene: an orbit is followed until its verdict is
 settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
 mean_S_error the standard error over them (of one run of chaos its own, by blocks). Each cell also lists the attracting steady modes that follow from the scene's
 equations, with their shares of the runs: 0 of one that no start came to. A document lists what the runs of each cell came to
-(attractors), with Wilson's intervals. --grid law=NAME,NAME goes over impact laws, not with --refine. With -o an interrupted sweep (also a killed one) is continued by the same command; a record made with other options is refused.
+(attractors), with Wilson's intervals. Laws are a list, and sides with a disk: sides=3,6,disk; lists do not go with --refine. --scenes FILE.csv takes a scene from each row in
+place of a grid, in columns named as these. With -o an interrupted sweep (also a killed one) is continued by the same command, and
+more --runs are added to a finished record: it is then the one made at once. A record made with other options is refused.
 
 --refine LEVELS halves the steps of the grid so often where the verdicts (mode, kind, period of most runs) of neighbours
 differ; the record is that of the full grid, in which cells that were not looked at (`visited` 0) have their neighbour's
@@ -45,6 +49,7 @@ Examples:
   swirl sweep --sides 6 --alpha 0.5 --beta 0.5 --mu 0.5 --restitution 0.95 --grid vx=-1:1:9 --grid vy=-1:1:9 -o basins.h5
   swirl sweep --sides 6 --alpha 0.5 --beta 0.5 --mu 0.5 --restitution 0.95 --grid vx=-1:1:9 --grid vy=-1:1:9 --saddles 4
   swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --grid law=poisson,newton,stronge --grid mu=0.1:1:4 --grid restitution=0.5:1:5
+  swirl sweep --alpha 0.4 --beta 0.5 --restitution 0.9 --grid sides=3,6,disk --grid mu=0.001:1:4:log --collisions 500
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4 --refine 2 --collisions 500
   swirl sweep --sides 6 --alpha 0.5 --mu 0.5 --restitution 0.95 --grid beta=0.45:0.55:11 --runs 20 --track)";
 
@@ -52,7 +57,10 @@ void SweepOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
-    command.add_option("--grid", grid, "NAME=A:B:COUNT, once to five times; with --sample NAME=A:B; law=NAME,NAME,...")
+    command
+        .add_option(
+            "--grid", grid,
+            "NAME=A:B:COUNT, NAME=A:B:COUNT:log or NAME=V,V,..., once to five times; with --sample without COUNT")
         ->type_name("")
         ->offer(axes_to_offer())
         ->allow_extra_args(false);
@@ -62,6 +70,8 @@ void SweepOptions::add_to(Flags& command) {
     command.add_option("--sample", sample, "sobol:COUNT or latin:COUNT points in place of a grid")
         ->type_name("")
         ->offer({"sobol:", "latin:"});
+    add_file(command, "--scenes", scenes, "a scene in each row in place of a grid, columns named as flags")
+        ->type_name("FILE.csv");
     command.add_flag("--track", track, "follow each attractor from cell to cell of a grid of random starts");
     command.add_option("--saddles", saddles, "follow so many places on the boundaries of basins to their saddles")
         ->type_name("PLACES")
@@ -90,10 +100,21 @@ constexpr std::size_t most_results = 100'000'000;
 /// What a flag says of a parameter that the grid varies: the grid wins, but a value that is none is told.
 void check_beside(const SweepOptions& options, const std::vector<GridAxis>& grid, const GridAxis& axis) {
     if (options.scene.flag(axis.name, "").empty()) return;
-    if (axis.has_words()) throw BadInput("--law and --grid law=… are both given: give one of them");
+    if (axis.name == "law") throw BadInput("--law and --grid law=… are both given: give one of them");
     std::vector<GridAxis> others = grid;
     std::erase_if(others, [&](const GridAxis& other) { return other.name == axis.name; });
     cell_scene(options.scene, others, 0);
+}
+
+/// @throws BadInput, of a table of scenes naming the row
+void check_cell(const SweepOptions& options, const std::vector<GridAxis>& grid, std::size_t c) {
+    try {
+        const Scene<double> scene = cell_scene(options.scene, grid, c);
+        flight_from(make_body(scene), cell_start(options.start, scene, grid, c, 0));
+    } catch (const std::exception& error) {
+        if (options.scenes.empty()) throw;
+        throw BadInput(fmt::format("scenes '{}', scene {}: {}", options.scenes, c + 1, error.what()));
+    }
 }
 
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
@@ -104,10 +125,7 @@ void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     const double results = static_cast<double>(cell_count(grid)) * static_cast<double>(options.runs);
     if (results > static_cast<double>(most_results))
         throw BadInput(fmt::format("cells x runs = {:.0f} is outside its range: 1 to {}", results, most_results));
-    for (std::size_t c = 0; c < cell_count(grid); ++c) {
-        const Scene<double> scene = cell_scene(options.scene, grid, c);
-        flight_from(make_body(scene), cell_start(options.start, scene, grid, c, 0));
-    }
+    for (std::size_t c = 0; c < cell_count(grid); ++c) check_cell(options, grid, c);
 }
 
 /// Tracks lead from cell to cell of random starts that were all looked at.
@@ -139,15 +157,16 @@ bool look_into_results(const SweepOptions& options, Sweep& sweep) {
 
 /// What can be known of the record before any work.
 void check_output(const SweepOptions& options) {
-    require_no_input(options.output.record, {options.scene.file()});
+    require_no_input(options.output.record, {options.scene.file(), options.scenes});
     require_creatable(options.output);
 }
 
 /// Writes the record of a finished sweep. What can't be written stays in the journal.
-void keep_sweep(const SweepOptions& options, const Sweep& sweep) {
+///   extends  the record that is there, with fewer runs
+void keep_sweep(const SweepOptions& options, const Sweep& sweep, bool extends) {
     const std::string& path = options.output.record;
     constexpr auto kept = "the runs are kept: the same command writes them, once it can";
-    if (!options.output.force && std::filesystem::exists(path))
+    if (!options.output.force && !extends && std::filesystem::exists(path))
         throw RecordError("cannot create record", path,
                           fmt::format("a file of this name has come there meanwhile; {}", kept));
     try {
@@ -155,6 +174,30 @@ void keep_sweep(const SweepOptions& options, const Sweep& sweep) {
     } catch (const RecordError& error) {
         throw RecordError(fmt::format("{}; {}", error.what(), kept));
     }
+}
+
+/// A table of scenes stands in place of what makes cells.
+void require_scenes_alone(const SweepOptions& options) {
+    const auto refuse = [](const char* other, const char* why) {
+        throw BadInput(fmt::format("scenes and {} are both given: {}", other, why));
+    };
+    if (!options.grid.empty()) refuse("grid", "a table's rows are the cells");
+    if (!options.sample.empty()) refuse("sample", "a table's rows are the cells");
+    if (options.refine > 0) refuse("refine", "scenes of a table have no neighbours");
+    if (options.track) refuse("track", "scenes of a table have no neighbours");
+    if (options.saddles > 0) refuse("saddles", "scenes of a table have no neighbours");
+}
+
+std::vector<GridAxis> planned_grid(const SweepOptions& options) {
+    GridForm form{{}, options.start.seed(), options.refine, 0};
+    if (!options.scenes.empty()) {
+        require_scenes_alone(options);
+        const ScenesFile scenes = read_scenes(options.scenes);
+        form.scenes = scenes.rows;
+        return grid_from(grid_without_units(scenes.columns, options.scene.units()), form);
+    }
+    if (!options.sample.empty()) form.sample = sample_from(options.sample);
+    return grid_from(grid_without_units(options.grid, options.scene.units()), form);
 }
 
 /// What is to be done; nothing is yet. @throws BadInput
@@ -165,10 +208,8 @@ Sweep planned(SweepOptions& options) {
         throw BadInput("refine and sample are both given: a sample has no neighbours");
     if (options.refine > 0 && !options.shard.empty())
         throw BadInput("refine and shard are both given: what is refined depends on cells of the other shards");
-    GridForm form{{}, options.start.seed(), options.refine};
-    if (!options.sample.empty()) form.sample = sample_from(options.sample);
     Sweep sweep;
-    sweep.grid = grid_from(grid_without_units(options.grid, options.scene.units()), form);
+    sweep.grid = planned_grid(options);
     if (options.track) require_trackable(options, sweep.grid);
     if (options.saddles > 0) require_boundaries(options, sweep.grid);
     sweep.runs = options.runs;
@@ -181,6 +222,46 @@ Sweep planned(SweepOptions& options) {
     return sweep;
 }
 
+/// What a record of the same name holds of this sweep. True if that is all. @throws BadInput if it is another's
+bool read_what_is_there(const SweepOptions& options, Sweep& sweep, std::vector<char>& done) {
+    const std::string& path = options.output.record;
+    try {
+        const bool whole = sweep.shard ? read_shard(path, sweep, done) : read_sweep(path, sweep, done);
+        warn_without_checksum(path, options.output.quiet);
+        if (!options.output.quiet && whole) tell(fmt::format("swirl: '{}' holds this sweep already", path));
+        if (!options.output.quiet && !whole)
+            tell(fmt::format("swirl: '{}' holds {} of {} runs of this sweep: the others are added", path,
+                             std::count(done.begin(), done.end(), 1), done.size()));
+        return whole;
+    } catch (const RecordError& error) {
+        throw BadInput(error.what());
+    }
+}
+
+/// Runs what is not done, and writes the record. False if interrupted.
+bool run_the_rest(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, HandOut& hand_out) {
+    const std::string& path = options.output.record;
+    const auto count_done = [&] { return std::count(done.begin(), done.end(), 1); };
+    const auto in_record = count_done();
+    std::optional<SweepJournal> journal;
+    if (!path.empty()) journal.emplace(path, sweep, done);
+    const bool all =
+        run_all(options, sweep, done, journal ? &*journal : nullptr, hand_out) && look_into_results(options, sweep);
+    finish_up();
+    if (!all) {
+        if (journal && count_done() == in_record) journal->remove();  // nothing to go on from
+        if (journal && !options.output.quiet)
+            tell(fmt::format("swirl: interrupted; {} of {} runs are kept: the same command goes on from there",
+                             count_done(), done.size()));
+        return false;
+    }
+    if (!path.empty()) {
+        keep_sweep(options, sweep, in_record > 0);
+        journal->remove();
+    }
+    return true;
+}
+
 int sweep_grid(SweepOptions& options, HandOut& hand_out) {
     Sweep sweep = planned(options);
     sweep.results.resize(cell_count(sweep.grid) * static_cast<std::size_t>(sweep.runs));
@@ -188,34 +269,11 @@ int sweep_grid(SweepOptions& options, HandOut& hand_out) {
     check_output(options);
     note_interruptions();
     const auto begin = std::chrono::steady_clock::now();
-    if (!path.empty() && std::filesystem::exists(path) && !options.output.force) {
-        try {
-            sweep.shard ? read_shard(path, sweep) : read_sweep(path, sweep);
-            warn_without_checksum(path, options.output.quiet);
-        } catch (const RecordError& error) {
-            throw BadInput(error.what());
-        }
-        if (!options.output.quiet) tell(fmt::format("swirl: '{}' holds this sweep already", path));
-        if (!look_into_results(options, sweep)) return exit_interrupted;
-    } else {
-        std::vector<char> done(sweep.results.size(), 0);
-        std::optional<SweepJournal> journal;
-        if (!path.empty()) journal.emplace(path, sweep, done);
-        const bool all =
-            run_all(options, sweep, done, journal ? &*journal : nullptr, hand_out) && look_into_results(options, sweep);
-        finish_up();
-        if (!all) {
-            if (journal && std::count(done.begin(), done.end(), 1) == 0) journal->remove();  // nothing to go on from
-            if (journal && !options.output.quiet)
-                tell(fmt::format("swirl: interrupted; {} of {} runs are kept: the same command goes on from there",
-                                 std::count(done.begin(), done.end(), 1), done.size()));
-            return exit_interrupted;
-        }
-        if (!path.empty()) {
-            keep_sweep(options, sweep);
-            journal->remove();
-        }
-    }
+    std::vector<char> done(sweep.results.size(), 0);
+    const bool is_there = !path.empty() && std::filesystem::exists(path) && !options.output.force;
+    const bool whole = is_there && read_what_is_there(options, sweep, done);
+    if (!(whole ? look_into_results(options, sweep) : run_the_rest(options, sweep, done, hand_out)))
+        return exit_interrupted;
     if (options.output.json)
         write_sweep_document(sweep);
     else if (!options.output.quiet)

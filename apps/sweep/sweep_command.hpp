@@ -22,6 +22,7 @@ struct SweepOptions {
     OutputOptions output;
     std::vector<std::string> grid;
     std::string sample;  ///< sobol:COUNT, latin:COUNT; empty: a grid
+    std::string scenes;  ///< a file of scenes in place of a grid
     std::string shard;   ///< i/n; empty: all of it
     int refine = 0;      ///< levels; 0: the grid
     bool track = false;  ///< attractors are followed from cell to cell
@@ -71,8 +72,8 @@ struct Sweep {
 void take_shard(const Shard& shard, Sweep& sweep);
 /// The record of a shard: settings, shard, and the results of its cells. @throws RecordError
 void write_shard(const SweepOptions& options, const Sweep& sweep);
-/// Reads it into a sweep with the same settings and shard. @throws BadInput naming what differs
-void read_shard(const std::string& path, Sweep& sweep);
+/// Reads it into a sweep with the same shard, and settings as read_sweep() wants them. @throws BadInput
+bool read_shard(const std::string& path, Sweep& sweep, std::vector<char>& done);
 
 /// The attracting steady modes of every cell, with their shares of the runs. False if interrupted.
 bool find_steady_modes(const SweepOptions& options, Sweep& sweep);
@@ -87,10 +88,15 @@ bool find_saddles(const SweepOptions& options, Sweep& sweep);
 /// A record of a finished sweep. @throws RecordError
 void write_sweep(const SweepOptions& options, const Sweep& sweep);
 
-/// Reads the results of a record that was made with the same settings. @throws BadInput naming the first that differs
-void read_sweep(const std::string& path, Sweep& sweep);
+/// Reads the results of a record that was made with the same settings, or with fewer runs and else the same. `done`
+/// gets 1 at each result that it brought; true if these are all. @throws BadInput naming the first that differs
+bool read_sweep(const std::string& path, Sweep& sweep, std::vector<char>& done);
 
-void print_sweep(const Sweep& sweep);           ///< a map in characters (1 or 2 axes) and the shares
+/// True if the cells are the rows of a table of scenes.
+bool is_of_scenes(const Sweep& sweep);
+
+void print_sweep(const Sweep& sweep);           ///< the modes, and the shares of all runs
+void print_modes(const Sweep& sweep);           ///< of the cells: a table over one parameter, a map over more
 void write_sweep_document(const Sweep& sweep);  ///< JSON
 
 int sweep(SweepOptions& options);

@@ -42,7 +42,7 @@ void write_parameters(JsonWriter& json, const Sweep& sweep, const Cell& cell) {
     const auto point = cell_point(sweep.grid, cell.index);
     json.begin_object();
     for (std::size_t k = 0; k < point.size(); ++k)
-        if (const GridAxis& axis = sweep.grid[k]; axis.has_words())
+        if (const GridAxis& axis = sweep.grid[k]; axis.name == "law" || (axis.has_words() && point[k] == disk_sides))
             json.member(axis.name, axis.word_at(point[k]));
         else
             json.member(axis.name, point[k]);

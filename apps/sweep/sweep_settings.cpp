@@ -12,6 +12,7 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     for (const auto& axis : grid) axes.push_back(axis.text);
     settings.emplace_back("grid", axes);
     if (!options.sample.empty()) settings.emplace_back("sample", options.sample);
+    if (!options.scenes.empty()) settings.emplace_back("scenes", static_cast<std::int64_t>(cell_count(grid)));
     if (options.refine > 0) settings.emplace_back("refine", std::int64_t{options.refine});
     if (options.track) settings.emplace_back("track", true);
     if (options.saddles > 0) settings.emplace_back("saddles", options.saddles);

@@ -4,7 +4,6 @@ import numpy
 
 from .mode_map import mode_frame
 from .style import BLACK, MODE_COLOURS
-from .sweep_grid import cell_edges
 from .symbols import MEAN_SPIN, axis_label
 
 
@@ -46,7 +45,7 @@ def draw_mode_bands(figure, grid, look):
     name = grid.axes[0]
     points = grid.points[name]
     above, below = mode_frame(figure, grid, look).subplots(2, 1, sharex=True, height_ratios=(3, 2))
-    _draw_shares(above, grid, cell_edges(points))
+    _draw_shares(above, grid, grid.edges(name))
     _draw_spin(below, grid, points)
     below.set_xlabel(axis_label(name))
     grid.name_ticks(below)

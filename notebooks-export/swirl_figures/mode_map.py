@@ -8,7 +8,6 @@ from .legends import LegendBelow
 from .look import rows_of, side_by_side, width_of
 from .style import MODE_COLOURS
 from .symbols import MEAN_SPIN, axis_label, scene_title
-from .sweep_grid import cell_edges
 
 NO_VALUE = "#E6E6E6"
 
@@ -17,8 +16,7 @@ def draw_cells(axes, grid, values, **style):
     """A grid of cells; `values` has the axes of the grid's first and second parameter. Within a vector file they are an image:
     what shows a PDF smooths the borders of cells side by side, and the white beneath would shine through."""
     x, y = grid.axes
-    mesh = axes.pcolormesh(cell_edges(grid.points[x]), cell_edges(grid.points[y]),
-                           numpy.ma.masked_invalid(values).T, rasterized=True, **style)
+    mesh = axes.pcolormesh(grid.edges(x), grid.edges(y), numpy.ma.masked_invalid(values).T, rasterized=True, **style)
     axes.set(xlabel=axis_label(x), ylabel=axis_label(y), facecolor=NO_VALUE)
     grid.name_ticks(axes)
     for spine in axes.spines.values():

@@ -20,16 +20,26 @@ def starts_in_words(record):
     return "one start" + (f", with {fixed}," if fixed else "")
 
 
-def mark_values(along, name, words=None):
-    """Along an axis words in place of numbers, of laws, and numbers of sides whole."""
+def logarithmic_axes(record):
+    """The parameters whose grid is one of logarithms, NAME=A:B:COUNT:log."""
+    texts = [str(text) for text in numpy.atleast_1d(record.attributes("settings").get("grid", []))]
+    return {text.split("=")[0].replace("-", "_") for text in texts if text.endswith(":log")}
+
+
+def mark_values(along, name, words=None, logarithmic=False):
+    """Along an axis words in place of numbers, of laws and of sides with a disk; numbers of sides whole; decades."""
+    if logarithmic:
+        getattr(along.axes, f"set_{along.axis_name}scale")("log")
     if words:
         along.set_ticks(range(len(words)), words)
     elif name == "sides":
         along.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
 
 
-def cell_edges(points):
-    """The borders of cells about rising points: half-way between, and as far beyond the ends."""
+def cell_edges(points, logarithmic=False):
+    """The borders of cells about rising points: half-way between, and as far beyond the ends; of logarithms in these."""
+    if logarithmic:
+        return numpy.exp(cell_edges(numpy.log(points)))
     if len(points) == 1:
         return numpy.array([points[0] - 0.5, points[0] + 0.5])
     middles = (points[1:] + points[:-1]) / 2
@@ -43,6 +53,7 @@ class SweepGrid:
         points = {name: record.column("sweep", name) for name in axes}
         self.words = {name: [str(word) for word in values] for name, values in points.items() if values.dtype.kind in "OSU"}
         points.update({name: numpy.arange(float(len(words))) for name, words in self.words.items()})
+        self.logarithmic = logarithmic_axes(record)
         self.axes = [name for name in axes if len(points[name]) > 1] or [axes[0]]
         self.scene = record.scene()
         self.scene.update({name: self._scenes_value(name, points[name][0]) for name in axes if name not in self.axes})
@@ -75,14 +86,21 @@ class SweepGrid:
 
     def text(self, axis, index):
         """A value of an axis for a title."""
-        if axis in self.words:
+        if axis == "law":
             return f"{self.words[axis][index].capitalize()}'s law"
+        if axis in self.words:
+            word = self.words[axis][index]
+            return word if word == "disk" else f"{symbol(axis)} = {word}"
         return f"{symbol(axis)} = {number(self.points[axis][index])}"
 
     def name_ticks(self, axes):
         """Along both axes of a map of this grid, or along the abscissa."""
         for name, along in zip(self.axes, (axes.xaxis, axes.yaxis)):
-            mark_values(along, name, self.words.get(name))
+            mark_values(along, name, self.words.get(name), name in self.logarithmic)
+
+    def edges(self, name):
+        """The borders of the cells along an axis."""
+        return cell_edges(self.points[name], name in self.logarithmic)
 
     def at_middle(self, axis):
         """The grid at the middle value of one axis, which its title names."""
@@ -100,7 +118,7 @@ class SweepGrid:
         part.axes = [name for name in self.axes if name != axis]
         part.points = {name: self.points[name] for name in part.axes}
         part.scene, part.modes, part.words, part.remarks = self.scene, self.modes, self.words, self.remarks
-        part.runs, part.starts = self.runs, self.starts
+        part.runs, part.starts, part.logarithmic = self.runs, self.starts, self.logarithmic
         part.share = self.share.take(index, axis=at)
         part.mean_spin = self.mean_spin.take(index, axis=at)
         part.mean_spin_error = self.mean_spin_error.take(index, axis=at)

@@ -1,4 +1,4 @@
-"""A sweep over points of a box (sweep --sample): each point coloured by its mode, and by its mean spin, in every two of the
+"""A sweep over points of a box (sweep --sample) or over a table of scenes (--scenes): each point coloured by its mode, and by its mean spin, in every two of the
 parameters."""
 
 import itertools
@@ -10,7 +10,7 @@ from .legends import LegendBelow
 from .look import side_by_side, width_of
 from .mode_map import mode_style, spin_style
 from .style import MODE_COLOURS
-from .sweep_grid import mark_values, starts_in_words
+from .sweep_grid import logarithmic_axes, mark_values, starts_in_words
 from .symbols import MEAN_SPIN, axis_label, is_parameter, scene_title
 
 _LEAST_PANEL = 3.0
@@ -24,9 +24,31 @@ def is_sampled(record):
     return record.has("sweep", "mean_S") and record.dimensions("sweep", "mean_S") == ("cell",)
 
 
-def _parameters(record):
+#: Of a table of scenes more parameters would take too many panels.
+_MOST_PARAMETERS = 5
+
+
+def _columns(record):
     return [name for name in record.columns("sweep")
             if is_parameter(name) and record.dimensions("sweep", name) == ("cell",)]
+
+
+def _parameters(record):
+    """Those that vary, as many as can be drawn; the first where none does."""
+    columns = _columns(record)
+    vary = [name for name in columns if len(set(record.column("sweep", name).tolist())) > 1]
+    return vary[:_MOST_PARAMETERS] or columns[:1]
+
+
+def _scene(record):
+    """With the value of each column that has but one."""
+    scene = record.scene()
+    for name in _columns(record):
+        values = set(record.column("sweep", name).tolist())
+        if len(values) == 1:
+            value = values.pop()
+            scene[name] = value if isinstance(value, float) else str(value)
+    return scene
 
 
 def _panels(record):
@@ -71,8 +93,9 @@ def _draw_panel(axes, record, panel, modes, place):
                         plotnonfinite=True, **colours)
     axes.set(xlabel=axis_label(x), ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$" if y is None else axis_label(y),
              title="Mode with the largest share" if by_mode else f"Mean spin {MEAN_SPIN}, in $\\omega_s$")
-    mark_values(axes.xaxis, x, x_words)
-    mark_values(axes.yaxis, y, y_words)
+    logarithmic = logarithmic_axes(record)
+    mark_values(axes.xaxis, x, x_words, x in logarithmic)
+    mark_values(axes.yaxis, y, y_words, y in logarithmic)
     return None if by_mode else (dots, extend)
 
 
@@ -81,7 +104,7 @@ def draw_into(figure, record, look):
     modes = list(record.names("sweep", "mode"))
     place = share.argmax(axis=1)
     names = _parameters(record)
-    look.title(figure, f"{scene_title(record.scene(), leave_out=names)}\n{len(place):,} points, "
+    look.title(figure, f"{scene_title(_scene(record), leave_out=names)}\n{len(place):,} points, "
                        f"{starts_in_words(record)} at each")
     parts = LegendBelow(figure)
     panels = _panels(record)

@@ -3,7 +3,7 @@
 # %%
 sweep = group("sweep")
 wide = [name for name in sweep["mean_S"].dims if sweep.sizes[name] > 1]
-# A map needs numbers along both axes: the impact law, which has names, stands at one as the rest does.
+# A map needs numbers along both axes: laws, and sides with a disk, which have names, stand at one as the rest does.
 axis = [name for name in wide if sweep[name].dtype.kind in "iuf"][:2] or wide[:1] or [sweep["mean_S"].dims[0]]
 rest = [name for name in wide if name not in axis]
 flat = sweep.isel({name: 0 for name in sweep["mean_S"].dims if name not in axis})
@@ -20,6 +20,10 @@ if len(axis) == 1:
 else:
     share.argmax("mode").plot(ax=axes[0], x=axis[0], y=axis[1], cmap="cividis", cbar_kwargs={"label": "place of the mode"})
     flat["mean_S"].plot(ax=axes[1], x=axis[0], y=axis[1], cmap="PuOr", center=0)
+by_logarithm = {str(text).split("=")[0].replace("-", "_") for text in np.atleast_1d(settings["settings"]["grid"]) if str(text).endswith(":log")}
+for panel in axes:
+    if axis[0] in by_logarithm: panel.set_xscale("log")
+    if len(axis) > 1 and axis[1] in by_logarithm: panel.set_yscale("log")
 # %% [markdown]
 # The shares of a cell add up to one.
 # %%

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/crc.hpp>
 #include <boost/endian/conversion.hpp>
@@ -12,6 +13,7 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,13 +26,17 @@ namespace swirl::apps {
 
 namespace {
 
-constexpr auto text_of_block = "swirl record\ncrc-64/xz of the bytes from 512 on: {:016x}\nbytes: {}\n";
+constexpr auto text_of_trailer = "swirl record\ncrc-64/xz of the bytes before: {:016x}\nbytes: {:020}\n";
+constexpr auto scan_of_trailer = "swirl record\ncrc-64/xz of the bytes before: %16" SCNx64 "\nbytes: %20" SCNu64 "\n";
 constexpr auto scan_of_block =
     "swirl record\ncrc-64/xz of the bytes from 512 on: %16" SCNx64 "\nbytes: %20" SCNu64 "\n";
 
+// The checksum of the bytes from `begin` up to `end`, in a file of so many bytes.
 struct Stated {
     std::uint64_t checksum = 0;
-    std::uint64_t bytes = 0;  // of the whole file
+    std::uint64_t bytes = 0;
+    std::uint64_t begin = 0;
+    std::uint64_t end = 0;
 };
 
 // What was read, fewer bytes only at the end of the file. Throws RecordError.
@@ -46,18 +52,21 @@ std::size_t read_at(int descriptor, char* buffer, std::size_t size, std::uint64_
     return got;
 }
 
-Stated measure(int descriptor, const std::string& name) {
+// Up to `end`, or to the end of the file.
+Stated measure(int descriptor, std::uint64_t begin, std::uint64_t end, const std::string& name) {
     boost::crc_optimal<64, 0x42F0E1EBA9EA3693U, ~std::uint64_t{0}, ~std::uint64_t{0}, true, true> crc;
     std::vector<char> buffer(std::size_t{1} << 18);
-    std::uint64_t offset = user_block_bytes;
-    while (const std::size_t got = read_at(descriptor, buffer.data(), buffer.size(), offset, name)) {
+    std::uint64_t offset = begin;
+    const auto wanted = [&] { return static_cast<std::size_t>(std::min<std::uint64_t>(buffer.size(), end - offset)); };
+    while (const std::size_t got = read_at(descriptor, buffer.data(), wanted(), offset, name)) {
         crc.process_bytes(buffer.data(), got);
         offset += got;
     }
-    return {crc.checksum(), offset};
+    return {crc.checksum(), offset, begin, offset};
 }
 
 using Head = std::array<char, 2 * user_block_bytes>;
+using Trailer = std::array<char, trailer_bytes>;
 
 std::uint64_t integer_at(const Head& head, std::size_t place) {
     std::uint64_t value = 0;
@@ -65,10 +74,10 @@ std::uint64_t integer_at(const Head& head, std::size_t place) {
     return boost::endian::little_to_native(value);
 }
 
-// The length that HDF5's superblock states (HDF5 file format specification 3.0, section II.A), if it can be read.
-std::optional<std::uint64_t> length_by_hdf5(const Head& head) {
+// The length that HDF5's superblock at `begin` states (HDF5 file format specification 3.0, section II.A), if it can be
+// read.
+std::optional<std::uint64_t> length_by_hdf5(const Head& head, std::size_t begin) {
     constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
-    const std::size_t begin = user_block_bytes;
     if (std::string_view(head.data() + begin, signature.size()) != signature) return std::nullopt;
     const int version = head[begin + signature.size()];
     if (version == 0 || version == 1) return integer_at(head, begin + (version == 0 ? 40U : 44U));
@@ -76,60 +85,90 @@ std::optional<std::uint64_t> length_by_hdf5(const Head& head) {
     return std::nullopt;
 }
 
-// What the file states of itself; nothing where that does not speak for the file as it is now.
-std::optional<Stated> stated_by(const Head& head, std::uint64_t bytes) {
-    std::array<char, user_block_bytes + 1> text{};
-    std::memcpy(text.data(), head.data(), user_block_bytes);
-    Stated stated;
-    if (std::sscanf(text.data(), scan_of_block, &stated.checksum, &stated.bytes) != 2) return std::nullopt;
-    if (stated.bytes != bytes && length_by_hdf5(head) == bytes) return std::nullopt;
-    return stated;
-}
-
 struct Opened {
     PosixFile file;
     std::uint64_t bytes = 0;
     Head head{};
+    Trailer trailer{};
 };
 
-Opened open_head(const std::filesystem::path& file) {
+// By a user block, schema 1.
+std::optional<Stated> stated_by_head(const Head& head) {
+    std::array<char, user_block_bytes + 1> text{};
+    std::memcpy(text.data(), head.data(), user_block_bytes);
+    Stated stated;
+    if (std::sscanf(text.data(), scan_of_block, &stated.checksum, &stated.bytes) != 2) return std::nullopt;
+    stated.begin = user_block_bytes;
+    stated.end = stated.bytes;
+    return stated;
+}
+
+// Every byte of a trailer is as it is written, so that a damaged one is none.
+std::optional<Stated> stated_by_trailer(const Trailer& trailer) {
+    const std::string text(trailer.data(), trailer.size());
+    Stated stated;
+    if (std::sscanf(text.c_str(), scan_of_trailer, &stated.checksum, &stated.bytes) != 2) return std::nullopt;
+    if (fmt::format(text_of_trailer, stated.checksum, stated.bytes) != text) return std::nullopt;
+    if (stated.bytes < trailer_bytes) return std::nullopt;
+    stated.end = stated.bytes - trailer_bytes;
+    return stated;
+}
+
+// What the file states of itself; nothing where that does not speak for the file as it is now.
+std::optional<Stated> stated_by(const Opened& opened) {
+    if (const auto stated = stated_by_head(opened.head)) {
+        const bool edited =
+            stated->bytes != opened.bytes && length_by_hdf5(opened.head, user_block_bytes) == opened.bytes;
+        return edited ? std::nullopt : stated;
+    }
+    if (const auto stated = stated_by_trailer(opened.trailer)) return stated;
+    // A trailer that is missing was cut off by a program that wrote the file; a part of one, or one that can't be read,
+    // was damaged, and the length that is stated is then never the file's.
+    const auto length = length_by_hdf5(opened.head, 0);
+    if (!length || *length == opened.bytes) return std::nullopt;
+    return Stated{0, ~opened.bytes, 0, 0};
+}
+
+Opened open_ends(const std::filesystem::path& file) {
     Opened opened{PosixFile(::open(file.c_str(), O_RDONLY | O_CLOEXEC))};
     struct stat status {};
     if (opened.file.descriptor() < 0 || ::fstat(opened.file.descriptor(), &status) != 0)
         throw RecordError("cannot read record", file.string(), system_reason());
     opened.bytes = static_cast<std::uint64_t>(status.st_size);
     read_at(opened.file.descriptor(), opened.head.data(), opened.head.size(), 0, file.string());
+    if (opened.bytes >= trailer_bytes)
+        read_at(opened.file.descriptor(), opened.trailer.data(), trailer_bytes, opened.bytes - trailer_bytes,
+                file.string());
     return opened;
 }
 
 }  // namespace
 
 void write_checksum(int descriptor, const std::filesystem::path& name) {
-    const Stated measured = measure(descriptor, name.string());
-    const std::string text = fmt::format(text_of_block, measured.checksum, measured.bytes);
-    std::array<char, user_block_bytes> block{};
-    std::memcpy(block.data(), text.data(), text.size());
-    ssize_t written = -1;
-    do {
-        written = ::pwrite(descriptor, block.data(), block.size(), 0);
-    } while (written < 0 && errno == EINTR);
-    if (written != static_cast<ssize_t>(block.size()))
-        throw RecordError("cannot finish record", name.string(), system_reason());
+    const Stated measured = measure(descriptor, 0, std::numeric_limits<std::uint64_t>::max(), name.string());
+    const std::string text = fmt::format(text_of_trailer, measured.checksum, measured.bytes + trailer_bytes);
+    for (std::size_t written = 0; written < text.size();) {
+        const auto place = static_cast<off_t>(measured.bytes + written);
+        const ssize_t now = ::pwrite(descriptor, text.data() + written, text.size() - written, place);
+        if (now < 0 && errno == EINTR) continue;
+        if (now < 0) throw RecordError("cannot finish record", name.string(), system_reason());
+        written += static_cast<std::size_t>(now);
+    }
 }
 
 Wholeness wholeness_of(const std::filesystem::path& file) {
-    const Opened opened = open_head(file);
-    const auto stated = stated_by(opened.head, opened.bytes);
+    const Opened opened = open_ends(file);
+    const auto stated = stated_by(opened);
     if (!stated) return Wholeness::unstated;
     if (stated->bytes != opened.bytes) return Wholeness::damaged;
-    const Stated measured = measure(opened.file.descriptor(), file.string());
-    return measured.checksum == stated->checksum ? Wholeness::whole : Wholeness::damaged;
+    const Stated measured = measure(opened.file.descriptor(), stated->begin, stated->end, file.string());
+    const bool same = measured.checksum == stated->checksum && measured.end == stated->end;
+    return same ? Wholeness::whole : Wholeness::damaged;
 }
 
 bool has_checksum(const std::filesystem::path& file) {
     try {
-        const Opened opened = open_head(file);
-        return stated_by(opened.head, opened.bytes).has_value();
+        return stated_by(open_ends(file)).has_value();
     } catch (const RecordError&) {
         return false;
     }

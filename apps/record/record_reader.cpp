@@ -170,8 +170,8 @@ RecordReader::RecordReader(const std::filesystem::path& path) {
             break;
         case Wholeness::damaged:
             throw RecordError(reading, name,
-                              "it is damaged: its bytes have not the checksum that it was written with (of a record "
-                              "that was changed on purpose, zero the first 512 bytes)");
+                              "it is damaged: its checksum is another (if it was changed on purpose, cut off the last "
+                              "89 bytes; of schema 1, zero the first 512)");
         case Wholeness::unstated:
             try_reading(path, [&] { read_everything(RecordReader(std::make_unique<OpenFile>(name))); });
     }

@@ -23,7 +23,6 @@ hdf5::File create_file(const std::filesystem::path& path, const std::string& nam
     H5Pset_file_locking(access.id(), false, true);
     const hdf5::Properties creation(H5Pcreate(H5P_FILE_CREATE));
     H5Pset_obj_track_times(creation.id(), false);
-    H5Pset_userblock(creation.id(), user_block_bytes);
     return hdf5::File(
         hdf5::check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), "cannot create record", name));
 }

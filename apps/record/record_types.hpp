@@ -11,7 +11,7 @@
 namespace swirl::apps {
 
 /// The conventions of README.md in this folder. A reader refuses records of a later number.
-inline constexpr std::int64_t record_schema_version = 1;
+inline constexpr std::int64_t record_schema_version = 2;
 
 enum class ElementType { float64, int64, int32, uint8, boolean, string };
 

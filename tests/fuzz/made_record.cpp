@@ -177,7 +177,6 @@ void write_record(const std::vector<Item>& items, int descriptor, const std::str
     hdf5::prepare();
     {
         const hdf5::Properties creation(H5Pcreate(H5P_FILE_CREATE));
-        H5Pset_userblock(creation.id(), apps::user_block_bytes);
         const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS));
         H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
         const hdf5::File file(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()));

@@ -37,7 +37,7 @@ std::string refusal_to_read(const std::filesystem::path& path) {
 
 /// As a program writes it that knows of no checksum.
 std::string without_checksum(const std::string& bytes) {
-    return std::string(apps::user_block_bytes, '\0') + bytes.substr(apps::user_block_bytes);
+    return bytes.substr(0, bytes.size() - apps::trailer_bytes);
 }
 
 // Another second, another process, another folder, other garbage in fresh memory.
@@ -90,7 +90,7 @@ TEST(RecordFile, OneWriterAtATime) {
     EXPECT_EQ(refusal_to_write(folder / "a.h5"),
               "cannot create record '" + (folder / "a.h5").string() + "': another process is writing it");
     writer.finish();
-    EXPECT_EQ(RecordReader(folder / "a.h5").schema_version(), 1);
+    EXPECT_EQ(RecordReader(folder / "a.h5").schema_version(), apps::record_schema_version);
 }
 
 TEST(RecordFile, ReplacesWhatALinkPointsTo) {
@@ -99,7 +99,7 @@ TEST(RecordFile, ReplacesWhatALinkPointsTo) {
     std::filesystem::create_symlink(folder / "a.h5", folder / "link.h5");
     RecordWriter(folder / "link.h5", header).finish();
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.h5"));
-    EXPECT_EQ(RecordReader(folder / "a.h5").schema_version(), 1);
+    EXPECT_EQ(RecordReader(folder / "a.h5").schema_version(), apps::record_schema_version);
 }
 
 TEST(RecordFile, PermissionsOfWhatIsReplacedStay) {
@@ -110,7 +110,7 @@ TEST(RecordFile, PermissionsOfWhatIsReplacedStay) {
         std::filesystem::permissions(folder / "a.h5", mode);
         RecordWriter(folder / "a.h5", header).finish();
         EXPECT_EQ(std::filesystem::status(folder / "a.h5").permissions(), mode);
-        EXPECT_EQ(RecordReader(folder / "a.h5").schema_version(), 1);
+        EXPECT_EQ(RecordReader(folder / "a.h5").schema_version(), apps::record_schema_version);
     }
 }
 
@@ -122,7 +122,7 @@ TEST(RecordFile, WhatIsUnfinishedIsRemovedOnLeaving) {
     EXPECT_EQ(folder.files(), 2);
     apps::remove_unfinished_files();
     EXPECT_EQ(folder.files(), 1);
-    EXPECT_EQ(RecordReader(folder / "whole.h5").schema_version(), 1);
+    EXPECT_EQ(RecordReader(folder / "whole.h5").schema_version(), apps::record_schema_version);
 }
 
 TEST(RecordFile, OutputsThatCannotBeCreatedAreRefusedAtOnce) {
@@ -225,7 +225,10 @@ TEST(RecordFile, EveryTruncationIsFound) {
     write_bytes(folder / "cut.h5", cut);
     EXPECT_NE(refusal_to_read(folder / "cut.h5").find("it is damaged"), std::string::npos);
     write_bytes(folder / "cut.h5", without_checksum(cut));
-    EXPECT_NE(refusal_to_read(folder / "cut.h5").find("truncated file"), std::string::npos);
+    EXPECT_NE(refusal_to_read(folder / "cut.h5").find("it is damaged"), std::string::npos);
+    write_bytes(folder / "cut.h5", without_checksum(bytes));  // what a writer of HDF5 leaves of it
+    EXPECT_EQ(apps::wholeness_of(folder / "cut.h5"), apps::Wholeness::unstated);
+    EXPECT_EQ(RecordReader(folder / "cut.h5").attribute<std::string>("/", "title"), "a sample");
 }
 
 TEST(RecordFile, EveryFlippedBitIsFound) {
@@ -233,11 +236,13 @@ TEST(RecordFile, EveryFlippedBitIsFound) {
     write_sample_record(folder / "a.h5");
     const std::string bytes = bytes_of(folder / "a.h5");
     EXPECT_EQ(apps::wholeness_of(folder / "a.h5"), apps::Wholeness::whole);
-    for (std::size_t place = apps::user_block_bytes; place < bytes.size(); place += 1 + bytes.size() / 97) {
+    const std::size_t end = bytes.size() - apps::trailer_bytes;
+    for (std::size_t place = 0; place < bytes.size(); place += place < end ? 1 + bytes.size() / 97 : 1) {
         std::string flipped = bytes;
         flipped[place] = static_cast<char>(flipped[place] ^ 0x10);
         write_bytes(folder / "a.h5", flipped);
         EXPECT_EQ(apps::wholeness_of(folder / "a.h5"), apps::Wholeness::damaged) << place;
+        if (place >= end) continue;
         write_bytes(folder / "a.h5", without_checksum(flipped));
         EXPECT_EQ(apps::wholeness_of(folder / "a.h5"), apps::Wholeness::unstated) << place;
     }
@@ -246,11 +251,39 @@ TEST(RecordFile, EveryFlippedBitIsFound) {
 // The CRC-64/XZ of "123456789" is published (CRC RevEng catalogue): 995dc9bbdf1939fa.
 TEST(RecordFile, TheChecksumIsThePublishedOne) {
     const ScratchFolder folder;
-    write_bytes(folder / "nine", std::string(apps::user_block_bytes, '\0') + "123456789");
+    write_bytes(folder / "nine", "123456789");
     const apps::PosixFile file(::open((folder / "nine").c_str(), O_RDWR | O_CLOEXEC));
     apps::write_checksum(file.descriptor(), "nine");
-    EXPECT_TRUE(bytes_of(folder / "nine")
-                    .starts_with("swirl record\ncrc-64/xz of the bytes from 512 on: 995dc9bbdf1939fa\nbytes: 521\n"));
+    EXPECT_EQ(bytes_of(folder / "nine"),
+              "123456789swirl record\ncrc-64/xz of the bytes before: 995dc9bbdf1939fa\n"
+              "bytes: 00000000000000000098\n");
+    EXPECT_EQ(apps::wholeness_of(folder / "nine"), apps::Wholeness::whole);
+}
+
+// Written before schema 2, with HDF5 1.10: a cycle of orbits near a point; its checksum is in a user block.
+TEST(RecordFile, OneOfSchemaOneIsReadAndItsDamageIsFound) {
+    const ScratchFolder folder;
+    const std::string bytes = bytes_of(SWIRL_RECORD_OF_SCHEMA_1);
+    ASSERT_TRUE(bytes.starts_with("swirl record\ncrc-64/xz of the bytes from 512 on: "));
+    EXPECT_EQ(apps::wholeness_of(SWIRL_RECORD_OF_SCHEMA_1), apps::Wholeness::whole);
+    EXPECT_TRUE(apps::has_checksum(SWIRL_RECORD_OF_SCHEMA_1));
+    const auto holds_the_cycle = [](const std::filesystem::path& file) {
+        const RecordReader record(file);
+        return record.schema_version() == 1 &&
+               record.read<std::int64_t>("/orbits/period") == std::vector<std::int64_t>{1};
+    };
+    EXPECT_TRUE(holds_the_cycle(SWIRL_RECORD_OF_SCHEMA_1));
+    for (std::size_t place = apps::user_block_bytes; place < bytes.size(); place += 1 + bytes.size() / 97) {
+        std::string flipped = bytes;
+        flipped[place] = static_cast<char>(flipped[place] ^ 0x10);
+        write_bytes(folder / "a.h5", flipped);
+        EXPECT_EQ(apps::wholeness_of(folder / "a.h5"), apps::Wholeness::damaged) << place;
+    }
+    write_bytes(folder / "a.h5", bytes.substr(0, bytes.size() - 1));
+    EXPECT_NE(refusal_to_read(folder / "a.h5").find("it is damaged"), std::string::npos);
+    write_bytes(folder / "a.h5", std::string(apps::user_block_bytes, '\0') + bytes.substr(apps::user_block_bytes));
+    EXPECT_EQ(apps::wholeness_of(folder / "a.h5"), apps::Wholeness::unstated);
+    EXPECT_TRUE(holds_the_cycle(folder / "a.h5"));
 }
 
 TEST(RecordFile, ALaterSchemaAndAForeignFileAreRefused) {
@@ -261,14 +294,12 @@ TEST(RecordFile, ALaterSchemaAndAForeignFileAreRefused) {
         const std::string command =
             "/usr/bin/python3 -c \"import h5py; f = h5py.File('" + path + "', 'r+'); " + change + "\"";
         if (const int code = std::system(command.c_str()); code != 0) return code;
-        // Edited in place, it looks like a damaged one; whoever edits it takes the checksum away.
-        EXPECT_NE(refusal_to_read(path).find("it is damaged"), std::string::npos);
-        write_bytes(path, without_checksum(bytes_of(path)));
+        EXPECT_FALSE(apps::has_checksum(path)) << "who writes to it takes the checksum away";
         return 0;
     };
     const std::string prefix = "cannot read record '" + (folder / "a.h5").string() + "': ";
-    ASSERT_EQ(write("f.attrs.modify('schema_version', 2)"), 0);
-    EXPECT_EQ(refusal_to_read(folder / "a.h5"), prefix + "its schema_version is 2, this program reads 1 to 1");
+    ASSERT_EQ(write("f.attrs.modify('schema_version', 3)"), 0);
+    EXPECT_EQ(refusal_to_read(folder / "a.h5"), prefix + "its schema_version is 3, this program reads 1 to 2");
     ASSERT_EQ(write("del f.attrs['schema_version']"), 0);
     EXPECT_EQ(refusal_to_read(folder / "a.h5"), prefix + "it has no schema_version, so it is not a Swirl record");
 }

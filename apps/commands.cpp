@@ -14,6 +14,7 @@
 #include "apps/orbits/orbits_command.hpp"
 #include "apps/plot/plot_command.hpp"
 #include "apps/recurrence/recurrence_command.hpp"
+#include "apps/show/show_command.hpp"
 #include "apps/simulate/simulate.hpp"
 #include "apps/spectrum/spectrum_command.hpp"
 #include "apps/sweep/sweep_command.hpp"
@@ -60,6 +61,8 @@ void add_commands(Program& program) {
                                                    describe::describe_details, describe::describe);
     program.add_command<certify::CertifyOptions>("certify", "prove cycles by interval arithmetic",
                                                  certify::certify_details, certify::certify);
+    program.add_command<show::ShowOptions>("show", "what a record holds, as a table, JSON or CSV", show::show_details,
+                                           show::show);
     program.add_command<plot::PlotOptions>("plot", "a figure of a record", plot::plot_details, plot::plot);
     program.add_command<animate::AnimateOptions>("animate", "a film of an orbit", animate::animate_details,
                                                  animate::animate);

@@ -66,6 +66,8 @@ void follow_switches(const SceneBranches& scene, std::vector<analysis::Branch>& 
 
 /// A section point as a JSON object.
 void write_point(JsonWriter& json, const Eigen::VectorXd& z);
+/// The same of a list of coordinates, which NaN may fill up; null of none.
+void write_point_or_null(JsonWriter& json, const std::vector<double>& coordinates);
 /// A word as a list of {vertex_step, contact_mode}.
 void write_word(JsonWriter& json, const std::vector<std::int64_t>& word);
 /// The names of a section point's coordinates; a disk's has four.

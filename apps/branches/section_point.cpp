@@ -3,6 +3,7 @@
 #include "apps/system/scene_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace swirl::apps {
 
@@ -33,6 +34,12 @@ void write_point(JsonWriter& json, const Eigen::VectorXd& z) {
     json.begin_object();
     for (Eigen::Index i = 0; i < z.size(); ++i) json.member(names[static_cast<std::size_t>(i)], z[i]);
     json.end_object();
+}
+
+void write_point_or_null(JsonWriter& json, const std::vector<double>& coordinates) {
+    const auto end = std::find_if(coordinates.begin(), coordinates.end(), [](double x) { return std::isnan(x); });
+    if (end == coordinates.begin()) return json.null();
+    write_point(json, Eigen::Map<const Eigen::VectorXd>(coordinates.data(), end - coordinates.begin()));
 }
 
 void write_word(JsonWriter& json, const std::vector<std::int64_t>& word) {

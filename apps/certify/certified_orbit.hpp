@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/command_line/documents.hpp"
+#include "apps/orbits/recorded_cycles.hpp"
 #include "map/proof/all_fixed_points.hpp"
 #include "map/proof/prove_cycle.hpp"
 
@@ -11,11 +12,7 @@
 
 namespace swirl::apps::certify {
 
-/// Where a cycle is said to be, in its own scene.
-struct CyclePlace {
-    Scene<double> scene;
-    std::vector<SectionPoint<double>> points;
-};
+using orbits::CyclePlace;
 
 /// What is to be proven of it; `reason` says why there is nothing to prove.
 struct Candidate {
@@ -24,6 +21,7 @@ struct Candidate {
 };
 
 struct CertifiedOrbit {
+    std::size_t number = 1;  ///< in its record, or of those that were found
     Scene<double> scene;
     std::size_t period = 1;
     SectionPoint<double> point;
@@ -44,15 +42,6 @@ struct Certified {
         return count;
     }
 };
-
-/// The cycles of a record of `orbits`, or those along the branches of `continue` and `bifurcate`, with the parameter's
-/// name. @throws BadInput if it holds none
-struct RecordCycles {
-    Scene<double> scene;
-    std::string along;  ///< empty: all in the same scene
-    std::vector<CyclePlace> places;
-};
-RecordCycles cycles_of_record(const std::string& file);
 
 /// What the map itself says of a cycle through these points: its flights' times and its word.
 Candidate candidate_at(const CyclePlace& place);

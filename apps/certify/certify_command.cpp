@@ -6,8 +6,11 @@
 #include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/command_line/text_file.hpp"
+#include "apps/modes/settled_cycle.hpp"
 #include "apps/orbits/near_orbit.hpp"
+#include "apps/orbits/recorded_cycles.hpp"
 #include "apps/record/output_file.hpp"
 #include "apps/record/record_error.hpp"
 #include "apps/system/section_coordinates.hpp"
@@ -31,8 +34,10 @@ lies in a disc. stability: attracting, saddle or repelling, as the discs prove i
 exactly 1, the others inside), whose member is that with the S or flight time under phase; undecided where a disc meets the
 unit circle. radius is the largest half-width of the box. What is not proven says which inequality failed and by how much.
 The scene's numbers are decimals, 0.4 is 4/10; a point's and a box's are the doubles that are shown.
-The cycles are those of a record of orbits, continue or bifurcate, or the one near a point (--near, --period). --all proves
-all fixed points with a flight time up to --max-time and that there are no others; what it cannot decide it lists.
+The cycles are those of a record of orbits, classify, describe, continue or bifurcate (--orbit I: row I alone, as `swirl
+show` numbers them), the one near a point (--near, --period), or what the start settles on (--from attractor; exit code 3 if
+that is no cycle). --all proves all fixed points with a flight time up to --max-time and that there are no others; what
+it cannot decide it lists.
 The document is the certificate: --check proves it again from its numbers alone, by other equations. That --all found them
 all is not part of that.
 Exit code 0: all is proven (--all: and complete); 3: some is not; --check: 3 if what is stated could not be proven, 2 if
@@ -44,9 +49,15 @@ Examples:
 
 void CertifyOptions::add_to(Flags& command) {
     scene.add_to(command);
+    start.add_to(command);
     output.add_to(command, false);
-    add_file(command, "record", record, "a record of orbits, continue or bifurcate: its cycles")
-        ->type_name("RECORD.h5");
+    add_file(command, "record", record, "a record that holds cycles, with their scene")->type_name("RECORD.h5");
+    command.add_option("--orbit", orbit, "which of the record's cycles, from 1 (default all)")
+        ->type_name("I")
+        ->transform(whole_number(1, most_impacts));
+    command.add_option("--from", from, "attractor: the cycle that the start settles on")
+        ->type_name("")
+        ->offer({"attractor"});
     command.add_option("--near", near, "psi,chi,vn,vt,S: the cycle near this point (a disk drops chi)")->type_name("");
     command.add_option("--period", its_period, "of that cycle (default 1)")
         ->type_name("K")
@@ -68,8 +79,14 @@ namespace {
 void require_one_input(const CertifyOptions& options) {
     options.output.require_double("certify works in interval arithmetic");
     const int given = (options.record.empty() ? 0 : 1) + (options.near.empty() ? 0 : 1) + (options.all ? 1 : 0) +
-                      (options.check.empty() ? 0 : 1);
-    if (given != 1) throw BadInput("give one of: a RECORD, --near psi,chi,vn,vt,S, --all, --check CERT.json");
+                      (options.check.empty() ? 0 : 1) + (options.from.empty() ? 0 : 1);
+    if (given != 1)
+        throw BadInput("give one of: a RECORD, --near psi,chi,vn,vt,S, --from attractor, --all, --check CERT.json");
+    if (!options.from.empty() && options.from != "attractor")
+        throw BadInput(fmt::format("from = {} is not known: attractor (of a point: --near)", options.from));
+    if (options.start.given() && options.from.empty())
+        throw BadInput("a start is given; it goes with --from attractor");
+    if (options.orbit && options.record.empty()) throw BadInput("--orbit goes with a RECORD, whose cycles it numbers");
     const bool scene_is_there = !options.record.empty() || !options.check.empty();
     if (scene_is_there && options.scene.given())
         throw BadInput("a scene is given, but the record or certificate has its own; leave one out");
@@ -119,7 +136,7 @@ void write_and_commit(OutputFile& file, const std::string& text) {
 }
 
 CertifiedOrbit certified_at(const CyclePlace& place) {
-    CertifiedOrbit orbit{place.scene, place.points.size(), place.points.front(), {}};
+    CertifiedOrbit orbit{1, place.scene, place.points.size(), place.points.front(), {}};
     const Candidate candidate = candidate_at(place);
     if (candidate.reason.empty())
         orbit.proof = proof::prove_cycle(place.scene, candidate.claim);
@@ -136,6 +153,7 @@ std::vector<CertifiedOrbit> certified_of(const CertifyOptions& options, std::vec
     Progress progress("certify", static_cast<double>(work->size()), options.output.quiet);
     run_pieces(work->size(), options.output.threads, progress, [work, results](std::size_t i) -> KeepResult {
         CertifiedOrbit orbit = certified_at((*work)[i]);
+        orbit.number = i + 1;
         return [results, i, orbit = std::move(orbit)] { (*results)[i] = orbit; };
     });
     std::vector<CertifiedOrbit> orbits;
@@ -145,11 +163,26 @@ std::vector<CertifiedOrbit> certified_of(const CertifyOptions& options, std::vec
 }
 
 Certified certified_record(const CertifyOptions& options) {
-    const RecordCycles cycles = cycles_of_record(options.record);
+    orbits::RecordCycles cycles = orbits::cycles_of_record(options.record);
     warn_without_checksum(options.record, options.output.quiet);
+    if (options.orbit) cycles.places = {orbits::cycle_of_record(options.record, options.orbit)};
     const std::size_t asked = cycles.places.size();
     Certified certified{cycles.scene, cycles.along, certified_of(options, cycles.places), {}, true};
     certified.whole = certified.orbits.size() == asked;
+    if (options.orbit && certified.whole) certified.orbits.front().number = static_cast<std::size_t>(*options.orbit);
+    return certified;
+}
+
+Certified certified_near(const Scene<double>& scene, const SectionPoint<double>& z, int period) {
+    const auto map = shooting_map_of(scene);
+    const auto found = orbits::find_near(scene, map, Accuracy::double_precision, z, period, period, is_interrupted);
+    Certified certified{scene, {}, {}, {}, !found.cycles.empty(), !is_interrupted()};
+    for (const analysis::Cycle& cycle : found.cycles) {
+        CyclePlace place{scene, {}};
+        for (const auto& point : cycle.points) place.points.push_back(section_point_of(point));
+        certified.orbits.push_back(certified_at(place));
+        certified.orbits.back().number = certified.orbits.size();
+    }
     return certified;
 }
 
@@ -157,23 +190,23 @@ Certified certified_near(const CertifyOptions& options, const Scene<double>& sce
     const auto z =
         section_point_from<double>("--near", point_without_units(options.near, options.scene.units()), scene.is_disk());
     require_leaving(make_body(scene), z);
-    const auto map = shooting_map_of(scene);
-    const auto found = orbits::find_near(scene, map, Accuracy::double_precision, z, options.period(), options.period(),
-                                         is_interrupted);
-    Certified certified{scene, {}, {}, {}, !found.cycles.empty(), !is_interrupted()};
-    for (const analysis::Cycle& cycle : found.cycles) {
-        CyclePlace place{scene, {}};
-        for (const auto& point : cycle.points) place.points.push_back(section_point_of(point));
-        certified.orbits.push_back(certified_at(place));
-    }
-    return certified;
+    return certified_near(scene, z, options.period());
+}
+
+/// What the start settles on.
+Certified certified_attractor(const CertifyOptions& options, const Scene<double>& scene) {
+    const SettledCycle settled =
+        settled_cycle(scene, options.start.start<double>(scene), Accuracy::double_precision, is_interrupted);
+    if (settled.point) return certified_near(scene, *settled.point, settled.period);
+    if (!is_interrupted()) tell(no_cycle_in_words(settled));
+    return {scene, {}, {}, {}, false, !is_interrupted()};
 }
 
 Certified certified_all(const CertifyOptions& options, const Scene<double>& scene) {
     Certified certified{scene, {}, {}, proof::all_fixed_points(scene, options.max_time(), is_interrupted), true};
     certified.whole = certified.all->complete() || !is_interrupted();
     for (const proof::CycleProof& proof : certified.all->proven)
-        certified.orbits.push_back({scene, 1, proof.points.front(), proof});
+        certified.orbits.push_back({certified.orbits.size() + 1, scene, 1, proof.points.front(), proof});
     return certified;
 }
 
@@ -219,14 +252,16 @@ int certify(CertifyOptions& options) {
     proof::require_interval_arithmetic();
     if (!options.check.empty()) return check_certificate(options);
     options.scene.read_file();
+    options.start.take_units(options.scene);
     const bool needs_scene = options.record.empty();
     const Scene<double> scene = needs_scene ? options.scene.scene<double>() : Scene<double>{};
     if (options.all) options.max_time();  // refused before the file is opened
     const std::unique_ptr<OutputFile> file = opened(options);
     note_interruptions();
-    Certified certified = !needs_scene  ? certified_record(options)
-                          : options.all ? certified_all(options, scene)
-                                        : certified_near(options, scene);
+    Certified certified = !needs_scene           ? certified_record(options)
+                          : options.all          ? certified_all(options, scene)
+                          : options.from.empty() ? certified_near(options, scene)
+                                                 : certified_attractor(options, scene);
     finish_up();
     const std::string text = with_checksum(certificate_text(options, certified));
     if (file) write_and_commit(*file, text);

@@ -4,6 +4,7 @@
 #include "apps/certify/certified_orbit.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
+#include "apps/command_line/start_options.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -14,7 +15,10 @@ namespace swirl::apps::certify {
 struct CertifyOptions {
     SceneOptions scene;
     OutputOptions output;
+    StartOptions start;                      ///< of --from attractor
     std::string record;                      ///< whose cycles are proven
+    std::optional<std::int64_t> orbit;       ///< the one of them that is; none: all
+    std::string from;                        ///< attractor: what the start settles on
     std::string near;                        ///< psi,chi,vn,vt,S
     std::optional<std::int64_t> its_period;  ///< of the cycle near it; given only where it means something
     bool all = false;                        ///< all fixed points …

@@ -78,7 +78,8 @@ Table<Orbit> orbit_table(const std::string& along) {
     const auto radius = [](const Orbit& o) { return o.proof.radii.empty() ? std::nan("") : o.proof.radius(); };
     const auto proven = [](const Orbit& o) { return o.proof.proven(); };
     return {{"orbit"},
-            {F{"period", &Orbit::period, "1", "k"}.shown("period", "  {:>6}"),
+            {F{"number", &Orbit::number, no_column}.table_only().shown("orbit", "  {:>5}"),
+             F{"period", &Orbit::period, "1", "k"}.shown("period", " {:>6}"),
              F{"proven", proven, no_column},
              F{"parameters", parameters},
              F{"inertia", inertia_of, no_column},

@@ -80,6 +80,18 @@ void write_tail(const RecordGroup& root, const std::vector<Eigen::VectorXd>& poi
     group.write<double>("points", {"impact", "coordinate"}, values, {"1", "section point just after each impact", {}});
 }
 
+/// Where the cycle is that a verdict found, in the units in which --from takes it, and how to go on from it.
+std::string point_in_words(std::vector<double> point, const std::optional<Units>& units) {
+    if (point.empty()) return "";
+    for (const std::size_t i : {point.size() - 3, point.size() - 2})
+        point[i] = in_units(point[i], units, "R_c omega_s");
+    std::string digits;
+    for (const double x : point) digits += fmt::format("{}{:.12g}", digits.empty() ? "" : ",", x);
+    return fmt::format(
+        "  point {}: {}\n  to go on from it: swirl continue --from attractor, or -o FILE.h5 and its record\n",
+        point.size() == 4 ? "psi,vn,vt,S" : "psi,chi,vn,vt,S", digits);
+}
+
 int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
                  const std::optional<RecordedOrbit>& recorded) {
     const Start<double> start = options.start.start<double>(scene);
@@ -106,7 +118,8 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
         });
     } else if (!options.output.quiet) {
         const auto units = options.scene.units();
-        fmt::print("{}\n{}{}", scene_in_words(scene), units_in_words(units), table_of(named, options.verbose, units));
+        fmt::print("{}\n{}{}{}", scene_in_words(scene), units_in_words(units), table_of(named, options.verbose, units),
+                   point_in_words(named.verdict.point, units));
     }
     return exit_done;
 }

@@ -7,10 +7,8 @@
 #include "apps/command_line/progress.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
-#include "apps/command_line/start_options.hpp"
-#include "apps/system/section_coordinates.hpp"
+#include "apps/continue/beginning.hpp"
 #include "apps/system/shooting_map.hpp"
-#include "map/orbit/orbit.hpp"
 
 #include <fmt/format.h>
 
@@ -19,9 +17,10 @@
 namespace swirl::apps::continuation {
 
 const char* const continue_details =
-    R"(Follows the cycle near --from over one parameter, both ways within A:B, through folds, by pseudo-arclength. Located to
-rounding and named: fold, flip, neimark-sacker, branch-point; and the borders of the map: stick-slip, two-vertices, grazing,
-landing (border where none of these is seen), with the word on either side. Where the word changes and the branch goes
+    R"(Follows a cycle over one parameter, both ways within A:B, through folds, by pseudo-arclength: the cycle near --from, cycle
+--orbit of a RECORD of orbits, classify, describe, continue or bifurcate (in the record's scene; `swirl show` numbers its
+rows), or what the scene's start settles on (--from attractor; exit code 3 if that is no cycle). Located to rounding and named: fold, flip, neimark-sacker, branch-point; and the borders of the map:
+stick-slip, two-vertices, grazing, landing (border where none of these is seen), with the word on either side. Where the word changes and the branch goes
 on, it is followed on. Flips and branch points are switched at (--switch); a branch that is known already is left out.
 Why a branch begins or ends: range; closed; border; family (no curve over the parameter from there on); not-converged (no
 cycle found to go on); most-points (20000 each way); halved (at the flip of a cycle of half its period); switched (begins at
@@ -32,17 +31,30 @@ Normal forms: flip xi' = (-1 + a d) xi + b xi^3 (supercritical: b > 0), neimark-
 
 Examples:
   swirl continue --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.3:0.5
-  swirl continue --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --from=0,-0.43056,0.19151,-0.30504 --along tau=1:3)";
+  swirl continue --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --from=0,-0.43056,0.19151,-0.30504 --along tau=1:3
+  swirl continue --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --from attractor --along alpha=0.39:0.41)";
 
 void ContinueOptions::add_to(Flags& command) {
     scene.add_to(command);
+    start.add_to(command);
     output.add_to(command);
-    command.add_option("--from", from, "psi,chi,vn,vt,S near a point of the cycle (a disk drops chi)")->type_name("");
+    add_file(command, "record", record, "a record that holds the cycle, with its scene")->type_name("RECORD.h5");
+    command.add_option("--orbit", orbit, "which of the record's cycles, from 1")
+        ->type_name("I")
+        ->transform(whole_number(1, most_impacts));
+    command
+        .add_option(
+            "--from", from,
+            "psi,chi,vn,vt,S near a point of the cycle (a disk drops chi), or attractor: what the start settles on")
+        ->type_name("")
+        ->offer({"attractor"});
     command
         .add_option("--along", along, "NAME=A:B: alpha, beta, mu, restitution, inertia-factor; S or tau for a family")
         ->type_name("")
         ->offer(parameters_to_offer(true));
-    command.add_option("--period", period, "of the cycle (default 1)")->type_name("K")->transform(whole_number(1, 256));
+    command.add_option("--period", its_period, "of the cycle near that point (default 1)")
+        ->type_name("K")
+        ->transform(whole_number(1, 256));
     command
         .add_option("--switch", switches, "how many flips and branch points to switch at one after another (default 1)")
         ->type_name("DEPTH")
@@ -52,22 +64,6 @@ void ContinueOptions::add_to(Flags& command) {
 
 namespace {
 
-constexpr double accepted = 1e-10;
-
-/// The cycle near --from at the scene's own parameters; empty if none was found.
-analysis::CyclePoints cycle_from(const ContinueOptions& options, const Scene<double>& scene,
-                                 const analysis::ShootingMap& map, double p) {
-    if (options.from.empty()) throw BadInput("--from is missing: psi,chi,vn,vt,S near a point of the cycle");
-    const auto z = section_point_from<double>("--from", options.from, scene.is_disk());
-    require_leaving(make_body(scene), z);
-    const auto guess = analysis::orbit_from(map, coordinates_of(z, scene.is_disk()), p, options.period);
-    if (guess.empty()) return {};
-    const auto shot = analysis::solve_shooting(map, guess, p, accepted);
-    if (!shot.converged) return {};
-    const auto cycle = analysis::minimal_cycle(map, shot.points, analysis::same_cycle);
-    return static_cast<int>(cycle.size()) == options.period ? cycle : analysis::CyclePoints{};
-}
-
 /// Over a parameter a cycle must be isolated, along itself it must be a member of a family of one parameter.
 bool lies_on_curve(const Scene<double>& scene, Accuracy accuracy, const ParameterRange& along,
                    const analysis::CyclePoints& cycle) {
@@ -76,22 +72,22 @@ bool lies_on_curve(const Scene<double>& scene, Accuracy accuracy, const Paramete
     return shooting.alive && analysis::family_directions(shooting, map.dimension).cols() == (along.parameter ? 0 : 1);
 }
 
-Settings settings_of(const ContinueOptions& options) {
-    return {{"from", options.from},
+Settings settings_of(const ContinueOptions& options, const Beginning& beginning) {
+    return {{"from", beginning.from},
             {"along", parameter_range_from(options.along, false, true).name},
             {"range", options.along},
-            {"period", std::int64_t{options.period}},
+            {"period", std::int64_t{beginning.period}},
             {"switch", std::int64_t{options.switches}},
             {"longest_step", options.longest_step},
             {"accuracy", options.output.accuracy_name}};
 }
 
-void write_document(const ContinueOptions& options, const Scene<double>& scene, const SceneBranches& system,
+void write_document(const ContinueOptions& options, const Beginning& beginning, const SceneBranches& system,
                     const std::vector<analysis::Branch>& branches) {
     print_document([&](JsonWriter& json) {
-        write_scene(json, scene, options.scene);
+        write_scene(json, beginning.scene, options.scene);
         write_branches(json, system, branches);
-        write_json(json, "settings", settings_of(options));
+        write_json(json, "settings", settings_of(options, beginning));
     });
 }
 
@@ -103,7 +99,8 @@ int continue_orbit(ContinueOptions& options) {
     if (options.along.starts_with("tau="))
         options.along = range_without_units(options.along, options.scene.units(), "1/omega_s");
     const ParameterRange along = parameter_range_from(options.along, false, true);
-    const Scene<double> scene = options.scene.scene<double>();
+    const Beginning beginning = beginning_of(options);
+    const Scene<double>& scene = beginning.scene;
     const Accuracy accuracy = options.output.accuracy();
     if (!(options.longest_step >= 1e-6 && options.longest_step <= 1))  // NaN passes a range of the parser
         throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
@@ -116,7 +113,8 @@ int continue_orbit(ContinueOptions& options) {
                                    p, along.low, along.high));
     system.options.longest_step = options.longest_step;
     system.options.first_step = std::min(1e-3, options.longest_step);
-    auto cycle = cycle_from(options, scene, system.map, p);
+    if (!beginning.why_none.empty()) tell(beginning.why_none);
+    auto cycle = cycle_from(beginning, system.map, p);
     if (!cycle.empty() && !lies_on_curve(scene, accuracy, along, cycle)) {
         tell(fmt::format("swirl: the cycle is {}",
                          along.parameter
@@ -125,7 +123,7 @@ int continue_orbit(ContinueOptions& options) {
         cycle.clear();
     }
     std::optional<RecordWriter> record = open_record(options.output, "Branches of cycles of a swirled polygon",
-                                                     {options.scene.file()}, options.scene.units());
+                                                     {options.scene.file(), options.record}, options.scene.units());
     note_interruptions();
     std::vector<analysis::Branch> branches(1);
     Progress progress("continue", along.high - along.low, options.output.quiet);
@@ -136,14 +134,15 @@ int continue_orbit(ContinueOptions& options) {
     finish_up();
     if (record) {
         write_attributes(record->root().group("scene"), scene_settings(scene));
-        write_attributes(record->root().group("settings"), settings_of(options));
+        write_attributes(record->root().group("settings"), settings_of(options, beginning));
         write_branches(record->root(), system, branches);
         record->finish();
     }
     if (options.output.json)
-        write_document(options, scene, system, branches);
-    else if (!options.output.quiet && branches.empty())
-        fmt::print("no cycle of period {} was found from --from\n", options.period);
+        write_document(options, beginning, system, branches);
+    else if (!options.output.quiet && branches.empty() && beginning.why_none.empty())
+        fmt::print("no cycle of period {} was found from {}\n", beginning.period,
+                   options.record.empty() ? "--from" : "the record's");
     else if (!options.output.quiet)
         print_branches(system, along, branches, options.scene.units());
     if (is_interrupted()) return exit_interrupted;

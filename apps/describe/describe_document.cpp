@@ -100,7 +100,8 @@ analysis::Stability stability_of_mode(const SteadyMode& mode) {
 }
 
 /// Steady modes; `d` coordinates.
-Table<SteadyMode> mode_table(bool disk, std::size_t d) {
+///   numbered  the list whose modes a table for people numbers, if any
+Table<SteadyMode> mode_table(bool disk, std::size_t d, const std::vector<SteadyMode>* numbered = nullptr) {
     using F = Field<SteadyMode>;
     const auto point = [disk](const SteadyMode& m) { return coordinates_of(m.point, disk); };
     const auto list = [point](const SteadyMode& m) {
@@ -110,10 +111,14 @@ Table<SteadyMode> mode_table(bool disk, std::size_t d) {
     const auto re = [](const SteadyMode& m) { return parts_of(m, std::real); };
     const auto im = [](const SteadyMode& m) { return parts_of(m, std::imag); };
     const auto chi = [disk](const SteadyMode& m) { return disk ? no_value : m.chi; };
+    const auto number = [numbered](const SteadyMode& m) {
+        return numbered != nullptr ? &m - numbered->data() + 1 : std::ptrdiff_t{0};
+    };
     return {{"steady_mode"},
-            {F{"branch", [](const SteadyMode& m) { return branch_name(m.branch); }, "", "+: psi near 0; -: psi near pi"}
+            {F{"number", number, no_column}.table_only().shown("orbit", "  {:>5}").when(numbered != nullptr),
+             F{"branch", [](const SteadyMode& m) { return branch_name(m.branch); }, "", "+: psi near 0; -: psi near pi"}
                  .flags({"+", "-"})
-                 .shown("branch", "  {:>6}"),
+                 .shown("branch", " {:>6}"),
              F{"j", &SteadyMode::j, "1", "vertices on"}.shown("j", " {:>5}"),
              F{"tau", &SteadyMode::tau, "1/omega_s", "flight time"}.shown("tau", " {:>13.9f}"),
              F{"chi", chi, "rad", "arg r - arg n at the impact"}.shown("chi", " {:>12.9f}"),
@@ -259,7 +264,10 @@ void print_description(const Description& d, const std::optional<Units>& units) 
                                : fmt::format("; all up to tau = {}: there are more than are looked at",
                                              time(d.steady.complete_to)));
     if (d.steady.phase_is_free) fmt::print("  psi of a steady mode is any constant (beta = 0); listed is psi = 0\n");
-    if (!d.steady.modes.empty()) print_table(in_units(mode_table(disk, 0), units), d.steady.modes);
+    if (!d.steady.modes.empty()) {
+        print_table(in_units(mode_table(disk, 0, &d.steady.modes), units), d.steady.modes);
+        fmt::print("  points: --json; to go on from one: -o FILE.h5, then swirl continue FILE.h5 --orbit I\n");
+    }
     if (!d.families.empty()) print_table(in_units(family_table(disk), units), d.families);
 }
 

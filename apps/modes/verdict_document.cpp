@@ -1,5 +1,6 @@
 #include "apps/modes/verdict_document.hpp"
 
+#include "apps/branches/branches.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
@@ -76,6 +77,8 @@ Table<NamedMode> verdict_table() {
              {"outcome", &NamedMode::outcome, no_column},
              {"impacts", &NamedMode::impacts, no_column},
              {"point", of(&Verdict::point), no_column},
+             {"section_point",
+              [](JsonWriter& json, const NamedMode& named) { write_point_or_null(json, named.verdict.point); }},
              {"multipliers", [](JsonWriter& json, const NamedMode& named) { json.array(named.verdict.multipliers); }}},
             {"mode", "kind", "period", "outcome", "impacts"}};
 }

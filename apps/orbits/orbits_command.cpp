@@ -29,6 +29,8 @@ came; cycles that fewer than 3 in n of the candidates lead to may be missing all
 index: how many lie outside the unit circle. A family (the disk at e = 1, conserved J or S) is given once, with its tangent;
 --pin S=VALUE or --pin tau=VALUE gives its members there. --near gives the nearest of the cycles that lie beside the point,
 sought from it and from clouds about it, and how far it is. Interrupted, it gives the cycles that were found.
+The table numbers the cycles: in a record (-o) `swirl show`, `swirl continue RECORD --orbit I` and `swirl certify RECORD
+--orbit I` know them by these numbers.
 
 Examples:
   swirl orbits --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --period 1
@@ -50,6 +52,7 @@ void OrbitsOptions::add_to(Flags& command) {
                     "longest flight time of fixed points, in 1/omega_s (SI units: s; default 12/omega_s)")
         ->type_name("T");
     command.add_flag("--complete", complete, "search on until no cycle seems to be missing");
+    command.add_flag("--stable", stable, "list attracting cycles alone: all multipliers inside the unit circle");
     command
         .add_option("--most-starts", most_starts,
                     "random section points per period after which --complete gives up (default 200000)")
@@ -100,6 +103,15 @@ std::optional<SectionPoint<double>> near_point(const OrbitsOptions& options, con
     return z;
 }
 
+/// --stable.
+void leave_out_others(FoundOrbits& found) {
+    const auto left_out = std::erase_if(
+        found.cycles, [](const analysis::Cycle& c) { return c.stability != analysis::Stability::stable; });
+    if (left_out > 0)
+        found.limits.push_back(fmt::format("{} cycle{} left out, as not all multipliers lie inside the unit circle",
+                                           left_out, left_out == 1 ? " is" : "s are"));
+}
+
 /// What no combination of flags or no range allows.
 void check(const OrbitsOptions& options) {
     options.periods();
@@ -136,6 +148,8 @@ int orbits(OrbitsOptions& options) {
                              : find_orbits(scene, map, find_options_of(options));
     found.accuracy = options.candidates.accuracy;
     if (pin) pin_families(scene, map, *pin, found);
+    const bool as_asked = !near ? !found.wants_more() : !found.cycles.empty();
+    if (options.stable) leave_out_others(found);
     found.interrupted = is_interrupted();
     finish_up();
     if (record) write_orbits_record(*record, options, scene, found);
@@ -144,7 +158,6 @@ int orbits(OrbitsOptions& options) {
     else if (!options.output.quiet)
         print_orbits(options, scene, found);
     if (found.interrupted) return exit_interrupted;
-    const bool as_asked = !near ? !found.wants_more() : !found.cycles.empty();
     return as_asked ? exit_done : exit_numerical_ending;
 }
 

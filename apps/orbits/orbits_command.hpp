@@ -19,6 +19,7 @@ struct OrbitsOptions {
     std::optional<double> longest;  ///< --max-time as given
     double max_time = 12;           ///< flight time of fixed points, in 1/ω_s
     bool complete = false;
+    bool stable = false;  ///< attracting cycles alone are listed
     std::int64_t most_starts = 200'000;
     std::string near;
     std::string pin;

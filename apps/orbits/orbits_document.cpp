@@ -75,7 +75,9 @@ Table<Cycle> cycle_table(const Scene<double>& scene, const FoundOrbits& found, s
     const auto im = [](const Cycle& c) { return parts_of(c, std::imag); };
     return {
         {"orbit"},
-        {F{"period", &Cycle::period, "1", "k"}.shown("period", "  {:>6}"),
+        {F{"number", [&found](const Cycle& c) { return &c - found.cycles.data() + 1; }, no_column}.table_only().shown(
+             "orbit", "  {:>5}"),
+         F{"period", &Cycle::period, "1", "k"}.shown("period", " {:>6}"),
          F{"points", coordinates_of, "1", "section points; NaN beyond the period"}
              .along({"phase", "coordinate"}, longest * d)
              .json_written(write_points),
@@ -101,7 +103,7 @@ Table<Cycle> cycle_table(const Scene<double>& scene, const FoundOrbits& found, s
          F{"words", stability_in_words, no_column}.table_only().shown("stability", "  {}")},
         {"period", "index", "family", "mean_S", "return_time", "residual", "stability", "multiplier_re",
          "multiplier_im"},
-        {"period", "S", "mean_S"}};
+        {"number", "period", "S", "mean_S"}};
 }
 
 constexpr const char* none_reason =
@@ -177,6 +179,7 @@ Settings orbits_settings(const OrbitsOptions& options) {
             {"starts", options.candidates.starts},
             {"max_time", options.max_time},
             {"complete", options.complete},
+            {"stable", options.stable},
             {"most_starts", options.most_starts},
             {"trajectories", options.candidates.trajectories},
             {"collisions", options.candidates.collisions},
@@ -217,6 +220,11 @@ void print_orbits(const OrbitsOptions& options, const Scene<double>& scene, cons
         return;
     }
     print_table(in_units(cycle_table(scene, found, 1), options.scene.units()), found.cycles);
+    if (options.output.record.empty())
+        fmt::print("  points: --json; to go on from one: -o FILE.h5, then swirl continue FILE.h5 --orbit I\n");
+    else
+        fmt::print("  points: swirl show {0}; to go on from one: swirl continue {0} --orbit I\n",
+                   options.output.record);
 }
 
 void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, const Scene<double>& scene,

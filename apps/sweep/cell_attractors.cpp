@@ -1,5 +1,6 @@
 #include "apps/sweep/cell_attractors.hpp"
 
+#include "apps/branches/branches.hpp"
 #include "apps/modes/attractors.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/system/section_coordinates.hpp"
@@ -69,7 +70,9 @@ Table<CellAttractor> cell_attractor_table(bool tracked) {
              F{"point", &Row::point, "1", "a cycle's first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}
                  .json_as(point)
                  .along({"coordinate"}, polygon_dimension)
-                 .when(tracked)}};
+                 .when(tracked),
+             F{"section_point", [](JsonWriter& json, const Row& row) { write_point_or_null(json, row.point); }}.when(
+                 tracked)}};
 }
 
 Table<Tracking> tracking_table() {

@@ -1,5 +1,6 @@
 #include "apps/sweep/saddles.hpp"
 
+#include "apps/branches/branches.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/sweep/starts.hpp"
 #include "apps/system/section_coordinates.hpp"
@@ -92,7 +93,9 @@ Table<Saddle> saddle_table() {
          {"share_low", low, "1", "from this share on, by Wilson's interval"},
          {"share_high", high, "1", "up to this share"},
          F{"point", padded, "1", "its first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}.json_as(point).along(
-             {"coordinate"}, polygon_dimension)}};
+             {"coordinate"}, polygon_dimension),
+         {"section_point",
+          [point](JsonWriter& json, const Saddle& saddle) { write_point_or_null(json, point(saddle)); }}}};
 }
 
 }  // namespace swirl::apps::sweep

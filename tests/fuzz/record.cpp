@@ -57,7 +57,7 @@ bool read_as_series(const std::string& file) {
 
 bool read_as_cycles(const std::string& file) {
     return answers([&] {
-        for (const auto& place : certify::cycles_of_record(file).places) certify::candidate_at(place);
+        for (const auto& place : orbits::cycles_of_record(file).places) certify::candidate_at(place);
     });
 }
 
@@ -94,7 +94,7 @@ void read_head(const std::string& content) {
     const MemoryFile file(content);
     bool stated = false;
     answers([&] { stated = wholeness_of(file.name()) != Wholeness::unstated; });
-    require(stated == has_checksum(file.name()), "the head alone says whether there is a checksum");
+    require(stated == has_checksum(file.name()), "the two ends alone say whether there is a checksum");
 }
 
 /// What is replayed are the first entries that were written, unchanged.

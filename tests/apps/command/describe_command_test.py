@@ -129,9 +129,10 @@ class Describe(InFolder):
 
     def test_the_table_lists_every_mode_in_lines_of_one_width(self):
         lines = run(f"describe {HEXAGON}").stdout.splitlines()
-        heading = next(i for i, line in enumerate(lines) if line.split()[:4] == ["branch", "j", "tau", "chi"])
-        rows = lines[heading + 1:]
-        self.assertEqual(len(rows), 31)
+        heading = next(i for i, line in enumerate(lines) if line.split()[:5] == ["orbit", "branch", "j", "tau", "chi"])
+        rows = lines[heading + 1:-1]
+        self.assertEqual([int(row.split()[0]) for row in rows], list(range(1, 32)))
+        self.assertIn("--orbit I", lines[-1])
         column = lines[heading].index("stability")
         for row in rows:
             self.assertIn(row[column:], ("stable", "unstable"))

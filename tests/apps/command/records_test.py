@@ -2,7 +2,9 @@
 notebook run on it: records_test.py SWIRL ROOT"""
 
 import contextlib
+import csv
 import io
+import json
 import re
 import shutil
 import subprocess
@@ -14,9 +16,10 @@ from pathlib import Path
 
 import h5py
 import matplotlib
+import numpy
 import xarray
 
-from driving import run
+from driving import document, run
 from records_of_commands import RECORDS, records_in
 
 matplotlib.use("Agg")
@@ -90,6 +93,54 @@ class Records(unittest.TestCase):
                 with warnings.catch_warnings():
                     warnings.simplefilter("error")
                     xarray.open_dataset(record, group=group, engine="h5netcdf").load().close()
+
+    def test_xarray_knows_each_by_its_first_bytes(self):
+        for record in self.records:
+            xarray.open_dataset(record, group="/").close()
+
+    def test_show_gives_all_that_each_holds(self):
+        for record in self.records:
+            text = run(f"show {record}")
+            self.assertEqual((text.returncode, text.stderr), (0, ""), record.name)
+            wide = [line for line in text.stdout.splitlines() if len(line) > 100]
+            self.assertTrue(all(len(line.split("  ")) < 5 for line in wide), (record.name, wide[:1]))  # one long text
+            shown = json.dumps(document(f"show {record}"))
+            with h5py.File(record) as file:
+                for name, data in columns_of(file):
+                    names = data.dtype == object and "CLASS" in data.attrs  # of a list's values, or of rows
+                    if names or 0 in data.shape:
+                        continue
+                    self.assertTrue(f'"{name.rsplit("/", 1)[1]}"' in shown, (record.name, name))
+
+    def test_the_csv_of_each_table_has_every_number(self):
+        checked = 0
+        for record in self.records:
+            listed = run(f"show {record} --group no --csv no").stderr
+            tables = listed.split("it holds ")[1].strip().split(", ") if "it holds " in listed else []
+            for table in tables:
+                path = record.with_suffix(".csv")
+                result = run(f"show {record} --group {table} --csv {path} --force --quiet")
+                self.assertEqual((result.returncode, result.stderr), (0, ""), (record.name, table))
+                checked += self.check_csv(record, table, path)
+            self.assertTrue(tables or "holds no table" in listed, listed)
+        self.assertGreater(checked, 300)
+
+    def check_csv(self, record, table, path):
+        """Columns of doubles that were compared, bit for bit."""
+        lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+        rows = list(csv.DictReader(lines))
+        compared = 0
+        with h5py.File(record) as file:
+            group = table if isinstance(file.get(table), h5py.Group) else table.rsplit("/", 1)[0]
+            for name, data in file[group].items():
+                if not isinstance(data, h5py.Dataset) or data.dtype != "f8" or not rows or name not in rows[0]:
+                    continue
+                if data.size != len(rows):  # a coordinate of several dimensions
+                    continue
+                read = numpy.array([float(row[name]) for row in rows])
+                numpy.testing.assert_array_equal(read, data[()].reshape(len(rows)))
+                compared += 1
+        return compared
 
     def opened_by(self, program, *options):
         for record in self.records:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/bifurcate/bifurcate_command.hpp"
+#include "apps/output/table.hpp"
 
 namespace swirl::apps::bifurcate {
 
@@ -17,5 +18,8 @@ struct ColumnShare {
 /// By falling share; the same attractor for two starts as `swirl classify --runs` tells them apart. Of the random
 /// starts alone where there are any: those followed from column to column keep to one attractor.
 std::vector<ColumnShare> shares_of(const DiagramColumn& column, std::size_t number);
+
+/// What the starts of the columns settle on: one line for each attractor of a column.
+Table<ColumnShare> share_table(const Diagram& diagram);
 
 }  // namespace swirl::apps::bifurcate

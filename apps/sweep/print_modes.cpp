@@ -120,7 +120,8 @@ public:
         choose(across, most_shown_columns, columns_);
         choose(upwards, most_shown_rows, rows_);
         for (const std::size_t row : rows_) margin_ = std::max(margin_, label_at(sweep_, upwards, row).size());
-        for (const std::size_t column : columns_) longest_ = std::max(longest_, label_at(sweep_, across, column).size());
+        for (const std::size_t column : columns_)
+            longest_ = std::max(longest_, label_at(sweep_, across, column).size());
         all_labels_ = margin_ + 4 + columns_.size() * (longest_ + 1) <= widest;
         width_ = all_labels_ ? longest_ + 1 : 1;
     }

@@ -66,7 +66,7 @@ std::vector<std::string> words_of(const std::string& text, char separator) {
 std::optional<double> physical_scale(const Units& units, const std::string& unit) {
     const auto powers = powers_of(unit);
     if (!powers) return std::nullopt;
-    return std::pow(units.length, powers->length) * std::pow(units.time, powers->time) *
+    return std::pow(units.length, powers->length) * std::pow(1 / units.time, -powers->time) *
            std::pow(units.mass, powers->mass);
 }
 

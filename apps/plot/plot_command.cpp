@@ -64,7 +64,7 @@ void PlotOptions::add_to(Flags& command) {
         ->type_name("FILE");
     command.add_option("--xlim", xlim, "range of the abscissa")->type_name("A:B");
     command.add_option("--ylim", ylim, "range of the ordinate")->type_name("A:B");
-    command.add_option("--log", log, "logarithmic axes")->type_name("AXES")->offer({"x", "y", "xy"});
+    command.add_option("--log", log, "logarithmic axes: x, y or xy")->type_name("AXES")->offer({"x", "y", "xy"});
     command.add_option("--of", of, "of kinds means and map: S (default), exponent, period or RC")
         ->type_name("NAME")
         ->offer({"S", "exponent", "period", "RC"});

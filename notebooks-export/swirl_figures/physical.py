@@ -12,6 +12,7 @@ _LABELS = (
     (r"frequency $f/f_s$, $f_s = \omega_s/2\pi$", "angular frequency", (0, -1, 0), "rad/s"),
     (r"flight time $\omega_s\tau$", r"flight time $\tau$", (0, 1, 0), "s"),
     (r"$J/(m R_c^2 \omega_s^2)$", "$J$", (2, -2, 1), "J"),
+    (r"$E_p/(m R_c^2 \omega_s^2)$", "$E_p$", (2, -2, 1), "J"),
     (r"$\Delta J$", r"$\Delta J$", (2, -2, 1), "J"),
     (r"in $m R_c \omega_s^2$", "force", (1, -2, 1), "N"),
     (r"slip $u_t/(R_c\omega_s)$", "slip $u_t$", (1, -1, 0), "m/s"),

@@ -272,8 +272,8 @@ class PhysicalUnits(unittest.TestCase):
             opened = open_record(record)
             units = physical.units_of(opened)
             self.assertEqual(units, (0.07, 1 / 12, 0.004))
-            for kind, labels in (("spin", {"t [s]"}), ("path", {"x [m]", "y [m]"}), ("balance", {"t [s]", "J [J]"}),
-                                 ("section", {"t [s]"})):  # of its colours
+            for kind, labels in (("spin", {"time t [s]"}), ("path", {"x [m]", "y [m]"}), ("balance", {"time t [s]", "Jacobi integral J [J]"}),
+                                 ("section", {"time t [s]"}), ("energy", {"energy E_p [J]"})):  # of its colours
                 figure = draw(opened, kind)
                 plain = [line.get_xydata() for axes in figure.axes for line in axes.lines]
                 limits = [(axes.get_xlim(), axes.xaxis.get_label_text()) for axes in figure.axes]

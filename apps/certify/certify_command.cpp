@@ -252,7 +252,7 @@ int certify(CertifyOptions& options) {
     proof::require_interval_arithmetic();
     if (!options.check.empty()) return check_certificate(options);
     options.scene.read_file();
-    options.start.take_units(options.scene);
+    options.start.take_from(options.scene);
     const bool needs_scene = options.record.empty();
     const Scene<double> scene = needs_scene ? options.scene.scene<double>() : Scene<double>{};
     if (options.all) options.max_time();  // refused before the file is opened

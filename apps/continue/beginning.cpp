@@ -41,7 +41,7 @@ Beginning of_record(const ContinueOptions& options) {
 }
 
 Beginning of_attractor(ContinueOptions& options) {
-    options.start.take_units(options.scene);
+    options.start.take_from(options.scene);
     const auto scene = options.scene.scene<double>();
     exit_when_interrupted();
     const SettledCycle settled =

@@ -71,8 +71,10 @@ Table<TableRow> mode_table(const Sweep& sweep) {
     Table<TableRow> table{{"line"}, {}};
     for (std::size_t k = 0; k < sweep.grid.size(); ++k) {
         const auto text = [&sweep, k](const TableRow& line) { return label_of(sweep, k, line.point[k]); };
-        table.fields.push_back(F{sweep.grid[k].name, text, no_column}.shown(
-            name_with_unit(sweep, k), sweep.grid.size() == 1 ? "  {:>12}" : " {:>9}"));
+        const std::string name = name_with_unit(sweep, k);
+        const std::size_t width = std::max<std::size_t>(name.size(), sweep.grid.size() == 1 ? 13 : 9);
+        table.fields.push_back(
+            F{sweep.grid[k].name, text, no_column}.shown(name, look_of(fmt::format(" {{:>{}}}", width))));
     }
     const auto in_percent = [](const Value& value) {
         return fmt::format(" {:>11.2f} %", 100 * std::get<double>(value));
@@ -92,10 +94,8 @@ Table<TableRow> mode_table(const Sweep& sweep) {
     const auto of = [](auto member) { return [member](const TableRow& line) { return line.summary.*member; }; };
     table.fields.push_back(
         F{"mean_S", of(&CellSummary::mean_spin), "1", "mean over the runs"}.shown("mean S", " {:>13.6g}"));
-    if (sweep.runs > 1)
-        table.fields.push_back(
-            F{"mean_S_error", of(&CellSummary::mean_spin_error), "1", "its standard error over the runs"}.shown(
-                "its error", " {:>10.2g}"));
+    table.fields.push_back(F{"mean_S_error", of(&CellSummary::mean_spin_error), "1", "its standard error"}.shown(
+        "its error", " {:>10.2g}"));
     return table;
 }
 

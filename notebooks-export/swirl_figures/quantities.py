@@ -123,7 +123,7 @@ def draw_means(figure, record, look):
     if errors is not None:
         axes.set_title("bars: standard error over the starts", fontsize="small", color="0.25", loc="right", pad=2)
     axes.set(xlabel=axis_label(over), ylabel=quantity.label)
-    mark_values(axes.xaxis, over, grid.words.get(over))
+    mark_values(axes.xaxis, over, grid.words.get(over), over in grid.logarithmic)
     parts.fill(handles, look)
     return [axes]
 

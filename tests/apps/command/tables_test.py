@@ -157,12 +157,12 @@ class OtherInertia(InFolder):
         self.assertEqual(run(sweep).returncode, 0)
         with xarray.open_dataset(record, group="settings", engine="h5netcdf") as settings:
             self.assertEqual(settings.attrs["inertia_factor"], "uniform")  # not that of N = 4
-        self.refused(f"{sweep} --inertia-factor 0.3333", "another inertia_factor")
+        self.refused(f"{sweep} --inertia-factor 0.3333", "inertia_factor")
         record.unlink()
         self.assertEqual(run(f"{sweep} --inertia-factor 0.3333").returncode, 0)
         with xarray.open_dataset(record, group="settings", engine="h5netcdf") as settings:
             self.assertEqual(settings.attrs["inertia_factor"], 0.3333)
-        self.refused(sweep, "another inertia_factor")
+        self.refused(sweep, "inertia_factor")
         self.assertEqual(run(f"{sweep} --inertia-factor 0.3333").returncode, 0)
 
     def test_over_kappa_itself(self):

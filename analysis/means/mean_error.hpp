@@ -36,7 +36,8 @@ MeanError error_of_mean(std::span<const double> values);
 MeanError error_of_ratio(std::span<const double> a, std::span<const double> b);
 
 /// A bound for Σ a_i / Σ b_i along an orbit whose sums Σ_{i ≤ k} (a_i − R b_i) stay in the range that they have shown,
-/// as on a torus, where they are a function on it: that range, over Σ b_i. @throws as error_of_ratio
+/// as on a torus, where they are a function on it: that range, over Σ b_i; up to twice what the limit R would give.
+/// @throws as error_of_ratio
 double bound_of_ratio(std::span<const double> a, std::span<const double> b);
 
 }  // namespace swirl::analysis

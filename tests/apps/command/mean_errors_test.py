@@ -1,6 +1,6 @@
 """Standard errors of means of chaos: how often they hold the mean of all starts. mean_errors_test.py SWIRL [--all]
 
-With --all over ten scenes, by night, and prints their table; else over the first. Scenes are chaotic from each of the 200 starts, for
+With --all over ten scenes of 1,000 starts, by night, and prints their table; else 200 of the first. Scenes are chaotic from each start, for
 all 20,000 impacts, and their starts' means scatter as one bell, without a second heap: one ergodic attractor, as far as these tell.
 There is no disk among them: with friction disks come to roll, and without it S is conserved.
 """
@@ -10,14 +10,14 @@ import unittest
 
 from driving import document, run
 
-SEEDS = 200
 #: N, alpha, beta, mu, e, law
 SCENES = ["6 0.3 0.5 0.5 1 poisson", "6 0.3 0.5 0.5 0.9 poisson", "6 0.3 0.5 0.3 0.8 stronge", "4 0.3 0.5 0.5 0.7 newton",
-          "3 0.3 0.05 1 0.9 poisson", "5 0.3 0.1 0.3 0.7 newton", "8 0.15 1 1 0.6 poisson", "12 0.2 0.5 0.3 0.8 newton",
-          "12 0.6 0.1 0.1 0.7 stronge", "4 0.15 0.05 0.05 0.7 poisson"]
+          "3 0.3 0.05 1 0.9 poisson", "5 0.15 0.3 1 0.6 newton", "8 0.15 1 1 0.6 poisson", "12 0.2 0.5 0.3 0.8 newton",
+          "12 0.2 0.1 1 0.7 stronge", "4 0.15 0.05 0.05 0.7 poisson"]
 HEXAGON = "--sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution"
 NAMES = "sides alpha beta mu restitution law".split()
 ALL = "--all" in sys.argv and not sys.argv.remove("--all")
+SEEDS = 1000 if ALL else 200
 
 
 def flags(scene):
@@ -34,7 +34,8 @@ def coverage(runs, mean, error):
 
 class Coverage(unittest.TestCase):
     def test_two_errors_hold_the_mean_of_all_starts_as_often_as_they_say(self):
-        # 95.4 % of a normal distribution; 200 starts know a share to 1.5 %, so that 92 and 98 % are 2.3 and 1.8 of these away.
+        # 95.4 % of a normal distribution. 200 starts know a share to 1.5 %, so that of twenty one may well be below 92 (seeds 1
+        # to 200 of the ninth scene: 91.5 %); 1,000 know it to 0.7 %.
         for scene in SCENES if ALL else SCENES[:1]:
             runs = document(f"classify {flags(scene)} --runs {SEEDS}")["runs"]
             self.assertEqual({(r["kind"], r["mean_S_kind"]) for r in runs}, {("chaotic", "sampled")}, scene)

@@ -88,8 +88,8 @@ std::string point_in_words(std::vector<double> point, const std::optional<Units>
     std::string digits;
     for (const double x : point) digits += fmt::format("{}{:.12g}", digits.empty() ? "" : ",", x);
     return fmt::format(
-        "  point {}: {}\n  to go on from it: swirl continue --from attractor, or -o FILE.h5 and its record\n",
-        point.size() == 4 ? "psi,vn,vt,S" : "psi,chi,vn,vt,S", digits);
+        "  point {}{}:\n    {}\n  to go on from it: swirl continue --from attractor, or -o FILE.h5 and its record\n",
+        point.size() == 4 ? "psi,vn,vt,S" : "psi,chi,vn,vt,S", units ? " (vn and vt in m/s)" : "", digits);
 }
 
 int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,

@@ -36,11 +36,17 @@ class Point:
     judged: dict  #: of the interval that decides; all numbers where the runs have come to no attractor
 
 
+def mean_of(values):
+    """Of those that there are; NaN of none: what is accelerated has no mean."""
+    there = values[numpy.isfinite(values)]
+    return float(there.mean()) if there.size else numpy.nan
+
+
 def point_of(place, group, level):
     values = {way: group.spins(way) for way in WAYS}
     everything = (-numpy.inf, numpy.inf)
     return Point(place, group.kind,
-                 {way: float(numpy.nanmean(v)) for way, v in values.items()}, {way: interval(v) for way, v in values.items()},
+                 {way: mean_of(v) for way, v in values.items()}, {way: interval(v) for way, v in values.items()},
                  {way: everything if group.kind in NO_ATTRACTOR else interval(v, level) for way, v in values.items()})
 
 

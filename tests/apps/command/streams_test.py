@@ -21,7 +21,7 @@ class Streams(InFolder):
 
     def check_record(self, name):
         with h5py.File(self.folder / name) as file:
-            self.assertEqual(file.attrs["schema_version"], 1)
+            self.assertEqual(file.attrs["schema_version"], 2)
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), [name])
         (self.folder / name).unlink()
 

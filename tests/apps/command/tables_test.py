@@ -32,7 +32,10 @@ class Classify(unittest.TestCase):
             text = re.sub("\n    +", " ", run(f"classify {flags} {SHORT}").stdout)  # broken at 100 columns
             lines = text.splitlines()
             settled = lines[2].strip().startswith("settled")
-            self.assertEqual(len(lines), 4 if settled else 5, lines)
+            point = [line for line in lines if line.startswith(("  point ", "  to go on from it: "))]
+            self.assertEqual(lines[len(lines) - len(point):], point, lines)  # a cycle's come last
+            self.assertEqual(len(point), 2 if "cycle" in mode else 0, lines)
+            self.assertEqual(len(lines) - len(point), 4 if settled else 5, lines)
             self.assertIn(mode, lines[1])
             self.assertIn(sure, lines[2])
             self.assertIn("because: ", lines[3])
@@ -42,7 +45,10 @@ class Classify(unittest.TestCase):
 
     def test_verbose_adds_all_of_the_evidence(self):
         short, long = (self.lines(f"classify {CYCLE} {SHORT} {flag}") for flag in ("", "--verbose"))
-        self.assertEqual(long[:len(short)], short)
+        *verdict, point, to_go_on = short  # the cycle's point comes last in both; it is broken after its head
+        self.assertEqual(long[-2:], [point, to_go_on])
+        self.assertEqual(long[:len(verdict) - 1], verdict[:-1])
+        self.assertEqual(long[-3], verdict[-1])
         names = [piece["name"] for piece in document(f"classify {CYCLE} {SHORT}")["evidence"]]
         self.assertEqual([re.search("evidence: (.*?)  ", line)[1] for line in long if "evidence:" in line], names)
 

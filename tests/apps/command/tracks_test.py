@@ -95,7 +95,7 @@ class Tracks(Refusing):
         self.assertEqual(json.loads(drawn.stdout)["kind"], "attractors", drawn.stderr)
         other = run(f"{LINE.replace(' --track', '')} -o {path}")
         self.assertEqual((other.returncode, other.stdout), (2, ""))
-        self.assertIn("another track", other.stderr)
+        self.assertIn("was made with track = true, here is no track", other.stderr)
 
     def test_families_and_landing_cycles_are_one_where_each_cell_has_one(self):
         """At e = 0 impacts leave with u_n = 0: Newton's method does not carry such a cycle, which is told."""

@@ -77,8 +77,8 @@ def rows_of(width, count, least):
 def limit(axes, look, kind, record):
     """--xlim, --ylim and --log, on the axes that the kind's drawing named as those with its abscissa."""
     _make_logarithmic(axes, look, kind, record)
-    _limit_ordinate(axes, look, kind, record)
-    _limit_abscissa(axes, look, kind, record)
+    _limit(axes, look, "y", "ordinate", kind, record)
+    _limit(axes, look, "x", "abscissa", kind, record)
 
 
 def _make_logarithmic(axes, look, kind, record):
@@ -95,34 +95,22 @@ def _make_logarithmic(axes, look, kind, record):
             getattr(panel, f"set_{letter}scale")("log", nonpositive="mask")
 
 
-def _limit_ordinate(axes, look, kind, record):
-    if look.ylim is None:
+def _limit(axes, look, letter, name, kind, record):
+    """--xlim or --ylim: `letter` x or y, `name` that of the axis."""
+    option = f"{letter}lim"
+    limits = getattr(look, option)
+    if limits is None:
         return
+    given = f"{option} = {range_words(look, option)}"
     if not axes:
-        raise RecordError(f"ylim = {range_words(look, 'ylim')}: a figure of kind {kind} has no ordinate to limit")
+        raise RecordError(f"{given}: a figure of kind {kind} has no {name} to limit")
     for panel in axes:
-        least, most = panel.dataLim.intervaly
-        if math.isfinite(least) and (least > look.ylim[1] or most < look.ylim[0]):
-            raise RecordError(f"ylim = {range_words(look, 'ylim')}: record '{record.path}' has nothing to draw there, "
-                              f"only from {least:.6g} to {most:.6g}")
-        if panel.get_yscale() == "log" and look.ylim[0] <= 0:
-            raise RecordError(f"ylim = {range_words(look, 'ylim')}: the ordinate is logarithmic, both must be above 0")
-        panel.set_ylim(look.ylim)
-
-
-def _limit_abscissa(axes, look, kind, record):
-    if look.xlim is None:
-        return
-    if not axes:
-        raise RecordError(f"xlim = {range_words(look)}: a figure of kind {kind} has no abscissa to limit")
-    for panel in axes:
-        least, most = panel.dataLim.intervalx  # infinite where nothing but words is drawn
-        if math.isfinite(least) and (least > look.xlim[1] or most < look.xlim[0]):
-            raise RecordError(f"xlim = {range_words(look)}: record '{record.path}' has nothing to draw there, "
-                              f"only from {least:.6g} to {most:.6g}")
-        if panel.get_xscale() == "log" and look.xlim[0] <= 0:
-            raise RecordError(f"xlim = {range_words(look)}: the abscissa is logarithmic, both must be above 0")
-        panel.set_xlim(look.xlim)
+        least, most = getattr(panel.dataLim, f"interval{letter}")  # infinite where nothing but words is drawn
+        if math.isfinite(least) and (least > limits[1] or most < limits[0]):
+            raise RecordError(f"{given}: record '{record.path}' has nothing to draw there, only from {least:.6g} to {most:.6g}")
+        if getattr(panel, f"get_{letter}scale")() == "log" and limits[0] <= 0:
+            raise RecordError(f"{given}: the {name} is logarithmic, both must be above 0")
+        getattr(panel, f"set_{letter}lim")(limits)
 
 
 def require_kinds(look, names):

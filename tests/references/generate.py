@@ -17,6 +17,7 @@ from pathlib import Path
 from mpmath import mp, mpf
 
 from entries import digits_of, recomputed, searched_fixed_points
+from row_lines import row_lines
 
 SCENE = ("sides", "alpha", "beta", "mu", "restitution", "law")
 # An `amplification` that is listed belongs to one error of the start, which is not known; ours is the largest of all
@@ -117,7 +118,7 @@ def main():
     if given.check:
         return check(document, key, given.sample, given.seed)
     document[key] = recomputed_all(document[key], document.get("longest_flight"))
-    given.out.write_text(json.dumps(document, indent=0) + "\n")
+    given.out.write_text(row_lines(document) + "\n")
     return 0
 
 

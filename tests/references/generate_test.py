@@ -8,6 +8,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from row_lines import row_lines
+
 HERE = Path(__file__).resolve().parent
 
 
@@ -69,6 +71,12 @@ class Generator(unittest.TestCase):
         written = self.file.with_name("written.json")
         self.assertEqual(generate(self.file, "-o", written).returncode, 0)
         self.assertEqual(generate(written, "--check").returncode, 0)
+
+    def test_files_have_a_row_a_line(self):
+        for file in HERE.glob("*.json"):
+            text = file.read_text()
+            if file.name != "bits.json":  # holds no rows
+                self.assertEqual(row_lines(json.loads(text)) + "\n", text, file.name)
 
     def test_wrong_input_exits_with_2(self):
         for arguments in ((HERE / "none.json", "--check"), (HERE / "README.md", "--check"), (HERE / "cycles.json",),

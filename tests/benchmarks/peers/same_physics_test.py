@@ -27,6 +27,9 @@ from compiled_peers import CompiledPeers
 from container_frame import SCENES, WHERE_LAWS_DIFFER, Impact
 from judgement import state_error
 
+sys.path.insert(0, str(Path(__file__).parents[2] / "references"))
+from row_lines import row_lines  # noqa: E402
+
 FILE = Path(__file__).with_name("first_impacts.json")
 SEED = 1
 IMPACTS = 5
@@ -59,7 +62,7 @@ def write_file(program):
         for name in (*SCENES, ROUGH):
             entries[name] = [{"start": start, "time": impact.time, "vertex": impact.vertex, "after": impact.after}
                              for start, impact in zip(*compiled.draw(name, SEED, IMPACTS))]
-    FILE.write_text(json.dumps(entries, indent=1) + "\n", encoding="utf-8")
+    FILE.write_text(row_lines(entries) + "\n", encoding="utf-8")
 
 
 class Checks:

@@ -264,7 +264,7 @@ class Help(InFolder):
             example = re.sub(r"--budget \S+", "--budget 1", example)  # what it answers is tradeoff's own test
             self.assertEqual(run(example, cwd=folder).returncode, 0, example)
 
-    def test_every_example_of_the_help_and_of_the_readme_runs(self):
+    def test_every_example_of_the_help_and_of_the_documents_runs(self):
         shown = []
         commands = re.findall(r"^  (\w+) ", run("--help").stdout.split("Subcommands:")[1], re.M)
         self.assertGreaterEqual(len(commands), 12)
@@ -272,10 +272,13 @@ class Help(InFolder):
             examples = examples_of(command)
             self.assertTrue(examples, command)
             shown += examples
-        readme = re.findall(r"^swirl (.*?)(?:\s+#.*)?$", (ROOT / "README.md").read_text(), re.M)
-        self.assertGreater(len(readme), 20)
         self.check_examples(shown, "help")
-        self.check_examples([one for one in readme if one not in shown or ".h5" in one], "readme")
+        readme, more = (re.findall(r"^swirl (.*?)(?:\s+#.*)?$", (ROOT / name).read_text(), re.M)
+                        for name in ("README.md", "docs/examples.md"))
+        self.assertEqual(len(readme), 5)
+        self.assertLessEqual(set(readme), set(more))
+        self.assertGreater(len(more), 20)
+        self.check_examples([one for one in more if one not in shown or ".h5" in one], "documents")
 
     def test_what_quickstart_says_to_try_next_runs(self):
         script = (ROOT / "quickstart").read_text()

@@ -26,14 +26,15 @@ def told(*command):
 
 @contextlib.contextmanager
 def bare(release):
-    """A root with /proc and /sys, as in any system that runs: Open MPI looks into both."""
+    """A root with /proc, /sys and terminals, as in any system that runs: Open MPI looks into the first two, zsh's completion
+    is tried on a terminal."""
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder) / release
         told("mmdebstrap", "--quiet", "--variant=apt", f"--aptopt={ANY_DATE}", release, root)
         shutil.copy("/etc/resolv.conf", root / "etc/resolv.conf")
         mounted = []
         try:
-            for kind, place in (("proc", root / "proc"), ("sysfs", root / "sys")):
+            for kind, place in (("proc", root / "proc"), ("sysfs", root / "sys"), ("devpts", root / "dev/pts")):
                 told("mount", "-t", kind, kind, place)
                 mounted.append(place)
             yield root

@@ -8,10 +8,11 @@
 namespace swirl::apps {
 
 /// Names what its tail's kind does not tell: `chord`, with the S* that it is led to, or `accelerated`. Of an orbit that
-/// has not settled on a cycle, e = 1, friction and swirl: 256 more impacts from its last state all stick, go on by the
-/// chord's j, and deviate from it by no more than twice the forced response to the swirl. Newton's law: energy that
-/// grows geometrically along the tail. Otherwise nothing is changed.
-/// Cost: a look at the last state; where that is near a chord 256 impacts.
+/// has not settled on a cycle, e = 1, friction and swirl: its next impacts all stick, go on by the chord's j, and
+/// deviate from it little more than the swirl forces (chord_orbit.hpp). A chord that is neutral to first order leaves
+/// it undecided, for that reason. Newton's law: a fast body's energy grows geometrically along the tail and 20,000
+/// impacts more. Otherwise nothing is changed.
+/// Cost: a look at the last state; where that is near a chord 256 impacts, fast under Newton's law 20,000.
 void look_for_growth(const SceneMap<polygon_dimension>& map, const Scene<double>& scene,
                      const analysis::Tail<SceneMap<polygon_dimension>>& tail, NamedMode& named);
 

@@ -144,25 +144,49 @@ def _branch_handles(record, periods, stabilities):
     return handles
 
 
+def _are_driven(record):
+    """Which samples are of orbits that are accelerated, or on their way along a chord: where they are then only says how long
+    was waited."""
+    if not all(record.has(group, name) for group in ("samples", "attractors") for name in ("column", "start", "origin")):
+        return numpy.zeros(len(record.column("samples", "parameter")), dtype=bool)
+    starts = 1 + max(record.column(group, "start").max(initial=0) for group in ("samples", "attractors"))
+    orbits, of = ((record.column(group, "column") * starts + record.column(group, "start")) * 3 + record.column(group, "origin")
+                  for group in ("attractors", "samples"))
+    driven = numpy.isin(record.names("attractors", "kind"), ["accelerated", "chord"])
+    return numpy.isin(of, orbits[driven & ~numpy.isfinite(record.column("attractors", "mean_S"))])
+
+
 def _shown_values(record, look):
-    """Every ordinate of the upper panel."""
+    """(every ordinate of the upper panel, which of them are driven)"""
     name = _observable(record)[0]
-    values = [record.column(group, name)[inside(record.column(group, "parameter"), look.xlim)].ravel()
-              for group in ("samples", "branches", "special") if group in record]
-    values = numpy.concatenate(values) if values else numpy.zeros(0)
-    return values[numpy.isfinite(values)]
+    values, driven = [numpy.zeros(0)], [numpy.zeros(0, dtype=bool)]
+    for group in (group for group in ("samples", "branches", "special") if group in record):
+        seen = inside(record.column(group, "parameter"), look.xlim)
+        values.append(record.column(group, name)[seen].ravel())
+        driven.append(_are_driven(record)[seen] if group == "samples" else numpy.zeros(len(values[-1]), dtype=bool))
+    values, driven = numpy.concatenate(values), numpy.concatenate(driven)
+    finite = numpy.isfinite(values)
+    return values[finite], driven[finite]
+
+
+def _most_of(values):
+    """(low, high) that leave out at most 3 % of either side."""
+    low, high = numpy.quantile(values, [0.03, 0.97])
+    margin = 0.15 * (high - low)
+    return max(low - margin, values.min()), min(high + margin, values.max())
 
 
 def _limit_ordinate(axes, record, look):
-    """A few far values (S grows as 1/alpha) would flatten all others: limits that leave out at most 3 % of either side
-    where that at least halves the axis, and say how many."""
-    values = _shown_values(record, look)
-    if len(values) < 50:
+    """A few far values (S grows as 1/alpha), and orbits that are driven away, would flatten all others: limits that leave them
+    out where that at least halves the axis, and say how many."""
+    values, driven = _shown_values(record, look)
+    of_others = values[~driven]
+    if len(of_others) < 50:
         return
-    low, high = numpy.quantile(values, [0.03, 0.97])
-    margin = 0.15 * (high - low)
-    low, high = max(low - margin, values.min()), min(high + margin, values.max())
-    if high - low <= 0 or high - low > 0.5 * (values.max() - values.min()):
+    low, high = _most_of(of_others)
+    if high - low > 0.5 * numpy.ptp(of_others):
+        low, high = of_others.min(), of_others.max()
+    if high - low <= 0 or high - low > 0.5 * numpy.ptp(values):
         return
     outside = int(((values < low) | (values > high)).sum())
     axes.set_ylim(low - 0.03 * (high - low), high + 0.03 * (high - low))

@@ -18,7 +18,8 @@ RECORDS = {"long": f"simulate {CHAOTIC} --collisions 40000",
            "rests": "simulate --sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --collisions 200",
            "spectrum": f"spectrum {HEXAGON} --transient 1000 --collisions 2000",
            "exponents": f"lyapunov {HEXAGON} --transient 100 --collisions 2000",
-           "tradeoff": f"tradeoff {HEXAGON} --budget 0.3"}
+           "tradeoff": f"tradeoff {HEXAGON} --budget 0.3",
+           "driven": "bifurcate --sides 6 --law newton --beta 0.1 --mu 0.5 --restitution 1 --along alpha=0.2:0.8:4 --starts 1"}
 
 
 def line(axes, label):
@@ -194,6 +195,19 @@ class OfOtherKinds(WithRecords):
         middle = float(numpy.median(place))
         counts = re.findall(r"\((\d+)\)", " ".join(labels_of(self.draw("spectrum", None, middle, 10 * place.max()))))
         self.assertEqual(sum(map(int, counts)), (place >= middle).sum())
+
+    def test_orbits_that_are_driven_away_do_not_stretch_the_ordinate(self):
+        record = open_record(self.records["driven"])
+        spin, kinds = record.column("samples", "S"), record.names("attractors", "kind")
+        driven = numpy.isin(record.column("samples", "column"), record.column("attractors", "column")[kinds == "accelerated"])
+        figure = draw(self.records["driven"])
+        bottom, top = figure.axes[0].get_ylim()
+        self.assertGreater(abs(spin[driven]).max(), 100 * max(-bottom, top))
+        self.assertTrue(bottom < spin[~driven].min() and spin[~driven].max() < top)
+        outside = int(((spin < bottom) | (spin > top)).sum())
+        told = " ".join(text.get_text() for text in figure.axes[0].texts)
+        self.assertIn("points lie outside", told)
+        self.assertLessEqual(outside, int(told.split(" of ")[0].replace(",", "")))
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ def _templates(record):
     """What could be shown of the record, the best first."""
     names = [kind.replace("-", "_") for kind in kinds_of(record)]
     if is_sampled(record):
-        names.insert(0, "samples")
+        names.insert(0, "scenes" if "scenes" in record.attributes("settings") else "samples")
     if "shard" in record:
         names.append("shard")
     return [file for file in (FOLDER / f"{name}.py" for name in names) if file.is_file()]

@@ -38,6 +38,8 @@ RECORDS = {
     "refined": (f"sweep {HEXAGON} --grid alpha=0.2:0.6:3 --grid beta=0.1:0.9:3 --refine 1 {BRIEF}", "modes"),
     "laws": (f"sweep {STEADY} --grid law=poisson,newton --runs 2 {BRIEF}", "modes"),
     "sample": (f"sweep {HEXAGON} --grid alpha=0.2:0.6 --grid beta=0.1:0.9 --sample sobol:12 {BRIEF}", "samples"),
+    "table": (f"sweep --beta 0.5 --restitution 0.9 --scenes scenes.csv --runs 2 {BRIEF}", "scenes"),
+    "logarithms": (f"sweep {STEADY.replace('--mu 0.5 ', '')} --grid mu=0.01:1:3:log {BRIEF}", "modes"),
     "basins": (f"sweep {HEXAGON} --alpha 0.5 --beta 0.5 --grid vx=-1:1:9 --grid vy=-1:1:9", "basins"),
     "saddles": (f"sweep {HEXAGON} --alpha 0.5 --beta 0.5 --grid vx=-1:1:9 --grid vy=-1:1:9 --saddles 2", "basins"),
     "tracks": (f"sweep {HEXAGON} --alpha 0.5 --grid beta=0.5:0.54:3 --runs 8 --track", "attractors"),
@@ -62,6 +64,7 @@ def records_in(folder):
     """(path, kind) of each, written into the folder one by one."""
     folder = Path(folder)
     (folder / "measured.csv").write_text(measured())
+    (folder / "scenes.csv").write_text("sides,alpha,mu,law,speed\n6,0.4,0.5,poisson,0.1\ndisk,0.3,0.1,newton,0.2\n3,0.4,0.5,stronge,0.1\n")
     for name, (command, kind) in RECORDS.items():
         result = run(f"{command} --quiet -o {name}.h5", cwd=folder)
         assert result.returncode == 0, (command, result.stderr)

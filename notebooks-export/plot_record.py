@@ -56,10 +56,10 @@ def main():
         shown = look
         if options.units == "physical":
             units = figures.physical.shared_units(records)
-            if look.xlim:  # in SI, too
-                whole = figures.draw(records, options.kind, figures.Look(**{**fields, "xlim": None}))
-                scale = figures.physical.abscissa_scale(whole, units)
-                shown = figures.Look(**{**fields, "xlim": tuple(end / scale for end in look.xlim)})
+            if look.xlim or look.ylim:  # in SI, too
+                whole = figures.Look(**{**fields, "xlim": None, "ylim": None})
+                figures.draw(records, options.kind, whole)
+                shown = figures.Look(**{**fields, **figures.physical.limits_drawn(whole.limited, look, units)})
         figure = figures.draw(records, options.kind, shown)
         if options.units == "physical":
             figures.physical.in_si(figure, units)

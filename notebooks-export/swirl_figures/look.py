@@ -27,6 +27,8 @@ class Look:
     over: str = None         #: the parameter along the abscissa of kind means; None: that of most values
     x: str = None            #: coordinates of a section portrait; None: psi
     y: str = None            #: None: S
+    scales: dict = dataclasses.field(default_factory=dict, compare=False)  #: {"xlim": what its numbers were divided by}: SI
+    limited: list = dataclasses.field(default_factory=list, compare=False)  #: axes that xlim and ylim are for, filled likewise
     notes: list = dataclasses.field(default_factory=list, compare=False)  #: of its caption, filled as it is drawn
 
     @property
@@ -76,6 +78,7 @@ def rows_of(width, count, least):
 
 def limit(axes, look, kind, record):
     """--xlim, --ylim and --log, on the axes that the kind's drawing named as those with its abscissa."""
+    look.limited.extend(axes or ())
     _make_logarithmic(axes, look, kind, record)
     _limit(axes, look, "y", "ordinate", kind, record)
     _limit(axes, look, "x", "abscissa", kind, record)
@@ -107,7 +110,9 @@ def _limit(axes, look, letter, name, kind, record):
     for panel in axes:
         least, most = getattr(panel.dataLim, f"interval{letter}")  # infinite where nothing but words is drawn
         if math.isfinite(least) and (least > limits[1] or most < limits[0]):
-            raise RecordError(f"{given}: record '{record.path}' has nothing to draw there, only from {least:.6g} to {most:.6g}")
+            scale = look.scales.get(option, 1.0)
+            raise RecordError(f"{given}: record '{record.path}' has nothing to draw there, only from {scale * least:.6g} to "
+                              f"{scale * most:.6g}")
         if getattr(panel, f"get_{letter}scale")() == "log" and limits[0] <= 0:
             raise RecordError(f"{given}: the {name} is logarithmic, both must be above 0")
         getattr(panel, f"set_{letter}lim")(limits)

@@ -14,10 +14,10 @@ _LABELS = (
     (r"$J/(m R_c^2 \omega_s^2)$", "$J$", (2, -2, 1), "J"),
     (r"$E_p/(m R_c^2 \omega_s^2)$", "$E_p$", (2, -2, 1), "J"),
     (r"$\Delta J$", r"$\Delta J$", (2, -2, 1), "J"),
-    (r"in $m R_c \omega_s^2$", "force", (1, -2, 1), "N"),
+    (r"force$/(m R_c \omega_s^2)$", "force", (1, -2, 1), "N"),
     (r"slip $u_t/(R_c\omega_s)$", "slip $u_t$", (1, -1, 0), "m/s"),
     (r"$V$  (speed of the starts, in $R_c\omega_s$)", "$V$  (speed of the starts)", (1, -1, 0), "m/s"),
-    (r"$S$ at the start, in $\omega_s$", r"$\omega_p$ at the start", (0, -1, 0), "rad/s"),
+    (r"$S$ at the start", r"$\omega_p$ at the start", (0, -1, 0), "rad/s"),
 )
 _QUOTIENTS = ((r"/(R_c\omega_s)$", (1, -1, 0), "m/s"), ("/R_c$", (1, 0, 0), "m"))
 
@@ -69,10 +69,17 @@ def _scale(units, powers):
     return scale
 
 
-def abscissa_scale(figure, units):
-    """By what a range of the abscissa in SI is to be divided to be one of what is drawn."""
-    found = [_in_si(axes.get_xlabel()) for axes in figure.axes]
-    return next((_scale(units, powers) for _, powers in filter(None, found)), 1.0)
+def limits_drawn(limited, look, units):
+    """{"xlim": ..., "ylim": ..., "scales": ...}: the ranges of a look, which are in SI, as ranges of what is drawn.
+    @param limited  the axes that they are for, Look.limited of a figure that was drawn without them"""
+    drawn = {"scales": {}}
+    for letter in "xy":
+        limits = getattr(look, f"{letter}lim")
+        found = filter(None, (_in_si(getattr(axes, f"get_{letter}label")()) for axes in limited))
+        scale = next((_scale(units, powers) for _, powers in found), 1.0)
+        drawn[f"{letter}lim"] = limits and tuple(end / scale for end in limits)
+        drawn["scales"][f"{letter}lim"] = scale
+    return drawn
 
 
 def _show(axis, scale, bins):

@@ -8,7 +8,8 @@ from .record import RecordError
 
 def range_words(look, of="xlim"):
     """--xlim, or --ylim, as it was given."""
-    return ":".join(f"{end:.15g}" for end in getattr(look, of))
+    digits = ".12g" if of in look.scales else ".15g"  # of what was converted, without the conversion's rounding
+    return ":".join(f"{look.scales.get(of, 1.0) * end:{digits}}" for end in getattr(look, of))
 
 
 def inside(x, xlim):
@@ -55,5 +56,7 @@ def require(found, look, record, what, times=None):
     """RecordError where the range holds none of what the figure shows; `times` are those at which there is some."""
     if look.xlim is None or found:
         return
-    where = f"; there are some from {numpy.min(times):.6g} to {numpy.max(times):.6g}" if times is not None and len(times) else ""
+    scale = look.scales.get("xlim", 1.0)
+    where = (f"; there are some from {scale * numpy.min(times):.6g} to {scale * numpy.max(times):.6g}"
+             if times is not None and len(times) else "")
     raise RecordError(f"xlim = {range_words(look)}: record '{record.path}' has no {what} there{where}")

@@ -19,7 +19,7 @@ ROOT = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
 
 import figure_records
-from swirl_figures import draw, kinds_of, open_record, physical, save
+from swirl_figures import Look, draw, kinds_of, open_record, physical, save
 from swirl_figures.flights import flights_of
 from swirl_figures.path import FRAMES, sample, stays
 from swirl_figures.spin import running_mean, spin_on_wall
@@ -291,8 +291,18 @@ class PhysicalUnits(unittest.TestCase):
                                 self.assertAlmostEqual(float(text), tick.get_loc() / 12, delta=1e-6 * high, msg=kind)
                 self.assertTrue(all((one == other).all() for one, other in
                                     zip(plain, [line.get_xydata() for axes in figure.axes for line in axes.lines])))
-            result = run(f"plot {record} -o {folder}/a.png --kind spin --units physical --xlim 1:3")
-            self.assertEqual(result.returncode, 0, result.stderr)
+            plot = f"plot {record} -o {folder}/a.png --units physical"
+            self.assertEqual(run(f"{plot} --kind spin --xlim 1:3").returncode, 0)
+            energy = opened.column("collisions", "energy") * 0.004 * (0.07 * 12) ** 2  # J
+            self.assertEqual(run(f"{plot} --kind energy --xlim 1:3 --ylim 0:{2 * energy.max()} --force").returncode, 0)
+            outside = f"{10 * energy.max():.6g}:{20 * energy.max():.6g}"
+            refused = run(f"{plot} --kind energy --ylim {outside} --force").stderr
+            self.assertRegex(refused, rf"ylim = {re.escape(outside)}: .* nothing to draw there, only from [\d.e-]+ to {energy.max():.6g}\n")
+            whole = Look()
+            draw(opened, "energy", whole)
+            limits = physical.limits_drawn(whole.limited, Look(xlim=(1, 3), ylim=(0, energy.max())), units)
+            self.assertAlmostEqual(limits["xlim"][1], 36, delta=1e-9)
+            self.assertAlmostEqual(limits["ylim"][1], opened.column("collisions", "energy").max(), delta=1e-12)
 
     def test_a_record_without_units_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -53,7 +53,7 @@ class _Track:
         least, most = self.spin_range
         short = lambda value: number(float(f"{value:.3g}"))
         several = f" … {short(most)}" if most - least > 1e-6 else ""
-        return self.name + (f", S = {short(least)}{several}" if self.followed else "")
+        return self.name + (f", {MEAN_SPIN} = {short(least)}{several}" if self.followed else "")
 
     @property
     def spin_range(self):
@@ -133,6 +133,6 @@ def draw_into(figure, record, look):
         _draw(below, track, points, track.spin, colour, size)
     above.set(ylabel="share of the starts", ylim=(-0.03, 1.03))
     above.set_title("thin bars: Wilson's interval, 95 %", fontsize="small", color="0.25", loc="right", pad=2)
-    below.set(xlabel=axis_label(grid.axes[0]), ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$")
+    below.set(xlabel=axis_label(grid.axes[0]), ylabel=f"mean spin {MEAN_SPIN}")
     grid.name_ticks(below)
     return [above]

@@ -128,7 +128,7 @@ def _draw_forces(force, slip, record, xlim):
     force.fill_between(t, -limit, limit, color="0.9", lw=0, label="$|f| \\leq \\mu\\lambda$")
     force.plot(t, normal, color=BLACK, lw=1.1, label="normal force $\\lambda$")
     force.plot(t, friction, color=VERMILION, lw=1.1, label="friction $f$")
-    force.set(ylabel="in $m R_c \\omega_s^2$")
+    force.set(ylabel="force$/(m R_c \\omega_s^2)$")
     legend_inside(force, "right")
     slip.plot(t, velocity, color=SKY, lw=1.3)
     slip.axhline(0, color="0.8", lw=0.7, zorder=0)

@@ -7,19 +7,11 @@ from .style import BLACK, MODE_COLOURS
 from .symbols import MEAN_SPIN, axis_label
 
 
-#: Fewer bars stand apart.
-_SIDE_BY_SIDE = 60
-
-
 def _draw_shares(axes, grid, edges):
-    """Of many bars side by side no white is to show between: each mode is one area, from where it begins to the top, and the
-    next lies over it."""
+    """No white is to show between cells: each mode is one area, from where it begins to the top, and the next lies over it."""
     base = numpy.zeros(len(edges) - 1)
     for index, mode in enumerate(grid.modes):
-        if len(base) < _SIDE_BY_SIDE:
-            axes.bar(edges[:-1], grid.share[:, index], numpy.diff(edges), bottom=base, align="edge", color=MODE_COLOURS[mode],
-                     ec="white", lw=0.6)
-        elif grid.share[:, index].any():
+        if grid.share[:, index].any():
             axes.fill_between(edges, numpy.append(base, base[-1]), 1, step="post", color=MODE_COLOURS[mode], lw=0,
                               where=numpy.append(base < 1 - 1e-9, False) | numpy.append(False, base < 1 - 1e-9))
         base += grid.share[:, index]
@@ -32,7 +24,7 @@ def _draw_spin(axes, grid, points):
     size = 4 if len(points) < 60 else 2
     # Over starts of all modes: in the colour of none.
     axes.errorbar(points, grid.mean_spin, yerr=error, fmt="o", ms=size, color=BLACK, elinewidth=0.9, capsize=1.5)
-    axes.set_ylabel(f"mean spin {MEAN_SPIN}, in $\\omega_s$")
+    axes.set_ylabel(f"mean spin {MEAN_SPIN}")
     if error is not None:
         axes.set_title("bars: standard error over the starts", fontsize="small", color="0.25", loc="right", pad=2)
 

@@ -87,7 +87,7 @@ def draw_mode_map(figure, grid, look):
         middle.colorbar(mesh, ax=panels[1])
     colours, extend = spin_style(grid.mean_spin)
     mesh = draw_cells(panels[-1], grid, grid.mean_spin, **colours)
-    panels[-1].set_title(f"Mean spin {MEAN_SPIN}, in units of $\\omega_s$")
+    panels[-1].set_title(f"Mean spin {MEAN_SPIN}")
     middle.colorbar(mesh, ax=panels[-1], extend=extend)
     if rows_of(width_of(figure), count, _LEAST_MAP) == 1:
         for axes in panels[1:]:

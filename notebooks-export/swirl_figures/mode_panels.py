@@ -49,5 +49,5 @@ def draw_mode_panels(figure, grid, look):
         for axes in panels[-1]:
             axes.set_xlabel(symbol(grid.slice(across, 0).axes[0]))
     bar = {"ax": panels, "location": "bottom", "aspect": 40} if upright else {"ax": panels[1]}
-    middle.colorbar(mesh, label=f"mean spin {MEAN_SPIN}, in $\\omega_s$", extend=extend, pad=0.01, **bar)
+    middle.colorbar(mesh, label=f"mean spin {MEAN_SPIN}", extend=extend, pad=0.01, **bar)
     return list(panels.ravel())

@@ -79,7 +79,7 @@ def _handles(colours, names, stability):
 
 
 def _draw_spins(axes, period):
-    axes.set(xlabel="period, in impacts", ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$", title="The orbits")
+    axes.set(xlabel="period, in impacts", ylabel=f"mean spin {MEAN_SPIN}", title="The orbits")
     axes.set_xlim(period.min() - 0.5, period.max() + 0.5)
     axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
     axes.margins(y=0.1)

@@ -31,7 +31,7 @@ class Quantity:
 
 
 QUANTITIES = {
-    "S": Quantity("mean_S", f"mean spin {MEAN_SPIN}, in $\\omega_s$", "mean_S_error"),
+    "S": Quantity("mean_S", f"mean spin {MEAN_SPIN}", "mean_S_error"),
     "exponent": Quantity("largest_exponent", r"largest Lyapunov exponent $\lambda$, per impact"),
     "period": Quantity("run_period", "period of the cycle, in impacts"),
     "RC": Quantity("recurrence_rate", "recurrence rate RC"),

@@ -110,8 +110,8 @@ def _draw_lengths(axes, record):
 def _draw_over_thresholds(shares, lengths, record):
     threshold = record.column("recurrence", "threshold")
     for axes, names in ((shares, ("RR", "DET", "LAM")), (lengths, ("L", "TT", "ENTR"))):
-        for name, colour in zip(names, CYCLE):
-            axes.plot(threshold, record.column("recurrence", name), "o-", ms=3, lw=1, color=colour,
+        for name, colour, marker in zip(names, CYCLE, "os^"):
+            axes.plot(threshold, record.column("recurrence", name), marker=marker, ms=3.5, lw=1, color=colour,
                       label=f"{name}: {_NAMES[name]}")
         axes.xaxis.set_major_locator(MaxNLocator(5))
         axes.set_xlabel("threshold $\\delta$")

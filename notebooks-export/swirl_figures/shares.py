@@ -63,7 +63,7 @@ def _draw_runs(axes, record):
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.margins(y=0.15)
     widen(axes, abscissa=False)
-    axes.set(xlabel="run", ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$", title="Every run")
+    axes.set(xlabel="run", ylabel=f"mean spin {MEAN_SPIN}", title="Every run")
 
 
 def draw_into(figure, record, look):

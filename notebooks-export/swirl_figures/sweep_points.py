@@ -91,8 +91,8 @@ def _draw_panel(axes, record, panel, modes, place):
     edge = 0.3 if len(spin) < _MOST_EDGED else 0
     dots = axes.scatter(abscissa, ordinate, c=place if by_mode else spin, s=_dots(len(spin)), lw=edge, ec="0.4",
                         plotnonfinite=True, **colours)
-    axes.set(xlabel=axis_label(x), ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$" if y is None else axis_label(y),
-             title="Mode with the largest share" if by_mode else f"Mean spin {MEAN_SPIN}, in $\\omega_s$")
+    axes.set(xlabel=axis_label(x), ylabel=f"mean spin {MEAN_SPIN}" if y is None else axis_label(y),
+             title="Mode with the largest share" if by_mode else f"Mean spin {MEAN_SPIN}")
     logarithmic = logarithmic_axes(record)
     mark_values(axes.xaxis, x, x_words, x in logarithmic)
     mark_values(axes.yaxis, y, y_words, y in logarithmic)

@@ -21,10 +21,10 @@ _PARAMETERS = {
     "vx": (r"$v_x$", r"$v_x/(R_c\omega_s)$  (velocity at the start)"),
     "vy": (r"$v_y$", r"$v_y/(R_c\omega_s)$  (velocity at the start)"),
     "angle": ("angle", "angle at the start, in radians"),
-    "spin": ("S", r"$S$ at the start, in $\omega_s$"),
+    "spin": ("S", r"$S$ at the start"),
 }
 
-_OBSERVABLES = {"psi": r"place on the wall $\psi$, in radians", "chi": r"direction of the vertex $\chi$, in radians",
+_OBSERVABLES = {"psi": r"angle of the contact $\psi$, in radians", "chi": r"angle about the body $\chi$, in radians",
                 "vn": r"normal velocity $v_n/(R_c\omega_s)$", "vt": r"tangential velocity $v_t/(R_c\omega_s)$", "S": SPIN}
 
 _POLYGONS = {3: "triangle", 4: "square", 5: "pentagon", 6: "hexagon", 7: "heptagon", 8: "octagon"}
@@ -62,6 +62,18 @@ def kind_label(kind):
 def number(value):
     """Four digits and a proper minus sign."""
     return f"{value:.4g}".replace("-", "\N{MINUS SIGN}")
+
+
+def with_error(value, error):
+    """"−0.05 ± 0.02": the error with one digit, two where the first is 1, the value with as many decimals; the value alone
+    of an error that is 0 or none."""
+    if not (math.isfinite(error) and error > 0):
+        return number(value)
+    power = math.floor(math.log10(error))
+    decimals = max(0, (1 if error / 10**power < 1.95 else 0) - power)
+    if decimals > 9:
+        return number(value)
+    return f"{value:.{decimals}f} ± {error:.{decimals}f}".replace("-", "\N{MINUS SIGN}")
 
 
 def _body(sides):

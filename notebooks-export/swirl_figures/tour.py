@@ -37,7 +37,7 @@ def draw_into(figure, record, look):
     narrow = is_narrow(figure)
     spins, exponents = parts.above.subplots(*((2, 1) if narrow else (1, 2)), sharey=not narrow)
     rows = numpy.arange(len(scenes))
-    for axes, name, label in ((spins, "mean_S", f"mean spin {MEAN_SPIN}, in $\\omega_s$"),
+    for axes, name, label in ((spins, "mean_S", f"mean spin {MEAN_SPIN}"),
                               (exponents, "largest_exponent", "largest exponent, per impact")):
         lengths = numpy.array([float(values.get(name, numpy.nan)) for values in attributes])
         axes.barh(rows, lengths, color=colours, ec="0.3", lw=0.5, height=0.65)

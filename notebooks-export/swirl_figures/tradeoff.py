@@ -132,7 +132,7 @@ def _draw_evidence(axes, record):
     of_what = "\n" if is_narrow(axes.figure) else " "
     axes.text(0.02, 0.985, f"starts with another mode{of_what}on the most impacts:", transform=axes.transAxes, fontsize="small", va="top")
     axes.set(xscale="log", xlabel="impacts judged" + ", after as many that are left out" * (not is_narrow(axes.figure)),
-             ylabel=f"mean spin {MEAN_SPIN}, in $\\omega_s$", title="Evidence: how the verdict settles",
+             ylabel=f"mean spin {MEAN_SPIN}", title="Evidence: how the verdict settles",
              ylim=(ends[0] - 0.4 * room, ends[1] + (1.1 if is_narrow(axes.figure) else 0.55) * room))
     axes.set_xlim(0.6 * impacts.min(), 1.7 * impacts.max())
     axes.legend(handles=[Patch(fc=MODE_COLOURS[mode], ec="0.3", lw=0.5, label=mode) for mode in dict.fromkeys(modes)],

@@ -10,7 +10,7 @@ from matplotlib.patches import Rectangle
 from . import verdict_panels
 from .look import rows_of, side_by_side, width_of
 from .style import BLACK, MODE_COLOURS
-from .symbols import number, scene_title
+from .symbols import number, scene_title, with_error
 
 
 def has_verdict(record):
@@ -34,7 +34,7 @@ def _lines_of(record, longest):
     lines = []
     for name, value, threshold, says in _evidence(record):
         limit = f" (threshold {_limit(threshold)})" if numpy.isfinite(threshold) else ""
-        for index, line in enumerate(textwrap.wrap(f"{name}: {number(value)}{limit}. {says}", longest,
+        for index, line in enumerate(textwrap.wrap(f"{name}: {number(value)}{limit}: {says}", longest,
                                                    subsequent_indent="    ")):
             lines.append((line, index == 0))
     return lines
@@ -63,6 +63,14 @@ def size(record, look):
     return width, 0.75 + panels + _height_of_text(record, width)
 
 
+def _mean_in_words(attributes):
+    """As the command says it: with its error, or that a run of chaos was too short for one."""
+    mean, error = attributes["mean_S"], attributes.get("mean_S_error", numpy.nan)
+    if str(attributes.get("mean_S_kind", "")) == "too-short":
+        return f"about {mean:.1g} (too short a run for an error)".replace("-", "\N{MINUS SIGN}")
+    return with_error(mean, error)
+
+
 def _headline(record):
     attributes = record.attributes("mode")
     kind, period = (attributes.get(name) for name in ("kind", "period"))
@@ -72,11 +80,11 @@ def _headline(record):
     text = ": ".join(words)
     mean = attributes.get("mean_S", numpy.nan)
     if numpy.isfinite(mean):
-        text += f"; mean {verdict_panels.name_of_mean(record)} {number(mean)}"
+        text += f"; mean {verdict_panels.name_of_mean(record)} {_mean_in_words(attributes)}"
     for name, counted in (("largest_exponent", "impact"), ("largest_exponent_per_time", "unit of time")):
         exponent = attributes.get(name)
         if exponent is not None and numpy.isfinite(exponent):
-            text += f"; largest exponent {number(exponent)} ± {number(attributes[name + '_error'])} per {counted}"
+            text += f"; largest exponent {with_error(exponent, attributes[name + '_error'])} per {counted}"
     return text
 
 

@@ -1,4 +1,4 @@
-"""packages.txt suffices: closure_test.py ROOT BUILD
+"""packages.txt suffices: closure_test.py ROOT BUILD [CLASS]
 
 Whatever Python imports, tests and commands start, the compiler reads and the linker takes lies in the packages that apt
 would install for packages.txt on a system with nothing in it: what this system has besides can't help."""
@@ -58,6 +58,11 @@ class Closure(unittest.TestCase):
         self.assertGreater(min(kinds.values()), 0, kinds)
         found = outside(self.uses, present, self.owned)
         self.assertEqual(found, [], "\n" + "\n".join(found) + "\nare in no package that packages.txt brings")
+
+
+class TakenOut(Closure):
+    """By night: apt takes seconds to choose for a list."""
+    test_what_is_used_is_in_the_packages_of_the_list = None
 
     def test_what_a_package_taken_out_had_brought_is_named(self):
         gone = {"libgmock-dev": "library libgmock.a", "python3-ipykernel": "kernel python3", "python3-nbclient": "module nbclient",

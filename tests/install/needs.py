@@ -3,6 +3,7 @@
 Each function gives [(what, the file here that stands for it or None, who uses it)]."""
 
 import ast
+import functools
 import importlib.util
 import json
 import re
@@ -15,10 +16,11 @@ KERNELS = Path("/usr/share/jupyter/kernels")
 STARTS = {"run", "Popen", "call", "check_call", "check_output"}
 
 
+@functools.cache
 def python_sources(root):
-    """(name, its text): scripts, modules, the code of notebooks. A folder with a list of packages of its own (the site, other
+    """[(name, its text, the same parsed)]: scripts, modules, the code of notebooks. A folder with a list of packages of its own (the site, other
     solvers) is no matter of the one list."""
-    apart = {path.parent for path in root.rglob("packages.txt") if path.parent != root}
+    found, apart = [], {path.parent for path in root.rglob("packages.txt") if path.parent != root}
     for path in sorted([*root.rglob("*.py"), *root.rglob("*.ipynb")]):
         relative = path.relative_to(root)
         if relative.parts[0] in ("build", ".git", ".ci") or apart & set(path.parents):
@@ -27,7 +29,8 @@ def python_sources(root):
         if path.suffix == ".ipynb":
             cells = json.loads(text)["cells"]
             text = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
-        yield str(relative), text
+        found.append((str(relative), text, ast.parse(text)))
+    return found
 
 
 def _words(node):
@@ -50,11 +53,11 @@ def _modules_of(tree):
 
 
 def modules(root):
-    files = list(python_sources(root))
-    ours = {path.stem for path in root.rglob("*.py")} | {part for name, _ in files for part in Path(name).parts[:-1]}
+    files = python_sources(root)
+    ours = {path.stem for path in root.rglob("*.py")} | {part for name, _, _ in files for part in Path(name).parts[:-1]}
     users = {}
-    for file, text in files:
-        for name in _modules_of(ast.parse(text)):
+    for file, _, tree in files:
+        for name in _modules_of(tree):
             users.setdefault(name.split(".")[0], file)
     found = []
     for name in sorted(set(users) - ours - set(sys.stdlib_module_names)):
@@ -67,8 +70,8 @@ def modules(root):
 def kernels(root):
     """Kernels of notebooks, which are named only."""
     users = {}
-    for file, text in python_sources(root):
-        for node in ast.walk(ast.parse(text)):
+    for file, _, tree in python_sources(root):
+        for node in ast.walk(tree):
             if isinstance(node, ast.keyword) and node.arg == "kernel_name" and isinstance(node.value, ast.Constant):
                 users.setdefault(node.value.value, file)
     specs = {name: KERNELS / name / "kernel.json" for name in users}
@@ -92,8 +95,8 @@ def _started(tree):
 def programs(root):
     """Programs that Python starts. One that is asked for first, by shutil.which in that file, may be missing."""
     users = {}
-    for file, text in python_sources(root):
-        for word in _started(ast.parse(text)):
+    for file, text, tree in python_sources(root):
+        for word in _started(tree):
             if isinstance(word, ast.Constant) and isinstance(word.value, str):
                 name = word.value.split()[0]
                 if f'which("{name}")' not in text and "skipUnless" not in text.split(f'"{name}"')[0][-300:]:

@@ -1,5 +1,6 @@
 """swirl boundaries --against MAP.h5, from outside: boundaries_against_test.py SWIRL"""
 
+import math
 import unittest
 
 from boundary_planes import HEXAGON, SMALL
@@ -13,6 +14,17 @@ class Against(InFolder):
         run(f"sweep {scene} --grid alpha=0.5:0.6:2 --grid inertia-factor=0.3:0.5:2 --runs 1 --collisions 300 --quiet -o {path}")
         against = document(f"boundaries {scene} {plane} --max-period 1 --lines 1 --against {path}")["against"]
         self.assertEqual(against["cells"], 4)
+
+    def test_against_a_map_of_lists_and_logarithms(self):
+        path, plane = self.folder / "map.h5", "--plane alpha=0.5:0.6 --plane beta=0.2:0.4"
+        run(f"sweep {HEXAGON} --grid alpha=0.5,0.52,0.6 --grid beta=0.25:0.4:3:log --runs 1 --collisions 300 --quiet -o {path}")
+        against = document(f"boundaries {HEXAGON} {plane} --max-period 1 --lines 1 --against {path}")["against"]
+        self.assertEqual((against["cells"], against["outside_cells"]), (9, 0))
+        values = ({0.5, 0.52, 0.6}, {0.25, math.sqrt(0.25 * 0.4), 0.4})
+        for entry in against["disagreements"]:
+            for value, allowed in zip(entry["parameters"].values(), values):
+                self.assertLess(min(abs(value - a) for a in allowed), 1e-12)
+        self.assertGreater(against["with_cycle"], 0)
 
     def test_members_of_families_are_compared_with_nothing(self):
         # A disk that loses nothing: every cycle is a member of a family, with a multiplier 1 but for rounding.

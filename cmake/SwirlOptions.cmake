@@ -70,7 +70,7 @@ if(SWIRL_SANITIZE)
   if(SWIRL_SANITIZE MATCHES "undefined")
     add_compile_options(-fno-sanitize=null,alignment,object-size)
   endif()
-  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS SWIRL_SANITIZED)
   add_link_options(-fsanitize=${SWIRL_SANITIZE})
 endif()
 

@@ -1,7 +1,9 @@
 """SIGINT, SIGTERM, SIGHUP: every command ends with 130 within half a second and leaves no stray file (InHalfASecond); what
-is finished is kept (Kept, beside other tests). interruption_test.py SWIRL [InHalfASecond | Kept]"""
+is finished is kept (Kept, beside other tests); BesideALibrary, of no sanitizer's build, is of signals that a library takes.
+interruption_test.py SWIRL [InHalfASecond | Kept | BesideALibrary]"""
 
 import json
+import os
 import re
 import signal
 import subprocess
@@ -58,6 +60,19 @@ class Ending(InFolder):
             reader.wait(60)
         return process.returncode, seconds, errors
 
+    def ends_by_itself(self, environment):
+        """Under nohup, though SIGHUP comes once the record has been begun."""
+        others = self.names()
+        process = subprocess.Popen(["nohup", SWIRL, *f"simulate {CHAOS} --collisions 400000 --quiet -o a.h5".split()],
+                                   cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
+        # nohup has become swirl, and the signals are its own, once there is a file more.
+        begin = time.monotonic()
+        while self.names() == others and time.monotonic() - begin < 60:
+            time.sleep(0.01)
+        self.assertIsNone(process.poll(), "it was over before it could be interrupted")
+        process.send_signal(signal.SIGHUP)
+        self.assertEqual((process.wait(60), self.names()), (0, sorted([*others, "a.h5"])))
+
     def names(self):
         return sorted(path.name for path in self.folder.iterdir())
 
@@ -96,17 +111,27 @@ class InHalfASecond(Ending):
                 self.assertLess(seconds, 0.5)
 
 
+#: A library that takes SIGHUP for itself as soon as it is loaded, as UCX of Open MPI 5 does.
+TAKES_HANGUP = """#include <signal.h>
+#include <unistd.h>
+static void end(int number) { _exit(number); }
+__attribute__((constructor)) static void take(void) { signal(SIGHUP, end); }
+"""
+
+
+class BesideALibrary(Ending):
+    def test_nohup_is_heeded(self):
+        source, library = self.folder / "takes.c", self.folder / "takes.so"
+        source.write_text(TAKES_HANGUP)
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", library, source], check=True)
+        for file in (source, self.folder / "a.h5"):
+            file.unlink(missing_ok=True)
+        self.ends_by_itself({**os.environ, "LD_PRELOAD": str(library)})
+
+
 class Kept(Ending):
     def test_nohup_is_heeded(self):
-        process = subprocess.Popen(["nohup", SWIRL, *f"simulate {CHAOS} --collisions 400000 --quiet -o a.h5".split()],
-                                   cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        # nohup has become swirl, and the signals are its own, once the record has been begun.
-        begin = time.monotonic()
-        while not self.names() and time.monotonic() - begin < 60:
-            time.sleep(0.01)
-        self.assertIsNone(process.poll(), "it was over before it could be interrupted")
-        process.send_signal(signal.SIGHUP)
-        self.assertEqual((process.wait(60), self.names()), (0, ["a.h5"]))
+        self.ends_by_itself(os.environ)
 
     def kept(self, command):
         """The record that is there when the command was interrupted after a second."""

@@ -42,6 +42,22 @@ class Chords(InFolder):
         self.assertIsNone(found["growth_exponent"])
         self.assertIn("S goes to -10.45", run(f"classify {PAPER} --alpha 0.44").stdout)
 
+    def test_a_neutral_chord_is_named_as_the_reason(self):
+        found = document(f"classify {PAPER} --alpha 0.5")
+        self.assertEqual((found["mode"], found["mean_S"]), ("undecided", None))
+        self.assertAlmostEqual(found["evidence"][-1]["value"], 1, delta=1e-6)
+        self.assertIn("whose multipliers have modulus 1", run(f"classify {PAPER} --alpha 0.5").stdout)
+
+    def test_a_slow_limit_that_depends_on_beta_is_not_told(self):
+        """S comes to 0.4904 at beta 0.2; to leading order in beta it is 0.7171."""
+        found = document("classify --sides 6 --alpha 0.48 --beta 0.2 --mu 0.5 --restitution 1 --point=0,0,-0.9,0.5,0.7")
+        self.assertEqual((found["kind"], found["limit_S"]), ("quasi-periodic", None))
+        self.assertAlmostEqual(found["mean_S"], 0.49, delta=0.02)
+
+    def test_created_energy_is_no_chaos_however_few_impacts(self):
+        found = document("classify --sides 6 --law newton --alpha 0.14 --beta 0.1 --mu 0.5 --restitution 1 --transient 2500 --collisions 500")
+        self.assertEqual((found["mode"], found["kind"], found["mean_S"]), ("undecided", "accelerated", None))
+
     def test_chaos_is_neither(self):
         found = document("classify --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1")
         self.assertEqual((found["kind"], found["growth_exponent"], found["limit_S"]), ("chaotic", None, None))

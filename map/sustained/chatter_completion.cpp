@@ -4,6 +4,7 @@
 #include "map/sustained/contact_jets.hpp"
 #include "map/sustained/edge_landing.hpp"
 #include "map/sustained/end_of_chatter.hpp"
+#include "map/sustained/landing_error.hpp"
 #include "map/sustained/reaction.hpp"
 #include "map/sustained/removal.hpp"
 #include "map/sustained/sticking_chatter.hpp"
@@ -126,30 +127,6 @@ ChatterCompletion<T> landed_edge(const ContactScene<T>& scene, const PostImpactS
     return {true, Support::edge, state, 0, T(0), T(0)};
 }
 
-/// What S of a landed edge may be off by, in first order of v, where its slip is of that order: the rest of chatter may
-/// stop the slip at any moment, or turn it, and friction acts by the sense that it then has. Both the impulses and, for
-/// as long as chatter lasts, contact's forces differ by as much as between slips either way and none.
-///   before  just after the impact, on either vertex
-///   lasts   how long chatter goes on
-template <class T>
-T edge_error(const ContactScene<T>& scene, const PostImpactState<T>& before, const ContactState<T>& landed,
-             const T& lasts) {
-    ContactState<T> still = landed;
-    still.ut = still.spin = T(0);
-    const bool held = reaction_of(scene, Support::edge, ContactMotion::sticking, still).reserve >= T(0);
-    if (!(scene.mu > T(0)) || (landed.ut == T(0) && held)) return T(0);
-    const T ut = contact_kinematics(scene.body, before).ut;
-    const T rounding = velocity_rounding(scene, before);
-    T apart(0), rates(0);
-    for (const T& ratio : {T(-scene.mu), T(0), scene.mu})
-        if (const auto rate = edge_rate_with(scene, before, ratio)) apart = std::max(apart, T(abs(*rate - landed.ut)));
-    for (const auto motion : {ContactMotion::sliding_forward, ContactMotion::sliding_backward})
-        rates = std::max(rates, T(abs(reaction_of(scene, Support::edge, motion, landed).spin_rate)));
-    const T may_change = apart + 2 * rates * lasts;
-    if (apart <= rounding || abs(ut) > 2 * may_change) return T(0);  // or its slip goes on in the same sense
-    return may_change;
-}
-
 /// Sets χ to ±χ_m if it is less than `apart` inside of it, or outside, where the rest of chatter may have moved the
 /// vertex (`move_along_wall`): the neighbour touches, too. Left an ulp inside, the neighbour would fall by an ulp and
 /// gain a velocity of order √ε = 10⁻⁸ that it did not have: where two vertices strike in turn, this gain balances the
@@ -158,22 +135,6 @@ template <class T>
 void keep_neighbour_at_wall(const ContactScene<T>& scene, const T& apart, ContactState<T>& state) {
     if (scene.is_disk() || scene.widest_chi - abs(state.chi) > apart) return;
     state.chi = copysign(scene.widest_chi, state.chi);
-}
-
-/// The same of a vertex (rim) that friction does not hold: the rest of chatter may stop a slip of the order of v, but
-/// contact slips.
-///   taken  in contact, u_n removed
-template <class T>
-T unheld_error(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const ContactState<T>& taken,
-               const T& lasts) {
-    if (!(scene.mu > T(0)) || can_stick(scene, post_impact)) return T(0);
-    const T ut = contact_kinematics(scene.body, post_impact).ut;
-    const Support support = scene.is_disk() ? Support::rim : Support::vertex;
-    T rate(0);
-    for (const auto motion : {ContactMotion::sliding_forward, ContactMotion::sliding_backward})
-        rate = std::max(rate, T(abs(reaction_of(scene, support, motion, taken).ut_rate)));
-    const T may_change = abs(taken.ut - ut) + rate * lasts;
-    return abs(ut) <= 2 * may_change ? may_change : T(0);
 }
 
 }  // namespace
@@ -188,7 +149,7 @@ ChatterError<T> chatter_error(const ContactScene<T>& scene, const PostImpactStat
     const Slip<T> slip = slip_of(scene, post_impact);
     T unused;
     const ContactState<T> taken = without_normal_velocity(scene, post_impact, slip, unused);
-    const T removed = v + abs(taken.ut - u.ut) + scene.body.alpha * abs(taken.spin - post_impact.spin);
+    const T removed = velocities_removed(scene, post_impact, taken);
     const T order = second_order(scene, slip, contact_state(scene, post_impact), taken);
     const T estimate = 0.5 * removed * lasts * lasts * order + unheld_error(scene, post_impact, taken, lasts);
     return {v * lasts, isnan(estimate) ? std::numeric_limits<T>::infinity() : estimate};  // a or c is 0
@@ -250,10 +211,14 @@ ChatterCompletion<T> chatter_completion(const ContactScene<T>& scene, const Post
         completion = {true, scene.is_disk() ? Support::rim : Support::vertex, {}, 0, edge.here.error, T(0)};
         completion.state = landed(scene, post_impact, completion.jacobi);
         keep_neighbour_at_wall(scene, chatter_tolerance<T>(), completion.state);
+        completion.error +=
+            neighbour_error(scene, post_impact, completion.state, edge.here.lasts, T(chatter_tolerance<T>()));
     } else if (lands_there) {
         completion = {true, Support::vertex, {}, step, edge.there.error, T(0)};
         completion.state = landed(scene, neighbour, completion.jacobi);
         keep_neighbour_at_wall(scene, neighbour_tolerance<T>(), completion.state);  // known only to its rebound
+        completion.error += apart + neighbour_error(scene, neighbour, completion.state, edge.there.lasts,
+                                                    T(apart + chatter_tolerance<T>()));
     } else {
         completion.struck = edge.here.rests && there_approaches;
     }

@@ -67,7 +67,7 @@ OpenConditions<T> open_conditions(const Problem<T>& problem, const ContactSeries
     if (conditions.all) return conditions;
     conditions.unless_proven({&z.normal}, h);
     if (on_edge) conditions.unless_proven({&z.second}, h);
-    if (on_vertex) conditions.unless_proven({&z.chi, &z.chi, T(0), -problem.scene.widest_chi}, h);  // χ_m − |χ|
+    if (on_vertex) conditions.unless_proven({&z.chi, &z.chi, T(0), -problem.scene.widest_chi}, h, true);  // χ_m − |χ|
     if (problem.scene.mu == 0) return conditions;
     if (problem.sticks()) {
         conditions.unless_proven({&z.normal, &z.friction, problem.scene.mu}, h);  // μλ − |f|
@@ -78,16 +78,21 @@ OpenConditions<T> open_conditions(const Problem<T>& problem, const ContactSeries
     return conditions;
 }
 
+/// Does the neighbour move outwards at a time of the step, beyond rounding?
+template <class T>
+bool approaches(const Step<T>& step, const T& time) {
+    const State<T> at = step.at(time);
+    const T rate = derivative_at(step.series().chi, time);
+    const T rates = 1 + abs(at.value[2]) + abs(at.value[3]);
+    return (at.value[1] < 0 ? T(-rate) : rate) > 64 * epsilon<T>() * rates;
+}
+
 /// True if the neighbour, already at the wall, moves outwards: it might be back inside before the first moment
 /// examined.
 template <class T>
 bool strikes_at_once(const Problem<T>& problem, const Step<T>& step) {
     if (problem.support != Support::vertex) return false;
-    const State<T>& start = step.from();
-    if (start.room(problem.scene.widest_chi) > 0) return false;
-    const T outwards = start.value[1] < 0 ? T(-step.series().chi[1]) : step.series().chi[1];
-    const T rates = 1 + abs(start.value[2]) + abs(start.value[3]);
-    return outwards > 64 * epsilon<T>() * rates;
+    return !(step.from().room(problem.scene.widest_chi) > 0) && approaches(step, T(0));
 }
 
 /// Does a flight (or a jam) follow on the end of sticking? Where no slip is consistent (Painlevé) λ falls to zero at
@@ -136,8 +141,10 @@ Failure<T> failure_in_parts(const Problem<T>& problem, const Step<T>& step, cons
         const Failure<T> failure = failure_in_parts(problem, step, conditions, h, first, middle, before, between);
         return failure.found ? failure : failure_in_parts(problem, step, conditions, h, middle, last, between, after);
     }
-    for (const T& moment : conditions.dips(from, to, before, after))
-        if (Failure<T> failure = failure_by(problem, step, from, moment); failure.found) return failure;
+    for (const T& moment : conditions.dips(from, to, before, after)) {
+        const Failure<T> failure = failure_by(problem, step, from, moment);
+        if (failure.found && (failure.which != strike_condition || approaches(step, failure.time))) return failure;
+    }
     return conditions.hold(after) ? Failure<T>{} : failure_by(problem, step, from, to);
 }
 

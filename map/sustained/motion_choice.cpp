@@ -75,9 +75,11 @@ bool leaves(const ContactScene<T>& scene, const ContactState<T>& z) {
 /// An edge lifts one of its vertices: contact goes on at the other, in any motion in which the lifted one leaves the
 /// wall.
 ///   begins  contact does: at a vertex that in free flight would not leave
+///   margin  what χ″ may fall short of leaving the wall by: rounding, where an edge has just ceased to rest because it
+///           rises through zero
 template <class T>
 std::optional<MotionChoice<T>> lift_vertex(const ContactScene<T>& scene, const ContactState<T>& edge, int vertex_step,
-                                           bool begins) {
+                                           bool begins, const T& margin) {
     for (const int step : {0, 1}) {
         const ContactState<T> z = step == 0 ? edge : other_end(scene, edge);
         if (begins && leaves(scene, z)) continue;
@@ -85,7 +87,7 @@ std::optional<MotionChoice<T>> lift_vertex(const ContactScene<T>& scene, const C
             if (!is_consistent(scene, Support::vertex, motion, z, false)) continue;
             const Reaction<T> r = reaction_of(scene, Support::vertex, motion, z);
             const T turning = r.spin_rate - r.ut_rate;  // χ″: away from |χ| = χ_m
-            if (step == 0 ? turning > 0 : turning < 0)
+            if ((step == 0 ? turning : T(-turning)) > -margin)
                 return MotionChoice<T>{true, Support::vertex, motion, z, vertex_step + step, ContactEvent::lift};
         }
     }
@@ -118,14 +120,18 @@ MotionChoice<T> motion_of_edge(const ContactScene<T>& scene, MotionChoice<T> cho
     const ContactState<T> ends[] = {choice.state, other_end(scene, choice.state)};
     choice.stays = !(begins && leaves(scene, ends[0]) && leaves(scene, ends[1]));
     if (!choice.stays) return choice;
-    const auto lifted = [&] { return lift_vertex(scene, choice.state, choice.vertex_step, begins); };
+    const auto lifted = [&](const T& margin) {
+        return lift_vertex(scene, choice.state, choice.vertex_step, begins, margin);
+    };
     if (begins)
-        if (const auto first = lifted()) return *first;
+        if (const auto first = lifted(T(0))) return *first;
     if (const auto motion = consistent_motion(scene, Support::edge, choice.state, broken)) {
         choice.motion = *motion;
         return choice;
     }
-    if (const auto then = lifted()) return *then;
+    if (const auto then = lifted(T(0))) return *then;
+    if (broken)
+        if (const auto then = lifted(T(stick_margin(scene, choice.state) / scene.body.alpha))) return *then;
     choice.stays = false;
     for (const int step : {0, 1})
         if (jams(scene, ends[step]))

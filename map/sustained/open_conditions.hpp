@@ -25,6 +25,7 @@ struct OpenCondition {
     const Series<T>* against = nullptr;  ///< b, null if there is none
     T factor = T(1), border = T(0);      ///< factor a − |b| − border > 0 while the condition holds
     T rounding = T(0);                   ///< values below this are rounding
+    T dips_below = T(0);                 ///< a minimum below this is examined
     T bend = T(0);                       ///< bounds its second derivative from above, on the step
 
     T at(const T& t) const {
@@ -40,11 +41,11 @@ struct OpenCondition {
     /// How far the condition may be below the lower of its values at the ends of a time `width`, within it.
     T may_fall(const T& width) const { return T(0.125) * bend * width * width; }
 
-    /// The moment between two ends of a part at which the condition is lowest, if it fails there beyond rounding (some
-    /// 10⁻¹³ of its terms) though it holds at both.
+    /// The moment between two ends of a part at which the condition is lowest, if it falls below `dips_below` there
+    /// though it holds at both.
     ///   before, after  the values at the two
     std::optional<T> dip(const T& from, const T& to, const T& before, const T& after) const {
-        Lowest lowest{T(-1e-4) * rounding, T(0), false};
+        Lowest lowest{dips_below, T(0), false};
         seek(from, to, before, after, 8, lowest);
         return lowest.found ? std::optional(lowest.time) : std::nullopt;
     }
@@ -93,7 +94,9 @@ struct OpenConditions {
     bool all = false;  ///< the forces of an edge at rest are not unique and have no series
 
     /// Keeps the condition as open unless the bounds of its series prove that it holds for a time h.
-    void unless_proven(OpenCondition<T> condition, const T& h) {
+    ///   room  it is that of a neighbour (`State::room`), known far below the rounding of χ: the least dip is examined.
+    ///         Elsewhere a dip of 10⁻¹³ of the condition's terms is rounding.
+    void unless_proven(OpenCondition<T> condition, const T& h, bool room = false) {
         using std::abs;
         const T held =
             condition.factor * (*condition.falls)[0] - (condition.against ? T(abs((*condition.against)[0])) : T(0));
@@ -101,6 +104,7 @@ struct OpenConditions {
                         (condition.against ? reach_of(*condition.against, h) : T(0));
         if (held - condition.border > reach) return;
         condition.rounding = tolerance<T>(1e-9) * (abs(held) + reach);
+        condition.dips_below = room ? T(8 * epsilon<T>() * abs(condition.border)) : T(-1e-4 * condition.rounding);
         condition.bend = abs(condition.factor) * bend_of(*condition.falls, h) +
                          (condition.against ? bend_of(*condition.against, h) : T(0));
         list[count++] = condition;

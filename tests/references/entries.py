@@ -1,14 +1,16 @@
-"""The entries of the reference files, each recomputed from its own scene and start: orbits, cycles and steady modes."""
+"""The entries of the reference files, each recomputed from its own scene and start: orbits, also in contact,
+cycles and steady modes."""
 
 from mpmath import mp, mpc, mpf
 
+from contact_motion import contact_orbit
 from dynamics import State, next_impact, same_impact, scene_of
 from fixed_points import all_fixed_points, solved
 from section import closed_cycle, difference, multipliers, section_point, wrapped
 from steady import confirmed, elastic_time, section_point_of
 
 NAMES = ("psi", "chi", "vn", "vt", "S")
-ORBIT_DIGITS, CYCLE_DIGITS, FIXED_POINT_DIGITS = 25, 18, 25
+ORBIT_DIGITS, CYCLE_DIGITS, FIXED_POINT_DIGITS, CONTACT_DIGITS = 25, 18, 25, 18
 NUDGE = mpf(10) ** -34  # of a start; times the growth it stays small, and 1e-50 beside it smaller than a double's eps
 
 
@@ -20,6 +22,8 @@ def digits_of(entry):
     """Significant digits of the decimal strings of an entry."""
     if "collisions" in entry:
         return ORBIT_DIGITS
+    if "samples" in entry:
+        return CONTACT_DIGITS
     return FIXED_POINT_DIGITS if "branch" in entry else CYCLE_DIGITS
 
 
@@ -112,6 +116,8 @@ def searched_fixed_points(scene_fields, longest):
 def recomputed(entry):
     if "collisions" in entry:
         return orbit(entry)
+    if "samples" in entry:
+        return contact_orbit(entry, CONTACT_DIGITS)
     if "branch" in entry:
         return fixed_point(entry)
     return elastic_mode(entry) if "j" in entry else cycle(entry)

@@ -3,6 +3,7 @@
 #include "analysis/classification/classify_angle.hpp"
 #include "analysis/classification/classify_series.hpp"
 #include "analysis/special_values.hpp"
+#include "apps/classify/series_means.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/input/angle_stretch.hpp"
@@ -43,19 +44,12 @@ MeasuredSeries longest_stretch(const MeasuredSeries& series) {
     return part_of(series, best_begin, best);
 }
 
-/// S holds from one impact to the next.
-double time_mean(const MeasuredSeries& series) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < series.values.size(); ++i)
-        sum += series.values[i] * (series.times[i + 1] - series.times[i]);
-    return sum / (series.times.back() - series.times.front());
-}
-
 struct SeriesVerdict {
     MeasuredSeries whole, used;
     std::size_t rows_used = 0, rows_bridged = 0;
     analysis::ClassifySeriesOptions options;
     analysis::Classification verdict;
+    MeanErrors mean_errors;
 };
 
 Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
@@ -63,6 +57,9 @@ Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
     const double spacing = v.used.spacing;
     const bool flow = v.options.sampled_flow;
     const auto of = [](auto member) { return [member](const SeriesVerdict& row) { return row.verdict.*member; }; };
+    const auto error_of = [](auto member) {
+        return [member](const SeriesVerdict& row) { return row.mean_errors.*member; };
+    };
     const auto per_time = [&](double Verdict::*member) {
         return [=](const SeriesVerdict& row) { return flow ? row.verdict.*member / spacing : analysis::nan; };
     };
@@ -80,6 +77,10 @@ Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
               },
               no_column},
              {"mean_S_per_impact", per_impact(&Verdict::mean_per_step), no_column},
+             {"mean_S_error", error_of(&MeanErrors::per_time), "1", "standard error of mean_S"},
+             {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "that of mean_S_per_impact"},
+             {"mean_S_bound", error_of(&MeanErrors::bound), "1", "of a torus: mean_S is off by this at most"},
+             {"mean_S_kind", error_of(&MeanErrors::kind), no_column},
              {"recurrence_rate", of(&Verdict::recurrence_rate), no_column},
              {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal), no_column},
              {"largest_exponent", per_impact(&Verdict::largest_exponent), no_column},
@@ -276,6 +277,8 @@ int classify_measured(const ClassifyInput& input, const SceneOptions& scene, con
         judge_angle(v);
     else
         judge_values(v);
+    if (v.whole.quantity != distance_of_position)
+        v.mean_errors = errors_of_series(v.verdict, v.used, v.options.sampled_flow);
     if (record) {
         write_to_record(record->root(), v);
         record->finish();

@@ -1,6 +1,7 @@
 #include "apps/tradeoff/tradeoff_document.hpp"
 
 #include "apps/command_line/documents.hpp"
+#include "apps/output/wrapped.hpp"
 #include "apps/tradeoff/tradeoff_tables.hpp"
 
 #include <fmt/format.h>
@@ -67,13 +68,14 @@ void print_flights(const Tradeoff& found) {
 
 void print_advice(const Tradeoff& found) {
     if (found.recommended == nullptr) {
-        fmt::print("recommended: none; {}\n", found.reason);
+        fmt::print("{}\n", wrapped("recommended: none; " + found.reason, 2));
         return;
     }
     if (found.knee != nullptr)
         fmt::print("knee: {}, the cheapest whose steps are right to {:g} roundings of a double\n", found.knee->name,
                    roundings_at_knee);
-    fmt::print("recommended: {}; {}\n{}\n", found.recommended->name, found.reason, found.advice);
+    fmt::print("{}\n{}\n", wrapped(fmt::format("recommended: {}; {}", found.recommended->name, found.reason), 2),
+               wrapped(found.advice, 2));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ DISK = "--sides disk --alpha 0.3 --beta 0.1 --mu 0 --restitution 1"
 ROLLS = "--sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9"
 LANDS = "--sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5"
 TRANSIENT = "--sides 6 --alpha 0.5 --beta 0.5 --mu 0.5 --restitution 0.95"  # chaos that ends within some 1,000 impacts
+CHATTERS = "--sides 3 --alpha 0.57 --beta 1 --mu 1.9 --restitution 1 --seed 5"
 DIVERGES = "--sides 3 --alpha 0.6 --beta 0.5 --mu 5 --restitution 1 --law newton"
 
 RUNG = """name seconds_per_collision seconds_per_collision_lower seconds_per_collision_upper error error_99
@@ -145,6 +146,23 @@ class Ladders(unittest.TestCase):
         self.assertFalse(means[0])
         first = next((k for k in range(len(rows) - 1) if all(modes[k:]) and all(means[k:])), None)
         self.assertEqual(many["enough_collisions"], None if first is None else rows[first]["collisions"])
+
+    def test_what_is_recommended_fits_into_lines(self):
+        for scene in (CHAOS, LANDS):
+            shown = run(f"tradeoff {scene} --budget 0.5").stdout
+            advice = shown[shown.index("recommended: "):].splitlines()
+            self.assertGreater(len(advice), 2, scene)
+            self.assertEqual([line for line in advice if len(line) > 100], [], scene)
+
+    def test_contact_at_e_one_is_paid_for_where_friction_lets_a_vertex_come_to_rest(self):
+        """Of this triangle one of some 3,000 impacts chatters to its end."""
+        pieces = model(measured(CHATTERS, 1))
+        self.assertEqual((pieces["watch for contact"]["paid_by"], pieces["motion in contact"]["paid_by"]),
+                         ("every command", "every command"))
+        self.assertGreater(measured(CHATTERS, 1)["flights"]["through_contact"], 0)
+        for scene in (DISK, CHAOS.replace("--mu 0.5", "--mu 0")):
+            self.assertEqual(model(measured(scene))["watch for contact"]["paid_by"],
+                             "nothing: e = 1, and no friction holds a vertex", scene)
 
     def test_more_digits_are_not_offered_to_cycles(self):
         cycle = measured(CHAOS)["advice"].split("for a cycle use ")[1]

@@ -29,7 +29,7 @@ COMMANDS = {
     "simulate --sides 7 --alpha 0.35 --beta 0.8 --mu 0.2 --restitution 0.6 --law stronge --collisions 2000":
         lambda found: _rows(found, "collisions", STATE),
     f"lyapunov {CHAOS} --collisions 20000": lambda found: [found["exponents"], found["exponents_per_time"]],
-    "orbits --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --max-period 2": lambda found: _rows(found, "orbits", CYCLE),
+    "orbits --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --period 1 --max-time 20": lambda found: _rows(found, "orbits", CYCLE),
     "sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:3 --grid beta=0.3:0.9:3 --runs 4 --transient 500 "
     "--collisions 500": lambda found: _rows(found, "cells", ("parameters", "mean_S")),
 }

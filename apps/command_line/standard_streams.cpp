@@ -1,5 +1,7 @@
 #include "apps/command_line/standard_streams.hpp"
 
+#include "apps/command_line/printable.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
@@ -37,7 +39,7 @@ bool reader_of_output_has_gone() {
 }
 
 void tell(const std::string& line) {
-    const std::string whole = line + "\n";  // at once, so that lines of several processes don't mix
+    const std::string whole = printable(line) + "\n";  // at once, so that lines of several processes don't mix
     std::fwrite(whole.data(), 1, whole.size(), stderr);
 }
 

@@ -9,9 +9,22 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <system_error>
 
 namespace swirl::apps {
+
+namespace {
+
+/// It begins with the mark of that encoding, or with ASCII in pairs of bytes.
+bool is_utf16(std::string_view begin) {
+    if (begin.size() < 4) return false;
+    const bool marked = begin.substr(0, 2) == "\xFF\xFE" || begin.substr(0, 2) == "\xFE\xFF";
+    const auto zero = [&](std::size_t i) { return begin[i] == '\0'; };
+    return marked || (zero(0) && !zero(1) && zero(2) && !zero(3)) || (!zero(0) && zero(1) && !zero(2) && zero(3));
+}
+
+}  // namespace
 
 std::string read_text(const std::string& what, const std::string& name, std::size_t most) {
     std::error_code ignored;
@@ -26,6 +39,9 @@ std::string read_text(const std::string& what, const std::string& name, std::siz
     std::string content;
     char buffer[65536];
     for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {
+        if (content.empty() && is_utf16({buffer, got}))
+            throw BadInput(
+                fmt::format("{} '{}' is UTF-16 text; UTF-8 is needed: iconv -f UTF-16 -t UTF-8 makes it", what, name));
         if (std::memchr(buffer, '\0', got) != nullptr)
             throw BadInput(
                 fmt::format("{} '{}' is not a text file: it holds a zero byte (a record of swirl is given "

@@ -7,6 +7,7 @@
 #include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/input/each_body.hpp"
 #include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
@@ -129,8 +130,12 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
 int classify_scene(ClassifyCommandOptions& options) {
     if (options.runs > 0) return classify_runs(options);
     require_output(options.output, {options.scene.file(), options.input.record, options.input.series.file});
-    if (options.input.is_series(options.scene, options.start))
-        return classify_measured(options.input, options.scene, options.start, options.output, options.verbose);
+    if (options.input.is_series(options.scene, options.start)) {
+        const auto judge = [&] {
+            return classify_measured(options.input, options.scene, options.start, options.output, options.verbose);
+        };
+        return options.input.series.each.empty() ? judge() : for_each_body(options.input.series, options.output, judge);
+    }
     const auto recorded = options.input.recorded(options.scene, options.start);
     if (recorded) {
         warn_without_checksum(options.input.record, options.output.quiet);

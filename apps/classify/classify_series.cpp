@@ -123,11 +123,11 @@ void write_to_record(const RecordGroup& root, const SeriesVerdict& v) {
 
 void print_verdict(const SeriesVerdict& v, bool verbose) {
     const std::string bridged = v.rows_bridged > 0 ? fmt::format(", {} of them bridged", v.rows_bridged) : "";
-    fmt::print("{}\n  {}\n{}",
+    fmt::print("{}\n{}  {}\n{}",
                wrapped(fmt::format("series: {}; rows are {}, {} used{}", series_in_words(v.whole), rows_of(v),
                                    v.rows_used, bridged),
                        2),
-               mode_in_words(v.verdict), verdict_in_lines(v.verdict));
+               notes_in_lines(v.whole), mode_in_words(v.verdict), verdict_in_lines(v.verdict));
     if (verbose) fmt::print("{}{}", lines_of(verdict_table(v), v), table_of(v.verdict.evidence));
 }
 
@@ -196,10 +196,9 @@ void judge_values(SeriesVerdict& v) {
 }
 
 bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {
-    if (input.rows == "samples") return true;
-    if (input.rows == "impacts") return false;
-    if (!input.rows.empty()) throw BadInput(fmt::format("rows = '{}' is none of: impacts, samples", input.rows));
-    return series.is_motion() || (!series.time.empty() && series.even);
+    if (input.series.rows == "samples") return true;
+    if (input.series.rows == "impacts") return false;
+    return series.is_motion() || (!series.time.empty() && series.is_film());
 }
 
 }  // namespace
@@ -209,10 +208,6 @@ void ClassifyInput::add_to(Flags& command) {
         ->type_name("FILE.h5")
         ->group("Input");
     series.add_to(command, false);
-    command.add_option("--rows", rows, "of a series: impacts, or samples in time (default: samples if times are even)")
-        ->type_name("NAME")
-        ->offer({"impacts", "samples"})
-        ->group("Input");
     command.add_option("--noise", noise, "standard deviation of a series' noise, if known; of --angle in its unit")
         ->type_name("SIGMA")
         ->group("Input");
@@ -231,16 +226,16 @@ bool ClassifyInput::is_series(const SceneOptions& scene, const StartOptions& sta
     if (from_scene && !series.file.empty()) throw BadInput("a scene and --series are both given; give one");
     if (!series.file.empty()) return true;
     if (record.empty() || !is_series_record(record)) {
-        if (series.given() || !rows.empty() || noise != 0)
-            throw BadInput(
-                "--column, --position, --time, --degrees, --symmetry, --rows and --noise are a series'; --series FILE "
-                "is missing");
+        if (series.given() || !series.rows.empty() || noise != 0)
+            throw BadInput(fmt::format("{} is a series'; --series FILE is missing", series.given() ? series.flags()
+                                                                                    : !series.rows.empty()
+                                                                                        ? "--rows " + series.rows
+                                                                                        : "--noise"));
         return false;
     }
     if (series.given())
-        throw BadInput(
-            "--column, --position, --time, --degrees and --symmetry say what of a file is a series; a record holds "
-            "one");
+        throw BadInput(fmt::format("{} says what of a file is a series; a record holds one", series.flags()));
+    series.check();
     return true;
 }
 
@@ -260,8 +255,6 @@ int classify_measured(const ClassifyInput& input, const SceneOptions& scene, con
     source.transient = input.transient_->number();
     source.collisions = input.collisions_->number();
     SeriesVerdict v;
-    if (input.rows == "impacts") source.series.long_steps = LongSteps::long_flights;
-    if (input.rows == "samples") source.series.long_steps = LongSteps::lost_rows;
     v.whole = input.record.empty() ? source.measured()
                                    : source.part_asked_for(read_series_record(input.record), input.record);
     warn_without_checksum(input.record, output.quiet);

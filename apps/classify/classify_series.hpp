@@ -14,7 +14,6 @@ namespace swirl::apps::classify {
 struct ClassifyInput {
     std::string record;
     SeriesChoice series;
-    std::string rows;  ///< impacts or samples; empty: samples if there are times and they are even
     double noise = 0;
 
     /// After the command's own --transient, --collisions, --threshold and --max-period.

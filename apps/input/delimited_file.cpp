@@ -1,7 +1,9 @@
 #include "apps/input/delimited_file.hpp"
 
 #include "apps/command_line/errors.hpp"
+#include "apps/command_line/printable.hpp"
 #include "apps/command_line/text_file.hpp"
+#include "apps/input/cells.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,73 +13,19 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
-#include <string_view>
+#include <utility>
 
 namespace swirl::apps {
 
 namespace {
 
-bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return text;
-}
-
 // Ten million rows of a hundred bytes; above it a file is taken for one that never ends.
 constexpr std::size_t longest_series = std::size_t{1} << 30;
 
-char separator_of(const std::string& line) {
-    bool quoted = false;
-    bool tab = false, semicolon = false, comma = false;
-    for (const char c : line) {
-        if (c == '"') quoted = !quoted;
-        if (quoted) continue;
-        tab = tab || c == '\t';
-        semicolon = semicolon || c == ';';
-        comma = comma || c == ',';
-    }
-    return tab ? '\t' : semicolon ? ';' : comma ? ',' : ' ';
-}
-
-bool is_missing(const std::string& cell) {
-    std::string lower = cell;
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-    return lower.empty() || lower == "nan" || lower == "na" || lower == "-nan";
-}
-
-/// A plain decimal; no hexadecimal, infinity or nan.
-std::optional<double> number_in(const std::string& cell) {
-    if (cell.empty() || cell.find_first_not_of("0123456789+-.eE") != std::string::npos) return std::nullopt;
-    char* end = nullptr;
-    const double value = std::strtod(cell.c_str(), &end);
-    if (*end != '\0' || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
-
-/// Meant as a number, though perhaps none that can be used: inf, 1e400, 0x10.
-bool looks_like_a_number(const std::string& cell) {
-    char* end = nullptr;
-    const double value = std::strtod(cell.c_str(), &end);
-    return !cell.empty() && *end == '\0' && !std::isnan(value);
-}
-
-bool is_header(const std::vector<std::string>& cells) {
-    bool word = false;
-    for (const auto& cell : cells) {
-        if (number_in(cell)) return false;
-        word = word || !(is_missing(cell) || looks_like_a_number(cell));
-    }
-    return word;
-}
-
 std::string shown(const std::string& line) {
     constexpr std::size_t longest = 100;  // of a message of one line
-    if (line.size() <= longest) return line;
-    return line.substr(0, longest) + "...";
+    if (line.size() <= longest) return printable(line);
+    return printable(line.substr(0, longest)) + "...";
 }
 
 std::string list_of(const DelimitedFile& file) {
@@ -85,73 +33,125 @@ std::string list_of(const DelimitedFile& file) {
     return fmt::format("its columns are: {}", fmt::join(file.header, ", "));
 }
 
-}  // namespace
-
-std::vector<std::string> cells_of(const std::string& line, char separator) {
-    std::vector<std::string> cells;
-    const std::string_view text = separator == '\t' ? std::string_view(line) : trimmed(line);
-    std::size_t i = 0;
-    const auto at_separator = [&] { return separator == ' ' ? is_blank(text[i]) : text[i] == separator; };
-    while (true) {
-        std::string cell;
-        bool quoted = false;  // some of the cell was in quotes: that part keeps its blanks
-        std::size_t kept = 0;
-        while (i < text.size() && !at_separator()) {
-            if (text[i] != '"') {
-                cell += text[i++];
-                continue;
-            }
-            if (trimmed(std::string_view(cell).substr(kept)).empty()) cell.resize(kept);
-            quoted = true;
-            for (++i; i < text.size(); ++i) {
-                if (text[i] == '"' && i + 1 < text.size() && text[i + 1] == '"')
-                    cell += text[++i];
-                else if (text[i] == '"')
-                    break;
-                else
-                    cell += text[i];
-            }
-            if (i < text.size()) ++i;
-            kept = cell.size();
-        }
-        if (!quoted)
-            cell = std::string(trimmed(cell));
-        else if (trimmed(std::string_view(cell).substr(kept)).empty())
-            cell.resize(kept);
-        cells.push_back(std::move(cell));
-        if (i >= text.size()) return cells;
-        ++i;
-        if (separator == ' ')
-            while (i < text.size() && is_blank(text[i])) ++i;
+/// The lines of a text, without their ends and a byte order mark.
+std::vector<TextRow> lines_of(const std::string& content) {
+    const char end = content.find('\n') == std::string::npos ? '\r' : '\n';
+    std::vector<TextRow> lines;
+    std::size_t begin = content.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0;
+    for (std::size_t line = 1; begin < content.size(); ++line) {
+        const std::size_t stop = std::min(content.find(end, begin), content.size());
+        std::string text = content.substr(begin, stop - begin);
+        begin = stop + 1;
+        if (!text.empty() && text.back() == '\r') text.pop_back();
+        lines.push_back({line, std::move(text)});
     }
+    return lines;
 }
 
-DelimitedFile read_delimited(const std::string& name) {
-    const std::string content = read_text("series", name, longest_series);
+/// The separator that a line "sep=;" names, else 0.
+char separator_in(std::string text) {
+    text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text.size() == 5 && text.rfind("sep=", 0) == 0 ? text[4] : '\0';
+}
+
+bool is_comment(const std::string& text) {
+    const std::string_view core = trimmed(text);
+    return !core.empty() && (core.front() == '#' || core.front() == '%');
+}
+
+/// The lines that a table is made of, and the numbers of the blank ones.
+struct TableLines {
+    std::vector<TextRow> lines;
+    std::vector<std::size_t> blank;
+    char separator = '\0';  ///< that a line `sep=;` names
+};
+
+TableLines lines_of_table(std::vector<TextRow> lines, const LayoutChoice& choice) {
+    const std::size_t header = choice.header_line.value_or(0);
+    TableLines table;
+    const auto is_none = [&](TextRow& line) {
+        if (table.separator == '\0' && line.line == 1 && (table.separator = separator_in(line.text)) != '\0')
+            return true;
+        if (line.line == header && is_comment(line.text))  // "# t S": the sign is none of its names
+            line.text = std::string(trimmed(trimmed(line.text).substr(1)));
+        if (line.line <= header) return line.line != header;
+        const bool blank = trimmed(line.text).empty();
+        if (blank) table.blank.push_back(line.line);
+        return blank || is_comment(line.text);
+    };
+    std::size_t kept = 0;
+    for (TextRow& line : lines)
+        if (!is_none(line)) std::swap(lines[kept++], line);
+    lines.resize(kept);
+    table.lines = std::move(lines);
+    return table;
+}
+
+/// With the blank lines between the rows of one column, which are gaps.
+std::vector<TextRow> with_gaps(std::vector<TextRow> rows, const std::vector<std::size_t>& blank) {
+    const std::size_t first = rows.front().line, last = rows.back().line;
+    for (const std::size_t line : blank)
+        if (first < line && line < last) rows.push_back({line, ""});
+    std::sort(rows.begin(), rows.end(), [](const TextRow& a, const TextRow& b) { return a.line < b.line; });
+    return rows;
+}
+
+/// Letters and digits alone, in lower case, without the unit in brackets.
+std::string core_of(const std::string& name) {
+    const std::string unit = unit_in_name(name);
+    const bool bracketed = !name.empty() && (name.back() == ')' || name.back() == ']') && name.size() > unit.size() + 2;
+    std::string core;
+    for (const char c : name.substr(0, bracketed ? name.size() - unit.size() - 2 : name.size())) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0 || byte >= 0x80) core += static_cast<char>(std::tolower(byte));
+    }
+    return core;
+}
+
+/// The one column whose name is nearly the wanted one.
+std::optional<std::size_t> similar_column(const DelimitedFile& file, const std::string& wanted) {
+    const auto only = [&](const auto& fits) -> std::optional<std::size_t> {
+        const auto found = std::find_if(file.header.begin(), file.header.end(), fits);
+        if (found == file.header.end() || std::count_if(file.header.begin(), file.header.end(), fits) > 1)
+            return std::nullopt;
+        return static_cast<std::size_t>(found - file.header.begin());
+    };
+    const std::string core = core_of(wanted);
+    if (core.empty()) return std::nullopt;
+    if (const auto column = only([&](const std::string& name) { return core_of(name) == core; })) return column;
+    return only([&](const std::string& name) {
+        const std::size_t point = name.rfind('.');
+        return point != std::string::npos && core_of(name.substr(point + 1)) == core;
+    });
+}
+
+}  // namespace
+
+std::vector<std::string> DelimitedFile::cells(std::size_t row) const {
+    auto found = cells_in(rows[row].text, layout);
+    if (found.size() != columns)
+        throw BadInput(at_line(*this, row, fmt::format("{} cells, where {} are needed", found.size(), columns)));
+    return found;
+}
+
+DelimitedFile read_delimited(const std::string& name, const LayoutChoice& choice) {
+    std::vector<TextRow> lines = lines_of(valid_utf8(read_text("series", name, longest_series)));
+    if (choice.header_line && (*choice.header_line < 1 || *choice.header_line >= lines.size()))
+        throw BadInput(fmt::format("header-line = {} is outside its range: 1 to {}, the lines of '{}' but the last",
+                                   *choice.header_line, std::max<std::size_t>(lines.size(), 2) - 1, name));
+    TableLines table = lines_of_table(std::move(lines), choice);
     DelimitedFile file;
     file.name = name;
-    std::size_t begin = content.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0;  // a byte order mark
-    for (std::size_t line = 1; begin < content.size(); ++line) {
-        std::size_t end = content.find('\n', begin);
-        if (end == std::string::npos) end = content.size();
-        std::string text = content.substr(begin, end - begin);
-        begin = end + 1;
-        if (!text.empty() && text.back() == '\r') text.pop_back();
-        const std::string_view core = trimmed(text);
-        if (core.empty() || core.front() == '#' || core.front() == '%') continue;
-        if (file.columns == 0) {
-            file.separator = separator_of(text);
-            auto cells = cells_of(text, file.separator);
-            file.columns = cells.size();
-            if (is_header(cells)) {
-                file.header = std::move(cells);
-                continue;
-            }
-        }
-        file.rows.push_back({line, std::move(text)});
-    }
-    if (file.rows.empty())
+    file.layout = layout_of(name, table.lines, choice, table.separator);
+    file.separator = file.layout.separator;
+    file.header = file.layout.header;
+    file.columns = file.layout.columns;
+    if (file.layout.first_row >= table.lines.size())
         throw BadInput(fmt::format("series '{}' has no rows of numbers; at least one is needed", name));
+    file.rows = std::move(table.lines);
+    file.rows.erase(file.rows.begin(), file.rows.begin() + static_cast<std::ptrdiff_t>(file.layout.first_row));
+    if (file.columns == 1 && !table.blank.empty()) file.rows = with_gaps(std::move(file.rows), table.blank);
     return file;
 }
 
@@ -174,7 +174,10 @@ std::size_t column_of(const DelimitedFile& file, const std::string& option, cons
     }
     char* end = nullptr;
     const long number = std::strtol(wanted.c_str(), &end, 10);
-    if (wanted.empty() || *end != '\0' || number < 1 || static_cast<std::size_t>(number) > file.columns)
+    const bool is_number = !wanted.empty() && *end == '\0';
+    if (!is_number)
+        if (const auto similar = similar_column(file, wanted)) return *similar;
+    if (!is_number || number < 1 || static_cast<std::size_t>(number) > file.columns)
         throw BadInput(fmt::format("{} = '{}' is no column of '{}': {}{}", option, wanted, file.name, list_of(file),
                                    file.header.empty() ? "" : fmt::format(" (or a number, 1 to {})", file.columns)));
     return static_cast<std::size_t>(number - 1);
@@ -185,13 +188,10 @@ std::vector<std::vector<double>> numbers_of(const DelimitedFile& file, const std
     std::vector<std::vector<double>> columns(wanted.size());
     for (auto& column : columns) column.reserve(file.rows.size());
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        const auto cells = cells_of(file.rows[row].text, file.separator);
-        if (cells.size() != file.columns)
-            throw BadInput(
-                at_line(file, row, fmt::format("{} cells, where {} are needed", cells.size(), file.columns)));
+        const auto cells = file.cells(row);
         for (std::size_t k = 0; k < wanted.size(); ++k) {
             const std::string& cell = cells[wanted[k]];
-            const auto number = number_in(cell);
+            const auto number = number_in(cell, file.layout.decimal);
             if (!number && !(gaps[k] && is_missing(cell)))
                 throw BadInput(at_line(
                     file, row,
@@ -201,6 +201,25 @@ std::vector<std::vector<double>> numbers_of(const DelimitedFile& file, const std
         }
     }
     return columns;
+}
+
+ReadTimes times_of(const DelimitedFile& file, std::size_t column) {
+    const auto first = clock_time_in(file.cells(0)[column]);
+    if (!first) return {numbers_of(file, {column}, {false})[0], false};
+    ReadTimes times{{}, true};
+    times.values.reserve(file.rows.size());
+    for (std::size_t row = 0; row < file.rows.size(); ++row) {
+        const std::string cell = file.cells(row)[column];
+        const auto time = clock_time_in(cell);
+        if (!time)
+            throw BadInput(at_line(file, row,
+                                   fmt::format("'{}' in column {} is no time of the clock, as 12:30:00.25 or "
+                                               "2024-10-07T12:30:00.25 is",
+                                               shown(cell), column_name(file, column))));
+        times.values.push_back(static_cast<double>(time->seconds - first->seconds) +
+                               (time->fraction - first->fraction));
+    }
+    return times;
 }
 
 }  // namespace swirl::apps

@@ -12,12 +12,14 @@ namespace swirl::apps {
 
 const char* const input_details =
     R"(What is analysed: the orbit of a scene (its flags, --transient, --collisions), a record that simulate -o wrote,
-or --series FILE: a text file (- for standard input), a sample a line, cells separated by tabs, semicolons,
-commas or blanks, with a header or none; lines that begin with # or % are skipped. The times are the column
---time NAME (or its number from 1 on, or none), by default the header's t or time, without a header the first of
-several columns. The values are --column NAME, by default S or spin, else the last other column; or S of an angle
-(--angle COLUMN --swirl-rate W), or a distance (--position X Y). Times must rise; an empty cell, nan or NA is a gap,
-and so is a missing row between times that are otherwise even.)";
+or --series FILE: a text file (- for standard input), a sample a line, as spreadsheets and trackers write it; `swirl
+inspect FILE` says what it is taken for. The times are the column --time NAME (or its number from 1 on, or none), by
+default the header's t or time, else one that rises and is named as times or frames (--fps F: frames a second), without
+a header the first of several columns. The values are --column NAME, by default S or spin, else the last column that may
+be one; or S of an angle (--angle COLUMN, or --marks X1 Y1 X2 Y2 or --mark X Y, over --swirl-rate W, radians per unit of
+time or as 33rpm, 0.5Hz, negative if clockwise), or a distance (--position X Y). Times must rise; an empty cell, nan,
+NA, inf or null is a gap, and so is a missing row between times that are otherwise even. Of a file of several bodies
+--where COLUMN=VALUE takes one, --each COLUMN all.)";
 
 void InputOptions::add_to(Flags& command) {
     scene.add_to(command);
@@ -44,9 +46,9 @@ InputKind InputOptions::kind() const {
     if (!record.empty() && !series.file.empty()) throw BadInput("a record and --series are both given; give one");
     if (from_scene && !record.empty()) throw BadInput("a scene and a record are both given; give one");
     if (from_scene && !series.file.empty()) throw BadInput("a scene and --series are both given; give one");
-    if (series.file.empty() && series.given())
-        throw BadInput(
-            "--column, --position, --time, --degrees and --symmetry are a series'; --series FILE is missing");
+    if (series.file.empty() && (series.given() || !series.rows.empty()))
+        throw BadInput(fmt::format("{} is a series'; --series FILE is missing",
+                                   series.given() ? series.flags() : "--rows " + series.rows));
     if (!record.empty()) return InputKind::record;
     if (!series.file.empty()) return InputKind::series;
     if (!from_scene) throw BadInput("nothing to analyse: give a scene (--sides ...), a record, or --series FILE");
@@ -68,7 +70,7 @@ OrbitColumns InputOptions::orbit(const OutputOptions& output, const std::vector<
 MeasuredSeries InputOptions::measured() const {
     SeriesChoice choice = series;
     choice.angle = start.angle_text();
-    choice.swirl_rate = number_from<double>("swirl-rate", scene.flag("swirl-rate", "1"));
+    choice.set_swirl_rate(scene.flag("swirl-rate", "1"));
     return part_asked_for(read_series(choice), series.file);
 }
 
@@ -102,6 +104,9 @@ Settings series_settings(const MeasuredSeries& s) {
     Settings settings = {{"column", s.column},
                          {"quantity", s.quantity},
                          {"time", s.time},
+                         {"body", s.body},
+                         {"origin", std::vector<double>(s.origin.begin(), s.origin.end())},
+                         {"y_down", s.y_down},
                          {"rows", static_cast<std::int64_t>(s.rows)},
                          {"samples", static_cast<std::int64_t>(s.values.size())},
                          {"missing", static_cast<std::int64_t>(s.missing)},
@@ -110,9 +115,12 @@ Settings series_settings(const MeasuredSeries& s) {
                          {"spacing", s.spacing},
                          {"largest_step", s.largest_step},
                          {"largest_deviation", s.largest_deviation}};
-    if (s.quantity != spin_of_angle) return settings;
-    settings.emplace_back("swirl_rate", s.swirl_rate);
-    settings.emplace_back("largest_turn", s.largest_turn);
+    if (s.quantity == spin_of_angle) {
+        settings.emplace_back("swirl_rate", s.swirl_rate);
+        settings.emplace_back("clockwise", s.clockwise);
+        settings.emplace_back("largest_turn", s.largest_turn);
+    }
+    settings.emplace_back("notes", s.notes);
     return settings;
 }
 
@@ -146,6 +154,16 @@ MeasuredSeries read_series_record(const std::string& file) {
             series.quantity = record.attribute<std::string>("/series", "quantity");
         if (record.has_attribute("/series", "swirl_rate"))
             series.swirl_rate = record.attribute<double>("/series", "swirl_rate");
+        if (record.has_attribute("/series", "body")) {  // what older records lack
+            series.body = record.attribute<std::string>("/series", "body");
+            const auto origin = record.attribute<std::vector<double>>("/series", "origin");
+            std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 2), series.origin.begin());
+            series.y_down = record.attribute<bool>("/series", "y_down");
+        }
+        if (record.has_attribute("/series", "clockwise"))
+            series.clockwise = record.attribute<bool>("/series", "clockwise");
+        if (record.has_attribute("/series", "notes"))
+            series.notes = record.attribute<std::vector<std::string>>("/series", "notes");
         if (record.has_attribute("/series", "largest_turn"))
             series.largest_turn = record.attribute<double>("/series", "largest_turn");
         if (series.quantity == spin_of_angle) {
@@ -166,7 +184,9 @@ MeasuredSeries read_series_record(const std::string& file) {
 
 void write_series(const RecordGroup& root, const MeasuredSeries& series) {
     const RecordGroup group = root.group("series");
-    write_attributes(group, series_settings(series));
+    Settings settings = series_settings(series);
+    if (series.notes.empty()) settings.pop_back();  // HDF5 has no empty list of texts
+    write_attributes(group, settings);
     group.dimension("sample", series.values.size());
     group.write<double>("time", {"sample"}, series.times, {"1", "time, in the unit of the series", {}});
     group.write<double>("value", {"sample"}, series.values,

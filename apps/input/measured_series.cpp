@@ -1,53 +1,21 @@
 #include "apps/input/measured_series.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/number_checks.hpp"
-#include "apps/input/delimited_file.hpp"
-#include "apps/input/series_of_motion.hpp"
+#include "apps/command_line/printable.hpp"
+#include "apps/input/bodies.hpp"
+#include "apps/input/measured_motion.hpp"
+#include "apps/output/wrapped.hpp"
 #include "map/model/scene.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <optional>
+#include <memory>
 
 namespace swirl::apps {
 
 namespace {
-
-/// "t", "Time", "time [s]", "t_ms": t or time, and then no letter or digit.
-bool names_time(const std::string& name) {
-    std::string lower = name;
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-    for (const std::string word : {"time", "t"})
-        if (lower.rfind(word, 0) == 0 &&
-            (lower.size() == word.size() || std::isalnum(static_cast<unsigned char>(lower[word.size()])) == 0))
-            return true;
-    return false;
-}
-
-bool names_spin(const std::string& name) {
-    return name == "S" || name == "spin";
-}
-
-std::optional<std::size_t> time_column(const DelimitedFile& file, const std::string& wanted) {
-    if (wanted == "none" && std::find(file.header.begin(), file.header.end(), wanted) == file.header.end())
-        return std::nullopt;
-    if (!wanted.empty()) return column_of(file, "--time", wanted);
-    if (file.columns < 2) return std::nullopt;
-    if (file.header.empty()) return 0;
-    const auto found = std::find_if(file.header.begin(), file.header.end(), names_time);
-    if (found == file.header.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - file.header.begin());
-}
-
-std::size_t value_column(const DelimitedFile& file, const std::string& wanted, std::optional<std::size_t> time) {
-    if (!wanted.empty()) return column_of(file, "--column", wanted);
-    for (std::size_t k = 0; k < file.header.size(); ++k)
-        if (names_spin(file.header[k]) && time != k) return k;
-    return time == file.columns - 1 && file.columns > 1 ? file.columns - 2 : file.columns - 1;
-}
 
 void require_rising(const DelimitedFile& file, const std::vector<double>& times, const std::string& column) {
     for (std::size_t i = 1; i < times.size(); ++i)
@@ -58,14 +26,6 @@ void require_rising(const DelimitedFile& file, const std::vector<double>& times,
                                                "--time none: no column)",
                                                times[i], times[i] == times[i - 1] ? "repeats" : "falls behind",
                                                times[i - 1], file.rows[i - 1].line, column)));
-}
-
-void require_not_too_large(const DelimitedFile& file, const std::vector<double>& column, const std::string& name) {
-    for (std::size_t i = 0; i < column.size(); ++i)
-        if (std::abs(column[i]) > detail::largest_magnitude)
-            throw BadInput(at_line(file, i,
-                                   fmt::format("{:g} in column {} is outside its range: -{:g} to {:g}", column[i], name,
-                                               detail::largest_magnitude, detail::largest_magnitude)));
 }
 
 /// Counts what is missing and looks at the times. @throws BadInput with fewer than two values, none whose square can be
@@ -103,105 +63,113 @@ void describe(MeasuredSeries& series) {
     series.even = series.largest_deviation <= even_within;
 }
 
-void check(const SeriesChoice& choice) {
-    if (!choice.angle.empty() + !choice.position.empty() + !choice.column.empty() > 1)
-        throw BadInput("--column, --angle and --position each say what is analysed; give one");
-    if (choice.angle.empty() && (choice.degrees || choice.symmetry != 1 || choice.swirl_rate != 1))
-        throw BadInput("--degrees, --symmetry and --swirl-rate of a series are an angle's; --angle COLUMN is missing");
-    if (!(choice.swirl_rate > 0 && detail::is_holdable(choice.swirl_rate)))
-        throw BadInput(fmt::format("swirl-rate = {} is outside its range: {:g} to {:g}", choice.swirl_rate,
-                                   detail::smallest_magnitude, detail::largest_magnitude));
-    if (!(choice.spacing > 0 && detail::is_holdable(choice.spacing)))
-        throw BadInput(fmt::format("spacing = {} is outside its range: {:g} to {:g}", choice.spacing,
-                                   detail::smallest_magnitude, detail::largest_magnitude));
-}
-
-std::vector<std::size_t> value_columns(const DelimitedFile& file, const SeriesChoice& choice,
-                                       std::optional<std::size_t> time) {
-    if (!choice.position.empty())
-        return {column_of(file, "--position", choice.position.front()),
-                column_of(file, "--position", choice.position.back())};
-    if (!choice.angle.empty()) return {column_of(file, "--angle", choice.angle)};
-    return {value_column(file, choice.column, time)};
+/// ω_s in radians per unit of the series' time.
+double swirl_rate_of(const SeriesChoice& choice, const SeriesColumns& columns) {
+    const double rate = std::abs(choice.swirl_rate);
+    if (choice.rate_unit == RateUnit::radians) return rate;
+    if (!columns.seconds)
+        throw BadInput("swirl-rate: the times count frames, so that a rate in rpm, Hz or rad/s needs --fps F");
+    const double turn = 2 * pi<double>();
+    switch (choice.rate_unit) {
+        case RateUnit::turns_a_minute:
+            return rate * turn / 60 * *columns.seconds;
+        case RateUnit::turns_a_second:
+            return rate * turn * *columns.seconds;
+        default:
+            return rate * *columns.seconds;
+    }
 }
 
 /// Values, and of an angle their times, of the columns.
-void take_values(const SeriesChoice& choice, std::vector<std::vector<double>>& columns, MeasuredSeries& series) {
+void take_values(const SeriesChoice& choice, double swirl_rate, std::vector<std::vector<double>>& columns,
+                 MeasuredSeries& series) {
     series.quantity = as_measured;
     series.values = std::move(columns[0]);
     if (!choice.position.empty()) {
         series.quantity = distance_of_position;
         for (std::size_t i = 0; i < series.values.size(); ++i)
             series.values[i] = std::hypot(series.values[i], columns[1][i]);
-    } else if (!choice.angle.empty()) {
+    } else if (choice.is_angle()) {
         series.quantity = spin_of_angle;
         const double unit = choice.degrees ? pi<double>() / 180 : 1;
-        series.angle.resolution = decimal_resolution(series.values) * unit;
-        for (double& angle : series.values) angle *= unit;
+        const double sense = series.y_down == series.clockwise ? 1 : -1;
+        if (!choice.angle.empty()) series.angle.resolution = decimal_resolution(series.values) * unit;
+        for (double& angle : series.values) angle *= sense * unit;
         series.angle.period = 2 * pi<double>() / choice.symmetry;
         series.angle.times = series.times;
         series.angle.values = series.values;
-        AngleRates rates = rates_of_angle(series.times, series.values, series.angle.period, choice.swirl_rate);
+        AngleRates rates = rates_of_angle(series.times, series.values, series.angle.period, swirl_rate);
         series.times = std::move(rates.times);
         series.values = std::move(rates.values);
         series.largest_turn = rates.largest_turn;
-        series.swirl_rate = choice.swirl_rate;
+        series.swirl_rate = swirl_rate;
     }
+}
+
+/// A body that turns with the swirl must turn by less than half a period between rows, or its turns can't be told.
+void note_slow_camera(MeasuredSeries& series) {
+    if (series.quantity != spin_of_angle) return;
+    const double half = series.angle.period / 2, turn = series.swirl_rate * series.spacing;
+    if (!(turn > half)) return;
+    series.notes.push_back(fmt::format(
+        "the camera is too slow: at the swirl's rate a body turns by {:.3g} of half of {} from row to row, so "
+        "that its turns are a guess; {:.3g} or more rows per unit of time are needed",
+        turn / half, half > 3 ? "a turn" : fmt::format("1/{:.0f} of a turn", pi<double>() / half),
+        series.swirl_rate / half));
+}
+
+/// The table of the file, of which --where leaves some rows.
+std::shared_ptr<const DelimitedFile> rows_asked_for(const SeriesChoice& choice, MeasuredSeries& series) {
+    auto table = choice.read();
+    series.notes = table->layout.notes;
+    if (choice.where.empty()) return table;
+    auto part = std::make_shared<DelimitedFile>(*table);
+    for (const std::string& text : choice.where) {
+        const Condition condition = condition_from(*part, text);
+        keep_rows(*part, condition);
+        series.body += (series.body.empty() ? "" : ", ") + printable(condition.value);
+    }
+    return part;
+}
+
+LongSteps meaning_of_long_steps(const SeriesChoice& choice, bool in_frames) {
+    if (choice.rows == "impacts") return LongSteps::long_flights;
+    if (choice.rows == "samples") return LongSteps::lost_rows;
+    const bool is_motion = choice.is_angle() || !choice.position.empty();
+    const bool is_sampled = is_motion || in_frames || choice.fps;
+    return is_sampled && choice.long_steps == LongSteps::maybe ? LongSteps::lost_rows : choice.long_steps;
 }
 
 }  // namespace
 
-void SeriesChoice::add_to(Flags& command, bool with_spacing) {
-    const auto text = [&](const char* name, std::string& target, const char* type, const char* help) {
-        command.add_option(name, target, help)->type_name(type)->group("Input");
-    };
-    text("--series", file, "FILE.csv", "a measured series, text; - reads standard input");
-    text("--column", column, "NAME", "the series' values: name or number of the column");
-    text("--time", time, "NAME", "the series' times: name or number of the column, or none");
-    if (with_spacing)
-        command.add_option("--spacing", spacing, "time between samples where there is no column of times (default 1)")
-            ->type_name("DT")
-            ->group("Input");
-    command.add_flag("--degrees", degrees, "of --angle COLUMN, whose rate over --swirl-rate is S: it is in degrees")
-        ->group("Input");
-    command.add_option("--symmetry", symmetry, "of --angle COLUMN: it is known modulo 1/N of a turn (default 1)")
-        ->type_name("N")
-        ->transform(whole_number(1, 1'000'000))
-        ->group("Input");
-    command
-        .add_option("--position", position,
-                    "in place of --column: two columns, of which the distance from (0, 0) is analysed: the swirl's "
-                    "centre in the laboratory, or the container's in its own frame")
-        ->type_name("X Y")
-        ->expected(2)
-        ->group("Input");
-}
-
 MeasuredSeries read_series(const SeriesChoice& choice) {
-    check(choice);
-    const DelimitedFile file = read_delimited(choice.file);
-    const auto time = time_column(file, choice.time);
-    const auto wanted = value_columns(file, choice, time);
+    choice.check();
     MeasuredSeries series;
-    for (const std::size_t k : wanted) series.column += (series.column.empty() ? "" : ", ") + column_name(file, k);
-    std::vector<std::vector<double>> columns = numbers_of(file, wanted, std::vector<bool>(wanted.size(), true));
-    for (std::size_t k = 0; k < wanted.size(); ++k)
-        require_not_too_large(file, columns[k], column_name(file, wanted[k]));
-    if (time) {
-        series.time = column_name(file, *time);
-        series.times = numbers_of(file, {*time}, {false})[0];
-        require_not_too_large(file, series.times, series.time);
+    const auto table = rows_asked_for(choice, series);
+    const DelimitedFile& file = *table;
+    SeriesColumns columns = columns_of(file, choice);
+    for (const std::size_t k : columns.values)
+        series.column += (series.column.empty() ? "" : ", ") + column_name(file, k);
+    series.notes.insert(series.notes.end(), columns.notes.begin(), columns.notes.end());
+    series.y_down = choice.y_down;
+    series.clockwise = choice.is_angle() && choice.swirl_rate < 0;
+    std::vector<std::vector<double>> values = values_of_motion(file, choice, columns, series);
+    series.times = std::move(columns.times);
+    if (columns.time) {
+        series.time = column_name(file, *columns.time);
+        for (std::size_t i = 0; i < series.times.size(); ++i)
+            if (std::abs(series.times[i]) > detail::largest_magnitude)
+                throw BadInput(
+                    at_line(file, i,
+                            fmt::format("{:g} in column {} is outside its range: -{:g} to {:g}", series.times[i],
+                                        series.time, detail::largest_magnitude, detail::largest_magnitude)));
         require_rising(file, series.times, series.time);
-    } else {
-        for (std::size_t i = 0; i < columns[0].size(); ++i)
-            series.times.push_back(static_cast<double>(i) * choice.spacing);
     }
-    series.rows = columns[0].size();
-    const bool is_motion = !(choice.angle.empty() && choice.position.empty());
-    const bool is_sampled = is_motion && choice.long_steps == LongSteps::maybe;
-    fill_lost_rows(series.times, columns, is_sampled ? LongSteps::lost_rows : choice.long_steps);
-    take_values(choice, columns, series);
+    series.rows = file.rows.size();
+    fill_lost_rows(series.times, values, meaning_of_long_steps(choice, columns.in_frames));
+    take_values(choice, choice.is_angle() ? swirl_rate_of(choice, columns) : 1, values, series);
     describe(series);
+    note_slow_camera(series);
     return series;
 }
 
@@ -221,6 +189,27 @@ MeasuredSeries part_of(const MeasuredSeries& series, std::size_t first, std::siz
     return part;
 }
 
+bool MeasuredSeries::is_film() const {
+    if (even) return true;
+    constexpr double nearly = 0.01, jitter = 0.1;  // of the median
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+    const double median = steps[steps.size() / 2];
+    const auto within = [&](double share) {
+        return static_cast<double>(std::count_if(
+            steps.begin(), steps.end(), [&](double step) { return std::abs(step - median) <= share * median; }));
+    };
+    const double count = static_cast<double>(steps.size());
+    return within(nearly) >= 0.9 * count && within(jitter) >= 0.99 * count;
+}
+
+std::string notes_in_lines(const MeasuredSeries& series) {
+    std::string lines;
+    for (const std::string& note : series.notes) lines += wrapped("note: " + note, 2) + "\n";
+    return lines;
+}
+
 std::string series_in_words(const MeasuredSeries& series) {
     const std::string quantity = series.is_motion() ? fmt::format(" ({})", series.quantity) : "";
     const std::string gaps = series.gaps == 0 ? "no gaps"
@@ -230,7 +219,8 @@ std::string series_in_words(const MeasuredSeries& series) {
         series.is_unwrapped()
             ? ""
             : fmt::format(", turns of up to {:.3g} of half a period: their direction is a guess", series.largest_turn);
-    return fmt::format("column {}{}, {} rows, {} {:.6g}, {}{}", series.column, quantity, series.rows,
+    const std::string body = series.body.empty() ? "" : fmt::format("body {}, ", printable(series.body));
+    return fmt::format("{}column {}{}, {} rows, {} {:.6g}, {}{}", body, series.column, quantity, series.rows,
                        series.even ? "spacing" : "mean spacing", series.spacing, gaps, turns);
 }
 

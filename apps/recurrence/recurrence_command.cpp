@@ -5,6 +5,7 @@
 #include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/input/each_body.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/recurrence/recurrence_document.hpp"
 
@@ -131,6 +132,8 @@ void RecurrenceOptions::add_to(Flags& command) {
 
 int quantify_recurrence(RecurrenceOptions& options) {
     check_flags(options);
+    if (!options.input.series.each.empty())
+        return for_each_body(options.input.series, options.output, [&] { return quantify_recurrence(options); });
     std::vector<std::string> inputs = options.input.files();
     inputs.push_back(options.cross);
     std::optional<RecordWriter> record = open_record(options.output, "Recurrence quantification", inputs);

@@ -179,7 +179,8 @@ void print_table(const RecurrenceReport& report) {
     const auto& result = report.result;
     if (report.points.orbit)
         fmt::print("{} after {} impacts\n", report.points.orbit->outcome, report.points.orbit->impacts);
-    if (report.points.series) fmt::print("series: {}\n", series_in_words(*report.points.series));
+    if (report.points.series)
+        fmt::print("series: {}\n{}", series_in_words(*report.points.series), notes_in_lines(*report.points.series));
     fmt::print("{:<22} {:>18}\n{:<22}", "points", report.points.points.count, "threshold");
     const auto units = units_of(report.points);
     const std::string unit = unit_of(report.points);

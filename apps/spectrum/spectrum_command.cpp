@@ -6,6 +6,7 @@
 #include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/input/each_body.hpp"
 #include "apps/spectrum/spectrum_document.hpp"
 
 #include <fmt/format.h>
@@ -126,6 +127,8 @@ void SpectrumOptions::add_to(Flags& command) {
 int find_spectrum(SpectrumOptions& options) {
     check_flags(options);
     options.input.kind();
+    if (!options.input.series.each.empty())
+        return for_each_body(options.input.series, options.output, [&] { return find_spectrum(options); });
     std::optional<RecordWriter> record = open_record(options.output, "Power spectrum", options.input.files());
     const SpectrumSignal signal = signal_of(options);
     if (is_interrupted()) return exit_interrupted;

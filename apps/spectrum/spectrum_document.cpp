@@ -143,7 +143,8 @@ void write_record(const RecordGroup& root, const SpectrumReport& report) {
 void print_table(const SpectrumReport& report) {
     if (report.signal.orbit)
         fmt::print("{} after {} impacts\n", report.signal.orbit->outcome, report.signal.orbit->impacts);
-    if (report.signal.series) fmt::print("series: {}\n", series_in_words(*report.signal.series));
+    if (report.signal.series)
+        fmt::print("series: {}\n{}", series_in_words(*report.signal.series), notes_in_lines(*report.signal.series));
     const auto& s = report.spectrum;
     const auto units = report.signal.orbit ? units_of(*report.signal.orbit) : std::nullopt;
     fmt::print("{}", units_in_words(units));

@@ -1,5 +1,6 @@
 #include "apps/input/measured_series.hpp"
 #include "apps/command_line/errors.hpp"
+#include "apps/input/measured_motion.hpp"
 #include "tests/apps/input/written_file.hpp"
 
 #include <gmock/gmock.h>
@@ -196,6 +197,49 @@ TEST(MeasuredSeries, APartIsDescribedByItself) {
     EXPECT_TRUE(part.even);
     EXPECT_FALSE(series.even);
     EXPECT_THROW(part_of(series, 1, 2), BadInput);  // one value
+}
+
+TEST(MeasuredSeries, TheCircleFittedToItsPointsIsTheCircle) {
+    Numbers x, y;
+    for (int i = 0; i < 7; ++i) {  // less than half of it
+        x.push_back(300 + 40 * std::cos(0.3 * i));
+        y.push_back(-200 + 40 * std::sin(0.3 * i));
+    }
+    x.push_back(std::nan(""));
+    y.push_back(0);
+    const auto circle = fitted_circle(x, y);
+    EXPECT_NEAR(circle.centre[0], 300, 1e-10);
+    EXPECT_NEAR(circle.centre[1], -200, 1e-10);
+    EXPECT_NEAR(circle.radius, 40, 1e-10);
+    EXPECT_LT(circle.residual, 1e-10);
+    EXPECT_THROW(fitted_circle({0, 1, 2}, {0, 2, 4}), BadInput);
+    EXPECT_THROW(fitted_circle({0, 1}, {0, 2}), BadInput);
+}
+
+TEST(MeasuredSeries, AFilmMayHaveAFewRoundedTimes) {
+    std::string film = "t,S\n", flights = "t,S\n";
+    double time = 0;
+    for (int i = 0; i < 1000; ++i) {
+        film += std::to_string(time) + ",1\n";
+        time += i < 100 && i % 11 == 5 ? 0.105 : 0.1;
+        flights += std::to_string(i * 0.1 + (i % 2) * 0.006) + ",1\n";  // steps of 0.106 and 0.094: a cycle of two
+    }
+    EXPECT_FALSE(read(film).even);
+    EXPECT_TRUE(read(film).is_film());
+    EXPECT_FALSE(read(flights).is_film());
+}
+
+TEST(MeasuredSeries, NamesTellPointsAndTheirLikelihoods) {
+    const WrittenFile file(
+        "frame,tip.x,tip.y,tip.likelihood,X_Arena0_Ind1,Y_Arena0_Ind1,vx,vy,bbox_x_min,bbox_y_min,x\n"
+        "0,1,2,3,4,5,6,7,8,9,10\n");
+    const auto points = points_in(read_delimited(file.path()));
+    ASSERT_EQ(points.size(), 2u);
+    EXPECT_EQ(points[0].x, 1u);
+    EXPECT_EQ(points[0].y, 2u);
+    EXPECT_EQ(points[0].likelihood, 3u);
+    EXPECT_EQ(points[1].x, 4u);
+    EXPECT_EQ(points[1].y, 5u);
 }
 
 }  // namespace

@@ -1,0 +1,187 @@
+#include "apps/input/cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+
+namespace swirl::apps {
+
+namespace {
+
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+/// So many digits at the beginning of `text`, which is shortened by them.
+std::optional<int> digits_of(std::string_view& text, std::size_t count) {
+    int value = 0;
+    if (text.size() < count) return std::nullopt;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + count, value);
+    if (error != std::errc() || stop != text.data() + count || value < 0) return std::nullopt;
+    text.remove_prefix(count);
+    return value;
+}
+
+bool skip(std::string_view& text, std::string_view any_of) {
+    if (text.empty() || any_of.find(text.front()) == std::string_view::npos) return false;
+    text.remove_prefix(1);
+    return true;
+}
+
+/// Days since 1970-01-01.
+std::optional<std::int64_t> days_in(std::string_view& text) {
+    const auto year = digits_of(text, 4);
+    if (!year || !skip(text, "-/")) return std::nullopt;
+    const auto month = digits_of(text, 2);
+    if (!month || !skip(text, "-/")) return std::nullopt;
+    const auto day = digits_of(text, 2);
+    if (!day) return std::nullopt;
+    const std::chrono::year_month_day date{std::chrono::year{*year}, std::chrono::month{static_cast<unsigned>(*month)},
+                                           std::chrono::day{static_cast<unsigned>(*day)}};
+    if (!date.ok()) return std::nullopt;
+    return std::chrono::sys_days(date).time_since_epoch().count();
+}
+
+/// "+01:00", "-0530", "Z" or nothing, in seconds.
+std::optional<std::int64_t> offset_in(std::string_view text) {
+    if (text.empty() || text == "Z" || text == "z") return 0;
+    const int sign = text.front() == '-' ? -1 : 1;
+    if (!skip(text, "+-")) return std::nullopt;
+    const auto hours = digits_of(text, 2);
+    skip(text, ":");
+    const auto minutes = text.empty() ? std::optional(0) : digits_of(text, 2);
+    if (!hours || !minutes || !text.empty()) return std::nullopt;
+    return sign * (3600 * *hours + 60 * *minutes);
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+char separator_of(const std::string& line) {
+    bool quoted = false;
+    bool tab = false, semicolon = false, comma = false;
+    for (const char c : line) {
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        tab = tab || c == '\t';
+        semicolon = semicolon || c == ';';
+        comma = comma || c == ',';
+    }
+    return tab ? '\t' : semicolon ? ';' : comma ? ',' : ' ';
+}
+
+std::vector<std::string> cells_of(const std::string& line, char separator) {
+    std::vector<std::string> cells;
+    const std::string_view text = separator == '\t' ? std::string_view(line) : trimmed(line);
+    std::size_t i = 0;
+    const auto at_separator = [&] { return separator == ' ' ? is_blank(text[i]) : text[i] == separator; };
+    while (true) {
+        std::string cell;
+        bool quoted = false;  // some of the cell was in quotes: that part keeps its blanks
+        std::size_t kept = 0;
+        while (i < text.size() && !at_separator()) {
+            if (text[i] != '"') {
+                cell += text[i++];
+                continue;
+            }
+            if (trimmed(std::string_view(cell).substr(kept)).empty()) cell.resize(kept);
+            quoted = true;
+            for (++i; i < text.size(); ++i) {
+                if (text[i] == '"' && i + 1 < text.size() && text[i + 1] == '"')
+                    cell += text[++i];
+                else if (text[i] == '"')
+                    break;
+                else
+                    cell += text[i];
+            }
+            if (i < text.size()) ++i;
+            kept = cell.size();
+        }
+        if (!quoted)
+            cell = std::string(trimmed(cell));
+        else if (trimmed(std::string_view(cell).substr(kept)).empty())
+            cell.resize(kept);
+        cells.push_back(std::move(cell));
+        if (i >= text.size()) return cells;
+        ++i;
+        if (separator == ' ')
+            while (i < text.size() && is_blank(text[i])) ++i;
+    }
+}
+
+bool is_missing(const std::string& cell) {
+    if (cell.empty()) return true;
+    if (cell.size() > 9) return false;
+    std::string lower = cell;
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    static constexpr std::array words = {"nan",  "-nan", "+nan", "na",   "n/a",      "#n/a",      "null",
+                                         "none", "inf",  "-inf", "+inf", "infinity", "-infinity", "-nan(ind)"};
+    return std::find(words.begin(), words.end(), lower) != words.end();
+}
+
+std::optional<double> number_in(const std::string& cell, char decimal) {
+    if (cell.empty() || cell.find_first_not_of("0123456789+-.,eE") != std::string::npos) return std::nullopt;
+    std::string text = cell;
+    if (decimal == ',' && has_decimal_comma(text)) text[text.find(',')] = '.';
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (*end != '\0' || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+bool has_decimal_comma(const std::string& cell) {
+    const std::size_t comma = cell.find(',');
+    if (comma == std::string::npos || comma + 1 == cell.size()) return false;
+    if (cell.find_first_of(".,", comma + 1) != std::string::npos || cell.find('.') < comma) return false;
+    const auto is_digit = [&](std::size_t i) { return cell[i] >= '0' && cell[i] <= '9'; };
+    return is_digit(comma + 1) && (comma == 0 || is_digit(comma - 1) || cell[comma - 1] == '-') &&
+           cell.find_first_not_of("0123456789+-,eE") == std::string::npos;
+}
+
+bool looks_like_a_number(const std::string& cell) {
+    char* end = nullptr;
+    const double value = std::strtod(cell.c_str(), &end);
+    return !cell.empty() && *end == '\0' && !std::isnan(value);
+}
+
+std::optional<ClockTime> clock_time_in(const std::string& cell) {
+    if (cell.size() < 7 || cell.find(':') == std::string::npos) return std::nullopt;
+    std::string_view text = cell;
+    std::int64_t days = 0;
+    if (cell.size() > 10 && (cell[4] == '-' || cell[4] == '/')) {
+        const auto date = days_in(text);
+        if (!date || !skip(text, "Tt ")) return std::nullopt;
+        days = *date;
+    }
+    const auto hour = text.size() > 1 && text[1] == ':' ? digits_of(text, 1) : digits_of(text, 2);
+    if (!hour || *hour > 24 || !skip(text, ":")) return std::nullopt;
+    const auto minute = digits_of(text, 2);
+    if (!minute || *minute > 59 || !skip(text, ":")) return std::nullopt;
+    const auto second = digits_of(text, 2);
+    if (!second || *second > 60) return std::nullopt;
+    ClockTime time;
+    if (skip(text, ".,")) {
+        const std::size_t size = std::min(text.find_first_not_of("0123456789"), text.size());
+        time.fraction = std::strtod(("0." + std::string(text.substr(0, size))).c_str(), nullptr);
+        text.remove_prefix(size);
+    }
+    const auto offset = offset_in(text);
+    if (!offset) return std::nullopt;
+    time.seconds = 86400 * days + 3600 * *hour + 60 * *minute + *second - *offset;
+    return time;
+}
+
+bool is_value(const std::string& cell, char decimal) {
+    return is_missing(cell) || number_in(cell, decimal) || clock_time_in(cell);
+}
+
+}  // namespace swirl::apps

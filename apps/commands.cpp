@@ -8,6 +8,7 @@
 #include "apps/completion/completion_command.hpp"
 #include "apps/continue/continue_command.hpp"
 #include "apps/describe/describe_command.hpp"
+#include "apps/inspect/inspect_command.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
 #include "apps/manual/manual_command.hpp"
 #include "apps/notebook/notebook_command.hpp"
@@ -34,6 +35,8 @@ void add_commands(Program& program) {
                                                    simulate::simulate_details, simulate::simulate);
     program.add_command<classify::ClassifyCommandOptions>("classify", "name the mode of a scene, with its evidence",
                                                           classify_text, classify::classify_scene);
+    program.add_command<inspect::InspectOptions>("inspect", "what a measured file is taken for",
+                                                 inspect::inspect_details, inspect::inspect);
     program.add_command<recurrence::RecurrenceOptions>("recurrence",
                                                        "quantify the recurrences of an orbit or a measured series",
                                                        recurrence_text, recurrence::quantify_recurrence);

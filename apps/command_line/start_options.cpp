@@ -105,7 +105,7 @@ void StartOptions::take_from(const SceneOptions& scene) {
         if (way_of(name) != way_of(in_file.begin()->first))
             throw BadInput(fmt::format("scene file '{}': [start] has {} and {}, which are two ways to give a start",
                                        scene.file(), in_file.begin()->first, name));
-    const bool flags_have[] = {!point_.empty(), !speed_.empty() || seed_given_, !lab_.empty()};
+    const bool flags_have[] = {!point_.empty(), !speed_.empty() || (seed_given_ && !seed_is_apart_), !lab_.empty()};
     const auto wins = [&](int way) {
         for (int other = 0; other < 3; ++other)
             if (other != way && flags_have[other]) return false;
@@ -131,7 +131,7 @@ double StartOptions::speed() const {
 void StartOptions::require_one_way() const {
     const bool lab = !lab_.empty();
     const bool point = !point_.empty();
-    const bool random = !speed_.empty() || seed_given_;
+    const bool random = !speed_.empty() || (seed_given_ && !seed_is_apart_);
     if (lab && point) throw BadInput("--point and a start in the laboratory (--x …) are both given; give one");
     if (random && (lab || point))
         throw BadInput("--speed and --seed make a random start; they can't be given with --point or --x …");

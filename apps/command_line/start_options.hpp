@@ -57,6 +57,9 @@ public:
     template <class T>
     Start<T> start(const Scene<T>& scene, std::uint64_t run = 0) const;
 
+    /// --seed is no way to give a start, so that it may stand beside one: it seeds something else, too.
+    void keep_seed_apart() { seed_is_apart_ = true; }
+
     void require_one_way() const;
     /// @throws BadInput if seed, seed + 1 … of so many runs do not all exist
     void require_seeds(std::uint64_t count) const;
@@ -67,7 +70,7 @@ private:
     std::string speed_;
     std::string length_ = "1", rate_ = "1";  ///< R_c and ω_s in the user's units
     std::uint64_t seed_ = 1;
-    bool seed_given_ = false;
+    bool seed_given_ = false, seed_is_apart_ = false;
 };
 
 /// "psi,chi,vn,vt,S", or "psi,vn,vt,S" for a disk.

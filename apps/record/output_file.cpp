@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <system_error>
 
 #include "apps/record/record_error.hpp"
@@ -51,6 +52,15 @@ OutputFile::OutputFile(const std::filesystem::path& target) : name_(target), tar
 
 OutputFile::~OutputFile() {
     if (!committed_ && file_.descriptor() >= 0) ::unlink(partial_.c_str());
+}
+
+void OutputFile::append(std::string_view text) const {
+    while (!text.empty()) {
+        const ssize_t written = ::write(file_.descriptor(), text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) throw RecordError("cannot write", name_.string(), system_reason());
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
 }
 
 void OutputFile::commit() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "apps/record/posix_file.hpp"
 #include "apps/record/unfinished_files.hpp"
@@ -30,6 +31,9 @@ public:
     [[nodiscard]] int descriptor() const { return file_.descriptor(); }
     /// As the user gave it, for messages.
     [[nodiscard]] const std::filesystem::path& name() const { return name_; }
+
+    /// Writes at the end. RecordError if that fails.
+    void append(std::string_view text) const;
 
     /// Puts the partial file's bytes on the disk (fsync) and renames it. RecordError if either fails.
     void commit();

@@ -1,13 +1,10 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/record/output_file.hpp"
-#include "apps/record/record_error.hpp"
 #include "apps/show/show_command.hpp"
 #include "apps/show/value_text.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <string>
 
 namespace swirl::apps::show {
@@ -65,22 +62,12 @@ std::string lines_of(const ShownTable& table, const ShownRows& rows) {
     return lines;
 }
 
-void write(const OutputFile& file, const std::string& text) {
-    for (std::size_t written = 0; written < text.size();) {
-        const ssize_t now = ::write(file.descriptor(), text.data() + written, text.size() - written);
-        if (now < 0 && errno == EINTR) continue;
-        if (now < 0)
-            throw std::system_error(errno, std::generic_category(), "cannot write '" + file.name().string() + "'");
-        written += static_cast<std::size_t>(now);
-    }
-}
-
 }  // namespace
 
 void write_csv(const RecordReader& record, const ShownTable& table, const std::string& file) {
     OutputFile output(file);
-    write(output, head_of(record, table));
-    for_each_part(record, table, [&](const ShownRows& rows) { write(output, lines_of(table, rows)); });
+    output.append(head_of(record, table));
+    for_each_part(record, table, [&](const ShownRows& rows) { output.append(lines_of(table, rows)); });
     output.commit();
 }
 

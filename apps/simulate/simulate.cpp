@@ -3,6 +3,7 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/printable.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/simulate/follow_impacts.hpp"
 
@@ -31,13 +32,18 @@ law with friction creates energy without end, or the next impact would be no num
 rounding); unresolved (one flight outlasted the search for its contact, or no contact motion was consistent); interrupted.
 All but the first exit with 3, interrupted with 130.
 
+--camera FPS writes what a tracker would make of a film of it: -o FILE.csv has a line a frame, the body's centre, a mark at
+vertex 0 and the direction from the one to the other, rounded, with --noise, without the share --lose of the frames;
+--pixels P gives an image's axes. --seed also seeds the noise.
+
 All contacts are listed, whatever --skip and --every leave out of the impacts. J after an impact is J after the one before
 plus jacobi_restitution + jacobi_friction of the impact, and jacobi_friction + landing_jacobi of the contacts between.
 
 Examples:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 20
   swirl simulate --sides disk --alpha 0.3 --beta 0.1 --mu 0.5 --restitution 1 --collisions 100000 --every 10 -o disk.h5
-  swirl simulate --sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --time 50 --sample 0.1 --json)";
+  swirl simulate --sides 3 --alpha 0.4 --beta 0.8 --mu 0.5 --restitution 0.5 --time 50 --sample 0.1 --json
+  swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --time 300 --camera 5 --noise 0.002 --lose 0.01 -o film.csv)";
 
 namespace {
 
@@ -59,6 +65,7 @@ void check_limits(const SimulateOptions& options) {
     if (options.sample && !(*options.sample >= least_sample_step && std::isfinite(*options.sample)))
         throw BadInput(fmt::format("sample = {} is outside its range: {:g} or more, finite", time(*options.sample),
                                    time(least_sample_step)));
+    options.film.check(options.output, options.sample.has_value());
     if (options.sample && !options.output.json && options.output.record.empty())
         throw BadInput("--sample goes into a document or a record: give --json or -o FILE.h5");
     if (!options.time && options.skip >= options.limit())
@@ -67,11 +74,17 @@ void check_limits(const SimulateOptions& options) {
 }
 
 Settings settings_of(const SimulateOptions& options) {
-    return {options.time ? Settings::value_type{"time", *options.time}
-                         : Settings::value_type{"collisions", options.limit()},
-            {"skip", options.skip},
-            {"every", options.every},
-            {"accuracy", options.output.accuracy_name}};
+    Settings settings = {options.time ? Settings::value_type{"time", *options.time}
+                                      : Settings::value_type{"collisions", options.limit()},
+                         {"skip", options.skip},
+                         {"every", options.every},
+                         {"accuracy", options.output.accuracy_name}};
+    if (!options.film.fps) return settings;
+    settings.emplace_back("camera", *options.film.fps);
+    settings.emplace_back("noise", options.film.noise);
+    settings.emplace_back("lose", options.film.lose);
+    settings.emplace_back("seed", options.start.seed());
+    return settings;
 }
 
 Settings result_of(const Ending& ending) {
@@ -106,10 +119,12 @@ void SimulateOptions::add_to(Flags& command) {
         .add_option("--sample", sample,
                     "list the body at all multiples of DT (as T), in flight and in contact: `samples`")
         ->type_name("DT");
+    film.add_to(command);
 }
 
 int simulate(SimulateOptions& options) {
     options.scene.read_file();
+    if (options.film.fps) options.start.keep_seed_apart();
     options.start.take_from(options.scene);
     for (auto* time : {&options.time, &options.sample})
         if (*time) *time = without_units(**time, options.scene.units(), "1/omega_s");
@@ -119,18 +134,26 @@ int simulate(SimulateOptions& options) {
     check_start(options, scene);
     note_interruptions();
 
-    std::optional<RecordWriter> record =
-        open_record(options.output, "Orbit of a swirled polygon", {options.scene.file()}, options.scene.units());
+    std::optional<RecordWriter> record;
+    std::optional<Film> film;
+    if (options.film.fps) {
+        options.sample = Film::step_of(options.film, options.scene.units());
+        film.emplace(options.film, scene, options.scene, options.start.seed(), options.output);
+    } else {
+        record =
+            open_record(options.output, "Orbit of a swirled polygon", {options.scene.file()}, options.scene.units());
+    }
     std::optional<JsonWriter> json;
     if (options.output.json) {
         json.emplace(stdout);
         json->begin_object(JsonLayout::rows);
         write_scene(*json, scene, options.scene, &options.start);
     }
-    Sinks sinks(options, scene, record ? &*record : nullptr, json ? &*json : nullptr);
+    Sinks sinks(options, scene, record ? &*record : nullptr, json ? &*json : nullptr, film ? &*film : nullptr);
     const Ending ending = follow_impacts(options, sinks);
     finish_up();
     sinks.finish();
+    if (film) film->finish();
     if (record) {
         write_run(record->root(), options, scene, ending);
         record->finish();
@@ -147,6 +170,9 @@ int simulate(SimulateOptions& options) {
         fmt::print("{}\n{}{} after {} impacts, t = {:.10g}{}, time mean of S = {:.8g}\n", scene_in_words(scene),
                    units_in_words(units), ending.outcome, ending.impacts, in_units(ending.time, units, "1/omega_s"),
                    units ? " s" : "", ending.mean_spin);
+        if (film)
+            fmt::print("film: {} frames in {}, {} lost\n", film->written(), printable(options.output.record),
+                       film->lost());
     }
     if (ending.outcome == "interrupted") return exit_interrupted;
     return ending.outcome == "completed" ? exit_done : exit_numerical_ending;

@@ -4,6 +4,7 @@
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"
+#include "apps/simulate/film.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -18,7 +19,8 @@ struct SimulateOptions {
     std::optional<double> time;
     std::int64_t skip = 0;
     std::int64_t every = 1;
-    std::optional<double> sample;  ///< time step of `samples`
+    std::optional<double> sample;  ///< time step of `samples`, or of the film's frames
+    FilmOptions film;
 
     void add_to(Flags& command);
     std::int64_t limit() const { return collisions.value_or(100); }

@@ -123,13 +123,15 @@ Table<SampleRow> sample_table() {
 
 }  // namespace
 
-Sinks::Sinks(const SimulateOptions& options, const Scene<double>& scene, RecordWriter* record, JsonWriter* json)
+Sinks::Sinks(const SimulateOptions& options, const Scene<double>& scene, RecordWriter* record, JsonWriter* json,
+             Film* film)
     : impacts_(impact_table(scene)),
       shown_(shown_fields(in_units(impacts_, options.scene.units()))),
       time_(options.scene.units().value_or(Units{}).time),
       json_(json),
-      prints_(json == nullptr && record == nullptr && !options.output.quiet),
-      samples_(options.sample.has_value()) {
+      film_(film),
+      prints_(json == nullptr && record == nullptr && film == nullptr && !options.output.quiet),
+      samples_(options.sample.has_value() && film == nullptr) {
     if (record != nullptr) {
         record_impacts_.emplace(record->root().group("collisions"), impacts_);
         record_contacts_.emplace(record->root().group("contacts"), contact_table());
@@ -171,6 +173,7 @@ void Sinks::add(ContactRow row) {
 }
 
 void Sinks::add(const SampleRow& row) {
+    if (film_ != nullptr) return film_->add(row);
     if (record_samples_) record_samples_->add(row);
     if (json_ != nullptr) json_samples_.push_back(row);
 }

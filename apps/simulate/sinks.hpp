@@ -12,12 +12,13 @@
 namespace swirl::apps::simulate {
 
 /// Groups `collisions`, `contacts` and `samples` of a record; members of these names of an open JSON object; or a table
-/// on standard output, if there is neither. Nothing is kept but contacts and samples for JSON, which come after the
-/// impacts there.
+/// on standard output, if there is neither. A film takes the samples in their place. Nothing is kept but contacts and
+/// samples for JSON, which come after the impacts there.
 class Sinks {
 public:
-    /// `record` and `json`, if any, outlive this.
-    Sinks(const SimulateOptions& options, const Scene<double>& scene, RecordWriter* record, JsonWriter* json);
+    /// `record`, `json` and `film`, if any, outlive this.
+    Sinks(const SimulateOptions& options, const Scene<double>& scene, RecordWriter* record, JsonWriter* json,
+          Film* film);
 
     void add(const ImpactRow& row);
     void add(ContactRow row);
@@ -35,6 +36,7 @@ private:
     std::optional<RecordRows<ContactRow>> record_contacts_;
     std::optional<RecordRows<SampleRow>> record_samples_;
     JsonWriter* json_;
+    Film* film_;
     bool prints_, samples_;
     std::vector<ImpactRow> fading_;  ///< the table's last rows while they may be a chatter
     std::int64_t contact_count_ = 0;

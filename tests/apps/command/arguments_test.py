@@ -13,12 +13,13 @@ POINT = "-0.0829,0.028,-0.5552,0.8908,-0.9783"
 #: A command that runs, and its options with a number: (option, whether it is a whole one).
 NUMBERS = {
     f"simulate {SCENE}": ["--collisions", "--time", "--skip", "--every", "--sample", "--threads", "--x", "--y", "--vx",
-                          "--vy", "--angle", "--spin", "--speed", "--seed"],
+                          "--vy", "--angle", "--spin", "--speed", "--seed", "--camera", "--noise", "--lose", "--pixels"],
     f"classify {SCENE}": ["--transient", "--collisions", "--threshold", "--max-period", "--runs"],
     "classify --series m.csv": ["--noise"],
     f"recurrence {SCENE}": ["--threshold", "--threshold-std", "--recurrence-rate", "--dimension", "--delay", "--image",
                             "--theiler", "--min-diagonal", "--min-vertical", "--transient", "--collisions"],
-    "recurrence --series m.csv --threshold 0.1": ["--period", "--resample", "--spacing"],
+    "recurrence --series m.csv --threshold 0.1": ["--period", "--resample", "--spacing", "--fps", "--scale",
+                                                      "--likelihood", "--header-line"],
     f"spectrum {SCENE}": ["--bins", "--segments", "--overlap"],
     "spectrum --series m.csv": ["--resample"],
     f"lyapunov {SCENE}": ["--transient", "--collisions"],

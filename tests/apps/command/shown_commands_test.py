@@ -1,7 +1,7 @@
 """What documents show runs as it stands: shown_commands_test.py SWIRL ROOT [--all]
 
 command.contract runs the blocks of README.md and docs/examples.md and the examples of --help, command.tutorial the blocks of
-the tutorial; this runs the commands within sentences, the blocks of other documents and the Python of
+the tutorial, command.film those of docs/film-to-verdict.md; this runs the commands within sentences, the blocks of other documents and the Python of
 notebooks-export/README.md, each in a folder where what it reads has been made, by the commands that documents show for that.
 --all: also films, notebooks and what takes minutes."""
 
@@ -20,7 +20,7 @@ ROOT = Path(sys.argv.pop(1)).resolve()
 DOCUMENTS = {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8") for path in sorted(ROOT.rglob("*.md"))
              if not {"build", ".git"} & set(path.relative_to(ROOT).parts)}
 #: Run by others (see above).
-ELSEWHERE = {"README.md", "docs/examples.md", "docs/tutorial.md"}
+ELSEWHERE = {"README.md", "docs/examples.md", "docs/tutorial.md", "docs/film-to-verdict.md"}
 #: Three times ten seconds and a diagram of 400 columns; the hundredth part of a sweep of a million runs.
 LONG = {"docs/figures/README.md", "docs/command-line.md"}
 #: What is said of a command and is none by itself: no output, or a word that stands for any.

@@ -102,9 +102,9 @@ bool may_name_time(const std::string& name) {
 }
 
 bool names_frame(const std::string& name) {
-    static constexpr std::array whole = {
-        "frame",  "frames",      "frameidx", "frameid", "frameno", "framenumber",    "framecounter",      "frameindex",
-        "framen", "imagenumber", "fnum",     "slice",   "slicen",  "slicen\xC2\xB0", "slicen\xEF\xBF\xBD"};
+    static constexpr std::array whole = {"frame",       "frames",     "frameidx",       "frameid",           "frameno",
+                                         "framenumber", "frameindex", "framen",         "imagenumber",       "fnum",
+                                         "slice",       "slicen",     "slicen\xC2\xB0", "slicen\xEF\xBF\xBD"};
     return is_one_of(joined_words(name), whole);
 }
 
@@ -136,7 +136,8 @@ bool names_likelihood(const std::string& name) {
 
 bool names_no_value(const std::string& name) {
     static constexpr std::array words = {"quality", "error", "err", "std", "sd", "sem", "sigma", "uncertainty"};
-    static constexpr std::array whole = {"row", "index", "label", "missing", "timestamp", "unnamed0", "nr"};
+    static constexpr std::array whole = {"row",       "index",    "label", "missing",
+                                         "timestamp", "unnamed0", "nr",    "framecounter"};
     return names_frame(name) || names_body(name) || names_likelihood(name) || any_word(name, words) ||
            is_one_of(joined_words(name), whole);
 }

@@ -14,7 +14,8 @@ namespace swirl::apps {
 bool names_time(const std::string& name);
 /// Times by another name: "seconds", "POSITION_T", "Item3.Timestamp", "Age [yr]".
 bool may_name_time(const std::string& name);
-/// "frame", "Frame#", "frame_idx", "imageNumber", "Slice n°", "fnum".
+/// "frame", "Frame#", "frame_idx", "imageNumber", "Slice n°", "fnum"; not OCTRON's frame_counter, which passes over
+/// frames that were not analysed.
 bool names_frame(const std::string& name);
 /// "S" or "spin".
 bool names_spin(const std::string& name);

@@ -1,7 +1,7 @@
 #include "apps/sweep/scenes_file.hpp"
 
 #include "apps/command_line/text_file.hpp"
-#include "apps/input/delimited_file.hpp"
+#include "apps/input/cells.hpp"
 #include "apps/sweep/grid.hpp"
 
 #include <fmt/format.h>

@@ -119,10 +119,13 @@ void note_pixels(const DelimitedFile& file, const SeriesChoice& choice, const Se
             return;
         }
     }
-    if (are_pixels(file, x, box))
-        series.notes.push_back(
-            fmt::format("column {} is likely to be of pixels, whose y points down: --y-down changes the sign of turns",
-                        column_name(file, x)));
+    if (!are_pixels(file, x, box)) return;
+    const char* const what =
+        raw.size() > 1 ? "--y-down changes the sign of turns"
+                       : "if turns were measured in these axes (TrackMate, TRex, Bonsai), --y-down changes their sign; "
+                         "those of ImageJ and scikit-image (OCTRON) count counter-clockwise as they are";
+    series.notes.push_back(
+        fmt::format("column {} is likely to be of pixels, whose y points down: {}", column_name(file, x), what));
 }
 
 std::array<double, 2> origin_of(const SeriesChoice& choice, const Columns& points, MeasuredSeries& series) {

@@ -113,7 +113,8 @@ void read_chosen(SeriesChoice& choice, Inspection& found) {
         const bool is_image = std::any_of(found.notes.begin(), found.notes.end(), [](const std::string& note) {
             return note.find("--y-down") != std::string::npos;
         });
-        if (is_image && choice.is_angle()) choice.y_down = true;  // the note says why
+        // The note says why. Of a column of angles nothing tells in which axes it was measured.
+        if (is_image && choice.angle.empty() && choice.is_angle()) choice.y_down = true;
     } catch (const BadInput& error) {
         found.problem = error.what();
     }

@@ -107,12 +107,13 @@ def trex():
 
 
 def octron():
-    """A preamble of lines `name: value`, an id, a class's name."""
+    """A preamble of lines `name: value`, an id, a class's name; scikit-image's orientation, from the rows' axis, grows
+    counter-clockwise as the image is seen (findings/sense_of_orientation.sh)."""
     head = "".join(f"{line}\n" for line in ("video_name: dish.mp4", "frame_count: 600", "frame_count_analyzed: 600",
                                             "video_height: 1000", "video_width: 1000", "created_at: 2026-10-04 09:06:31.5"))
     rows = [["frame_counter", "frame_idx", "track_id", "label", "confidence", "pos_x", "pos_y", "bbox_x_min", "bbox_x_max",
              "bbox_y_min", "bbox_y_max", "orientation"]]
-    rows += [[i - (3 if i > 300 else 0), i, 1, "disk", 0.9, *image(i)[:2], 0, 800, 0, 600, f"{math.remainder(-turn(i), math.pi):.4f}"]
+    rows += [[i - (3 if i > 300 else 0), i, 1, "disk", 0.9, *image(i)[:2], 0, 800, 0, 600, f"{math.remainder(turn(i) + math.pi / 2, math.pi):.4f}"]
              for i in range(COUNT) if not 300 < i <= 303]  # not analysed, which the counter passes over
     return head + table(rows)
 
@@ -251,7 +252,7 @@ LAYOUTS = {
     deeplabcut: "--marks centre.x centre.y tip.x tip.y --y-down --fps 30 --likelihood 0.6 --swirl-rate 1Hz",
     deeplabcut_of_several: "--marks centre.x centre.y tip.x tip.y --y-down --fps 30 --swirl-rate 1Hz",
     trex: "--angle ANGLE --y-down --swirl-rate 1Hz",
-    octron: "--angle orientation --symmetry 2 --y-down --fps 30 --swirl-rate 60rpm",
+    octron: "--angle orientation --symmetry 2 --fps 30 --swirl-rate 60rpm",
     trc: "--marks centre.X1 centre.Y1 tip.X2 tip.Y2 --swirl-rate 6.283185307rad/s",
     bonsai: "--angle Item3.Value.Orientation --symmetry 2 --y-down --swirl-rate 1Hz",
     bonsai_plain: "--marks 2 3 4 5 --y-down --swirl-rate 1Hz",

@@ -1,9 +1,8 @@
 // Curves in the plane of two parameters on which cycles bifurcate, with what is known of them.
 #pragma once
 
-#include "analysis/boundaries/arc.hpp"
-#include "analysis/boundaries/plane_map.hpp"
 #include "analysis/continuation/higher_forms.hpp"
+#include "analysis/curves/walk.hpp"
 
 #include <complex>
 #include <functional>
@@ -32,22 +31,9 @@ enum class CodimensionTwo {
 };
 std::string_view name_of(CodimensionTwo kind);
 
-enum class BoundaryEnd {
-    plane,          ///< the curve left the plane
-    closed,         ///< it came back to where it began: the last point is the first
-    one_to_one,     ///< a Neimark–Sacker curve: the pair became real at 1 (behind it lie neutral saddles)
-    one_to_two,     ///< the same at −1
-    halved,         ///< the cycle became one of half its period
-    border,         ///< the cycle met a border of the map
-    not_converged,  ///< no cycle was found to go on, though the map does
-    most_points,    ///< as many points as were asked for
-    stopped,        ///< interrupted
-};
-std::string_view name_of(BoundaryEnd end);
-
 /// A cycle on the curve.
 struct BoundaryPoint {
-    ArcPoint at;                                    ///< y = (Z, p₁, p₂), and cos θ of a Neimark–Sacker point
+    CurvePoint at;                                  ///< y = (Z, p₁, p₂), and cos θ of a Neimark–Sacker point
     std::vector<std::complex<double>> multipliers;  ///< of DFᵏ, by falling modulus
     /// The normal form's b (normal_form.hpp): of a fold ½⟨p, B(q, q)⟩, of a flip and a Neimark–Sacker point the cubic
     /// one. From differences in double along the curve (10⁻⁶ of its terms), from `forms` at special points. NaN where
@@ -61,22 +47,18 @@ struct BoundarySpecial {
     std::size_t after = 0;  ///< between points `after` and `after` + 1
 };
 
-/// Why a curve ends; of a border its name.
-struct BoundaryEnding {
-    BoundaryEnd why = BoundaryEnd::plane;
-    std::string border;
-};
-
 struct Boundary {
     BoundaryKind kind = BoundaryKind::fold;
     std::size_t period = 1;
     std::vector<BoundaryPoint> points;  ///< in order, from one end to the other
     std::vector<BoundarySpecial> special;
-    BoundaryEnding begin, end;
+    CurveEnding begin, end;
 };
 
-/// The parts of y.
-CyclePoints points_of(const Boundary& boundary, const Eigen::VectorXd& y);
+void turn(BoundaryPoint& point);
+void turn(BoundarySpecial& special);
+
+/// p₁ and p₂ of y.
 Eigen::Vector2d parameters_of(const Boundary& boundary, const Eigen::VectorXd& y);
 
 struct BoundaryOptions {

@@ -17,24 +17,24 @@ using Complex = std::complex<double>;
 using Forms = std::function<HigherForms(const CyclePoints&, const Eigen::Vector2d&)>;
 
 /// Differences of D(Fᵏ) in double: second derivatives to 10⁻¹⁰, third ones to 10⁻⁷ or so.
-HigherForms forms_in_double(const AugmentedSystem& system, const Eigen::VectorXd& y) {
+HigherForms forms_in_double(const AugmentedSystem& system, const CurvePoint& at) {
     const PlaneMap& map = system.map;
-    const Eigen::Vector2d p = y.segment<2>(system.coordinates());
+    const Eigen::Vector2d p = at.y.segment<2>(system.coordinates());
     const std::size_t k = system.period;
-    std::vector<std::int64_t> word = system.shooting(y).word;
+    const std::vector<std::int64_t> word = at.shooting.word;
     return difference_forms<double>(
         [map, p, k, word](const Eigen::VectorXd& from, const double&, Eigen::MatrixXd& product) {
             Eigen::VectorXd z = from;
             product = Eigen::MatrixXd::Identity(map.dimension, map.dimension);
             for (std::size_t i = 0; i < k; ++i) {
-                const PlaneStep step = map.step(z, p);
+                const ShootingStep step = map.step(z, p);
                 if (!step.alive || step.letter != word[i]) return false;
                 product = (step.by_state * product).eval();
                 z = step.state;
             }
             return true;
         },
-        y.head(map.dimension), 0, 1e-5, 3e-4);
+        at.y.head(map.dimension), 0, 1e-5, 3e-4);
 }
 
 Eigen::MatrixXd shifted(const Eigen::MatrixXd& a, double by) {
@@ -56,12 +56,6 @@ double sum_of_minors(const Eigen::MatrixXd& a) {
     return sum;
 }
 
-Eigen::MatrixXd monodromy_at(const AugmentedSystem& system, const ArcPoint& point) {
-    const PlaneShooting shooting = system.shooting(point.y);
-    if (!shooting.alive) return Eigen::MatrixXd::Constant(system.map.dimension, system.map.dimension, nan);
-    return monodromy(shooting);
-}
-
 /// Without the one nearest to `critical`, and without its conjugate if that is another.
 std::vector<Complex> others(std::vector<Complex> multipliers, Complex critical, bool pair) {
     const auto leave_out = [&](Complex m) {
@@ -75,14 +69,12 @@ std::vector<Complex> others(std::vector<Complex> multipliers, Complex critical, 
 }
 
 /// b of the curve's kind; NaN where it does not exist. (Of its poles: `has_coefficient`.)
-Complex coefficient_at(const AugmentedSystem& system, const ArcPoint& point, const Forms& forms) {
+Complex coefficient_at(const AugmentedSystem& system, const CurvePoint& point, const Forms& forms) {
     CriticalPoint critical;
-    critical.derivative = monodromy_at(system, point);
-    if (!critical.derivative.allFinite()) return {nan, nan};
+    critical.derivative = monodromy(point.shooting);
     const Eigen::Index n = system.coordinates();
     critical.by_parameter = critical.branch_slope = Eigen::VectorXd::Zero(system.map.dimension);  // of no interest here
-    critical.forms = forms ? forms(unstacked(point.y.head(n), system.map.dimension), point.y.segment<2>(n))
-                           : forms_in_double(system, point.y);
+    critical.forms = forms ? forms(point.points(), point.y.segment<2>(n)) : forms_in_double(system, point);
     std::optional<NormalForm> form;
     if (system.kind == BoundaryKind::fold) form = fold_form(critical);
     if (system.kind == BoundaryKind::flip) form = flip_form(critical);
@@ -92,18 +84,16 @@ Complex coefficient_at(const AugmentedSystem& system, const ArcPoint& point, con
     return form ? form->nonlinear : Complex(nan, nan);
 }
 
-double cusp_function(const AugmentedSystem& system, const ArcPoint& point) {
+double cusp_function(const AugmentedSystem& system, const CurvePoint& point) {
     const Eigen::Index n = system.coordinates();
-    const PlaneShooting shooting = system.shooting(point.y);
-    if (!shooting.alive) return nan;
-    const CriticalValue value = critical_value(shooting, 1, system.borders);
-    const auto gradient = gradient_of(system.map, point.y.head(n), point.y.segment<2>(n), shooting, value);
+    const CriticalValue value = critical_value(point.shooting, 1, system.borders);
+    const auto gradient = gradient_of(system.map, point.y.head(n), point.y.segment<2>(n), point.shooting, value);
     return gradient ? -(gradient->head(n).array() * value.right.array()).sum().real() : nan;
 }
 
 /// b, without its poles.
-double generalised_flip_function(const AugmentedSystem& system, const ArcPoint& point, Complex b) {
-    const Eigen::MatrixXd a = monodromy_at(system, point);
+double generalised_flip_function(const CurvePoint& point, Complex b) {
+    const Eigen::MatrixXd a = monodromy(point.shooting);
     return b.real() * sum_of_minors(shifted(a, 1)) * determinant_of(shifted(a, -1));
 }
 
@@ -111,41 +101,37 @@ double chenciner_function(Complex b) {
     return b.real() / std::abs(b);
 }
 
-double other_pairs_function(const AugmentedSystem& system, const ArcPoint& point) {
+double other_pairs_function(const AugmentedSystem& system, const CurvePoint& point) {
     const bool pair = system.kind == BoundaryKind::neimark_sacker;
-    return neimark_sacker_function(
-        others(sorted_multipliers(monodromy_at(system, point)), system.multiplier(point.y), pair));
+    return neimark_sacker_function(others(multipliers_at(point), system.multiplier(point.y), pair));
 }
 
 void add_real_tests(const AugmentedSystem& system, const Forms& forms, std::vector<CodimensionTest>& tests) {
     const bool fold = system.kind == BoundaryKind::fold;
     const double one = fold ? -1 : 1;  // A + one · I is singular
     if (fold)
-        tests.push_back({CodimensionTwo::cusp, [system](const ArcPoint& at) { return cusp_function(system, at); }});
+        tests.push_back({CodimensionTwo::cusp, [system](const CurvePoint& at) { return cusp_function(system, at); }});
     else
-        tests.push_back({CodimensionTwo::generalised_flip,
-                         [system, forms](const ArcPoint& at) {
-                             return generalised_flip_function(system, at, coefficient_at(system, at, forms));
-                         },
-                         [system](const BoundaryPoint& point) {
-                             return generalised_flip_function(system, point.at, point.coefficient);
-                         }});
+        tests.push_back(
+            {CodimensionTwo::generalised_flip,
+             [system, forms](const CurvePoint& at) {
+                 return generalised_flip_function(at, coefficient_at(system, at, forms));
+             },
+             [](const BoundaryPoint& point) { return generalised_flip_function(point.at, point.coefficient); }});
     if (system.map.dimension < 2) return;
-    tests.push_back({fold ? CodimensionTwo::one_to_one : CodimensionTwo::one_to_two, [system, one](const ArcPoint& at) {
-                         return sum_of_minors(shifted(monodromy_at(system, at), one));
-                     }});
-    tests.push_back({CodimensionTwo::fold_flip, [system, one](const ArcPoint& at) {
-                         return determinant_of(shifted(monodromy_at(system, at), -one));
-                     }});
+    tests.push_back({fold ? CodimensionTwo::one_to_one : CodimensionTwo::one_to_two,
+                     [one](const CurvePoint& at) { return sum_of_minors(shifted(monodromy(at.shooting), one)); }});
+    tests.push_back({CodimensionTwo::fold_flip,
+                     [one](const CurvePoint& at) { return determinant_of(shifted(monodromy(at.shooting), -one)); }});
     if (system.map.dimension < 3) return;
     tests.push_back({fold ? CodimensionTwo::fold_neimark_sacker : CodimensionTwo::flip_neimark_sacker,
-                     [system](const ArcPoint& at) { return other_pairs_function(system, at); }});
+                     [system](const CurvePoint& at) { return other_pairs_function(system, at); }});
 }
 
 void add_pair_tests(const AugmentedSystem& system, const Forms& forms, std::vector<CodimensionTest>& tests) {
     const Eigen::Index c = system.coordinates() + 2;
     const auto passes = [&](CodimensionTwo kind, double cosine) {
-        tests.push_back({kind, [c, cosine](const ArcPoint& at) { return at.y[c] - cosine; }});
+        tests.push_back({kind, [c, cosine](const CurvePoint& at) { return at.y[c] - cosine; }});
     };
     passes(CodimensionTwo::one_to_one, 1);
     passes(CodimensionTwo::one_to_two, -1);
@@ -154,20 +140,20 @@ void add_pair_tests(const AugmentedSystem& system, const Forms& forms, std::vect
     constexpr double noise = 1e-4;  // of Re b/|b| in double, with room to spare: conservative maps have Re b = 0
     tests.push_back(
         {CodimensionTwo::chenciner,
-         [system, forms](const ArcPoint& at) { return chenciner_function(coefficient_at(system, at, forms)); },
+         [system, forms](const CurvePoint& at) { return chenciner_function(coefficient_at(system, at, forms)); },
          [](const BoundaryPoint& point) { return chenciner_function(point.coefficient); }, noise});
     if (system.map.dimension < 3) return;
     const auto beside = [&](CodimensionTwo kind, double one) {
-        tests.push_back({kind, [system, c, one](const ArcPoint& at) {
+        tests.push_back({kind, [c, one](const CurvePoint& at) {
                              const double pair = 2 + 2 * one * at.y[c];
-                             return determinant_of(shifted(monodromy_at(system, at), one)) / pair;
+                             return determinant_of(shifted(monodromy(at.shooting), one)) / pair;
                          }});
     };
     beside(CodimensionTwo::fold_neimark_sacker, -1);
     beside(CodimensionTwo::flip_neimark_sacker, 1);
     if (system.map.dimension < 4) return;
     tests.push_back({CodimensionTwo::double_neimark_sacker,
-                     [system](const ArcPoint& at) { return other_pairs_function(system, at); }});
+                     [system](const CurvePoint& at) { return other_pairs_function(system, at); }});
 }
 
 }  // namespace
@@ -181,12 +167,12 @@ std::vector<CodimensionTest> tests_of(const AugmentedSystem& system, const Forms
     return tests;
 }
 
-bool is_what_it_seems(const AugmentedSystem& system, CodimensionTwo kind, const ArcPoint& point) {
+bool is_what_it_seems(const AugmentedSystem& system, CodimensionTwo kind, const CurvePoint& point) {
     const bool pair = system.kind == BoundaryKind::neimark_sacker;
     if (kind != CodimensionTwo::double_neimark_sacker &&
         (pair || (kind != CodimensionTwo::fold_neimark_sacker && kind != CodimensionTwo::flip_neimark_sacker)))
         return true;
-    const auto left = others(sorted_multipliers(monodromy_at(system, point)), system.multiplier(point.y), pair);
+    const auto left = others(multipliers_at(point), system.multiplier(point.y), pair);
     return std::any_of(left.begin(), left.end(),
                        [](Complex m) { return m.imag() > 1e-6 && std::abs(std::abs(m) - 1) < 1e-6; });
 }
@@ -198,8 +184,8 @@ bool has_coefficient(BoundaryKind curve, CodimensionTwo kind) {
     return curve == BoundaryKind::fold || (kind != one_to_three && kind != fold_neimark_sacker);
 }
 
-BoundaryPoint boundary_point_at(const AugmentedSystem& system, const ArcPoint& at, const Forms& forms) {
-    return {at, sorted_multipliers(monodromy_at(system, at)), coefficient_at(system, at, forms)};
+BoundaryPoint boundary_point_at(const AugmentedSystem& system, const CurvePoint& at, const Forms& forms) {
+    return {at, multipliers_at(at), coefficient_at(system, at, forms)};
 }
 
 }  // namespace swirl::analysis

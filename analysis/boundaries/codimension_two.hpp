@@ -19,7 +19,7 @@ namespace swirl::analysis {
 ///   on Neimark–Sacker det(A ∓ I)/(2 ∓ 2 cos θ): a multiplier ±1 beside the pair
 struct CodimensionTest {
     CodimensionTwo kind;
-    std::function<double(const ArcPoint&)> value;
+    std::function<double(const CurvePoint&)> value;
     /// The same from what a point of the curve says already, its coefficient in double; empty: `value`.
     std::function<double(const BoundaryPoint&)> seen = {};
     double noise = 1e-9;  ///< a change of sign between values that are both below is rounding
@@ -32,7 +32,7 @@ std::vector<CodimensionTest> tests_of(
     const std::function<HigherForms(const CyclePoints&, const Eigen::Vector2d&)>& forms = {});
 
 /// Does the point have what its test says? Of points with a second pair: is the pair complex?
-bool is_what_it_seems(const AugmentedSystem& system, CodimensionTwo kind, const ArcPoint& point);
+bool is_what_it_seems(const AugmentedSystem& system, CodimensionTwo kind, const CurvePoint& point);
 
 /// Does the curve's coefficient exist at such a point? It has poles where another multiplier is what the elimination of
 /// lower terms divides by (1: fold–flip, fold–Neimark–Sacker; e^{−iθ} = e^{2iθ}: 1:3), and none at a double multiplier.
@@ -40,7 +40,7 @@ bool has_coefficient(BoundaryKind curve, CodimensionTwo kind);
 
 /// Multipliers and coefficient of a point. Cost: some 10 to 20 derivatives of Fᵏ.
 BoundaryPoint boundary_point_at(
-    const AugmentedSystem& system, const ArcPoint& at,
+    const AugmentedSystem& system, const CurvePoint& at,
     const std::function<HigherForms(const CyclePoints&, const Eigen::Vector2d&)>& forms = {});
 
 }  // namespace swirl::analysis

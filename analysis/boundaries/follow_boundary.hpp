@@ -9,7 +9,7 @@
 namespace swirl::analysis {
 
 /// Follows the fold, flip or Neimark–Sacker curve near a cycle until it leaves the plane, closes, ends at 1:1 or 1:2
-/// (Neimark–Sacker), or meets a border of the map. Steps adapt to the corrector and the curve's bend (14° a step).
+/// (Neimark–Sacker), or meets a border of the map. Steps are those of curves/walk.hpp.
 /// Points of codimension 2 are zeros of the functions of codimension_two.hpp, bracketed by a step and found by TOMS
 /// 748; what |multipliers| leave of A limits them to 10⁻¹⁶ |A|.
 ///   points      a cycle with a multiplier near `multiplier`: one found on a branch, or roughly

@@ -4,8 +4,8 @@
 #include "analysis/classification/returns.hpp"
 #include "analysis/classification/rounding_growth.hpp"
 #include "analysis/classification/tail.hpp"
+#include "analysis/curves/newton.hpp"
 #include "analysis/cycles/minimal_period.hpp"
-#include "analysis/cycles/newton.hpp"
 #include "analysis/cycles/stability.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
 
@@ -109,23 +109,24 @@ bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::i
 template <SectionMap M>
 double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, const PeriodOptions& options, Effort& effort) {
     const Vector<M::dimension> begin = point;
-    const auto equation = [&](const Eigen::VectorXd& z, Eigen::VectorXd& gap, Eigen::MatrixXd& derivative) {
+    const auto equations = [&](const Eigen::VectorXd& z) {
+        ShootingResidual at;
         const Vector<M::dimension> from = z;
-        if (!(distance(map, from, begin) <= 3 * approach_begins)) return false;
+        if (!(distance(map, from, begin) <= 3 * approach_begins)) return at;
         State<M> image = state_at(map, from);
         Matrix<M::dimension> product;
-        if (!iterate(map, image, product, k, effort)) return false;
-        gap = difference(map, coordinates(map, image), from);
-        derivative = product - Matrix<M::dimension>::Identity();
-        return true;
+        at.alive = iterate(map, image, product, k, effort);
+        if (!at.alive) return at;
+        at.gap = difference(map, coordinates(map, image), from);
+        at.jacobian = product - Matrix<M::dimension>::Identity();
+        return at;
     };
-    NewtonOptions newton_options;
-    newton_options.goal = 0.01 * options.residual;
-    newton_options.most = 20;  // 6 are usual; 20 allow a poor start
-    newton_options.patience = 3;
-    if (!options.poor_starts && k > longest_with_poor_start) newton_options.most_rise = most_rise;
+    NewtonRule rule = until_rounding(0.01 * options.residual);
+    rule.most_iterations = 20;  // 6 are usual; 20 allow a poor start
+    rule.patience = 3;
+    if (!options.poor_starts && k > longest_with_poor_start) rule.most_rise = most_rise;
     Eigen::VectorXd z = point;
-    const double residual = newton(equation, z, newton_options);
+    const double residual = newton_of_least_norm(equations, z, rule);
     point = z;
     return residual;
 }

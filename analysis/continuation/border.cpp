@@ -1,6 +1,7 @@
 #include "analysis/continuation/border.hpp"
 
-#include "analysis/cycles/cycle.hpp"
+#include "analysis/curves/walk.hpp"
+#include "analysis/cycles/curve.hpp"
 #include "analysis/special_values.hpp"
 
 #include <algorithm>
@@ -22,37 +23,28 @@ bool is_continuous(const ShootingResidual& behind, const ShootingResidual& last,
 
 /// Steps from `base` until a cycle with another itinerary than that of `last` is met; F is continuous across, so that
 /// it is as near as the step was long.
-bool step_behind(const ShootingMap& map, const CurvePoint& base, const ShootingResidual& last, double sign,
+bool step_behind(const CurveProblem& problem, const CurvePoint& base, const ShootingResidual& last, double sign,
                  CurvePoint& behind) {
-    CorrectorOptions any;
-    any.keep_word = false;
-    any.farthest = 1e3;  // DF jumps, so the tangent may lead elsewhere; F does not
+    constexpr double farthest = 1e3;  // DF jumps, so the tangent may lead elsewhere; F does not
     for (double h = 1e-10; h < 1e-4; h *= 10) {
-        if (correct(map, base, sign * h, behind, any) != Correction::converged) continue;
-        if (word_of(behind.shooting) == word_of(last) || !is_continuous(behind.shooting, last, h)) continue;
-        if (curve_product(behind.tangent, base.tangent, map.has_parameter, base.points.size()) * sign < 0)
-            behind.tangent *= -1;
+        if (correct(problem, base, sign * h, behind, farthest) != Correction::converged) continue;
+        if (behind.shooting.word == last.word || !is_continuous(behind.shooting, last, h)) continue;
+        if (problem.product(behind.tangent, base.tangent) * sign < 0) turn(behind);
         return true;
     }
     return false;
 }
 
 /// The base with the derivative and tangent of the other side, from a nearby point with another itinerary.
-bool seen_from(const ShootingMap& map, const CurvePoint& last, Eigen::Index coordinate, double shift,
-               CurvePoint& base) {
-    Eigen::VectorXd z = stacked(last.points);
-    const bool along_parameter = coordinate == z.size();
-    if (!along_parameter) z[coordinate] += shift;
-    const double p = along_parameter ? last.p + shift : last.p;
-    CurvePoint aside;
-    const CyclePoints points = unstacked(z, map.dimension);
-    const ShootingResidual shooting = shooting_residual(map, points, p);
-    if (!shooting.alive || word_of(shooting) == word_of(last.shooting)) return false;
-    if (!begin_curve(map, points, p, {}, aside)) return false;
+bool seen_from(const ShootingMap& map, const CurvePoint& last, Eigen::Index unknown, double shift, CurvePoint& base) {
     base = last;
-    base.shooting = aside.shooting;
-    base.tangent = aside.tangent;
-    return true;
+    base.y[unknown] += shift;
+    const CyclePoints points = base.points();
+    const ShootingResidual shooting = shooting_residual(map, points, base.p());
+    if (!shooting.alive || shooting.word == last.shooting.word) return false;
+    const bool has_tangent = begin_curve(map, points, base.p(), {}, base);
+    base.y = last.y;
+    return has_tangent;
 }
 
 double margin_of(const ShootingResidual& shooting) {
@@ -67,8 +59,9 @@ void extrapolate_to_border(const ShootingMap& map, CurvePoint& last) {
     constexpr double back = 1e-5;
     const double margin = margin_of(last.shooting);
     if (!(map.least_margin > 0 && margin < 2 * map.least_margin)) return;
+    const CurveProblem problem = cycle_problem(map, last.shooting.period, last.p());
     CurvePoint before;
-    if (correct(map, last, -back, before) != Correction::converged) return;
+    if (correct(problem, last, -back, before) != Correction::converged) return;
     const double slope = (margin_of(before.shooting) - margin) / back;
     if (!(slope > 0)) return;
     // The cubic through four points of the curve, with the margin as its variable, at 0. They lie a hundred times
@@ -77,40 +70,38 @@ void extrapolate_to_border(const ShootingMap& map, CurvePoint& last) {
     std::array<CurvePoint, 4> nodes;
     std::array<double, 4> margins{};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (correct(map, last, -static_cast<double>(i + 1) * apart, nodes[i]) != Correction::converged) return;
+        if (correct(problem, last, -static_cast<double>(i + 1) * apart, nodes[i]) != Correction::converged) return;
         margins[i] = margin_of(nodes[i].shooting);
         if (!(margins[i] > (i == 0 ? margin : margins[i - 1]))) return;
     }
-    Eigen::VectorXd z = Eigen::VectorXd::Zero(last.shooting.gap.size());
-    double p = 0;
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(last.y.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         double weight = 1;
         for (std::size_t j = 0; j < nodes.size(); ++j)
             if (j != i) weight *= margins[j] / (margins[j] - margins[i]);
-        z += weight * stacked(nodes[i].points);
-        p += weight * nodes[i].p;
+        y += weight * nodes[i].y;
     }
-    last.points = unstacked(z, map.dimension);
-    last.p = p;
+    last.y = y;
 }
 
 bool find_behind(const ShootingMap& map, const CurvePoint& last, std::vector<std::int64_t>& word_after,
                  CurvePoint& behind) {
+    CurveProblem problem = cycle_problem(map, last.shooting.period, last.p());
+    problem.keeps_word = false;
     word_after.clear();
-    if (step_behind(map, last, last.shooting, 1, behind)) {
-        word_after = word_of(behind.shooting);
+    if (step_behind(problem, last, last.shooting, 1, behind)) {
+        word_after = behind.shooting.word;
         return true;
     }
-    const Eigen::Index unknowns = last.shooting.gap.size() + (map.has_parameter ? 1 : 0);
     for (const double shift : {1e-9, 1e-7, 1e-5}) {
-        for (Eigen::Index j = 0; j < unknowns; ++j) {
+        for (Eigen::Index j = 0; j < last.y.size(); ++j) {
             for (const double sign : {1.0, -1.0}) {
                 CurvePoint base;
                 if (!seen_from(map, last, j, sign * shift, base)) continue;
-                if (word_after.empty()) word_after = word_of(base.shooting);
-                for (const double way : {1.0, -1.0})
-                    if (step_behind(map, base, last.shooting, way, behind)) {
-                        word_after = word_of(behind.shooting);
+                if (word_after.empty()) word_after = base.shooting.word;
+                for (const double direction : {1.0, -1.0})
+                    if (step_behind(problem, base, last.shooting, direction, behind)) {
+                        word_after = behind.shooting.word;
                         return true;
                     }
             }

@@ -1,7 +1,7 @@
 // The continuation of a branch behind a border of the map.
 #pragma once
 
-#include "analysis/cycles/curve.hpp"
+#include "analysis/curves/curve.hpp"
 
 namespace swirl::analysis {
 

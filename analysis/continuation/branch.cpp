@@ -1,51 +1,15 @@
 #include "analysis/continuation/branch.hpp"
 
 #include "analysis/continuation/multipliers.hpp"
-#include "analysis/continuation/put_before.hpp"
 
-#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace swirl::analysis {
 
 std::string_view name_of(SpecialKind kind) {
-    switch (kind) {
-        case SpecialKind::fold:
-            return "fold";
-        case SpecialKind::flip:
-            return "flip";
-        case SpecialKind::neimark_sacker:
-            return "neimark-sacker";
-        case SpecialKind::branch_point:
-            return "branch-point";
-        case SpecialKind::border:
-            return "border";
-    }
-    return "?";
-}
-
-std::string_view name_of(BranchEnd end) {
-    switch (end) {
-        case BranchEnd::range:
-            return "range";
-        case BranchEnd::closed:
-            return "closed";
-        case BranchEnd::border:
-            return "border";
-        case BranchEnd::not_converged:
-            return "not-converged";
-        case BranchEnd::most_points:
-            return "most-points";
-        case BranchEnd::halved:
-            return "halved";
-        case BranchEnd::switched:
-            return "switched";
-        case BranchEnd::family:
-            return "family";
-        case BranchEnd::stopped:
-            return "stopped";
-    }
-    return "?";
+    static constexpr std::array<std::string_view, 5> names{"fold", "flip", "neimark-sacker", "branch-point", "border"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 BranchPoint branch_point_at(const CurvePoint& at) {
@@ -58,13 +22,13 @@ BranchPoint branch_point_at(const CurvePoint& at) {
     return point;
 }
 
-void put_before(Branch back, Branch& forth) {
-    put_before(
-        std::move(back), forth, [](BranchPoint& point) { point.at.tangent *= -1; },
-        [](SpecialPoint& special) {
-            special.cycle.at.tangent *= -1;
-            std::swap(special.word_before, special.word_after);
-        });
+void turn(BranchPoint& point) {
+    turn(point.at);
+}
+
+void turn(SpecialPoint& special) {
+    turn(special.cycle);
+    std::swap(special.word_before, special.word_after);
 }
 
 }  // namespace swirl::analysis

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/continuation/normal_form.hpp"
-#include "analysis/cycles/curve.hpp"
+#include "analysis/curves/walk.hpp"
 #include "analysis/cycles/cycle.hpp"
 
 #include <complex>
@@ -21,19 +21,6 @@ enum class SpecialKind {
     border,          ///< a border of the map: named by the application
 };
 std::string_view name_of(SpecialKind kind);
-
-enum class BranchEnd {
-    range,          ///< the parameter reached the end of its range
-    closed,         ///< the branch came back to where it began
-    border,         ///< a border of the map behind which no cycle was found to go on
-    not_converged,  ///< no cycle was found to go on, though the map does
-    most_points,    ///< as many points as were asked for
-    halved,         ///< it met the flip of a cycle of half its period, behind which it repeats itself
-    switched,       ///< it begins at a special point of another branch
-    family,         ///< from there on the solutions are no curve over the parameter, but a family at one value of it
-    stopped,        ///< interrupted
-};
-std::string_view name_of(BranchEnd end);
 
 /// A cycle of the branch.
 struct BranchPoint {
@@ -58,19 +45,19 @@ struct SpecialPoint {
 };
 
 struct Branch {
-    std::vector<BranchPoint> points;     ///< in order, from one end to the other
-    std::vector<SpecialPoint> special;   ///< in the same order
-    BranchEnd begin = BranchEnd::range;  ///< why it ends there
-    BranchEnd end = BranchEnd::range;
+    std::vector<BranchPoint> points;    ///< in order, from one end to the other
+    std::vector<SpecialPoint> special;  ///< in the same order
+    CurveEnd begin = CurveEnd::range;   ///< why it ends there
+    CurveEnd end = CurveEnd::range;
     int parent = -1;          ///< the branch it was switched from, in a list of branches
     int parent_special = -1;  ///< and that branch's special point
 
-    std::size_t period() const { return points.empty() ? 0 : points.front().at.points.size(); }
+    std::size_t period() const { return points.empty() ? 0 : points.front().at.shooting.period; }
 };
 
 BranchPoint branch_point_at(const CurvePoint& at);
 
-/// Makes `back`, which was walked the other way from the same point, the first part of `forth`.
-void put_before(Branch back, Branch& forth);
+void turn(BranchPoint& point);
+void turn(SpecialPoint& special);
 
 }  // namespace swirl::analysis

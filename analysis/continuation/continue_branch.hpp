@@ -9,9 +9,6 @@
 
 namespace swirl::analysis {
 
-/// Between tangents a step apart, at least: a bend of 14 degrees.
-inline constexpr double least_cosine = 0.97;
-
 struct ContinuationOptions {
     double low = 0, high = 1;  ///< the parameter's range
     double first_step = 1e-3;  ///< in arclength, s² = |δZ|²/k + δp²
@@ -34,7 +31,7 @@ struct ContinuationOptions {
 inline constexpr const char* nameless_border = "border";
 
 /// The value that distinguishes the cycles of the branch: the parameter, or the label of a family.
-double parameter_of(const ContinuationOptions& options, bool has_parameter, const CurvePoint& point);
+double parameter_of(const ContinuationOptions& options, const CurvePoint& point);
 
 /// Follows the branch through a cycle to both ends of the range. Steps adapt to the corrector and the curve's bend;
 /// where the itinerary of the cycle changes or no cycle follows, steps are halved down to the border itself. Special
@@ -45,7 +42,6 @@ bool continue_branch(const ShootingMap& map, const CyclePoints& cycle, double p,
                      Branch& branch);
 
 /// Follows one way only, from `start` in the direction of its tangent.
-void follow_one_way(const ShootingMap& map, const CurvePoint& start, const ContinuationOptions& options,
-                    Branch& branch);
+Branch follow_one_way(const ShootingMap& map, const CurvePoint& start, const ContinuationOptions& options);
 
 }  // namespace swirl::analysis

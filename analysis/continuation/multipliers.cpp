@@ -22,8 +22,8 @@ double neimark_sacker_function(const std::vector<std::complex<double>>& multipli
     return product.real();
 }
 
-double crossing_function(const ShootingMap& map, const CurvePoint& point) {
-    return determinant_of(bordered(map, point.shooting, point.tangent));
+double crossing_function(const CurveProblem& problem, const CurvePoint& point) {
+    return determinant_of(bordered(problem, point.shooting, point.tangent));
 }
 
 }  // namespace swirl::analysis

@@ -1,7 +1,7 @@
 // Multipliers on a branch, and the functions whose zeros are its special points.
 #pragma once
 
-#include "analysis/cycles/curve.hpp"
+#include "analysis/curves/curve.hpp"
 
 #include <complex>
 #include <vector>
@@ -19,6 +19,6 @@ double flip_function(const std::vector<std::complex<double>>& multipliers);
 double neimark_sacker_function(const std::vector<std::complex<double>>& multipliers);
 
 /// det ∂(G, arclength)/∂(Z, p): changes its sign where two branches cross, not at a fold.
-double crossing_function(const ShootingMap& map, const CurvePoint& point);
+double crossing_function(const CurveProblem& problem, const CurvePoint& point);
 
 }  // namespace swirl::analysis

@@ -33,7 +33,7 @@ Eigen::Index ones_of(const ShootingResidual& shooting, Eigen::Index enough) {
 }  // namespace
 
 Eigen::MatrixXd family_directions(const ShootingResidual& shooting, int dimension) {
-    const Eigen::MatrixXd null = null_vectors(shooting.by_points);
+    const Eigen::MatrixXd null = null_vectors(shooting.by_points());
     Eigen::MatrixXd first = null.rightCols(null.cols() > 0 ? ones_of(shooting, null.cols()) : 0).topRows(dimension);
     for (Eigen::Index j = 0; j < first.cols(); ++j) {
         first.col(j).normalize();
@@ -52,7 +52,7 @@ bool complete_cycle(const ShootingMap& map, double p, Cycle& cycle) {
     cycle.residual = shooting.residual();
     cycle.return_time = shooting.duration;
     cycle.mean = shooting.integral / shooting.duration;
-    cycle.word = word_of(shooting);
+    cycle.word = shooting.word;
     cycle.multipliers = exponents.multipliers;
     sort_multipliers(cycle.multipliers);
     cycle.index = index_of(cycle.multipliers);

@@ -1,7 +1,7 @@
 // A cycle with what is known of it.
 #pragma once
 
-#include "analysis/cycles/shooting_residual.hpp"
+#include "analysis/curves/shooting_residual.hpp"
 #include "analysis/cycles/stability.hpp"
 
 #include <complex>

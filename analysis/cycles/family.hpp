@@ -18,8 +18,8 @@ struct FamilyOptions {
 /// A one-parameter family, from one end to the other through the member it was found by.
 struct FamilyCurve {
     std::vector<CurvePoint> members;
-    std::size_t origin = 0;  ///< the member it was found by
-    bool closed = false;     ///< the walk came back to its beginning
+    bool closed = false;  ///< the walk came back to its beginning
+    double p = 0;         ///< the map's parameter
 };
 
 /// Walks along the family through a cycle with one tangent, both ways, until it ends at a border of the map or closes.

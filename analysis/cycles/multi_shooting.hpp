@@ -1,7 +1,7 @@
 // k-cycles by multi-shooting: the k points are unknowns of a least-squares problem that Ceres solves.
 #pragma once
 
-#include "analysis/cycles/shooting_residual.hpp"
+#include "analysis/curves/shooting_residual.hpp"
 
 #include <functional>
 

@@ -85,7 +85,7 @@ private:
         Agreement agreement;
         if (!(std::abs(cycle.multipliers.front()) < 0.99)) return agreement;
         agreement.compared = 1;
-        agreement.largest = spin_difference(cycle.at.points, seen.states);
+        agreement.largest = spin_difference(cycle.at.points(), seen.states);
         agreement.distance = seen.distance;
         return agreement;
     }

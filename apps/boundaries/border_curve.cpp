@@ -15,22 +15,22 @@ namespace swirl::apps::boundaries {
 
 namespace {
 
-std::vector<analysis::ArcTest> tests_of(const WordMap& map, const BorderCycle& like) {
+std::vector<analysis::TestFunction> tests_of(const WordMap& map, const BorderCycle& like) {
     const std::string border(name_of(like.touch));
     const auto shifted = [map, like](double by) {
-        return [map, like, by](const analysis::ArcPoint& at) {
+        return [map, like, by](const analysis::CurvePoint& at) {
             const Eigen::MatrixXd a = monodromy_of(map, like, at.y);
             return analysis::determinant_of(a + by * Eigen::MatrixXd::Identity(a.rows(), a.cols()));
         };
     };
-    const auto pairs = [map, like](const analysis::ArcPoint& at) {
+    const auto pairs = [map, like](const analysis::CurvePoint& at) {
         return analysis::neimark_sacker_function(analysis::sorted_multipliers(monodromy_of(map, like, at.y)));
     };
-    std::vector<analysis::ArcTest> tests{
+    std::vector<analysis::TestFunction> tests{
         {"fold-" + border, shifted(-1)}, {"flip-" + border, shifted(1)}, {"neimark-sacker-" + border, pairs}};
     if (like.touch != Touch::grazing) return tests;
     const auto with_impact = [map, like](double multiplier) {
-        return [map, like, multiplier](const analysis::ArcPoint& at) {
+        return [map, like, multiplier](const analysis::CurvePoint& at) {
             return grazing_determinant(map, border_cycle_at(map, like, at.y), multiplier);
         };
     };
@@ -47,16 +47,16 @@ Eigen::VectorXd turned_to(const WordMap& map, const Eigen::VectorXd& a, Eigen::V
     return b;
 }
 
-analysis::ArcOptions options_of(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
-                                const BorderOptions& options) {
-    analysis::ArcOptions arc;
+analysis::PlaneCurveOptions options_of(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
+                                       const BorderOptions& options) {
+    analysis::PlaneCurveOptions arc;
     arc.low = plane.low();
     arc.high = plane.high();
     arc.parameters = layout_of(map, cycle).parameters();
-    arc.longest_step = options.longest_step;
-    arc.first_step = std::min(arc.first_step, options.longest_step);
+    arc.steps.longest = options.longest_step;
+    arc.steps.first = std::min(arc.steps.first, options.longest_step);
     arc.tests = tests_of(map, cycle);
-    arc.accepts = [map, cycle](const analysis::ArcPoint& at) { return refusal_of(map, cycle, at.y); };
+    arc.accepts = [map, cycle](const analysis::CurvePoint& at) { return refusal_of(map, cycle, at.y); };
     arc.turned_to = [map, n = arc.parameters](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
         return turned_to(map, a, b, n);
     };
@@ -65,13 +65,13 @@ analysis::ArcOptions options_of(const WordMap& map, const Plane& plane, const Bo
 }
 
 /// The cycle, solved, on the border itself; false if it is none.
-bool begin(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const analysis::ArcSystem& system,
-           analysis::ArcPoint& start) {
+bool begin(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const analysis::CurveProblem& problem,
+           analysis::CurvePoint& start) {
     constexpr double farthest = 0.05;  // seeds lie within 10⁻³, times of grazing within their samples
     const Eigen::VectorXd y = unknowns_of(map, cycle);
     Eigen::VectorXd along = Eigen::VectorXd::Zero(y.size());
     along[layout_of(map, cycle).parameters()] = 1;
-    if (!analysis::begin_arc(system, y, along, farthest, start)) return false;
+    if (!analysis::find_point(problem, y, along, farthest, start)) return false;
     const Eigen::Vector2d p = start.y.segment<2>(layout_of(map, cycle).parameters());
     if ((p.array() < plane.low().array()).any() || (p.array() > plane.high().array()).any()) return false;
     return refusal_of(map, cycle, start.y).empty();
@@ -89,23 +89,9 @@ bool is_halved(const WordMap& map, const BorderCycle& like, const Eigen::VectorX
     return (second - first).lpNorm<Eigen::Infinity>() < same && times.lpNorm<Eigen::Infinity>() < same;
 }
 
-std::string ending_of(analysis::ArcEnd end, const std::string& why, bool halved) {
-    if (halved && (end == analysis::ArcEnd::refused || end == analysis::ArcEnd::failed)) return "halved";
-    switch (end) {
-        case analysis::ArcEnd::plane:
-            return "plane";
-        case analysis::ArcEnd::closed:
-            return "closed";
-        case analysis::ArcEnd::refused:
-            return why;
-        case analysis::ArcEnd::failed:
-            return "not-converged";
-        case analysis::ArcEnd::most_points:
-            return "most-points";
-        case analysis::ArcEnd::stopped:
-            return "stopped";
-    }
-    return "?";
+std::string ending_of(const analysis::CurveEnding& ending, bool halved) {
+    const bool fails = ending == analysis::CurveEnd::border || ending == analysis::CurveEnd::not_converged;
+    return halved && fails ? "halved" : name_of(ending);
 }
 
 CurveCycle cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {
@@ -129,10 +115,10 @@ bool has_pair_on_circle(const std::vector<std::complex<double>>& multipliers) {
 
 std::optional<BorderCurve> follow_border(const WordMap& map, const Plane& plane, const BorderCycle& cycle,
                                          const BorderOptions& options) {
-    const analysis::ArcSystem system = border_system(map, plane, cycle);
-    analysis::ArcPoint start;
-    if (!begin(map, plane, cycle, system, start)) return std::nullopt;
-    return BorderCurve{cycle, analysis::follow_arc(system, start, options_of(map, plane, cycle, options))};
+    const analysis::CurveProblem problem = border_problem(map, plane, cycle);
+    analysis::CurvePoint start;
+    if (!begin(map, plane, cycle, problem, start)) return std::nullopt;
+    return BorderCurve{cycle, analysis::follow_plane_curve(problem, start, options_of(map, plane, cycle, options))};
 }
 
 bool is_on(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const BorderOptions& options,
@@ -140,15 +126,15 @@ bool is_on(const WordMap& map, const Plane& plane, const BorderCycle& cycle, con
     if (curve.like.touch != cycle.touch || curve.like.vertices != cycle.vertices) return false;
     const bool touches = cycle.touch == Touch::grazing || cycle.touch == Touch::two_vertices;
     if (touches && curve.like.vertex != cycle.vertex) return false;
-    const analysis::ArcSystem system = border_system(map, plane, cycle);
-    analysis::ArcPoint start, at;
-    if (!begin(map, plane, cycle, system, start)) return false;
+    const analysis::CurveProblem problem = border_problem(map, plane, cycle);
+    analysis::CurvePoint start, at;
+    if (!begin(map, plane, cycle, problem, start)) return false;
     for (const auto& point : curve.arc.points) {
         const Eigen::VectorXd y = turned_to(map, point.y, start.y, layout_of(map, cycle).parameters());
         const Eigen::VectorXd apart = y - point.y;
-        if (system.product(apart, apart) > 4 * options.longest_step * options.longest_step) continue;
-        const double along = system.product(point.tangent, apart);
-        if (analysis::correct(system, point, along, at, false) != analysis::Correction::converged) continue;
+        if (problem.product(apart, apart) > 4 * options.longest_step * options.longest_step) continue;
+        const double along = problem.product(point.tangent, apart);
+        if (analysis::correct(problem, point, along, at) != analysis::Correction::converged) continue;
         if ((at.y - y).lpNorm<Eigen::Infinity>() < 1e-6) return true;
     }
     return false;
@@ -161,8 +147,8 @@ Curve curve_of(const WordMap& map, const BorderCurve& border) {
                 like.points.size(),
                 {},
                 {},
-                ending_of(border.arc.begin, border.arc.begin_why, is_halved(map, like, points.front().y)),
-                ending_of(border.arc.end, border.arc.end_why, is_halved(map, like, points.back().y))};
+                ending_of(border.arc.begin, is_halved(map, like, points.front().y)),
+                ending_of(border.arc.end, is_halved(map, like, points.back().y))};
     for (const auto& point : points) curve.points.push_back(cycle_at(map, like, point.y));
     for (const auto& special : border.arc.special) {
         CurveSpecial found{special.kind, cycle_at(map, like, special.at.y), special.after};

@@ -1,7 +1,7 @@
 // Curves of cycles on borders of the map, with the time of every impact as an unknown.
 #pragma once
 
-#include "analysis/boundaries/arc_walk.hpp"
+#include "analysis/boundaries/plane_curve.hpp"
 #include "apps/boundaries/border_cycle.hpp"
 #include "apps/boundaries/curves.hpp"
 
@@ -12,7 +12,7 @@ namespace swirl::apps::boundaries {
 /// towards a vanishing impact, the derivatives by z and τ stay bounded.
 struct BorderCurve {
     BorderCycle like;  ///< the word and what touches; its numbers are those of one cycle
-    analysis::Arc arc;
+    analysis::PlaneCurve arc;
 };
 
 struct BorderOptions {

@@ -37,10 +37,10 @@ const ModeMargin* margin_of(Touch touch, const WordStep& step) {
 }  // namespace
 
 void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
-               analysis::ArcEquations& at) {
+               analysis::ShootingResidual& at) {
     const Eigen::Index row = layout.parameters() + layout.period;
     if (like.touch == Touch::no_flight) {
-        at.residual[row] = y[layout.time(0)];
+        at.gap[row] = y[layout.time(0)];
         at.jacobian(row, layout.time(0)) = 1;
         return;
     }
@@ -48,31 +48,31 @@ void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& 
         const WordStep step = map.step(y.head(layout.dimension), y[layout.time(0)], y.segment<2>(layout.parameters()),
                                        like.vertices.front());
         const ModeMargin& margin = *margin_of(like.touch, step);
-        at.residual[row] = margin.value;
+        at.gap[row] = margin.value;
         put(layout, 0, layout.time(0), margin.by, row, at.jacobian);
         return;
     }
     const Eigen::Index time = like.touch == Touch::grazing ? layout.touch_time() : layout.time(0);
     const WordTouchRows touch =
         map.touch(y.head(layout.dimension), y[time], y.segment<2>(layout.parameters()), like.vertex);
-    at.residual[row] = touch.gap;
+    at.gap[row] = touch.gap;
     put(layout, 0, time, touch.gap_by, row, at.jacobian);
     if (like.touch != Touch::grazing) return;
-    at.residual[row + 1] = touch.rate;
+    at.gap[row + 1] = touch.rate;
     put(layout, 0, time, touch.rate_by, row + 1, at.jacobian);
 }
 
 void add_approach(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
-                  analysis::ArcEquations& at) {
+                  analysis::ShootingResidual& at) {
     const Eigen::Index row = layout.parameters() + layout.period;
     const WordTouchRows touch = map.touch(y.head(layout.dimension), y[layout.time(0)],
                                           y.segment<2>(layout.parameters()), like.vertices.front());
-    at.residual[row] = touch.rate;
+    at.gap[row] = touch.rate;
     put(layout, 0, layout.time(0), touch.rate_by, row, at.jacobian);
 }
 
 void add_cycle(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
-               analysis::ArcEquations& at) {
+               analysis::ShootingResidual& at) {
     const Eigen::Index d = layout.dimension, k = layout.period;
     const Eigen::Vector2d p = y.segment<2>(layout.parameters());
     at.word.clear();
@@ -81,12 +81,12 @@ void add_cycle(const WordMap& map, const BorderCycle& like, const BorderLayout& 
         const WordStep step =
             map.step(y.segment(i * d, d), y[layout.time(i)], p, like.vertices[static_cast<std::size_t>(i)]);
         for (Eigen::Index c = 0; c < d; ++c) {
-            at.residual[i * d + c] = analysis::within_period(step.after[c] - y[next * d + c],
-                                                             map.angle_periods[static_cast<std::size_t>(c)]);
+            at.gap[i * d + c] = analysis::within_period(step.after[c] - y[next * d + c],
+                                                        map.angle_periods[static_cast<std::size_t>(c)]);
             put(layout, i, layout.time(i), step.after_by.row(c), i * d + c, at.jacobian);
             at.jacobian(i * d + c, next * d + c) -= 1;
         }
-        at.residual[layout.parameters() + i] = step.touch.gap;
+        at.gap[layout.parameters() + i] = step.touch.gap;
         put(layout, i, layout.time(i), step.touch.gap_by, layout.parameters() + i, at.jacobian);
         at.word.push_back(static_cast<std::int64_t>(step.mode));
     }
@@ -125,21 +125,23 @@ BorderLayout layout_of(const WordMap& map, const BorderCycle& cycle) {
     return {map.dimension, static_cast<Eigen::Index>(cycle.points.size())};
 }
 
-analysis::ArcSystem border_system(const WordMap& map, const Plane& plane, const BorderCycle& like) {
+analysis::CurveProblem border_problem(const WordMap& map, const Plane& plane, const BorderCycle& like) {
     const BorderLayout layout = layout_of(map, like);
     const Eigen::Index count = layout.touch_time() + (like.touch == Touch::grazing ? 1 : 0);
-    analysis::ArcSystem system;
-    system.weights = Eigen::VectorXd::Constant(count, 1.0 / static_cast<double>(layout.period));
-    system.weights.segment<2>(layout.parameters()) = (plane.high() - plane.low()).cwiseAbs2().cwiseInverse();
-    system.equations = [map, like, layout, plane](const Eigen::VectorXd& y, analysis::ArcEquations& at) {
-        if (!is_in_range(plane, y.segment<2>(layout.parameters()))) return false;  // where Newton's method went astray
-        at.residual.resize(y.size() - 1);
+    Eigen::VectorXd weights = Eigen::VectorXd::Constant(count, 1.0 / static_cast<double>(layout.period));
+    weights.segment<2>(layout.parameters()) = (plane.high() - plane.low()).cwiseAbs2().cwiseInverse();
+    auto problem = analysis::augmented_problem(weights, [map, like, layout, plane](const Eigen::VectorXd& y) {
+        analysis::ShootingResidual at;
+        if (!is_in_range(plane, y.segment<2>(layout.parameters()))) return at;  // where Newton's method went astray
+        at.gap.resize(y.size() - 1);
         at.jacobian = Eigen::MatrixXd::Zero(y.size() - 1, y.size());
         add_cycle(map, like, layout, y, at);
         add_touch(map, like, layout, y, at);
-        return at.residual.allFinite() && at.jacobian.allFinite();
-    };
-    return system;
+        at.alive = at.gap.allFinite() && at.jacobian.allFinite();
+        return at;
+    });
+    problem.keeps_word = false;  // a contact mode that changes ends no curve: `refusal_of` says what does
+    return problem;
 }
 
 BorderCycle border_cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y) {

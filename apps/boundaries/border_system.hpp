@@ -20,15 +20,15 @@ BorderLayout layout_of(const WordMap& map, const BorderCycle& cycle);
 /// wall. What touches: the row after them (and one more of grazing). The approach of the vertex that strikes first, in
 /// place of that: g′(τ_1).
 void add_cycle(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
-               analysis::ArcEquations& at);
+               analysis::ShootingResidual& at);
 void add_touch(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
-               analysis::ArcEquations& at);
+               analysis::ShootingResidual& at);
 void add_approach(const WordMap& map, const BorderCycle& like, const BorderLayout& layout, const Eigen::VectorXd& y,
-                  analysis::ArcEquations& at);
+                  analysis::ShootingResidual& at);
 /// Of both parameters: Newton's method may lead elsewhere.
 bool is_in_range(const Plane& plane, const Eigen::Vector2d& p);
 
-analysis::ArcSystem border_system(const WordMap& map, const Plane& plane, const BorderCycle& like);
+analysis::CurveProblem border_problem(const WordMap& map, const Plane& plane, const BorderCycle& like);
 
 /// The cycle with the numbers of y.
 BorderCycle border_cycle_at(const WordMap& map, const BorderCycle& like, const Eigen::VectorXd& y);

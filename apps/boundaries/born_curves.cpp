@@ -5,7 +5,6 @@
 #include "apps/boundaries/border_system.hpp"
 #include "apps/boundaries/critical_word.hpp"
 #include "apps/boundaries/doubled_border.hpp"
-#include "apps/boundaries/square_system.hpp"
 
 namespace swirl::apps::boundaries {
 
@@ -26,33 +25,35 @@ struct BornSystem {
         return word_determinant(map, border_cycle_at(map, like, y), multiplier.real());
     }
 
-    bool equations(const Eigen::VectorXd& y, analysis::ArcEquations& at) const {
+    analysis::ShootingResidual equations(const Eigen::VectorXd& y) const {
         const BorderLayout layout = layout_of(map, like);
-        if (!is_in_range(plane, y.segment<2>(layout.parameters()))) return false;
+        analysis::ShootingResidual at;
+        if (!is_in_range(plane, y.segment<2>(layout.parameters()))) return at;
         const Eigen::Index row = layout.parameters() + layout.period;
-        at.residual = Eigen::VectorXd::Zero(y.size());
+        at.gap = Eigen::VectorXd::Zero(y.size());
         at.jacobian = Eigen::MatrixXd::Zero(y.size(), y.size());
         add_cycle(map, like, layout, y, at);
         if (strikes)
             add_approach(map, like, layout, y, at);
         else
             add_touch(map, like, layout, y, at);
-        at.residual[row] -= off;
+        at.gap[row] -= off;
         if (multiplier.imag() == 0)
             add_multiplier(layout, y, at);
         else
             add_place(y, at);
-        return at.residual.allFinite() && at.jacobian.allFinite();
+        at.alive = at.gap.allFinite() && at.jacobian.allFinite();
+        return at;
     }
 
-    void add_place(const Eigen::VectorXd& y, analysis::ArcEquations& at) const {
-        at.residual[y.size() - 1] = along.dot(y - unknowns_of(map, like));
+    void add_place(const Eigen::VectorXd& y, analysis::ShootingResidual& at) const {
+        at.gap[y.size() - 1] = along.dot(y - unknowns_of(map, like));
         at.jacobian.row(y.size() - 1) = along.transpose();
     }
 
-    void add_multiplier(const BorderLayout& layout, const Eigen::VectorXd& y, analysis::ArcEquations& at) const {
+    void add_multiplier(const BorderLayout& layout, const Eigen::VectorXd& y, analysis::ShootingResidual& at) const {
         const Eigen::Index last = y.size() - 1;
-        at.residual[last] = determinant(y);
+        at.gap[last] = determinant(y);
         constexpr double h = 1e-6;  // steers only
         for (Eigen::Index i = 0; i < y.size(); ++i) {
             Eigen::VectorXd above = y, below = y;
@@ -64,16 +65,16 @@ struct BornSystem {
             at.jacobian(last, i) = (determinant(above) - determinant(below)) / (above[i] - below[i]);
         }
         const double size = at.jacobian.row(last).norm();
-        at.residual[last] /= size;
+        at.gap[last] /= size;
         at.jacobian.row(last) /= size;
     }
 
     /// By Newton's method from the cycle on the border.
     std::optional<BorderCycle> solve() const {
         const Eigen::VectorXd all = unknowns_of(map, like);
-        const auto y = solve_square_system(
-            [this](const Eigen::VectorXd& at_y, analysis::ArcEquations& at) { return equations(at_y, at); },
-            strikes ? Eigen::VectorXd(all.head(layout_of(map, like).touch_time())) : all);
+        const auto y =
+            analysis::solve_square_system([this](const Eigen::VectorXd& at_y) { return equations(at_y); },
+                                          strikes ? Eigen::VectorXd(all.head(layout_of(map, like).touch_time())) : all);
         return y ? std::optional(border_cycle_at(map, like, *y)) : std::nullopt;
     }
 };
@@ -90,7 +91,7 @@ std::optional<Seed> seed_of(const BornSystem& system, const analysis::PlaneMap& 
                             const analysis::BoundaryOptions& options) {
     const auto cycle = system.solve();
     if (!cycle) return std::nullopt;
-    const auto shooting = analysis::plane_shooting(map, analysis::stacked(cycle->points), cycle->p);
+    const auto shooting = analysis::shooting_residual(map, analysis::stacked(cycle->points), cycle->p);
     constexpr double closes = 1e-7;
     if (!shooting.alive || !(shooting.gap.lpNorm<Eigen::Infinity>() < closes)) return std::nullopt;
     if (system.multiplier.imag() == 0)
@@ -109,7 +110,7 @@ Seed seed_on_border(const BorderCycle& cycle) {
 
 /// The critical multiplier at a special point of a border curve; none if it is a neutral saddle's.
 std::optional<std::complex<double>> multiplier_at(const WordMap& words, const BorderCurve& curve,
-                                                  const analysis::ArcSpecial& special) {
+                                                  const analysis::PlaneSpecial& special) {
     if (special.kind.rfind("fold", 0) == 0) return 1;
     if (special.kind.rfind("flip", 0) == 0) return -1;
     const auto multipliers = analysis::sorted_multipliers(monodromy_of(words, curve.like, special.at.y));

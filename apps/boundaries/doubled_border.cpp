@@ -3,7 +3,6 @@
 #include "analysis/linear_algebra/dense.hpp"
 #include "apps/boundaries/border_system.hpp"
 #include "apps/boundaries/critical_word.hpp"
-#include "apps/boundaries/square_system.hpp"
 
 namespace swirl::apps::boundaries {
 
@@ -36,19 +35,20 @@ Eigen::VectorXd apart_by(const WordMap& map, const BorderCycle& flip, const Bord
 
 std::optional<BorderCycle> doubled_on_border(const WordMap& map, const Plane& plane, const BorderCycle& flip) {
     const BorderCycle both = twice(flip);
-    const analysis::ArcSystem system = border_system(map, plane, both);
+    const analysis::CurveProblem problem = border_problem(map, plane, both);
     const Eigen::VectorXd middle = unknowns_of(map, both);
     const Eigen::VectorXd apart = apart_by(map, flip, both);
     for (const double amplitude : {1e-2, -1e-2, 1e-3, -1e-3, 1e-4, -1e-4}) {
-        const auto equations = [&](const Eigen::VectorXd& y, analysis::ArcEquations& at) {
-            if (!system.equations(y, at)) return false;
-            at.residual.conservativeResize(y.size());
+        const auto equations = [&](const Eigen::VectorXd& y) {
+            analysis::ShootingResidual at = problem.equations(y);
+            if (!at.alive) return at;
+            at.gap.conservativeResize(y.size());
             at.jacobian.conservativeResize(y.size(), y.size());
-            at.residual[y.size() - 1] = apart.dot(y - middle) - amplitude;
+            at.gap[y.size() - 1] = apart.dot(y - middle) - amplitude;
             at.jacobian.row(y.size() - 1) = apart.transpose();
-            return true;
+            return at;
         };
-        const auto y = solve_square_system(equations, middle + amplitude * apart);
+        const auto y = analysis::solve_square_system(equations, middle + amplitude * apart);
         if (y && refusal_of(map, both, *y).empty()) return border_cycle_at(map, both, *y);
     }
     return std::nullopt;

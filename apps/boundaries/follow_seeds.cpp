@@ -124,7 +124,7 @@ private:
         const Eigen::VectorXd& y = part.points[i].at.y;
         const double cosine = part.kind == analysis::BoundaryKind::neimark_sacker ? y[y.size() - 1] : 1;
         const std::complex<double> multiplier(cosine, std::sqrt(std::max(0.0, 1 - cosine * cosine)));
-        return analysis::is_on_boundary(map_, part.kind, analysis::points_of(part, y), analysis::parameters_of(part, y),
+        return analysis::is_on_boundary(map_, part.kind, part.points[i].at.points(), analysis::parameters_of(part, y),
                                         multiplier, options_, {&whole, 1});
     }
     bool is_at(const BorderCurve& part, std::size_t i, const BorderCurve& whole) const {

@@ -118,11 +118,11 @@ std::vector<Seed> seeds_of(const std::vector<Branch>& branches, const Line& line
     for (const auto& branch : branches) {
         for (const auto& special : branch.special) {
             if (special.kind == analysis::SpecialKind::branch_point || !special.located) continue;
-            Seed seed{kind_of(special), special.cycle.at.points, line.p, critical_multiplier(special)};
+            Seed seed{kind_of(special), special.cycle.at.points(), line.p, critical_multiplier(special)};
             name_flights(seed, special.cycle.at.shooting.steps);
             for (const auto letter : special.word_before) seed.modes_before.push_back(letter_from(letter).mode);
             for (const auto letter : special.word_after) seed.modes_behind.push_back(letter_from(letter).mode);
-            seed.p[line.axis] = special.cycle.at.p;
+            seed.p[line.axis] = special.cycle.at.p();
             seeds.push_back(std::move(seed));
         }
     }

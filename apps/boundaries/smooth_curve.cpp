@@ -17,7 +17,7 @@ using analysis::BoundaryKind;
 std::string border_behind(const Scene<double>& scene, const analysis::CyclePoints& points,
                           const std::vector<std::int64_t>& word_behind) {
     analysis::CurvePoint last;
-    last.points = points;
+    last.y = analysis::stacked(points);
     last.shooting = analysis::shooting_residual(shooting_map_of(scene), points, 0);
     const std::string name = border_name(scene, last, word_behind, false, Accuracy::double_precision);
     return name == analysis::nameless_border ? "" : name;
@@ -30,15 +30,10 @@ double angle_of(const Boundary& boundary, const analysis::BoundaryPoint& point) 
 }
 
 CurveCycle cycle_of(const Boundary& boundary, const analysis::BoundaryPoint& point, const analysis::ShootingMap& map) {
-    CurveCycle cycle{analysis::parameters_of(boundary, point.at.y), analysis::points_of(boundary, point.at.y),
-                     point.multipliers, angle_of(boundary, point), point.coefficient};
+    CurveCycle cycle{analysis::parameters_of(boundary, point.at.y), point.at.points(), point.multipliers,
+                     angle_of(boundary, point), point.coefficient};
     for (auto& z : cycle.points) z = map.normalised(z);
     return cycle;
-}
-
-std::string ending_of(const analysis::BoundaryEnding& ending) {
-    if (ending.why == analysis::BoundaryEnd::border && !ending.border.empty()) return ending.border;
-    return std::string(analysis::name_of(ending.why));
 }
 
 }  // namespace
@@ -71,8 +66,8 @@ Curve curve_of(const Boundary& boundary, const analysis::ShootingMap& map) {
                 boundary.period,
                 {},
                 {},
-                ending_of(boundary.begin),
-                ending_of(boundary.end)};
+                name_of(boundary.begin),
+                name_of(boundary.end)};
     for (const auto& point : boundary.points) curve.points.push_back(cycle_of(boundary, point, map));
     for (const auto& special : boundary.special)
         curve.special.push_back(

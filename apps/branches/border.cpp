@@ -62,7 +62,7 @@ template <int D>
 std::string name_without_cycle(const SceneMap<D>& map, const analysis::CurvePoint& last) {
     constexpr Shape shape = shape_of<D>;
     const double touching = touching_of(map.body());
-    for (const auto& z : last.points) {
+    for (const auto& z : last.points()) {
         const PostImpactState<double> post_impact = post_impact_state(section_point_of(z));
         const ReturnStep<double> return_step = map.return_step(post_impact);
         if (return_step.outcome != Outcome::completed) return "landing";
@@ -87,7 +87,7 @@ std::string border_name(const Scene<double>& scene, const analysis::CurvePoint& 
             scene, [&](const auto& map) { return name_without_cycle(map, last); }, contact_horizon, accuracy);
         if (name != analysis::nameless_border) return name;
     }
-    const auto before = analysis::word_of(last.shooting);
+    const auto before = last.shooting.word;
     for (std::size_t i = 0; i < before.size() && i < word_after.size(); ++i) {
         if (before[i] == word_after[i]) continue;
         const Letter a = letter_from(before[i]), b = letter_from(word_after[i]);

@@ -38,14 +38,14 @@ std::vector<PointRow> special_of(const Branch& branch, std::size_t number) {
 /// A coordinate of each point of a cycle.
 std::vector<double> coordinates_of(const PointRow& row, const std::string& observable) {
     std::vector<double> values;
-    for (const auto& z : row.cycle->at.points) values.push_back(z[place_of(observable, z.size())]);
+    for (const auto& z : row.cycle->at.points()) values.push_back(z[place_of(observable, z.size())]);
     return values;
 }
 
 /// All coordinates of all points, one after another.
 std::vector<double> all_coordinates_of(const PointRow& row) {
     std::vector<double> values;
-    for (const auto& z : row.cycle->at.points) values.insert(values.end(), z.begin(), z.end());
+    for (const auto& z : row.cycle->at.points()) values.insert(values.end(), z.begin(), z.end());
     return values;
 }
 
@@ -66,15 +66,13 @@ Table<PointRow> cycle_table(const SceneBranches& scene, const std::string& rows,
     using Row = PointRow;
     using F = Field<Row>;
     const auto of = [](auto member) { return [member](const Row& row) { return row.cycle->*member; }; };
-    const auto parameter = [&scene](const Row& row) {
-        return analysis::parameter_of(scene.options, scene.map.has_parameter, row.cycle->at);
-    };
+    const auto parameter = [&scene](const Row& row) { return analysis::parameter_of(scene.options, row.cycle->at); };
     using Point = analysis::BranchPoint;
     return {{rows},
             {F{"branch", &Row::branch, "1", "number of the branch"}.record_only(),
-             F{"period", [](const Row& row) { return row.cycle->at.points.size(); }, "1", "k"}.record_only(),
+             F{"period", [](const Row& row) { return row.cycle->at.shooting.period; }, "1", "k"}.record_only(),
              {"parameter", parameter, "1", "value of the parameter named by settings: along"},
-             {"point", [](JsonWriter& json, const Row& row) { write_point(json, row.cycle->at.points.front()); }},
+             {"point", [](JsonWriter& json, const Row& row) { write_point(json, row.cycle->at.points().front()); }},
              F{"points", all_coordinates_of, "1", "section points; NaN beyond the period"}
                  .along({"phase", "coordinate"}, longest * static_cast<std::size_t>(scene.map.dimension))
                  .record_only(),
@@ -183,7 +181,7 @@ Table<PointRow> special_table(const SceneBranches& scene, const std::string& obs
 Table<Branch> branch_table(const SceneBranches& scene) {
     using F = Field<Branch>;
     const auto is_switched = [](const Branch& branch) { return branch.parent >= 0; };
-    const auto word = [](const Branch& branch) { return analysis::word_of(branch.points.front().at.shooting); };
+    const auto word = [](const Branch& branch) { return branch.points.front().at.shooting.word; };
     const auto points = [&](JsonWriter& json, const Branch& branch) {
         write_rows(json, cycle_table(scene, "", "S", 1), points_of(branch, 0));
     };
@@ -209,7 +207,7 @@ void write_points(const RecordGroup& group, const Table<PointRow>& table, const 
                   std::size_t longest) {
     group.dimension(table.dimensions.front(), rows.size());
     group.dimension("phase", longest);
-    write_coordinate_names(group, rows.front().cycle->at.points.front().size());
+    write_coordinate_names(group, rows.front().cycle->at.shooting.dimension);
     write_columns(group, table, rows);
 }
 
@@ -249,7 +247,7 @@ void print_branches(const SceneBranches& scene, const ParameterRange& along,
     const bool by_time = along.name == "tau";
     const char* unit = by_time && units ? " s" : "";
     const auto value = [&](const analysis::BranchPoint& point) {
-        const double parameter = analysis::parameter_of(scene.options, scene.map.has_parameter, point.at);
+        const double parameter = analysis::parameter_of(scene.options, point.at);
         return by_time ? in_units(parameter, units, "1/omega_s") : parameter;
     };
     for (std::size_t b = 0; b < branches.size(); ++b) {
@@ -262,7 +260,7 @@ void print_branches(const SceneBranches& scene, const ParameterRange& along,
         for (const auto& special : branch.special) {
             const auto& c = special.cycle;
             fmt::print("  {:<15} {} = {:.10f}{}  S {:>13.10f}  |multiplier| {:.6f}", kind_of(special), along.name,
-                       value(c), unit, c.at.points.front().tail(1)[0], std::abs(c.multipliers.front()));
+                       value(c), unit, c.at.points().front().tail(1)[0], std::abs(c.multipliers.front()));
             if (!special.located) fmt::print("  between two points");
             if (special.normal_form && special.kind != analysis::SpecialKind::fold)
                 fmt::print("  {}", special.normal_form->supercritical ? "supercritical" : "subcritical");

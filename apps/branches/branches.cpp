@@ -30,14 +30,14 @@ SceneBranches scene_branches(const Scene<double>& scene, const ParameterRange& a
             return scene_forms(scene, parameter, points, p);
         };
         branches.options.name_border = [scene, parameter, accuracy](const auto& last, const auto& after, bool goes_on) {
-            return border_name(with_parameter(scene, parameter, last.p), last, after, goes_on, accuracy);
+            return border_name(with_parameter(scene, parameter, last.p()), last, after, goes_on, accuracy);
         };
         return branches;
     }
     branches.map = shooting_map_of(scene, accuracy);
     const bool by_time = along.name == "tau";
     branches.options.label = [by_time](const analysis::CurvePoint& point) {
-        return by_time ? point.shooting.duration : point.points.front()[point.points.front().size() - 1];
+        return by_time ? point.shooting.duration : point.points().front().tail(1)[0];
     };
     branches.options.name_border = [scene, accuracy](const auto& last, const auto& after, bool goes_on) {
         return border_name(scene, last, after, goes_on, accuracy);
@@ -97,7 +97,7 @@ void follow(const SceneBranches& scene, const Switches& all, Gathered<analysis::
         if (is_interrupted()) break;
         const auto is_known = [&](const analysis::CurvePoint& start) {
             const auto lies_on = [&](const analysis::Branch& known) {
-                return analysis::find_on_branch(scene.map, known, start.p, start.points).has_value();
+                return analysis::find_on_branch(scene.map, known, start.p(), start.points()).has_value();
             };
             return std::any_of(all.known.begin(), all.known.end(), lies_on) ||
                    std::any_of(found.begin(), found.end(), lies_on);

@@ -1,7 +1,7 @@
 // Where a branch begins: near a point, at a record's cycle, or at what a start settles on.
 #pragma once
 
-#include "analysis/cycles/shooting_map.hpp"
+#include "analysis/curves/shooting_map.hpp"
 #include "apps/continue/continue_command.hpp"
 #include "map/model/section.hpp"
 

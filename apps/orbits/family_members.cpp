@@ -20,7 +20,7 @@ namespace {
 constexpr double time_step = 1e-3;  // S of a family of fixed points varies over times of order 1
 
 double pinned_value(const analysis::CurvePoint& point, bool by_time) {
-    return by_time ? point.shooting.duration : point.points.front()[point.points.front().size() - 1];
+    return by_time ? point.shooting.duration : point.points().front().tail(1)[0];
 }
 
 /// Flight times from one end of a family to the other.

@@ -2,7 +2,7 @@
 // candidates.
 #pragma once
 
-#include "analysis/cycles/shooting_map.hpp"
+#include "analysis/curves/shooting_map.hpp"
 #include "apps/orbits/candidates.hpp"
 #include "apps/orbits/found_orbits.hpp"
 

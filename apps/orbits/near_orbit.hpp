@@ -1,7 +1,7 @@
 // The cycle nearest to a point.
 #pragma once
 
-#include "analysis/cycles/shooting_map.hpp"
+#include "analysis/curves/shooting_map.hpp"
 #include "apps/orbits/found_orbits.hpp"
 #include "map/model/section.hpp"
 

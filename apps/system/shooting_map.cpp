@@ -98,35 +98,29 @@ struct PlaneStepOf {
     Scene<double> scene;
     Parameter first, second;
 
-    analysis::PlaneStep operator()(const Eigen::VectorXd& z, const Eigen::Vector2d& p) const {
-        analysis::PlaneStep result;
-        if (!is_allowed(first, p[0]) || !is_allowed(second, p[1])) return result;
+    analysis::ShootingStep operator()(const Eigen::VectorXd& z, const Eigen::Vector2d& p) const {
+        analysis::ShootingStep step;
+        if (!is_allowed(first, p[0]) || !is_allowed(second, p[1])) return step;
         const SceneMap<D> map = typical.with(with_parameter(with_parameter(scene, first, p[0]), second, p[1]));
         Eigen::Matrix<double, D, 2> along = Eigen::Matrix<double, D, 2>::Zero();
-        const analysis::ShootingStep step = step_of(
-            map, begin_of(map, z, false), [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
-                const analysis::Matrix<D> d = derivative_at(map, from, known);
-                along = (d * along).eval();
-                along.col(0) += map.along(from, known, first);
-                along.col(1) += map.along(from, known, second);
-                return d;
-            });
-        result.alive = step.alive && along.allFinite();
-        if (!result.alive) return result;
-        result.state = step.state;
-        result.by_state = step.by_state;
-        result.by_parameters = along;
-        result.letter = step.letter;
-        result.duration = step.duration;
-        result.margin = step.margin;
-        return result;
+        step = step_of(map, begin_of(map, z, false),
+                       [&](const PostImpactState<double>& from, const ReturnStep<double>& known) {
+                           const analysis::Matrix<D> d = derivative_at(map, from, known);
+                           along = (d * along).eval();
+                           along.col(0) += map.along(from, known, first);
+                           along.col(1) += map.along(from, known, second);
+                           return d;
+                       });
+        step.by_parameter = along;
+        step.alive = step.alive && along.allFinite();
+        return step;
     }
 };
 
-/// All of a scene's map for solvers but its step.
+/// The coordinates of a scene's map for solvers.
 template <int D>
-analysis::ShootingMap without_step(const SceneMap<D>& map) {
-    analysis::ShootingMap result;
+analysis::MapCoordinates coordinates_for(const SceneMap<D>& map) {
+    analysis::MapCoordinates result;
     result.dimension = D;
     for (int i = 0; i < D; ++i) result.angle_periods.push_back(map.angle_period(i));
     result.least_margin = least_impact_speed;
@@ -139,7 +133,7 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Accuracy accur
     return with_scene_map(
         scene,
         [&scene](const auto& map) {
-            analysis::ShootingMap result = without_step(map);
+            analysis::ShootingMap result{coordinates_for(map)};
             const auto step = [map](bool on_surface) {
                 return [map, on_surface](const Eigen::VectorXd& z, double) {
                     return step_of(map, begin_of(map, z, on_surface), [&map](const auto& from, const auto& known) {
@@ -160,7 +154,7 @@ analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter para
     return with_scene_map(
         typical,
         [&]<int D>(const SceneMap<D>& map) {
-            analysis::ShootingMap result = without_step(map);
+            analysis::ShootingMap result{coordinates_for(map)};
             result.has_parameter = true;
             result.step = MapAlongParameter<D>{map, typical, parameter};
             if (scene.restitution == 0 && parameter != Parameter::restitution)
@@ -192,10 +186,7 @@ analysis::PlaneMap plane_map_of(const Scene<double>& scene, Parameter first, Par
     return with_scene_map(
         typical,
         [&]<int D>(const SceneMap<D>& map) {
-            const analysis::ShootingMap shape = without_step(map);
-            analysis::PlaneMap plane{D, shape.angle_periods, shape.least_margin, {}};
-            plane.step = PlaneStepOf<D>{map, typical, first, second};
-            return plane;
+            return analysis::PlaneMap{coordinates_for(map), PlaneStepOf<D>{map, typical, first, second}};
         },
         solver_horizon);
 }

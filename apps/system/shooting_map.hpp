@@ -1,7 +1,6 @@
 // A scene's return map for solvers: sizes at run time, one parameter if asked for.
 #pragma once
 
-#include "analysis/boundaries/plane_map.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
 #include "apps/command_line/accuracy.hpp"
 #include "map/derivative/parameter.hpp"

@@ -81,8 +81,8 @@ TEST(CodimensionTwo, FoldOfDoubledCyclesEndsAtTheGeneralisedFlips) {
     cycle.push_back(fixed_point({y}).front());
     Boundary fold;
     ASSERT_TRUE(follow_boundary(map, BoundaryKind::fold, cycle, {y - b * x + x * x * x, b}, 1, options, fold));
-    EXPECT_TRUE(fold.begin.why == BoundaryEnd::halved || fold.end.why == BoundaryEnd::halved);
-    const auto& last = fold.begin.why == BoundaryEnd::halved ? fold.points.front() : fold.points.back();
+    EXPECT_TRUE(fold.begin.why == CurveEnd::halved || fold.end.why == CurveEnd::halved);
+    const auto& last = fold.begin.why == CurveEnd::halved ? fold.points.front() : fold.points.back();
     const Vector2d p = parameters_of(fold, last.at.y);
     // The flip curve of the fixed point, run through twice, crosses there: the last point is one before.
     EXPECT_NEAR(std::abs(p[0]), 16.0 / 27, 1e-3);

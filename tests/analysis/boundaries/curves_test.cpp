@@ -56,8 +56,8 @@ TEST(Boundaries, FoldOfHenonIsAParabola) {
     EXPECT_LT(largest(fold, [](double p, double q) { return p + (1 - q) * (1 - q) / 4; }), exact);
     EXPECT_NEAR(lowest(fold, 1), -0.999, exact);
     EXPECT_NEAR(highest(fold, 1), 0.999, exact);
-    EXPECT_EQ(fold.begin.why, BoundaryEnd::plane);
-    EXPECT_EQ(fold.end.why, BoundaryEnd::plane);
+    EXPECT_EQ(fold.begin.why, CurveEnd::plane);
+    EXPECT_EQ(fold.end.why, CurveEnd::plane);
     for (const auto& point : fold.points)
         EXPECT_LT(std::abs(point.multipliers.front() - 1.0), 1e-7);  // a multiplier 1 moves as the root of rounding
 }
@@ -114,8 +114,8 @@ TEST(Boundaries, NeimarkSackerSegmentOfHenonHasItsFourResonances) {
         EXPECT_NEAR(seen[i].second, expected[i].second, exact);
     }
     const auto [begin, end] = std::minmax(pair.begin.why, pair.end.why);
-    EXPECT_EQ(begin, BoundaryEnd::one_to_one);
-    EXPECT_EQ(end, BoundaryEnd::one_to_two);
+    EXPECT_EQ(begin, CurveEnd::one_to_one);
+    EXPECT_EQ(end, CurveEnd::one_to_two);
 }
 
 TEST(Boundaries, NeimarkSackerOfHenonsTwoCycle) {
@@ -130,8 +130,8 @@ TEST(Boundaries, NeimarkSackerOfHenonsTwoCycle) {
     EXPECT_NEAR(highest(pair, 0), 1, exact);
     // At a = 0 it is the fixed point 0, run through twice, with A = 1: M has two null vectors, the equations end there.
     const auto [first, last] = std::minmax(pair.begin.why, pair.end.why);
-    EXPECT_EQ(first, BoundaryEnd::one_to_two);
-    EXPECT_NE(last, BoundaryEnd::plane);
+    EXPECT_EQ(first, CurveEnd::one_to_two);
+    EXPECT_NE(last, CurveEnd::plane);
     EXPECT_LT(lowest(pair, 0), 1e-3);
     EXPECT_LT(largest(pair, [](double p, double q) { return p > 1e-3 ? q - 1 : 0; }), exact);
 }

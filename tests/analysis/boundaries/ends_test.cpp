@@ -69,8 +69,8 @@ TEST(Ends, AClosedCurveEndsWhereItBegan) {
     Boundary fold;
     ASSERT_TRUE(
         follow_boundary(planes::plane_map<1>(Circle{}), BoundaryKind::fold, at({0}), {0, radius}, 1, options, fold));
-    EXPECT_EQ(fold.begin.why, BoundaryEnd::closed);
-    EXPECT_EQ(fold.end.why, BoundaryEnd::closed);
+    EXPECT_EQ(fold.begin.why, CurveEnd::closed);
+    EXPECT_EQ(fold.end.why, CurveEnd::closed);
     EXPECT_EQ(fold.points.front().at.y, fold.points.back().at.y);
     EXPECT_NEAR(std::abs(turned_through(fold)), 2 * std::acos(-1.0), 1e-12);
     for (const auto& point : fold.points) EXPECT_NEAR(parameters_of(fold, point.at.y).norm(), radius, 1e-12);
@@ -82,8 +82,8 @@ TEST(Ends, ACurveThatPassesNearItsStartIsNotClosed) {
     Boundary fold;
     ASSERT_TRUE(
         follow_boundary(planes::plane_map<2>(Spiral{}), BoundaryKind::fold, at({0, 0}), {radius, 0}, 1, options, fold));
-    EXPECT_NE(fold.begin.why, BoundaryEnd::closed);
-    EXPECT_NE(fold.end.why, BoundaryEnd::closed);
+    EXPECT_NE(fold.begin.why, CurveEnd::closed);
+    EXPECT_NE(fold.end.why, CurveEnd::closed);
     EXPECT_GT(std::abs(turned_through(fold)), 6 * std::acos(-1.0));
 }
 
@@ -94,8 +94,8 @@ TEST(Ends, ACornerBesideNearHalvesIsNoHalvedCycle) {
     Boundary fold;
     ASSERT_TRUE(
         follow_boundary(planes::plane_map<1>(Corner{}), BoundaryKind::fold, cycle, {0.05, 0.05}, 1, options, fold));
-    const BoundaryEnd at_corner = fold.begin.why == BoundaryEnd::plane ? fold.end.why : fold.begin.why;
-    EXPECT_EQ(at_corner, BoundaryEnd::not_converged);
+    const CurveEnd at_corner = fold.begin.why == CurveEnd::plane ? fold.end.why : fold.begin.why;
+    EXPECT_EQ(at_corner, CurveEnd::not_converged);
 }
 
 }  // namespace

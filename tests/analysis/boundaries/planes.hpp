@@ -23,16 +23,16 @@ PlaneMap plane_map(const Formula& formula) {
         std::array<Jet, D> jets;
         for (int i = 0; i < D; ++i) jets[static_cast<std::size_t>(i)] = Jet(z[i], i);
         const auto image = formula(jets, std::array<Jet, 2>{Jet(p[0], D), Jet(p[1], D + 1)});
-        PlaneStep step;
+        ShootingStep step;
         step.alive = z.allFinite() && z.norm() < 1e3;
         step.state.resize(D);
         step.by_state.resize(D, D);
-        step.by_parameters.resize(D, 2);
+        step.by_parameter.resize(D, 2);
         for (int i = 0; i < D; ++i) {
             const Jet& value = image[static_cast<std::size_t>(i)];
             step.state[i] = value.a;
             step.by_state.row(i) = value.v.template head<D>().transpose();
-            step.by_parameters.row(i) = value.v.template tail<2>().transpose();
+            step.by_parameter.row(i) = value.v.template tail<2>().transpose();
         }
         return step;
     };

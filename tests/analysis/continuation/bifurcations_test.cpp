@@ -25,12 +25,12 @@ TEST(Continue, LogisticCascadeThroughFiveSwitches) {
     ContinuationOptions options = range(2.5, 3.5699);
     Branch branch;
     ASSERT_TRUE(continue_branch(map, {Eigen::VectorXd::Constant(1, 1 - 1 / 2.8)}, 2.8, options, branch));
-    EXPECT_EQ(branch.end, BranchEnd::range);
+    EXPECT_EQ(branch.end, CurveEnd::range);
     double found[6] = {};
     for (int i = 0; i < 6; ++i) {
         const SpecialPoint* flip = first_of(branch, SpecialKind::flip);
         ASSERT_NE(flip, nullptr) << "doubling " << i;
-        found[i] = flip->cycle.at.p;
+        found[i] = flip->cycle.at.p();
         EXPECT_NEAR(found[i], published[i], 1e-9) << "doubling " << i;
         if (i == 5) break;
         options.first_step = std::min(1e-3, 0.02 * (published[i + 1] - published[i]));
@@ -55,10 +55,10 @@ TEST(Continue, LogisticThreeCycleBeginsAtItsFold) {
     ASSERT_TRUE(continue_branch(map, cycle, 3.835, range(3.8, 3.9), branch));
     const SpecialPoint* fold = first_of(branch, SpecialKind::fold);
     ASSERT_NE(fold, nullptr);
-    EXPECT_NEAR(fold->cycle.at.p, 1 + std::sqrt(8.0), 1e-9);
+    EXPECT_NEAR(fold->cycle.at.p(), 1 + std::sqrt(8.0), 1e-9);
     for (const double value : {0.1599288184462564, 0.5143552770619905, 0.9563178419736238}) {
         double nearest = 1;
-        for (const auto& z : fold->cycle.at.points) nearest = std::min(nearest, std::abs(z[0] - value));
+        for (const auto& z : fold->cycle.at.points()) nearest = std::min(nearest, std::abs(z[0] - value));
         EXPECT_LE(nearest, 1e-9);  // at a fold the cycle moves as the root of the parameter's error
     }
 }
@@ -72,13 +72,13 @@ TEST(Continue, HenonFoldAndDoublings) {
     const SpecialPoint* fold = first_of(branch, SpecialKind::fold);
     const SpecialPoint* flip = first_of(branch, SpecialKind::flip);
     ASSERT_TRUE(fold != nullptr && flip != nullptr);
-    EXPECT_NEAR(fold->cycle.at.p, -0.1225, 1e-9);
-    EXPECT_NEAR(flip->cycle.at.p, 0.3675, 1e-9);
+    EXPECT_NEAR(fold->cycle.at.p(), -0.1225, 1e-9);
+    EXPECT_NEAR(flip->cycle.at.p(), 0.3675, 1e-9);
     Branch doubled;
     ASSERT_TRUE(switch_branch(map, *flip, range(0.3, 1.0), doubled));
     const SpecialPoint* next = first_of(doubled, SpecialKind::flip);
     ASSERT_NE(next, nullptr);
-    EXPECT_NEAR(next->cycle.at.p, 0.9125, 1e-9);
+    EXPECT_NEAR(next->cycle.at.p(), 0.9125, 1e-9);
 }
 
 // [tests/references/README.md, Holmes 1982] n = 1: saddle-node γ = 2π(1 − α),
@@ -93,9 +93,9 @@ TEST(Continue, BouncingBallSaddleNodeAndDoubling) {
     const SpecialPoint* fold = first_of(branch, SpecialKind::fold);
     const SpecialPoint* flip = first_of(branch, SpecialKind::flip);
     ASSERT_TRUE(fold != nullptr && flip != nullptr);
-    EXPECT_NEAR(fold->cycle.at.p, node, 1e-9);
-    EXPECT_NEAR(flip->cycle.at.p, 3.813021991, 1e-9);
-    EXPECT_NEAR(flip->cycle.at.p, std::sqrt(4 * 1.8 * 1.8 + node * node), 1e-9);
+    EXPECT_NEAR(fold->cycle.at.p(), node, 1e-9);
+    EXPECT_NEAR(flip->cycle.at.p(), 3.813021991, 1e-9);
+    EXPECT_NEAR(flip->cycle.at.p(), std::sqrt(4 * 1.8 * 1.8 + node * node), 1e-9);
 }
 
 }  // namespace

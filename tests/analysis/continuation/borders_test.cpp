@@ -47,13 +47,13 @@ TEST(Borders, ABranchGoesOnAcrossAKink) {
         Branch branch;
         ASSERT_TRUE(
             continue_branch(map, {Eigen::VectorXd::Constant(1, p < 0 ? 2 * p : p / 1.5)}, p, range(-1, 1), branch));
-        EXPECT_EQ(branch.points.front().at.p, -1);
-        EXPECT_EQ(branch.points.back().at.p, 1);
+        EXPECT_EQ(branch.points.front().at.p(), -1);
+        EXPECT_EQ(branch.points.back().at.p(), 1);
         ASSERT_EQ(branch.special.size(), 1U);
         const SpecialPoint& border = branch.special.front();
         EXPECT_EQ(border.kind, SpecialKind::border);
         EXPECT_TRUE(border.goes_on);
-        EXPECT_NEAR(border.cycle.at.p, 0, 1e-10);
+        EXPECT_NEAR(border.cycle.at.p(), 0, 1e-10);
         EXPECT_EQ(border.word_before, Word{0}) << "from p = " << p;
         EXPECT_EQ(border.word_after, Word{1}) << "from p = " << p;
     }
@@ -64,21 +64,21 @@ TEST(Borders, ABranchTurnsBackWithoutATangent) {
     Branch branch;
     ASSERT_TRUE(continue_branch(map, {Eigen::VectorXd::Constant(1, -0.8)}, -0.4, range(-1, 1), branch));
     ASSERT_EQ(branch.special.size(), 1U);
-    EXPECT_NEAR(branch.special.front().cycle.at.p, 0, 1e-10);
+    EXPECT_NEAR(branch.special.front().cycle.at.p(), 0, 1e-10);
     EXPECT_TRUE(branch.special.front().goes_on);
-    EXPECT_EQ(branch.points.front().at.p, -1);
-    EXPECT_EQ(branch.points.back().at.p, -1);
-    EXPECT_NEAR(branch.points.front().at.points[0][0] * branch.points.back().at.points[0][0], -2, 1e-11);
+    EXPECT_EQ(branch.points.front().at.p(), -1);
+    EXPECT_EQ(branch.points.back().at.p(), -1);
+    EXPECT_NEAR(branch.points.front().at.points()[0][0] * branch.points.back().at.points()[0][0], -2, 1e-11);
 }
 
 TEST(Borders, WhatTakesAnotherTimeIsAnotherBranch) {
     Branch branch;
     ASSERT_TRUE(continue_branch(border_collision(0.5, -0.5, 0.4), {Eigen::VectorXd::Constant(1, -0.8)}, -0.4,
                                 range(-1, 1), branch));
-    EXPECT_EQ(branch.end, BranchEnd::border);
+    EXPECT_EQ(branch.end, CurveEnd::border);
     ASSERT_EQ(branch.special.size(), 1U);
     EXPECT_FALSE(branch.special.front().goes_on);
-    EXPECT_LE(branch.points.back().at.p, 0);
+    EXPECT_LE(branch.points.back().at.p(), 0);
 }
 
 // Fixed points x = p + p², with the map ending where its margin sin x has fallen to 10⁻⁶.
@@ -92,10 +92,10 @@ TEST(Borders, WhereAMarginVanishesIsExtrapolated) {
     map.least_margin = 1e-6;
     Branch branch;
     ASSERT_TRUE(continue_branch(map, {Eigen::VectorXd::Constant(1, 0.24)}, 0.2, range(-0.4, 0.5), branch));
-    EXPECT_EQ(branch.begin, BranchEnd::border);
+    EXPECT_EQ(branch.begin, CurveEnd::border);
     ASSERT_EQ(branch.special.size(), 1U);
     // The square of what is extrapolated, and the 10⁻¹² to which the end of the map is found.
-    EXPECT_NEAR(branch.special.front().cycle.at.p, 0, 1e-11);
+    EXPECT_NEAR(branch.special.front().cycle.at.p(), 0, 1e-11);
 }
 
 // x′ = x + (x² + p² − 0.04)/10.
@@ -104,12 +104,12 @@ TEST(BranchEnds, ACircleCloses) {
         [](double x, double p) { return step_to(x + 0.1 * (x * x + p * p - 0.04), 1 + 0.2 * x, 0.2 * p); });
     Branch branch;
     ASSERT_TRUE(continue_branch(map, {Eigen::VectorXd::Constant(1, 0.2)}, 0, range(-1, 1), branch));
-    EXPECT_EQ(branch.begin, BranchEnd::closed);
-    EXPECT_EQ(branch.end, BranchEnd::closed);
+    EXPECT_EQ(branch.begin, CurveEnd::closed);
+    EXPECT_EQ(branch.end, CurveEnd::closed);
     int folds = 0;
     for (const auto& special : branch.special) folds += special.kind == SpecialKind::fold ? 1 : 0;
     EXPECT_EQ(folds, 2);
-    for (const auto& point : branch.points) EXPECT_NEAR(std::hypot(point.at.p, point.at.points[0][0]), 0.2, 1e-11);
+    for (const auto& point : branch.points) EXPECT_NEAR(std::hypot(point.at.p(), point.at.points()[0][0]), 0.2, 1e-11);
 }
 
 TEST(BranchEnds, ADoubledCycleIsHalvedWhereItsBranchBegan) {
@@ -119,9 +119,9 @@ TEST(BranchEnds, ADoubledCycleIsHalvedWhereItsBranchBegan) {
                                 {Eigen::VectorXd::Constant(1, (r + 1 - root) / (2 * r)),
                                  Eigen::VectorXd::Constant(1, (r + 1 + root) / (2 * r))},
                                 r, range(2.8, 3.4), branch));
-    EXPECT_EQ(branch.begin, BranchEnd::halved);
-    EXPECT_NEAR(branch.points.front().at.p, 3, 1e-3);
-    EXPECT_EQ(branch.end, BranchEnd::range);
+    EXPECT_EQ(branch.begin, CurveEnd::halved);
+    EXPECT_NEAR(branch.points.front().at.p(), 3, 1e-3);
+    EXPECT_EQ(branch.end, CurveEnd::range);
 }
 
 ShootingStep plane_step(const Eigen::Vector2d& image, const Eigen::Matrix2d& by_state, const Eigen::Vector2d& by_p) {
@@ -158,14 +158,14 @@ TEST(BranchEnds, AFamilyAtOneValueIsNotWalked) {
     });
     Branch branch;
     ASSERT_TRUE(continue_branch(map, {Eigen::Vector2d(0, 1)}, 0.37, range(-0.5, 0.5), branch));
-    EXPECT_EQ(branch.points.front().at.p, -0.5);
-    EXPECT_EQ(branch.points.back().at.p, 0.5);
+    EXPECT_EQ(branch.points.front().at.p(), -0.5);
+    EXPECT_EQ(branch.points.back().at.p(), 0.5);
     ASSERT_EQ(branch.special.size(), 1U);
     EXPECT_EQ(branch.special.front().kind, SpecialKind::branch_point);
     Branch across;
     ASSERT_TRUE(switch_branch(map, branch.special.front(), range(-0.5, 0.5), across));
-    EXPECT_EQ(across.begin, BranchEnd::family);
-    EXPECT_EQ(across.end, BranchEnd::family);
+    EXPECT_EQ(across.begin, CurveEnd::family);
+    EXPECT_EQ(across.end, CurveEnd::family);
     EXPECT_LE(across.points.size(), 4U);
 }
 
@@ -177,11 +177,11 @@ TEST(BranchEnds, AKnownBranchIsNotSwitchedTo) {
     int asked = 0;
     const auto known = [&](const CurvePoint& start) {
         ++asked;
-        return start.points[0][0] > 0;
+        return start.points()[0][0] > 0;
     };
     ASSERT_TRUE(switch_branch(map, trivial.special.front(), range(-0.5, 0.5), arms, known));
     EXPECT_EQ(asked, 2);
-    for (const auto& point : arms.points) EXPECT_LT(point.at.points[0][0], 0);
+    for (const auto& point : arms.points) EXPECT_LT(point.at.points()[0][0], 0);
     EXPECT_FALSE(switch_branch(map, trivial.special.front(), range(-0.5, 0.5), arms, [](const auto&) { return true; }));
 }
 

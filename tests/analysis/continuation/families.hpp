@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/continuation/continue_branch.hpp"
-#include "analysis/cycles/shooting_map.hpp"
+#include "analysis/curves/shooting_map.hpp"
 
 #include <cmath>
 

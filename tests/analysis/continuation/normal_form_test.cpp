@@ -90,7 +90,7 @@ TEST(NormalForm, OfADoubling) {
     ASSERT_EQ(branch.special.size(), 1U);
     const SpecialPoint& flip = branch.special.front();
     EXPECT_EQ(flip.kind, SpecialKind::flip);
-    EXPECT_NEAR(flip.cycle.at.p, 0, 1e-12);
+    EXPECT_NEAR(flip.cycle.at.p(), 0, 1e-12);
     ASSERT_TRUE(flip.normal_form.has_value());
     EXPECT_NEAR(flip.normal_form->parameter.real(), 0.456, 1e-6);
     EXPECT_NEAR(flip.normal_form->nonlinear.real(), -1.234, 1e-6);
@@ -115,7 +115,7 @@ TEST(NormalForm, OfANeimarkSackerPoint) {
     ASSERT_EQ(branch.special.size(), 1U);
     const SpecialPoint& special = branch.special.front();
     EXPECT_EQ(special.kind, SpecialKind::neimark_sacker);
-    EXPECT_NEAR(special.cycle.at.p, 0, 1e-12);
+    EXPECT_NEAR(special.cycle.at.p(), 0, 1e-12);
     ASSERT_TRUE(special.normal_form.has_value());
     EXPECT_NEAR(special.normal_form->angle, 0.1, 1e-6);
     EXPECT_NEAR(std::abs(special.normal_form->parameter - std::complex<double>(1.123, 0)), 0, 1e-6);

@@ -72,16 +72,17 @@ TEST(Branches, ASteadyModeBeginsToSlideWhereFrictionEnds) {
     double nearest = 1;
     for (const auto& special : followed.branch.special)
         if (apps::kind_of(special) == "stick-slip")
-            nearest = std::min(nearest, std::abs(special.cycle.at.p - threshold));
+            nearest = std::min(nearest, std::abs(special.cycle.at.p() - threshold));
     EXPECT_LE(nearest, 1e-10);
 }
 
 /// The largest gap of any vertex within the flights of a cycle, their ends apart.
 double largest_inner_gap(const Scene<double>& scene, const analysis::CurvePoint& cycle) {
     const auto body = make_body(scene);
+    const auto points = cycle.points();
     double largest = -1;
-    for (std::size_t i = 0; i < cycle.points.size(); ++i) {
-        const auto flight = flight_from(body, post_impact_state(apps::section_point_of(cycle.points[i])));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto flight = flight_from(body, post_impact_state(apps::section_point_of(points[i])));
         const double duration = cycle.shooting.steps[i].duration;
         for (int k = 0; k < scene.sides; ++k) {
             const auto gap = [&](double t) {
@@ -114,7 +115,7 @@ TEST(Branches, AGrazingIsLocatedToRounding) {
         if (grazing == nullptr) continue;
         ++seen;
         EXPECT_FALSE(grazing->goes_on);
-        const auto scene = with_parameter(followed.scene, Parameter::alpha, grazing->cycle.at.p);
+        const auto scene = with_parameter(followed.scene, Parameter::alpha, grazing->cycle.at.p());
         // 10⁻¹⁰ in the parameter.
         EXPECT_NEAR(largest_inner_gap(scene, grazing->cycle.at), 0, 1e-9) << "cycle " << i;
     }
@@ -125,9 +126,10 @@ TEST(Branches, AGrazingIsLocatedToRounding) {
 /// too.
 double nearest_to_two_vertices(const Scene<double>& scene, const analysis::CurvePoint& cycle) {
     const auto body = make_body(scene);
+    const auto points = cycle.points();
     double nearest = 1;
-    for (std::size_t i = 0; i < cycle.points.size(); ++i) {
-        const auto flight = flight_from(body, post_impact_state(apps::section_point_of(cycle.points[i])));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto flight = flight_from(body, post_impact_state(apps::section_point_of(points[i])));
         const auto at = instant_at<Shape::polygon>(flight, cycle.shooting.steps[i].duration);
         std::vector<double> gaps;
         for (int k = 0; k < scene.sides; ++k) {
@@ -147,8 +149,8 @@ TEST(Branches, TwoVerticesAreLocatedToRounding) {
         for (const auto& special : followed.branch.special) {
             if (apps::kind_of(special) != "two-vertices") continue;
             ++seen;
-            const auto scene = with_parameter(followed.scene, Parameter::alpha, special.cycle.at.p);
-            EXPECT_LE(nearest_to_two_vertices(scene, special.cycle.at), 1e-10) << "alpha = " << special.cycle.at.p;
+            const auto scene = with_parameter(followed.scene, Parameter::alpha, special.cycle.at.p());
+            EXPECT_LE(nearest_to_two_vertices(scene, special.cycle.at), 1e-10) << "alpha = " << special.cycle.at.p();
         }
     }
     std::printf("%d borders of two vertices\n", seen);
@@ -163,11 +165,11 @@ TEST(Branches, FlightsAreContinuousAlongABranch) {
         for (std::size_t i = 1; i < followed.branch.points.size(); ++i) {
             const auto& a = followed.branch.points[i - 1].at;
             const auto& b = followed.branch.points[i].at;
-            EXPECT_LE(std::abs(a.shooting.duration - b.shooting.duration), 0.1) << along << " = " << b.p;
-            for (const auto& step : b.shooting.steps) EXPECT_GT(step.margin, 1e-6) << along << " = " << b.p;
+            EXPECT_LE(std::abs(a.shooting.duration - b.shooting.duration), 0.1) << along << " = " << b.p();
+            for (const auto& step : b.shooting.steps) EXPECT_GT(step.margin, 1e-6) << along << " = " << b.p();
         }
         for (const auto end : {followed.branch.begin, followed.branch.end})
-            EXPECT_NE(end, analysis::BranchEnd::not_converged) << along;
+            EXPECT_NE(end, analysis::CurveEnd::not_converged) << along;
     }
 }
 
@@ -180,7 +182,7 @@ TEST(Branches, WhereImpactsVanishIsLocated) {
     double nearest = 1;
     for (const auto& special : followed.branch.special)
         if (apps::kind_of(special) == "grazing")
-            nearest = std::min(nearest, std::abs(special.cycle.at.p - (1 - followed.scene.alpha)));
+            nearest = std::min(nearest, std::abs(special.cycle.at.p() - (1 - followed.scene.alpha)));
     EXPECT_LE(nearest, 1e-10);
 }
 
@@ -193,10 +195,10 @@ TEST(Branches, PointsAreCyclesOfTheirScenes) {
         ASSERT_GT(followed.branch.points.size(), 5U) << along;
         for (std::size_t i = 0; i < followed.branch.points.size(); i += 7) {
             const auto& point = followed.branch.points[i];
-            const auto map = apps::shooting_map_of(with_parameter(followed.scene, parameter, point.at.p));
-            const auto shooting = analysis::shooting_residual(map, point.at.points, 0);
+            const auto map = apps::shooting_map_of(with_parameter(followed.scene, parameter, point.at.p()));
+            const auto shooting = analysis::shooting_residual(map, point.at.points(), 0);
             ASSERT_TRUE(shooting.alive) << along;
-            EXPECT_LE(shooting.residual(), 1e-12) << along << " = " << point.at.p;
+            EXPECT_LE(shooting.residual(), 1e-12) << along << " = " << point.at.p();
         }
     }
 }

@@ -164,14 +164,14 @@ TEST(ClosedForm, TheDisksFamilyLosesItsStability) {
         true)};
     analysis::Branch branch;
     ASSERT_TRUE(analysis::continue_branch(scene.map, member, 0, scene.options, branch));
-    EXPECT_EQ(branch.begin, analysis::BranchEnd::range);
-    EXPECT_EQ(branch.end, analysis::BranchEnd::range);
+    EXPECT_EQ(branch.begin, analysis::CurveEnd::range);
+    EXPECT_EQ(branch.end, analysis::CurveEnd::range);
     ASSERT_EQ(branch.special.size(), 1U);
     EXPECT_EQ(branch.special[0].kind, analysis::SpecialKind::neimark_sacker);
     EXPECT_NEAR(branch.special[0].cycle.at.shooting.duration, 2.33112237041442, 1e-8);
     for (const auto& point : branch.points) {
         const double t = point.at.shooting.duration;
-        EXPECT_NEAR(point.at.points[0][3], spin_at(disk(), t), 1e-12) << "tau " << t;
+        EXPECT_NEAR(point.at.points()[0][3], spin_at(disk(), t), 1e-12) << "tau " << t;
     }
 }
 

@@ -1,4 +1,4 @@
-// A map as solvers see it: sizes known at run time, one parameter, so that they are compiled once for every system.
+// A map as solvers see it: sizes known at run time, none, one or two parameters, compiled once for every system.
 #pragma once
 
 #include "analysis/section_map.hpp"
@@ -19,8 +19,8 @@ namespace swirl::analysis {
 struct ShootingStep {
     bool alive = false;            ///< false: the map ends here; nothing else is meaningful then
     Eigen::VectorXd state;         ///< F(z; p)
-    Eigen::MatrixXd by_state;      ///< ∂F/∂z
-    Eigen::VectorXd by_parameter;  ///< ∂F/∂p; empty for a map without a parameter
+    Eigen::MatrixXd by_state;      ///< ∂F/∂z, D × D
+    Eigen::MatrixXd by_parameter;  ///< ∂F/∂p, a column for each parameter; empty for a map without one
     double duration = 1;           ///< time that the step took
     std::int64_t letter = 0;       ///< which smooth branch of the map was taken
     double integral = 0;           ///< of an observable over the step's duration, for maps that have one
@@ -29,25 +29,25 @@ struct ShootingStep {
     double margin = infinity;
 };
 
-/// z ↦ F(z; p). A map without a parameter ignores p.
-struct ShootingMap {
+/// The coordinates of a map's states.
+struct MapCoordinates {
     int dimension = 0;
-    bool has_parameter = false;
     /// The last so many of F's components are not the next point's but must be zero; the same number of the last
     /// coordinates are unknowns of each point alone (the time of its impact, say). `by_state` is square all the same.
     int constraints = 0;
     double least_margin = 0;            ///< of its steps: see ShootingStep::margin
     std::vector<double> angle_periods;  ///< per coordinate; 0: a plain number
-    std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step;
-    /// The same from the nearest state of surfaces on which cycles may lie and beside which F is another map, for
-    /// guesses that are beside them. What it converges to has still to close by `step`. Empty: there are no such
-    /// surfaces.
-    std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step_from_surface = {};
 
     /// a − b, angles as angles, in [−P/2, P/2].
     Eigen::VectorXd difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+        return difference(a, b, dimension);
+    }
+
+    /// The same of whatever begins with so many coordinates of points, one point after another.
+    Eigen::VectorXd difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b, Eigen::Index coordinates) const {
         Eigen::VectorXd d = a - b;
-        for (int i = 0; i < dimension; ++i) d[i] = within_period(d[i], angle_periods[static_cast<std::size_t>(i)]);
+        for (Eigen::Index i = 0; i < coordinates; ++i)
+            d[i] = within_period(d[i], angle_periods[static_cast<std::size_t>(i % dimension)]);
         return d;
     }
 
@@ -64,10 +64,29 @@ struct ShootingMap {
     }
 
     /// z with its angles in (−P/2, P/2].
-    Eigen::VectorXd normalised(const Eigen::VectorXd& z) const {
-        return difference(z, Eigen::VectorXd::Zero(z.size()));
+    Eigen::VectorXd normalised(const Eigen::VectorXd& z) const { return normalised(z, dimension); }
+    Eigen::VectorXd normalised(const Eigen::VectorXd& y, Eigen::Index coordinates) const {
+        return difference(y, Eigen::VectorXd::Zero(y.size()), coordinates);
     }
 };
+
+/// z ↦ F(z; p). A map without a parameter ignores p.
+struct ShootingMap : MapCoordinates {
+    bool has_parameter = false;
+    std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step = {};
+    /// The same from the nearest state of surfaces on which cycles may lie and beside which F is another map, for
+    /// guesses that are beside them. What it converges to has still to close by `step`. Empty: there are no such
+    /// surfaces.
+    std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step_from_surface = {};
+};
+
+/// z ↦ F(z; p), p = (p₁, p₂).
+struct PlaneMap : MapCoordinates {
+    std::function<ShootingStep(const Eigen::VectorXd& z, const Eigen::Vector2d& p)> step = {};
+};
+
+/// The map on the line through p along parameter `axis` (0 or 1), for solvers of one parameter.
+ShootingMap on_line(const PlaneMap& map, int axis, const Eigen::Vector2d& p);
 
 /// Any SectionMap as a ShootingMap without a parameter. The map must outlive it.
 template <SectionMap M>

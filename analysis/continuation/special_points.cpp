@@ -1,35 +1,31 @@
-#include "analysis/continuation/locate.hpp"
+#include "analysis/continuation/special_points.hpp"
 
 #include "analysis/continuation/multipliers.hpp"
-#include "analysis/special_values.hpp"
-
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 namespace swirl::analysis {
 
 namespace {
 
 /// A(z_1) = D(Fᵏ), ∂(Fᵏ)/∂p and dz_1/dp.
-CriticalPoint critical_point(const ShootingMap& map, const CurvePoint& at) {
+CriticalPoint critical_point(const CurvePoint& at) {
     CriticalPoint critical;
     critical.derivative = monodromy(at.shooting);
-    critical.by_parameter = Eigen::VectorXd::Zero(map.dimension);
+    critical.by_parameter = Eigen::VectorXd::Zero(at.shooting.dimension);
     for (const auto& step : at.shooting.steps)
-        critical.by_parameter = step.by_state * critical.by_parameter + step.by_parameter;
-    critical.branch_slope = at.tangent.head(map.dimension) / at.parameter_slope();
+        critical.by_parameter = step.by_state * critical.by_parameter + step.by_parameter.col(0);
+    critical.branch_slope = at.tangent.head(at.shooting.dimension) / at.parameter_slope();
     return critical;
 }
 
-std::optional<NormalForm> form_of(const ShootingMap& map, const SpecialPoint& special,
-                                  const ContinuationOptions& options) {
-    if (!options.forms || !map.has_parameter) return std::nullopt;
+std::optional<NormalForm> form_of(const SpecialPoint& special, const ContinuationOptions& options) {
     const CurvePoint& at = special.cycle.at;
-    CriticalPoint critical = critical_point(map, at);
-    critical.forms = options.forms(at.points, at.p);
+    if (!options.forms || !at.has_parameter()) return std::nullopt;
+    CriticalPoint critical = critical_point(at);
+    critical.forms = options.forms(at.points(), at.p());
     if (special.kind == SpecialKind::fold) return fold_form(critical);
     if (special.kind == SpecialKind::flip) return flip_form(critical);
     if (special.kind != SpecialKind::neimark_sacker) return std::nullopt;
@@ -79,27 +75,7 @@ bool is_what_it_seems(const SpecialPoint& special) {
 
 }  // namespace
 
-bool locate(const ShootingMap& map, const CurvePoint& base, double h, double f0, double f1,
-            const std::function<double(const CurvePoint&)>& value, CurvePoint& found) {
-    const auto at = [&](double s) {
-        return correct(map, base, s, found) == Correction::converged ? value(found) : nan;
-    };
-    double low = 0, high = h;
-    if (f0 == 0 || f1 == 0) return std::isfinite(at(f0 == 0 ? 0.0 : h));
-    if (!(f0 * f1 < 0)) return false;
-    std::uintmax_t most = 100;
-    bool failed = false;
-    const auto guarded = [&](double s) {
-        const double f = at(s);
-        failed = failed || !std::isfinite(f);
-        return failed ? 0.0 : f;  // 0 ends the search; `failed` is checked after it
-    };
-    std::tie(low, high) =
-        boost::math::tools::toms748_solve(guarded, 0.0, h, f0, f1, boost::math::tools::eps_tolerance<double>(52), most);
-    return !failed && std::isfinite(at(0.5 * (low + high)));
-}
-
-std::vector<SpecialPoint> special_points_between(const ShootingMap& map, const BranchPoint& base, double h,
+std::vector<SpecialPoint> special_points_between(const CurveProblem& problem, const BranchPoint& base, double h,
                                                  const BranchPoint& next, const ContinuationOptions& options) {
     struct Test {
         SpecialKind kind;
@@ -108,9 +84,10 @@ std::vector<SpecialPoint> special_points_between(const ShootingMap& map, const B
     std::vector<Test> tests = {
         {SpecialKind::flip, [](const CurvePoint& c) { return flip_function(multipliers_at(c)); }},
         {SpecialKind::neimark_sacker, [](const CurvePoint& c) { return neimark_sacker_function(multipliers_at(c)); }}};
-    if (map.has_parameter) {
+    if (base.at.has_parameter()) {
         tests.push_back({SpecialKind::fold, [](const CurvePoint& c) { return c.parameter_slope(); }});
-        tests.push_back({SpecialKind::branch_point, [&](const CurvePoint& c) { return crossing_function(map, c); }});
+        tests.push_back(
+            {SpecialKind::branch_point, [&](const CurvePoint& c) { return crossing_function(problem, c); }});
     }
     std::vector<std::pair<double, SpecialPoint>> found;
     for (const Test& test : tests) {
@@ -120,10 +97,10 @@ std::vector<SpecialPoint> special_points_between(const ShootingMap& map, const B
         SpecialPoint special;
         special.kind = test.kind;
         CurvePoint at;
-        special.located = locate(map, base.at, h, f0, f1, test.value, at);
+        special.located = locate(problem, base.at, h, f0, f1, test.value, at);
         if (test.kind == SpecialKind::branch_point) {  // there the equations have two tangents: that of this branch
             at.tangent = base.at.tangent + next.at.tangent;
-            at.tangent /= std::sqrt(curve_product(at.tangent, at.tangent, true, at.points.size()));
+            at.tangent /= problem.length(at.tangent);
         }
         special.cycle = special.located ? branch_point_at(at) : next;
         if (!special.located) {
@@ -131,13 +108,8 @@ std::vector<SpecialPoint> special_points_between(const ShootingMap& map, const B
             continue;
         }
         if (!is_what_it_seems(special)) continue;
-        special.normal_form = form_of(map, special, options);
-        Eigen::VectorXd across = stacked(at.points) - stacked(base.at.points);
-        if (map.has_parameter) {
-            across.conservativeResize(across.size() + 1);
-            across[across.size() - 1] = at.p - base.at.p;
-        }
-        found.emplace_back(curve_product(base.at.tangent, across, map.has_parameter, at.points.size()), special);
+        special.normal_form = form_of(special, options);
+        found.emplace_back(problem.product(base.at.tangent, at.y - base.at.y), special);
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<SpecialPoint> result;

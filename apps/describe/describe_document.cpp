@@ -26,9 +26,11 @@ std::string jamming_in_words(const Description& d) {
     return fmt::format("from mu = {:.6g} on: {}", *d.facts.painleve_friction, d.facts.can_jam ? "here" : "not here");
 }
 
-std::string shelter_in_words(const Description& d) {
+std::string shelter_in_words(const Description& d, const std::optional<Units>& units) {
     const double radius = d.facts.untouched_radius;
-    if (radius > 0) return fmt::format("while its centre is within {:.6g} R_c of the swirl's centre", radius);
+    if (radius > 0)
+        return fmt::format("while its centre is within {}{} of the swirl's centre", with_unit(radius, units, "R_c"),
+                           units ? "" : " R_c");
     return fmt::format("nowhere: 1 - alpha - beta = {:.6g}", radius);
 }
 
@@ -41,10 +43,11 @@ std::string fate_in_words(const Description& d) {
 }
 
 /// The facts that every scene has.
-Table<Description> fact_table(bool disk) {
+Table<Description> fact_table(bool disk, const std::optional<Units>& units = {}) {
     using F = Field<Description>;
     const auto of = [](auto member) { return [member](const Description& d) { return d.facts.*member; }; };
     const auto widest = [disk](const Description& d) { return disk ? no_value : d.facts.widest_chi; };
+    const auto shelter = [units](const Description& d) { return shelter_in_words(d, units); };
     const auto jams_from = [](const Description& d) { return d.facts.painleve_friction.value_or(no_value); };
     return {
         {},
@@ -53,16 +56,17 @@ Table<Description> fact_table(bool disk) {
          {"can_jam", of(&SceneFacts::can_jam), no_column},
          F{"jamming", jamming_in_words, no_column}.table_only().shown("sliding can jam (Painleve)", "{}"),
          {"sheltered", [](const Description& d) { return d.facts.untouched_radius > 0; }, no_column},
-         {"untouched_radius", of(&SceneFacts::untouched_radius), "R_c", "of the place where the wall is out of reach"},
+         {"untouched_radius", of(&SceneFacts::untouched_radius), "R_c",
+          "of the circle in which the body's centre is out of the wall's reach"},
          {"untouched_room_turning", of(&SceneFacts::untouched_room_turning), "R_c", "the same of a body that turns"},
-         F{"shelter", shelter_in_words, no_column}.table_only().shown("sheltered from the wall", "{}"),
+         F{"shelter", shelter, no_column}.table_only().shown("sheltered from the wall", "{}"),
          {"impacts", of(&SceneFacts::impacts), no_column},
          F{"fate", fate_in_words, no_column}.table_only().shown("impacts", "{}")}};
 }
 
 std::string circulation_in_words(const RimFacts& rim) {
     if (rim.circulates_forward) return rim.circulates_backward ? "in both directions" : "forward only (psi' > 0)";
-    return rim.circulates_backward ? "backward only (psi' < 0)" : "not held on the slowest";
+    return rim.circulates_backward ? "backward only (psi' < 0)" : "not on the slowest";
 }
 
 /// The pendulum of a disk on the wall.
@@ -82,11 +86,11 @@ Table<RimFacts> rim_table() {
          F{"rest_force", &RimFacts::rest_force, "m R_c omega_s^2", "of the wall at rest"}.shown(
              "  force of the wall at rest", "{:.6g}"),
          F{"mean_S", spin, "1", "S at rest, mean S librating"}.shown("  S at rest and mean librating", "{:.6g}"),
-         F{"widest_libration", &RimFacts::widest_libration, "rad", "|psi| up to which librations are held"}.shown(
-             "  librations held up to |psi|", "{:.6g}"),
+         F{"widest_libration", &RimFacts::widest_libration, "rad", "|psi| up to which librations stay on the wall"}
+             .shown("  librations stay up to |psi|", "{:.6g}"),
          {"circulates_forward", &RimFacts::circulates_forward, no_column},
          {"circulates_backward", &RimFacts::circulates_backward, no_column},
-         F{"circulates", circulation_in_words, no_column}.table_only().shown("  circulations held", "{}")}};
+         F{"circulates", circulation_in_words, no_column}.table_only().shown("  circulations stay", "{}")}};
 }
 
 std::vector<double> parts_of(const SteadyMode& mode, double (*part)(const std::complex<double>&)) {
@@ -251,7 +255,7 @@ void print_description(const Description& d, const std::optional<Units>& units) 
     const auto time = [&](double tau) { return with_unit(tau, units, "1/omega_s"); };
     const bool disk = d.scene.is_disk();
     fmt::print("{}\n{}{}", scene_in_words(d.scene), units_in_words(units),
-               shown_lines_of(in_units(fact_table(disk), units), d));
+               shown_lines_of(in_units(fact_table(disk, units), units), d));
     if (d.facts.rim) fmt::print("{}", shown_lines_of(in_units(rim_table(), units), *d.facts.rim));
     if (!d.chords.empty()) {
         fmt::print("  chords and diameters without slip (e = 1, small swirl){}:\n",
@@ -260,9 +264,7 @@ void print_description(const Description& d, const std::optional<Units>& units) 
     }
     if (!d.none_exist.empty()) return fmt::print("{}\n", wrapped(fmt::format("  {}", d.none_exist), 4));
     fmt::print("  steady modes with tau <= {}{}: {}{}\n", time(d.search.longest_flight), spins_in_words(d), counted(d),
-               d.is_complete() ? ""
-                               : fmt::format("; all up to tau = {}: there are more than are looked at",
-                                             time(d.steady.complete_to)));
+               d.is_complete() ? "" : fmt::format("; all up to tau = {}: there are more", time(d.steady.complete_to)));
     if (d.steady.phase_is_free) fmt::print("  psi of a steady mode is any constant (beta = 0); listed is psi = 0\n");
     if (!d.steady.modes.empty()) {
         print_table(in_units(mode_table(disk, 0, &d.steady.modes), units), d.steady.modes);

@@ -86,7 +86,7 @@ Table<NamedMode> verdict_table() {
 Table<analysis::Evidence> evidence_table() {
     using analysis::Evidence;
     return {{"evidence"},
-            {Field<Evidence>{"name", &Evidence::name, "", "what was looked at"}.coordinate(),
+            {Field<Evidence>{"name", &Evidence::name, "", "what was measured"}.coordinate(),
              {"value", &Evidence::value, "1", "its value, where R_c = omega_s = m = 1"},
              {"threshold", &Evidence::threshold, "1", "what the value is compared with; NaN: nothing"},
              {"says", &Evidence::says, "", "what the value says of the mode"},
@@ -114,7 +114,7 @@ std::string table_of(const NamedMode& named, bool verbose, const std::optional<U
     const std::string text = wrapped(fmt::format("  {}{}; outcome {} after {} impact{}", mode_in_words(verdict), mean,
                                                  name_of(named.outcome), named.impacts, named.impacts == 1 ? "" : "s"),
                                      4) +
-                             "\n" + verdict_in_lines(verdict);
+                             "\n" + verdict_in_lines(verdict, units);
     return verbose ? text + lines_of(in_units(verdict_table(), units), named) + table_of(verdict.evidence) : text;
 }
 

@@ -45,7 +45,7 @@ std::string mode_in_words(const Classification& verdict) {
                        verdict.period > 0 ? fmt::format(", period {}", verdict.period) : "");
 }
 
-std::string sureness_in_words(const Classification& verdict) {
+std::string sureness_in_words(const Classification& verdict, const std::optional<Units>& units) {
     if (const Evidence* chord = evidence_of(verdict, "slowest multiplier of the chord"); chord != nullptr)
         return fmt::format("settled: the chord attracts, slowest multiplier {:.6g}", chord->value);
     if (verdict.kind == Kind::accelerated) return "as far as it was followed: energy is created without bound";
@@ -53,9 +53,9 @@ std::string sureness_in_words(const Classification& verdict) {
     if (!verdict.multipliers.empty() || evidence_of(verdict, "closure throughout") != nullptr)
         return sureness_of_cycle(verdict);
     if (const Evidence* contact = evidence_of(verdict, "time in contact"); contact != nullptr)
-        return fmt::format("{}: no impact for {:.6g}/omega_s",
+        return fmt::format("{}: no impact for {}{}",
                            verdict.kind == Kind::rolling ? "settled, at rest" : "as far as it was followed",
-                           contact->value);
+                           with_unit(contact->value, units, "1/omega_s"), units ? "" : "/omega_s");
     if (const Evidence* level = evidence_of(verdict, "white level of the angle in radians"); level != nullptr)
         return fmt::format("as far as it was measured: noise of {:.3g} radians or less in the angle", level->value);
     if (const Evidence* residual = evidence_of(verdict, "residual about the phase means");
@@ -115,8 +115,8 @@ std::string reason_in_words(const Classification& verdict) {
     return fmt::format("{} {:.4g}: {}", e.name, e.value, e.says);
 }
 
-std::string verdict_in_lines(const Classification& verdict) {
-    const std::string sureness = sureness_in_words(verdict);
+std::string verdict_in_lines(const Classification& verdict, const std::optional<Units>& units) {
+    const std::string sureness = sureness_in_words(verdict, units);
     std::string lines = fmt::format("  {}\n", sureness);
     if (verdict.mode != Mode::undecided) lines += fmt::format("  because: {}\n", reason_in_words(verdict));
     if (!verdict.evidence.empty() && !sureness.starts_with("settled"))

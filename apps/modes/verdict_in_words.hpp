@@ -2,8 +2,11 @@
 #pragma once
 
 #include "analysis/classification/classify.hpp"
+#include "apps/output/units.hpp"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace swirl::apps {
 
@@ -12,14 +15,14 @@ std::string mode_in_words(const analysis::Classification& verdict);
 
 /// How sure, in one line. `settled`: nothing that follows can change it (an attracting cycle, rest). `as far as it was
 /// followed`: nothing settles chaos or a torus. `undecided`: why.
-std::string sureness_in_words(const analysis::Classification& verdict);
+std::string sureness_in_words(const analysis::Classification& verdict, const std::optional<Units>& units = {});
 
 /// What decided, in one line: of the evidence the piece that the verdict rests on.
 std::string reason_in_words(const analysis::Classification& verdict);
 
 /// What people read below the mode, in lines of at most 100 columns: how sure; why ("because: …"); and, unless it is
 /// settled, what would change it ("changes if: …").
-std::string verdict_in_lines(const analysis::Classification& verdict);
+std::string verdict_in_lines(const analysis::Classification& verdict, const std::optional<Units>& units = {});
 
 /// All of the evidence, a few lines each.
 std::string table_of(const std::vector<analysis::Evidence>& evidence);

@@ -79,7 +79,7 @@ std::string unit_label(const std::string& unit) {
     };
     if (is(1, -1, 1)) return "N s";
     if (is(1, -2, 1)) return "N";
-    if (is(2, -2, 1)) return "joule";
+    if (is(2, -2, 1)) return "J";
     std::string over, under;
     const auto put = [&](const char* name, double power) {
         if (power == 0) return;
@@ -93,6 +93,18 @@ std::string unit_label(const std::string& unit) {
     return under.empty() ? over : fmt::format("{}/{}", over.empty() ? "1" : over, under);
 }
 
+std::optional<ShownUnit> shown_unit(const Units& units, const std::string& unit) {
+    const auto scale = physical_scale(units, unit);
+    if (!scale) return std::nullopt;
+    ShownUnit shown{unit_label(unit), *scale};
+    if (shown.label != "N s" && shown.label != "N" && shown.label != "J") return shown;
+    for (const char* prefix : {"m", "u", "n"}) {
+        if (!(shown.scale < 1)) break;
+        shown = {prefix + unit_label(unit), shown.scale * 1000};
+    }
+    return shown;
+}
+
 double in_units(double value, const std::optional<Units>& units, const std::string& unit) {
     return units ? value * physical_scale(*units, unit).value_or(1) : value;
 }
@@ -102,8 +114,9 @@ double without_units(double given, const std::optional<Units>& units, const std:
 }
 
 std::string with_unit(double value, const std::optional<Units>& units, const std::string& unit) {
-    const std::string label = units ? unit_label(unit) : "";
-    return fmt::format("{:g}{}{}", in_units(value, units, unit), label.empty() ? "" : " ", label);
+    if (!units) return fmt::format("{:g}", value);
+    const ShownUnit shown = shown_unit(*units, unit).value_or(ShownUnit{unit_label(unit)});
+    return fmt::format("{:g}{}{}", value * shown.scale, shown.label.empty() ? "" : " ", shown.label);
 }
 
 std::string point_without_units(const std::string& text, const std::optional<Units>& units) {

@@ -18,8 +18,17 @@ struct Units {
 ///   unit  R_c, omega_s and m with powers, "1/" before what divides: "1/omega_s", "m R_c^2 omega_s^2"
 std::optional<double> physical_scale(const Units& units, const std::string& unit);
 
-/// "m/s" of "R_c omega_s", "rad/s" of "1"; "rad" is its own, what has no unit has none.
+/// "m/s" of "R_c omega_s", "rad/s" of "omega_s"; "rad" is its own, what has no unit has none.
 std::string unit_label(const std::string& unit);
+
+/// How people read a number in `unit`: its label, and what it is multiplied by. Impulses, forces and energies of small
+/// scenes have a prefix, so that the number where R_c = ω_s = m = 1 shows: "mN s" where m R_c ω_s is 0.02 N s, "uJ".
+struct ShownUnit {
+    std::string label;
+    double scale = 1;
+};
+/// None for what physical_scale() has none of.
+std::optional<ShownUnit> shown_unit(const Units& units, const std::string& unit);
 
 /// A number in `unit` as people read it, and one as they gave it where R_c = ω_s = m = 1; the same without units.
 double in_units(double value, const std::optional<Units>& units, const std::string& unit);

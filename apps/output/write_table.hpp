@@ -154,26 +154,26 @@ private:
 // Tables for people, of shown_fields().
 
 /// The same table with what it shows in SI units, if there are any: numbers of a field are multiplied by what its units
-/// ask for, and its heading names the unit.
+/// ask for, and its heading names the unit (shown_unit()).
 template <class Row>
 Table<Row> in_units(Table<Row> table, const std::optional<Units>& units) {
     for (auto& field : table.fields) {
+        const auto shown = units ? shown_unit(*units, field.description.units) : std::nullopt;
         if (!units)
             field.unit.clear();
         else if (field.unit.empty())
-            field.unit = unit_label(field.description.units);
-        const auto scale = units ? physical_scale(*units, field.description.units) : std::nullopt;
-        if (!scale) continue;
+            field.unit = shown ? shown->label : unit_label(field.description.units);
+        if (!shown) continue;
         if (!field.look) {
             if (!field.read) continue;
-            field.read = [read = field.read, scale = *scale](const Row& row) {
+            field.read = [read = field.read, scale = shown->scale](const Row& row) {
                 const Value value = read(row);
                 const auto* number = std::get_if<double>(&value);
                 return number != nullptr ? Value(*number * scale) : value;
             };
             continue;
         }
-        field.look->text = [text = field.look->text, scale = *scale](const Value& value) {
+        field.look->text = [text = field.look->text, scale = shown->scale](const Value& value) {
             const auto* number = std::get_if<double>(&value);
             return text(number != nullptr ? Value(*number * scale) : value);
         };

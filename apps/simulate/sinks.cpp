@@ -17,7 +17,9 @@ std::string number_in(double value, int width) {
     for (int decimals = 4; size >= 1e-3 && decimals >= 0; --decimals)
         if (const auto text = fmt::format("{:.{}f}", value, decimals); static_cast<int>(text.size()) <= width)
             return fmt::format("{:>{}}", text, width);
-    return fmt::format("{:>{}}", value == 0 ? "0" : fmt::format("{:.{}e}", value, value < 0 ? 0 : 1), width);
+    std::string text = value == 0 ? "0" : fmt::format("{:.1e}", value);  // "-1.2e-04" becomes "-1.2e-4"
+    if (const auto zero = text.find("e-0"); zero != std::string::npos) text.erase(zero + 2, 1);
+    return fmt::format("{:>{}}", text, width);
 }
 
 Look number_of_width(int width) {
@@ -79,7 +81,7 @@ Table<ContactRow> contact_table() {
          {"landing_jacobi", &Row::landing_jacobi, "m R_c^2 omega_s^2",
           "change of J by the chatter summed up before it"},
          {"landing_error", &Row::landing_error, "1",
-          "what summing up chatter did to place and velocities (an estimate)"}},
+          "error that summing up chatter leaves in position and velocities (an estimate)"}},
         {"number", "t_start", "t_end", "mean_S", "jacobi_friction", "landing_jacobi", "landing_error"}};
 }
 
@@ -111,8 +113,8 @@ Table<SampleRow> sample_table() {
     return {
         {"sample"},
         {{"t", &SampleRow::t, "1/omega_s", "time"},
-         {"x", &SampleRow::x, "R_c", "place of the body's centre, laboratory"},
-         {"y", &SampleRow::y, "R_c", "place of the body's centre, laboratory"},
+         {"x", &SampleRow::x, "R_c", "position of the body's centre, laboratory"},
+         {"y", &SampleRow::y, "R_c", "position of the body's centre, laboratory"},
          {"angle", &SampleRow::angle, "rad", "direction of vertex 0, unwound"},
          {"spin", &SampleRow::spin, "omega_s", "S"},
          {"in_contact", &SampleRow::in_contact, "1", "on the wall, not in flight"},

@@ -15,7 +15,7 @@ PLAIN = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 DISK = ("--sides disk --mu 0.5 --restitution {}", f" --container-radius {LENGTH} --swirl-rate {RATE} --mass {MASS}")
 #: What a number in a unit that a table names is, over the same number where R_c = omega_s = m = 1.
 SCALE = {"s": 1 / RATE, "m": LENGTH, "m/s": LENGTH * RATE, "rad/s": RATE, "1/s": RATE, "1/s^2": RATE**2, "rad": 1,
-         "m^2": LENGTH**2, "m^2/s^2": (LENGTH * RATE) ** 2, "N s": MASS * LENGTH * RATE, "N": MASS * LENGTH * RATE**2, "joule": MASS * (LENGTH * RATE) ** 2}
+         "m^2": LENGTH**2, "m^2/s^2": (LENGTH * RATE) ** 2, "N s": MASS * LENGTH * RATE, "N": MASS * LENGTH * RATE**2, "J": MASS * (LENGTH * RATE) ** 2}
 SPEED = LENGTH * RATE
 NUMBER = re.compile(r"(?<![\w.^-])-?\d+(?:\.\d+)?(?:e[-+]\d+)?(?![\w./])")
 UNIT = re.compile(r"N s|\S+")
@@ -44,14 +44,15 @@ class Same(unittest.TestCase):
         found, expected = (run(command) for command in (ours, plain))
         self.assertEqual(found.returncode, expected.returncode, (ours, found.stderr))
         lines = [line for line in found.stdout.splitlines() if not line.startswith("SI units:")]
-        units, rows, scaled = {}, "", 0
+        units, rows, scaled, velocities = {}, "", 0, False
         others, last_line = iter(expected.stdout.splitlines()), ""
         for line in lines:
             if is_units(line):
                 units = places(line)
                 continue
             other = next(others)
-            velocities = last_line.endswith("(vn and vt in m/s):")  # of a point psi,chi,vn,vt,S
+            listed = re.match(r" +\d+  (?=-?\d\S*,)", line)  # a point psi,chi,vn,vt,S behind its number
+            velocities = last_line.endswith("(vn and vt in m/s):") or (listed and velocities)
             last_line = line
             ordinate = re.fullmatch(r"\w+ \[(.*)\]", line)  # above a map whose rows are in this unit
             rows = ordinate[1] if ordinate else rows
@@ -63,7 +64,7 @@ class Same(unittest.TestCase):
                 before = re.findall(r"\[([^\]]*)\]", line[:x.start()])  # of an axis: vx [m/s] from -8 to 8
                 unit = behind[1] if behind and behind[1] in SCALE else before[-1] if before else units.get(x.end(), "")
                 if velocities:
-                    unit = "m/s" if k in (2, 3) else ""
+                    unit = "m/s" if k - bool(listed) in (2, 3) else ""
                 elif abscissa or re.match(r"\s*\S+ \|", line):
                     unit = abscissa[1] if abscissa else rows
                 scale = SCALE.get(unit, 1)
@@ -114,8 +115,36 @@ class Same(unittest.TestCase):
         head, units = run(f"simulate {PHYSICAL} --collisions 2").stdout.splitlines()[:2]
         named = {name: places(units).get(end, "") for end, name in places(head).items()}
         self.assertEqual(named, {"impact": "", "t": "s", "vertex": "", "psi": "rad", "chi": "rad", "vn": "m/s", "vt": "m/s",
-                                 "S": "", "p": "N s", "q": "N s", "J": "joule", "mode": ""})
+                                 "S": "", "p": "N s", "q": "N s", "J": "J", "mode": ""})
         self.assertNotIn("rad", run(f"simulate {PLAIN} --collisions 2").stdout)
+
+    def test_small_impulses_and_energies_have_a_prefix_and_two_digits(self):
+        found = document(f"simulate {PLAIN} --collisions 40")["collisions"]
+        for mass, prefix, factor in ((1 / 32, "m", 1e3), (1e-5, "u", 1e6)):  # R_c omega_s = 1 m/s
+            lines = run(f"simulate {PLAIN} --container-radius 0.125 --swirl-rate 8 --mass {mass} --collisions 40").stdout.splitlines()
+            heads, units, rows = places(lines[0]), places(lines[1]), [line for line in lines[2:] if re.match(r" +\d+ ", line)]
+            ends = {name: end for end, name in heads.items()}
+            self.assertEqual([units[ends[name]] for name in ("p", "q", "J")], [f"{prefix}N s", f"{prefix}N s", f"{prefix}J"])
+            for row, impact in zip(rows, found, strict=True):
+                for name, key in (("p", "impulse_normal"), ("q", "impulse_tangential"), ("J", "jacobi")):
+                    exact = impact[key] * mass * factor
+                    self.assertLessEqual(abs(float(row[:ends[name]].split()[-1]) - exact), 0.05 * abs(exact), (row, name))
+
+    def test_curves_and_what_accuracy_costs(self):
+        units = f" --container-radius {LENGTH} --swirl-rate {RATE} --mass {MASS}"
+        plane = "boundaries --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.5:0.6 --plane beta=0.3:0.4 --max-period 1 --lines 1"
+        self.assertEqual(self.same(plane + units, plane), 0)  # ratios alone
+        found, expected = (document(command) for command in (plane + units, plane))
+        self.assertEqual(found.pop("units"), {"length": LENGTH, "time": 1 / RATE, "mass": MASS})
+        self.assertEqual(found, expected)
+        ours, plain = (document(f"tradeoff {scene} --budget 0.2") for scene in (PHYSICAL, PLAIN))
+        self.assertEqual(ours["units"], {"length": LENGTH, "time": 1 / RATE, "mass": MASS})
+        for row, other in zip(ours["rungs"], plain["rungs"], strict=True):
+            for key in ("error", "error_of_ten", "missed_contacts", "flights"):  # times are the machine's
+                self.assertEqual(row[key], other[key], (row["name"], key))
+        lines = run(f"tradeoff {PHYSICAL} --budget 0.2").stdout.splitlines()
+        head = next(i for i, line in enumerate(lines) if line.endswith("J drift"))
+        self.assertEqual(places(lines[head + 1]), {len(lines[head]): "J"})
 
 
 class Flags(unittest.TestCase):

@@ -12,6 +12,7 @@ import script
 
 FRAMES = ("container", "laboratory", "co-rotating")
 SUFFIXES = (".mp4", ".gif")
+UNITS = ("dimensionless", "physical")
 
 #: name: (default, least, most, unit)
 NUMBERS = {"fps": (20.0, 1, 60, "pictures a second"), "duration": (8.0, 0.1, 600, "seconds")}
@@ -24,7 +25,8 @@ def arguments():
     parser.add_argument("--duration", metavar="SECONDS", help="of the film")
     parser.add_argument("--from", dest="begin", metavar="T", help="time of the orbit at which it begins")
     parser.add_argument("--to", dest="end", metavar="T", help="time of the orbit at which it ends")
-    parser.add_argument("--orbit", metavar="I", help="which of a record of orbits, from 0")
+    parser.add_argument("--orbit", metavar="I", help="which of a record of orbits, from 1")
+    parser.add_argument("--units", metavar="NAME", default="dimensionless", help="dimensionless or physical")
     return parser.parse_args()
 
 
@@ -52,7 +54,7 @@ def number(name, text):
 
 def whole(name, text):
     if not text.isdigit() or not text.isascii():
-        script.fail(2, f"{name} = {text}: allowed is a whole number from 0")
+        script.fail(2, f"{name} = {text}: allowed is a whole number from 1")
     return int(text)
 
 
@@ -60,6 +62,8 @@ def check(options):
     """What needs no look at the record, before anything is loaded that takes a second."""
     if options.frame not in FRAMES:
         script.fail(2, f"frame = {options.frame}: allowed are {', '.join(FRAMES)}")
+    if options.units not in UNITS:
+        script.fail(2, f"units = {options.units}: allowed are {', '.join(UNITS)}")
     suffix = Path(options.output).suffix
     if suffix not in SUFFIXES:
         script.fail(2, f"film '{options.output}': its suffix is none of {', '.join(SUFFIXES)}")
@@ -76,8 +80,13 @@ def main():
     count = max(2, round(fps * duration))
     figures = script.load_figures()
     from swirl_figures import film, film_file
-    shown = script.made_from(options.record, lambda: film.Film(figures.open_record(options.record[0]), options.frame,
-                                                               orbit, begin, end, count))
+
+    def make():
+        record = figures.open_record(options.record[0])
+        units = figures.physical.units_of(record) if options.units == "physical" else None
+        return film.Film(record, options.frame, orbit, begin, end, count, units)
+
+    shown = script.made_from(options.record, make)
     script.saved("film", options.output, lambda: film_file.write_film(shown.pictures(), Path(options.output), fps),
                  hold=False)
     script.report(options, "film", options.frame)

@@ -11,13 +11,13 @@ const scripts::ScriptOutput film{"animate_record.py",     "film", "swirl animate
 }  // namespace
 
 const char* const animate_details =
-    R"(The body in the swirled container, with S(t) running beside it, of a record of
+    R"(Shows the body in the swirled container, with S(t) running beside it, from a record of
   simulate   the orbit that it lists; through contact with the wall where it has samples (simulate --sample)
-  orbits     one of its fixed points and cycles, --orbit I, over a period: also an unstable one, which no orbit that is
-             followed stays on. The flights follow from the points that the record holds.
---frame: container (default; it stands still, and the swirl's centre runs around), laboratory (the container runs on its
-circle) or co-rotating (with the swirl: both stand still, and a steady mode is a closed curve).
-An .mp4 needs ffmpeg, the Debian package of that name; a .gif does not.
+  orbits     one of its cycles over a period (--orbit I, as the table numbers them), also an unstable one, on
+             which no orbit stays. The flights follow from the points in the record.
+--frame chooses where one stands: container (which is then at rest, and the swirl's centre runs around), laboratory (the
+container runs on its circle) or co-rotating (with the swirl: both are at rest, and a steady mode is a closed curve). An
+.mp4 needs ffmpeg, the Debian package of that name; a .gif does not.
 
 Example:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 12 -o orbit.h5
@@ -28,12 +28,20 @@ void AnimateOptions::add_to(Flags& command) {
     command.add_option("--frame", frame, "container (default), laboratory or co-rotating")
         ->type_name("NAME")
         ->offer({"container", "laboratory", "co-rotating"});
+    command
+        .add_option("--units", units,
+                    "of axes and clock: dimensionless (default), or physical: m, s, of a scene in SI units")
+        ->type_name("NAME")
+        ->offer({"dimensionless", "physical"});
     command.add_option("--fps", fps, "pictures a second (default 20)")->type_name("N");
     command.add_option("--duration", duration, "of the film, in seconds (default 8)")->type_name("SECONDS");
-    command.add_option("--from", from, "time of the orbit at which the film begins, in 1/omega_s (default its first)")
+    command
+        .add_option("--from", from,
+                    "time of the orbit at which the film begins, in 1/omega_s (--units physical: s; default its first)")
         ->type_name("T");
-    command.add_option("--to", to, "time at which it ends (default: 40 later, or its last)")->type_name("T");
-    command.add_option("--orbit", orbit, "which of a record of orbits, from 0 (default 0)")->type_name("I");
+    command.add_option("--to", to, "time at which it ends, in the same unit (default 40/omega_s later, or its last)")
+        ->type_name("T");
+    command.add_option("--orbit", orbit, "which of the record's cycles, from 1 (default 1)")->type_name("I");
 }
 
 int animate(AnimateOptions& options) {
@@ -44,6 +52,7 @@ int animate(AnimateOptions& options) {
     scripts::add_argument(own, "from", options.from);
     scripts::add_argument(own, "to", options.to);
     scripts::add_argument(own, "orbit", options.orbit);
+    scripts::add_argument(own, "units", options.units);
     return scripts::run_script(film, options.files, own);
 }
 

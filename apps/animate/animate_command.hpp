@@ -7,7 +7,7 @@ namespace swirl::apps::animate {
 
 struct AnimateOptions {
     scripts::ScriptFiles files;
-    std::string frame, fps, duration, from, to, orbit;  ///< empty: the script's default
+    std::string frame, fps, duration, from, to, orbit, units;  ///< empty: the script's default
 
     void add_to(Flags& command);
 };

@@ -7,6 +7,7 @@ from matplotlib.patches import Circle, Polygon
 from .look import blank_figure
 from .motion import motion_of
 from .path import FRAMES, MOST_CORNERS
+from .physical import in_si
 from .record import RecordError
 from .style import BLACK, BLUE, GREY, SKY, VERMILION, styled
 from .symbols import SPIN, TIME, scene_title
@@ -25,16 +26,18 @@ _SIZE, _DOTS = (8.0, 4.0), 100     # inches, per inch: 800 × 400 pictures; mp4 
 _PATH_POINTS = 20_000
 
 
-def span_of(motion, begin, end):
-    """(from, to) of the film. RecordError where they are not within the record's times."""
-    begin_at = motion.first if begin is None else begin
-    end_at = min(begin_at + SHOWN, motion.last) if end is None else end
+def span_of(motion, begin, end, second=1.0):
+    """(from, to) of the film, in 1/ω_s. RecordError where they are not within the record's times.
+    @param second  1/ω_s in the unit of `begin` and `end`"""
+    begin_at = motion.first if begin is None else begin / second
+    end_at = min(begin_at + SHOWN, motion.last) if end is None else end / second
     slack = 1e-9 * (1 + abs(motion.last))
     for name, value in (("from", begin_at), ("to", end_at)):
         if not motion.first - slack <= value <= motion.last + slack:
-            raise RecordError(f"{name} = {value:g}: the record's times run from {motion.first:.6g} to {motion.last:.6g}")
+            raise RecordError(f"{name} = {second * value:g}: the record's times run from {second * motion.first:.6g} to "
+                              f"{second * motion.last:.6g}")
     if end_at <= begin_at:
-        raise RecordError(f"to = {end_at:g}: after from = {begin_at:g} is wanted")
+        raise RecordError(f"to = {second * end_at:g}: must be after from = {second * begin_at:g}")
     return begin_at, end_at
 
 
@@ -42,10 +45,12 @@ class Film:
     """pictures() gives one array of RGBA after another."""
 
     @styled
-    def __init__(self, record, frame, orbit, begin, end, count):
+    def __init__(self, record, frame, orbit, begin, end, count, units=None):
+        """@param units  R_c, 1/ω_s and m (physical.units_of): axes, clock, `begin` and `end` are in SI"""
         self._scene, self._into = record.scene(), FRAMES[FRAME_NAMES[frame]]
         self._frame, self._motion = frame, motion_of(record, orbit)
-        self._begin, self._end = span_of(self._motion, begin, end)
+        self._units = units
+        self._begin, self._end = span_of(self._motion, begin, end, units[1] if units else 1.0)
         self._times = numpy.linspace(self._begin, self._end, count)
         self._fine = numpy.linspace(self._begin, self._end, _PATH_POINTS)
         self._track = self._place(*self._motion.at(self._fine)[:2], self._fine)
@@ -53,6 +58,8 @@ class Film:
         self._figure.set_dpi(_DOTS)
         self._canvas = FigureCanvasAgg(self._figure)
         self._build()
+        if units:
+            in_si(self._figure, units)
 
     def _place(self, x, y, t):
         return self._into(x, y, t, self._scene["beta"])
@@ -117,7 +124,8 @@ class Film:
         first, last = numpy.searchsorted(self._fine, [t - TRAIL, t])
         self._trail.set_data(self._track[0][first:last], self._track[1][first:last])
         self._so_far.set_data(self._fine[:last], self._spin_values[:last])
-        self._clock.set_text(f"{TIME} = {t:.2f}" + ("" if known else ": not in the record"))
+        clock = f"$t$ = {self._units[1] * t:.3g} s" if self._units else f"{TIME} = {t:.2f}"
+        self._clock.set_text(clock + ("" if known else ": not in the record"))
         if not known:
             return
         place = self._place(x, y, t)

@@ -43,13 +43,13 @@ class Motion:
 
 
 def motion_of(record, orbit=None):
-    """Of a record of `simulate`, or of one of the orbits of a record of `orbits`, the first if None."""
+    """Of a record of `simulate`, or of one of the orbits of a record of `orbits`, from 1, the first if None."""
     if "collisions" in record:
         if orbit is not None:
             raise RecordError(f"orbit = {orbit}: record '{record.path}' is of one orbit, that of swirl {record.command}")
         return _motion_of_simulate(record)
     if "orbits" in record:
-        return _motion_of_cycle(record, orbit or 0)
+        return _motion_of_cycle(record, 1 if orbit is None else orbit)
     raise RecordError(f"record '{record.path}' holds no orbit to be shown in motion; records of simulate and orbits do")
 
 
@@ -80,24 +80,24 @@ def _with_samples(record, pieces):
     return at
 
 
-def _motion_of_cycle(record, orbit):
-    count = record.size("orbits", "period")
-    if not 0 <= orbit < count:
-        raise RecordError(f"orbit = {orbit}: record '{record.path}' holds {count}, from 0")
+def _motion_of_cycle(record, number):
+    count, orbit = record.size("orbits", "period"), number - 1
+    if not 1 <= number <= count:
+        raise RecordError(f"orbit = {number}: record '{record.path}' holds the orbits 1 to {count}")
     scene, names = record.scene(), [str(name) for name in record.names("orbits", "coordinate")]
     period = int(record.column("orbits", "period")[orbit])
     points = dict(zip(names, record.column("orbits", "points")[orbit, :period].T))
     return_time = float(record.column("orbits", "return_time")[orbit])
     pieces = _flights_of_cycle(points, scene, return_time)
     if pieces is None:
-        raise RecordError(f"orbit = {orbit} of record '{record.path}' is no cycle of flights alone: it leads through "
+        raise RecordError(f"orbit = {number} of record '{record.path}' is no cycle of flights alone: it leads through "
                           "contact, and a record of simulate --sample shows that")
     return _repeated(pieces, return_time, _cycle_in_words(record, orbit, period))
 
 
 def _cycle_in_words(record, orbit, period):
     kind = "fixed point" if period == 1 else f"cycle of period {period}"
-    return f"orbit {orbit}: {kind}, {record.names('orbits', 'stability')[orbit]}"
+    return f"orbit {orbit + 1}: {kind}, {record.names('orbits', 'stability')[orbit]}"
 
 
 #: Points that are joined by a flight meet to this, in R_c; a record's points are polished to rounding.

@@ -22,10 +22,13 @@ sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
 from swirl_figures import RecordError, open_record
 from swirl_figures.film import FRAME_NAMES, Film
 from swirl_figures.motion import motion_of
+from swirl_figures.physical import units_of
 
 SCENE = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 RECORDS = {
     "orbit": f"simulate {SCENE} --collisions 60",
+    "metres": "simulate --sides 6 --container-radius 2 --polygon-radius 0.8 --swirl-radius 1 --swirl-rate 4 --mu 0.5 --restitution 0.9 "
+              "--time 6",
     "some": f"simulate {SCENE} --collisions 60 --every 10",
     "wall": "simulate --sides disk --alpha 0.1 --beta 0.05 --mu 0.4 --restitution 0.3 --time 60 --sample 0.02",
     "orbits": f"orbits {SCENE} --max-period 2 --max-time 3 --starts 100",
@@ -78,7 +81,7 @@ class Motion(WithRecords):
         unstable = record.column("orbits", "stability") == "unstable"
         self.assertTrue((unstable & (periods == 2)).any() and (unstable & (periods == 1)).any())
         scene = record.scene()
-        for orbit, (period, return_time) in enumerate(zip(periods, return_times)):
+        for orbit, (period, return_time) in enumerate(zip(periods, return_times), 1):
             motion = motion_of(record, orbit)
             times = numpy.linspace(0, 3 * return_time, 3001)[:-1]
             times = times[times < motion.last - return_time]
@@ -128,6 +131,22 @@ class Films(WithRecords):
         for one, other in (("container", "laboratory"), ("laboratory", "co-rotating"), ("container", "co-rotating")):
             self.assertGreater((pictures[one][1] != pictures[other][1]).any(axis=2).sum(), 500)
 
+    def test_of_a_scene_in_metres_axes_clock_and_range_are_in_si(self):
+        record = open_record(self.records["metres"])
+        plain, physical = (Film(record, "container", None, begin, end, 3, units)
+                           for begin, end, units in ((4, 20, None), (1, 5, units_of(record))))  # omega_s = 4/s
+        labels = [axis.get_label_text() for axes in physical._figure.axes for axis in (axes.xaxis, axes.yaxis)]
+        self.assertEqual([label.replace("$", "") for label in labels], ["x [m]", "y [m]", "time t [s]", "spin S = \\omega_p/\\omega_s"])
+        for one, other in zip(plain._times, physical._times):
+            self.assertAlmostEqual(one, other, delta=1e-12)
+        physical._set(physical._times[-1])
+        self.assertEqual(physical._clock.get_text(), "$t$ = 5 s")
+        with self.assertRaisesRegex(RecordError, "from = -5: the record's times run from 0 to"):
+            Film(record, "container", None, -5, None, 3, units_of(record))
+        result = run(f"animate {self.records['orbit']} -o {self.folder}/a.gif --units physical")
+        self.assertEqual((result.returncode, result.stderr.count("\n")), (2, 1), result.stderr)
+        self.assertIn("has no units", result.stderr)
+
     def test_an_mp4(self):
         if shutil.which("ffmpeg") is None:
             self.skipTest("ffmpeg is not installed")
@@ -164,7 +183,7 @@ class BadInput(WithRecords):
         for name, arguments, mention in (
                 ("orbit", "-o a.avi", "its suffix is none of .mp4, .gif"), ("orbit", "-o a.gif --fps 0", "fps = 0: allowed are 1 to 60"),
                 ("orbit", "-o a.gif --duration nan", "duration = nan"), ("orbit", "-o a.gif --frame sky", "frame = sky: allowed are container"),
-                ("orbits", "-o a.gif --orbit x", "orbit = x"), ("orbit", "-o a.gif --orbit 0", "is of one orbit, that of swirl simulate"),
+                ("orbits", "-o a.gif --orbit x", "orbit = x"), ("orbit", "-o a.gif --orbit 1", "is of one orbit, that of swirl simulate"),
                 ("orbit", "orbit.h5 -o a.gif", "record: at most 1 required but received 2"),
                 ("orbit", "-o a.gif --from now", "from = now"),
                 ("verdict", "-o a.gif", "no orbit to be shown in motion")):
@@ -175,7 +194,7 @@ class BadInput(WithRecords):
 
     def test_what_the_record_does_not_hold(self):
         for name, orbit, begin, end, mention in (
-                ("orbit", None, -5, None, "from = -5: the record's times run from 0 to"), ("orbit", None, 9, 5, "to = 5: after from = 9"),
+                ("orbit", None, -5, None, "from = -5: the record's times run from 0 to"), ("orbit", None, 9, 5, "to = 5: must be after from = 9"),
                 ("orbit", None, None, 1e9, r"to = 1e\+09"), ("orbits", 99999, None, None, "orbit = 99999: .* holds"),
                 ("some", None, 1.5, 1.6, "the record tells nothing between these times")):
             with self.assertRaisesRegex(RecordError, mention):
@@ -187,7 +206,7 @@ class BadInput(WithRecords):
                   "S": numpy.array([0.0, 1.0])}
         self.assertIsNone(_flights_of_cycle(points, {"alpha": 0.4, "beta": 0.5}, 3.0))
         with self.assertRaises(RecordError):
-            motion_of(open_record(self.records["orbits"]), -1)
+            motion_of(open_record(self.records["orbits"]), 0)
 
 
 class Interrupted(WithRecords):

@@ -28,20 +28,25 @@
 namespace swirl::apps::certify {
 
 const char* const certify_details =
-    R"(A cycle is proven: by interval arithmetic an explicit box about it holds exactly one cycle with this word, no vertex
-touches earlier on any of its flights, every impact is in its contact mode, the period is the smallest, and each multiplier
-lies in a disc. stability: attracting, saddle or repelling, as the discs prove it; neutral of a family (one multiplier is
-exactly 1, the others inside), whose member is that with the S or flight time under phase; undecided where a disc meets the
-unit circle. radius is the largest half-width of the box. What is not proven says which inequality failed and by how much.
+    R"(Proves cycles by interval arithmetic: an explicit box holds exactly one cycle with this word, no vertex touches earlier on
+any of its flights, every impact is in its contact mode, the period is the smallest, and each multiplier lies in a disc.
+What is not proven says which inequality failed and by how much.
+  stability  attracting, saddle or repelling, as the discs prove it; neutral: a family (one multiplier is
+             exactly 1, the others inside), whose member has the S or flight time under phase; undecided:
+             a disc meets the unit circle
+  radius     the largest half-width of the box
 The scene's numbers are decimals, 0.4 is 4/10; a point's and a box's are the doubles that are shown.
+
 The cycles are those of a record of orbits, classify, describe, continue or bifurcate (--orbit I: row I alone, as `swirl
 show` numbers them), the one near a point (--near, --period), or what the start settles on (--from attractor; exit code 3 if
-that is no cycle). --all proves all fixed points with a flight time up to --max-time and that there are no others; what
-it cannot decide it lists.
-The document is the certificate: --check proves it again from its numbers alone, by other equations. That --all found them
-all is not part of that.
-Exit code 0: all is proven (--all: and complete); 3: some is not; --check: 3 if what is stated could not be proven, 2 if
-the file is no certificate or was changed after it was written.
+that is no cycle). --all proves all fixed points with a flight time up to --max-time and that there are no others, and
+lists what it cannot decide.
+
+The document is the certificate. --check proves it again from its numbers alone, by other equations; that --all found all
+fixed points is not part of that.
+
+The exit code is 0 if all is proven (--all: and complete), 3 if some is not. With --check it is 3 if what is stated could
+not be proven, 2 if the file is no certificate or was changed after it was written.
 
 Examples:
   swirl certify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --near=-0.084,0.028,-0.554,0.89,-0.979
@@ -86,6 +91,8 @@ void require_one_input(const CertifyOptions& options) {
         throw BadInput(fmt::format("from = {} is not known: attractor (of a point: --near)", options.from));
     if (options.start.given() && options.from.empty())
         throw BadInput("a start is given; it goes with --from attractor");
+    if (options.orbit && !options.check.empty())
+        throw BadInput("--orbit and --check are both given: all cycles of a certificate are proven again");
     if (options.orbit && options.record.empty()) throw BadInput("--orbit goes with a RECORD, whose cycles it numbers");
     const bool scene_is_there = !options.record.empty() || !options.check.empty();
     if (scene_is_there && options.scene.given())
@@ -136,7 +143,7 @@ void write_and_commit(OutputFile& file, const std::string& text) {
 }
 
 CertifiedOrbit certified_at(const CyclePlace& place) {
-    CertifiedOrbit orbit{1, place.scene, place.points.size(), place.points.front(), {}};
+    CertifiedOrbit orbit{place.number, place.scene, place.points.size(), place.points.front(), {}};
     const Candidate candidate = candidate_at(place);
     if (candidate.reason.empty())
         orbit.proof = proof::prove_cycle(place.scene, candidate.claim);
@@ -153,7 +160,6 @@ std::vector<CertifiedOrbit> certified_of(const CertifyOptions& options, std::vec
     Progress progress("certify", static_cast<double>(work->size()), options.output.quiet);
     run_pieces(work->size(), options.output.threads, progress, [work, results](std::size_t i) -> KeepResult {
         CertifiedOrbit orbit = certified_at((*work)[i]);
-        orbit.number = i + 1;
         return [results, i, orbit = std::move(orbit)] { (*results)[i] = orbit; };
     });
     std::vector<CertifiedOrbit> orbits;
@@ -169,7 +175,6 @@ Certified certified_record(const CertifyOptions& options) {
     const std::size_t asked = cycles.places.size();
     Certified certified{cycles.scene, cycles.along, certified_of(options, cycles.places), {}, true};
     certified.whole = certified.orbits.size() == asked;
-    if (options.orbit && certified.whole) certified.orbits.front().number = static_cast<std::size_t>(*options.orbit);
     return certified;
 }
 

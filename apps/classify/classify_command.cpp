@@ -9,6 +9,7 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/input/each_body.hpp"
 #include "apps/modes/verdict_document.hpp"
+#include "apps/output/points_in_words.hpp"
 
 #include <fmt/format.h>
 
@@ -18,17 +19,31 @@
 namespace swirl::apps::classify {
 
 const char* const classify_details =
-    R"(Modes: steady (one state), quasi-steady (a cycle or a torus of states), chaotic, undecided. One line says what was
-found and why, one what would change it; --verbose lists all evidence. An orbit that comes to stay on the wall (outcome in-contact) is named by its contact: rolling (at rest in the
-co-rotating frame, steady; also called snaking), rolling-librating, rolling-circulating, sliding, two-vertex; a cycle
-that lands and leaves again is a landing. With e = 1 friction accelerates polygons: accelerated (on a diameter, its energy
-grows without end), chord (on a chord without slip, to a limit of S; map/chords/README.md). Without any contact the mode is undecided. An orbit is followed until nothing
-can change its verdict (an attracting cycle), at most through --transient and --collisions; --exhaustive: through all.
+    R"(The modes are steady (one state), quasi-steady (a cycle or a torus of states), chaotic and undecided. One line says what
+was found and why, one what would change it; --verbose lists all evidence. The kind is finer:
+  fixed-point, family  steady: the same state after every impact; one of a continuum of such states
+  cycle                quasi-steady: the states repeat after `period` impacts
+  quasi-periodic       quasi-steady: the states fill a torus
+  landing              quasi-steady: a cycle that stays on the wall for a while
+  rolling              steady, on the wall, at rest in the co-rotating frame (also called snaking)
+  rolling-librating, rolling-circulating, sliding, two-vertex
+                       motions on the wall (outcome in-contact)
+  accelerated          friction at e = 1 drives the body along a diameter; its energy grows without end
+  chord                friction at e = 1 drives it along a chord without slip, up to a limit of S
+                       (map/chords/README.md)
+  chaotic              the largest Lyapunov exponent is positive
+  transient            undecided: the orbit is still settling
+An orbit without any contact is undecided.
 
-With --runs R run r is the verdict of --seed SEED+r; the shares of modes and kinds and the attractors that coexist are
-listed, the most shared first, with the seed of one run each. Runs of one kind and period with the same mean S (to 1e-6)
-share an attractor; chaotic runs, undecided ones and members of a continuum (family, torus, libration, circulation) are
-grouped by kind alone. The verdict at top level is that of the first. Interrupted, a record holds the finished runs.
+An orbit is followed until nothing can change its verdict (an attracting cycle), at most through --transient and
+--collisions; --exhaustive follows all of these impacts.
+
+--runs R judges R starts, the r-th with --seed SEED+r. It lists the shares of modes and kinds, and the coexisting
+attractors, numbered, the most shared first, each with the seed of one run: `swirl classify --seed SEED` prints that one's
+point. In a record (-o) `swirl continue RECORD --orbit I` and `swirl certify RECORD --orbit I` know cycles by these numbers.
+Runs of one kind and period with the same mean S (to 1e-6) share an attractor; chaotic runs, undecided ones and members of
+a continuum (family, torus, libration, circulation) are grouped by kind alone. The verdict at top level is that of the
+first attractor. If interrupted, the finished runs are kept.
 
 Examples:
   swirl classify --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9
@@ -81,16 +96,12 @@ void write_tail(const RecordGroup& root, const std::vector<Eigen::VectorXd>& poi
     group.write<double>("points", {"impact", "coordinate"}, values, {"1", "section point just after each impact", {}});
 }
 
-/// Where the cycle is that a verdict found, in the units in which --from takes it, and how to go on from it.
-std::string point_in_words(std::vector<double> point, const std::optional<Units>& units) {
+/// Where the cycle is that a verdict found, and how to go on from it.
+std::string cycle_in_words(const std::vector<double>& point, const std::optional<Units>& units) {
     if (point.empty()) return "";
-    for (const std::size_t i : {point.size() - 3, point.size() - 2})
-        point[i] = in_units(point[i], units, "R_c omega_s");
-    std::string digits;
-    for (const double x : point) digits += fmt::format("{}{:.12g}", digits.empty() ? "" : ",", x);
     return fmt::format(
-        "  point {}{}:\n    {}\n  to go on from it: swirl continue --from attractor, or -o FILE.h5 and its record\n",
-        point.size() == 4 ? "psi,vn,vt,S" : "psi,chi,vn,vt,S", units ? " (vn and vt in m/s)" : "", digits);
+        "  point {}:\n    {}\n  to go on from it: swirl continue --from attractor, or -o FILE.h5 and its record\n",
+        point_heading(point.size(), units), point_in_words(point, units));
 }
 
 int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
@@ -120,7 +131,7 @@ int classify_one(ClassifyCommandOptions& options, const Scene<double>& scene,
     } else if (!options.output.quiet) {
         const auto units = options.scene.units();
         fmt::print("{}\n{}{}{}", scene_in_words(scene), units_in_words(units), table_of(named, options.verbose, units),
-                   point_in_words(named.verdict.point, units));
+                   cycle_in_words(named.verdict.point, units));
     }
     return exit_done;
 }

@@ -1,8 +1,12 @@
 #include "apps/classify/runs_document.hpp"
 
+#include "apps/branches/branches.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/verdict_document.hpp"
+#include "apps/output/points_in_words.hpp"
+#include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
+#include "apps/system/section_coordinates.hpp"
 
 #include <fmt/format.h>
 
@@ -54,39 +58,71 @@ Table<RunVerdict> runs_table() {
              {"largest_exponent_error", &Run::largest_exponent_error, "1", "its standard error"}}};
 }
 
-Table<SharedAttractor> attractors_table(const RunsFound& found) {
+const std::vector<double>& point_of(const SharedAttractor& a, const RunsFound& found) {
+    return found.runs[a.runs.front()].point;
+}
+
+std::size_t number_of(const SharedAttractor& a, const RunsFound& found) {
+    return static_cast<std::size_t>(&a - found.attractors.data()) + 1;
+}
+
+///   d  coordinates of a section point
+Table<SharedAttractor> attractors_table(const RunsFound& found, std::size_t d) {
     using F = Field<SharedAttractor>;
     const auto first = [&found](auto member) {
         return [&found, member](const SharedAttractor& a) { return found.runs[a.runs.front()].*member; };
     };
     const auto in_percent = [](const Value& value) {
-        return fmt::format("  {:>6.2f} %", 100 * std::get<double>(value));
+        return fmt::format(" {:>6.2f} %", 100 * std::get<double>(value));
     };
-    return {
-        {"attractor"},
-        {F{"share", [&found](const SharedAttractor& a) { return share(a.runs.size(), found); }, "1",
-           "share of the runs"}
-             .shown("share", {"  {:>8}", in_percent}),
-         F{"mode", first(&RunVerdict::mode), "", "mode of these runs"}.shown("mode", "  {:<13}"),
-         kind_field<SharedAttractor>(first(&RunVerdict::kind)).shown("kind", " {:<20}"),
-         F{"outcome", first(&RunVerdict::outcome), "", "how their orbits ended"},
-         period_field<SharedAttractor>(first(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
-         F{"mean_S", &SharedAttractor::mean_spin, "1", "mean of the runs' time means"},
-         F{"mean_S_error", &SharedAttractor::mean_spin_error, "1",
-           "its standard error over the runs; of one run its own"},
-         F{"mean_S_in_words", [](const SharedAttractor& a) { return with_error(a.mean_spin, a.mean_spin_error); },
-           no_column}
-             .table_only()
-             .shown("mean S", " {:>19}"),
-         F{"largest_exponent", &SharedAttractor::largest_exponent, "1", "mean over the runs, per impact"}.shown(
-             "exponent", " {:>11.4g}"),
-         F{"ln_multiplier", first(&RunVerdict::ln_multiplier), "1", "of a cycle: ln of its largest |multiplier|"}.shown(
-             "ln|multiplier|", " {:>14.4g}"),
-         F{"recurrence_rate", &SharedAttractor::recurrence_rate, "1", "mean over the runs"}.shown("RC", " {:>11.4g}"),
-         F{"seed", first(&RunVerdict::seed), "", "seed of the first of them"}
-             .stored_as(ElementType::string)
-             .shown("seed", "  {}")},
-        {"seed", "mode", "kind", "outcome", "period"}};
+    const auto number = [&found](const SharedAttractor& a) { return static_cast<std::int64_t>(number_of(a, found)); };
+    const auto point = [&found](const SharedAttractor& a) { return point_of(a, found); };
+    return {{"attractor"},
+            {F{"number", number, no_column}.table_only().shown("no.", "  {:>4}"),
+             F{"share", [&found](const SharedAttractor& a) { return share(a.runs.size(), found); }, "1",
+               "share of the runs"}
+                 .shown("share", {" {:>8}", in_percent}),
+             F{"mode", first(&RunVerdict::mode), "", "mode of these runs"}.shown("mode", "  {:<12}"),
+             kind_field<SharedAttractor>(first(&RunVerdict::kind)).shown("kind", " {:<19}"),
+             F{"outcome", first(&RunVerdict::outcome), "", "how their orbits ended"},
+             period_field<SharedAttractor>(first(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
+             F{"mean_S", &SharedAttractor::mean_spin, "1", "mean of the runs' time means"},
+             F{"mean_S_error", &SharedAttractor::mean_spin_error, "1",
+               "its standard error over the runs; of one run its own"},
+             F{"mean_S_in_words", [](const SharedAttractor& a) { return with_error(a.mean_spin, a.mean_spin_error); },
+               no_column}
+                 .table_only()
+                 .shown("mean S", " {:>17}"),
+             F{"largest_exponent", &SharedAttractor::largest_exponent, "1", "mean over the runs, per impact"}.shown(
+                 "exponent", " {:>10.4g}"),
+             {"ln_multiplier", first(&RunVerdict::ln_multiplier), "1", "of a cycle: ln of its largest |multiplier|"},
+             {"recurrence_rate", &SharedAttractor::recurrence_rate, "1", "mean over the runs"},
+             F{"point", point, "1", "a cycle's first state, of the first run"}
+                 .along({"coordinate"}, d)
+                 .json_written(
+                     [point](JsonWriter& json, const SharedAttractor& a) { write_point_or_null(json, point(a)); }),
+             F{"seed", first(&RunVerdict::seed), "", "seed of the first of them"}
+                 .stored_as(ElementType::string)
+                 .shown("seed", "  {}")},
+            {"seed", "mode", "kind", "outcome", "period"}};
+}
+
+std::size_t dimension_of(const Scene<double>& scene) {
+    return scene.is_disk() ? disk_dimension : polygon_dimension;
+}
+
+/// Where the cycles are, by the table's numbers, and how to go on from them.
+std::string points_of(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found) {
+    const auto units = options.scene.units();
+    std::string lines;
+    for (const SharedAttractor& a : found.attractors)
+        if (const auto& point = point_of(a, found); !point.empty())
+            lines += fmt::format("  {:>4}  {}\n", number_of(a, found), point_in_words(point, units));
+    if (lines.empty()) return "";
+    const std::string file = options.output.record.empty() ? "-o FILE.h5, then swirl continue FILE.h5"
+                                                           : "swirl continue " + options.output.record;
+    return fmt::format("  points {}:\n{}  to go on from one: {} --orbit I\n", point_heading(dimension_of(scene), units),
+                       lines, file);
 }
 
 }  // namespace
@@ -99,7 +135,7 @@ void write_runs_document(const ClassifyCommandOptions& options, const Scene<doub
         write_shares(json, "kinds", found, &RunVerdict::kind);
         json.key("escape");
         write_escape(json, found.escape);
-        write_json(json, "attractors", attractors_table(found), found.attractors);
+        write_json(json, "attractors", attractors_table(found, dimension_of(scene)), found.attractors);
         write_json(json, "steady_modes", steady_share_table(), found.steady);
         write_json(json, "runs", runs_table(), found.runs);
         if (!found.first) json.member("outcome", "interrupted");
@@ -110,7 +146,9 @@ void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, 
                 const RunsFound& found) {
     write_scene(root, scene, &options.start);
     if (found.first) write_verdict(root.group("mode"), *found.first, options.settings);
-    write_record(root.group("attractors"), attractors_table(found), found.attractors);
+    const RecordGroup attractors = root.group("attractors");
+    write_coordinate_names(attractors, static_cast<Eigen::Index>(dimension_of(scene)));
+    write_record(attractors, attractors_table(found, dimension_of(scene)), found.attractors);
     if (found.escape) write_escape(root.group("escape"), *found.escape);
     if (!found.steady.empty()) write_record(root.group("steady_modes"), steady_share_table(), found.steady);
     const RecordGroup runs = root.group("runs");
@@ -124,8 +162,9 @@ void print_runs(const ClassifyCommandOptions& options, const Scene<double>& scen
     for (const auto& [mode, count] : counts_of(found.runs, &RunVerdict::mode))
         fmt::print(" {} {:.4g} %", name_of(mode), 100 * share(count, found));
     fmt::print("\n");
-    if (found.escape) fmt::print("  {}\n", in_words(*found.escape));
-    print_table(in_units(attractors_table(found), units), found.attractors);
+    if (found.escape) fmt::print("{}\n", wrapped("  " + in_words(*found.escape), 4));
+    print_table(in_units(attractors_table(found, dimension_of(scene)), units), found.attractors);
+    fmt::print("{}", points_of(options, scene, found));
     for (const SteadyShare& mode : found.steady)
         if (mode.share == 0)
             fmt::print("  no start came to the steady mode with S {:.10g} (|multiplier| {:.4g}, flight time {})\n",

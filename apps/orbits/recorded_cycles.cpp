@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -61,27 +62,56 @@ RecordCycles steady_modes_in(const RecordReader& record, const std::string& file
         throw BadInput(fmt::format("record '{}' is damaged: columns of /steady_modes do not fit each other", file));
     const auto points = record.read<double>("/steady_modes/point");
     for (std::size_t row = 0; row < shape[0]; ++row)
-        result.places.push_back({result.scene, points_at(points, row, 1, dimension, 1)});
+        result.places.push_back({result.scene, points_at(points, row, 1, dimension, 1), row + 1});
     return result;
 }
 
-/// The cycle that a verdict found, of `classify`; its other points are the images of the first.
-RecordCycles cycle_of_verdict(const RecordReader& record, const std::string& file) {
-    RecordCycles result;
-    result.scene = scene_of(record, {}, {});
-    const auto point = record.attribute<std::vector<double>>("/mode", "point");
-    const auto period = record.attribute<std::int64_t>("/mode", "period");
-    const std::size_t dimension = result.scene.is_disk() ? disk_dimension : polygon_dimension;
+/// The cycle through a point that a verdict has; its other points are the images of the first.
+CyclePlace cycle_through(const Scene<double>& scene, const std::vector<double>& point, std::int64_t period,
+                         const std::string& file) {
+    const std::size_t dimension = scene.is_disk() ? disk_dimension : polygon_dimension;
     constexpr std::int64_t longest = 1'000'000;  // that classify looks for
     if (point.size() != dimension || period < 1 || period > longest)
         throw BadInput(fmt::format("record '{}' is damaged: the point and period of its verdict are none", file));
     const auto first = points_at(point, 0, 1, dimension, 1).front();
-    const auto points = analysis::orbit_from(
-        shooting_map_of(result.scene), coordinates_of(first, result.scene.is_disk()), 0, static_cast<int>(period));
+    const auto points = analysis::orbit_from(shooting_map_of(scene), coordinates_of(first, scene.is_disk()), 0,
+                                             static_cast<int>(period));
     if (points.empty()) throw BadInput(fmt::format("record '{}': the map ends on the cycle of its verdict", file));
-    CyclePlace place{result.scene, {}};
+    CyclePlace place{scene, {}};
     for (const auto& z : points) place.points.push_back(section_point_of(z));
-    result.places.push_back(std::move(place));
+    return place;
+}
+
+/// The cycle that a verdict found, of `classify`.
+RecordCycles cycle_of_verdict(const RecordReader& record, const std::string& file) {
+    RecordCycles result;
+    result.scene = scene_of(record, {}, {});
+    result.places.push_back(cycle_through(result.scene, record.attribute<std::vector<double>>("/mode", "point"),
+                                          record.attribute<std::int64_t>("/mode", "period"), file));
+    return result;
+}
+
+/// Those among the attractors of `classify --runs`.
+RecordCycles cycles_of_runs(const RecordReader& record, const std::string& file) {
+    RecordCycles result;
+    result.scene = scene_of(record, {}, {});
+    const auto shape = record.info("/attractors/point").shape;
+    const auto points = record.read<double>("/attractors/point");
+    const auto periods = record.read<std::int64_t>("/attractors/period");
+    const auto kinds = record.read_strings("/attractors/kind");
+    if (shape.size() != 2 || shape[0] != periods.size() || shape[0] != kinds.size())
+        throw BadInput(fmt::format("record '{}' is damaged: columns of /attractors do not fit each other", file));
+    for (std::size_t row = 0; row < periods.size(); ++row) {
+        const auto begin = points.begin() + static_cast<std::ptrdiff_t>(row * shape[1]);
+        const std::vector<double> point(begin, begin + static_cast<std::ptrdiff_t>(shape[1]));
+        const bool is_cycle = !point.empty() && std::isfinite(point.front());
+        result.others.push_back(is_cycle ? "" : kinds[row]);
+        if (!is_cycle) continue;
+        result.places.push_back(cycle_through(result.scene, point, periods[row], file));
+        result.places.back().number = row + 1;
+    }
+    if (result.places.empty())
+        throw BadInput(fmt::format("record '{}' holds no cycles: its attractors are {}", file, fmt::join(kinds, ", ")));
     return result;
 }
 
@@ -111,7 +141,7 @@ RecordCycles cycles_in_rows(const RecordReader& record, const std::string& group
         Scene<double> scene = result.scene;
         if (parameter) scene = with_parameter(scene, *parameter, values[row]);
         const auto period = static_cast<std::size_t>(periods[row]);
-        result.places.push_back({scene, points_at(points, row, shape[1], shape[2], period)});
+        result.places.push_back({scene, points_at(points, row, shape[1], shape[2], period), row + 1});
     }
     return result;
 }
@@ -121,6 +151,7 @@ RecordCycles cycles_in(const RecordReader& record, const std::string& file) {
         for (const char* const group : {"/branches", "/orbits"})
             if (record.contains(group + std::string("/points"))) return cycles_in_rows(record, group, file);
         if (record.contains("/steady_modes/point")) return steady_modes_in(record, file);
+        if (record.contains("/attractors/point") && record.contains("/runs")) return cycles_of_runs(record, file);
         if (record.contains("/mode") && record.has_attribute("/mode", "point")) return cycle_of_verdict(record, file);
     }
     throw BadInput(
@@ -141,16 +172,19 @@ RecordCycles cycles_of_record(const std::string& file) {
 
 CyclePlace cycle_of_record(const std::string& file, const std::optional<std::int64_t>& number) {
     const RecordCycles cycles = cycles_of_record(file);
-    const std::int64_t count = std::ssize(cycles.places);
-    if (!number && count > 1)
+    const std::size_t count = std::max(cycles.places.size(), cycles.others.size());
+    if (!number && cycles.places.size() != 1)
         throw BadInput(
             fmt::format("record '{}' holds {} cycles: choose one by --orbit I, 1 to {} (swirl show lists them)", file,
-                        count, count));
-    const std::int64_t chosen = number.value_or(1);
-    if (chosen < 1 || chosen > count)
-        throw BadInput(
-            fmt::format("orbit = {} is outside its range: record '{}' holds the cycles 1 to {}", chosen, file, count));
-    return cycles.places[static_cast<std::size_t>(chosen - 1)];
+                        cycles.places.size(), count));
+    if (!number) return cycles.places.front();
+    for (const CyclePlace& place : cycles.places)
+        if (std::cmp_equal(place.number, *number)) return place;
+    if (*number >= 1 && std::cmp_less_equal(*number, count))
+        throw BadInput(fmt::format("orbit = {}: attractor {} of record '{}' is no cycle but {}", *number, *number, file,
+                                   cycles.others[static_cast<std::size_t>(*number - 1)]));
+    throw BadInput(
+        fmt::format("orbit = {} is outside its range: record '{}' holds the cycles 1 to {}", *number, file, count));
 }
 
 std::string point_as_flag(const SectionPoint<double>& z, bool disk) {

@@ -15,14 +15,16 @@ namespace swirl::apps::orbits {
 struct CyclePlace {
     Scene<double> scene;
     std::vector<SectionPoint<double>> points;
+    std::size_t number = 1;  ///< of the record's row, from 1
 };
 
 /// The cycles of a record of `orbits`, those along the branches of `continue` and `bifurcate`, the steady modes of
-/// `describe`, or the cycle that `classify` found, in the order of the record's rows.
+/// `describe`, or those that `classify` found, in the order of the record's rows.
 struct RecordCycles {
     Scene<double> scene;
     std::string along;  ///< the parameter in which the cycles' scenes differ; empty: all in the same scene
     std::vector<CyclePlace> places;
+    std::vector<std::string> others = {};  ///< kinds of the rows that are no cycles (chaos), "" of those that are
 };
 /// @throws BadInput if it holds none
 RecordCycles cycles_of_record(const std::string& file);

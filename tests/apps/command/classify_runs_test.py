@@ -113,7 +113,7 @@ class Runs(InFolder):
         shares = document(f"classify {COEXISTING} --runs 16")["modes"]
         text = run(f"classify {COEXISTING} --runs 16").stdout
         for mode, kind, period in (("quasi-steady", "cycle", 8), ("steady", "fixed-point", 1)):
-            self.assertRegex(text, rf"{100 * shares[mode]:.2f} %\s+{mode}\s+{kind}\s+{period}")
+            self.assertRegex(text, rf"\n +\d +{100 * shares[mode]:.2f} %\s+{mode}\s+{kind}\s+{period} ")
 
     def test_bad_input(self):
         record = self.folder / "o.h5"

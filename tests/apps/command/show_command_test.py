@@ -19,12 +19,21 @@ COMMANDS = {
     "branch": f"continue {HEXAGON} --from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.39:0.41 --switch 0",
     "map": "sweep --sides 6 --mu 0.5 --restitution 0.95 --beta 0.5 --grid alpha=0.3:0.5:2 --transient 100 --collisions 100",
 }
+#: A fixed point, and one of eight runs that is still in chaos.
+SETTLING = "classify --sides 6 --alpha 0.5 --beta 0.54 --mu 0.5 --restitution 0.95 --runs 8"
 CHAOTIC = "--sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1"
 
 
+DOCUMENTED = ("cycles", "modes", "verdict")
+
+
 def setUpModule():
-    global RECORDS
-    RECORDS = made_records(COMMANDS, folder_of_module())
+    """Records, and of some commands the documents of the same runs."""
+    global RECORDS, DOCUMENTS
+    folder = folder_of_module()
+    RECORDS = made_records({name: command for name, command in COMMANDS.items() if name not in DOCUMENTED}, folder)
+    RECORDS.update({name: folder / f"{name}.h5" for name in DOCUMENTED})
+    DOCUMENTS = {name: document(f"{COMMANDS[name]} --quiet -o {RECORDS[name]}") for name in DOCUMENTED}
 
 
 def rows_of(text):
@@ -49,7 +58,7 @@ class Show(Refusing):
 
     def test_json_has_what_the_record_has_by_the_documents_names(self):
         shown = document(f"show {RECORDS['cycles']}")
-        found = document(COMMANDS["cycles"])
+        found = DOCUMENTS["cycles"]
         self.assertEqual(shown["scene"], found["scene"])
         self.assertEqual(shown["record"]["command"], "orbits")
         self.assertEqual(shown["attributes"]["orbits_max_time"], 12)
@@ -58,7 +67,7 @@ class Show(Refusing):
             for key in ("period", "mean_S", "return_time", "stability", "residual"):
                 self.assertEqual(orbit[key], row[key])
         verdict = document(f"show {RECORDS['verdict']}")["mode"]
-        self.assertEqual([e["says"] for e in verdict["evidence"]], [e["says"] for e in document(COMMANDS["verdict"])["evidence"]])
+        self.assertEqual([e["says"] for e in verdict["evidence"]], [e["says"] for e in DOCUMENTS["verdict"]["evidence"]])
 
     def test_csv_has_every_digit(self):
         path = self.folder / "cycles.csv"
@@ -111,8 +120,8 @@ class GoOn(Refusing):
         return min(abs(p["point"]["S"] - spin) + abs(p["parameter"] - 0.4) for p in points) < 1e-9
 
     def test_continue_from_a_records_cycle(self):
-        spins = [orbit["points"][0]["S"] for orbit in document(COMMANDS["cycles"])["orbits"]]
-        for name, spins in (("cycles", spins), ("modes", [m["S"] for m in document(COMMANDS["modes"])["steady_modes"]])):
+        spins = [orbit["points"][0]["S"] for orbit in DOCUMENTS["cycles"]["orbits"]]
+        for name, spins in (("cycles", spins), ("modes", [m["S"] for m in DOCUMENTS["modes"]["steady_modes"]])):
             for number in (1, 4):
                 found = document(f"continue {RECORDS[name]} --orbit {number} --along alpha=0.399:0.401 --switch 0")
                 self.assertEqual(found["scene"]["beta"], 0.5)
@@ -128,7 +137,7 @@ class GoOn(Refusing):
         self.assertLess(min(abs(p["point"]["S"] - spin) for p in found["branches"][0]["points"]), 1e-9)
 
     def test_from_what_the_start_settles_on(self):
-        verdict = document(COMMANDS["verdict"])
+        verdict = DOCUMENTS["verdict"]
         self.assertEqual(list(verdict["section_point"].values()), verdict["point"])
         self.assertEqual(list(verdict["section_point"]), ["psi", "chi", "vn", "vt", "S"])
         for command in (f"continue {HEXAGON} --from attractor", f"continue {RECORDS['verdict']}"):
@@ -154,8 +163,27 @@ class GoOn(Refusing):
         self.assertTrue(found[0]["proven"])
         self.assertRegex(run(f"certify {RECORDS['modes']} --orbit 3").stdout, r"\n +3 +1 ")
 
+    def test_the_cycles_among_the_attractors_of_several_runs(self):
+        record = self.folder / "runs.h5"
+        found = document(f"{SETTLING} --quiet -o {record}")["attractors"]
+        self.assertEqual([(a["kind"], a["point"] is None) for a in found], [("fixed-point", False), ("transient", True)])
+        text = run(SETTLING).stdout
+        self.assertRegex(text, r"\n +1 +87\.50 % +steady +fixed-point .*\n +2 +12\.50 % +undecided +transient ")
+        point, = re.findall(r"  points psi,chi,vn,vt,S:\n +1  (\S+)\n  to go on", text)
+        self.assertEqual([float(f"{x:.12g}") for x in found[0]["point"].values()], [float(x) for x in point.split(",")])
+        branch = document(f"continue {record} --orbit 1 --along beta=0.539:0.541 --switch 0")["branches"][0]["points"]
+        self.assertLess(min(abs(p["point"]["S"] - found[0]["mean_S"]) + abs(p["parameter"] - 0.54) for p in branch), 1e-9)
+        self.assertEqual([orbit["proven"] for orbit in document(f"certify {record}")["orbits"]], [True])
+        for flags, mention in (("--orbit 2", "attractor 2 of record"), ("--orbit 3", "the cycles 1 to 2")):
+            for command in ("certify", "continue --along beta=0.53:0.55"):
+                result = run(f"{command} {record} {flags}")
+                self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), result.stderr)
+                self.assertIn(mention, result.stderr)
+        self.assertEqual(run(f"classify {CHAOTIC} --runs 2 --transient 100 --collisions 100 --quiet -o {record}").returncode, 0)
+        self.assertIn("holds no cycles: its attractors are chaotic", run(f"certify {record}").stderr)
+
     def test_stable_cycles_alone(self):
-        every = document(COMMANDS["cycles"])["orbits"]
+        every = DOCUMENTS["cycles"]["orbits"]
         stable = [orbit for orbit in every if orbit["stability"] == "stable"]
         self.assertTrue(0 < len(stable) < len(every))
         found = document(COMMANDS["cycles"] + " --stable")
@@ -178,7 +206,7 @@ class GoOn(Refusing):
         self.assertEqual(run(f"continue {copied} --orbit 1 --along alpha=0.39:0.41 -o {copied} --force").returncode, 2)
         self.assertEqual(copied.read_bytes(), cycles.read_bytes())
         for flags, mention in ((f"{cycles} --orbit 32", "the cycles 1 to 31"), (f"{sweep}", "holds no cycles"),
-                               (f"{HEXAGON} --all --orbit 1", "--orbit"), (f"{HEXAGON} --from nowhere", "attractor")):
+                               (f"{HEXAGON} --all --orbit 1", "--orbit"), ("--check c.json --orbit 1", "all cycles of a certificate"), (f"{HEXAGON} --from nowhere", "attractor")):
             result = run(f"certify {flags}")
             self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
             self.assertIn(mention, result.stderr)

@@ -40,10 +40,11 @@ int fail_to_print(const std::string& message) {
 
 /// Under --help.
 const char* const path_through_commands =
-    R"(The path:  simulate -> classify -> sweep         one orbit; its mode; the modes over parameters
-           orbits -> continue -> bifurcate      cycles; their branches over a parameter; attractors and branches
-           plot, animate, notebook              the figure, film or notebook of any record (-o FILE.h5)
-`swirl COMMAND --help` (or `swirl help COMMAND`) ends with an example that runs:  swirl tour  names the modes of built-in
+    R"(Where to begin:
+  simulate -> classify -> sweep    one orbit; its mode; the modes over parameters
+  orbits -> continue -> bifurcate  cycles; their branches over a parameter; attractors and branches
+  plot, animate, notebook          the figure, film or notebook of any record (-o FILE.h5)
+`swirl COMMAND --help` (or `swirl help COMMAND`) ends with an example that runs. `swirl tour` names the modes of built-in
 scenes.)";
 
 /// Runs of a sweep take and free a megabyte each. glibc would return it to the system every time, which then clears it
@@ -85,8 +86,8 @@ int run_or_fail(Program& program, int argc, char** argv) {
 
 int run(int argc, char** argv) {
     Program program(
-        "Swirl: a rigid polygon or disk in a swirled circular container, followed exactly from one collision "
-        "to the next, and its mode named.",
+        "Swirl follows a rigid polygon or disk in a swirled circular container exactly from one collision to the "
+        "next, and names its mode.",
         fmt::format("swirl {} ({})", version(), instruction_set()), path_through_commands);
     add_commands(program);
     const int code = run_or_fail(program, argc, argv);

@@ -14,13 +14,14 @@
 namespace swirl::apps::bifurcate {
 
 const char* const bifurcate_details =
-    R"(The attractor diagram: S after each impact (or another coordinate), after a transient, for every value of the parameter.
-Columns are sampled from R random starts (start r: that of `swirl classify --seed SEED+r`), with --follow also by following
-the attractor from column to column upwards and downwards (hysteresis). The mode is the verdict of `swirl classify` on these
-impacts, or on as many as it takes itself where they leave an orbit undecided. Where an orbit settles on a cycle its samples
-are those of one period, once it is on it but for rounding. A column's mode and period are those of most of its starts.
+    R"(Samples the attractors at every value of a parameter: S after each impact (or another coordinate), after a transient, from
+R random starts (start r is that of `swirl classify --seed SEED+r`). --follow also follows the attractor from column to
+column, upwards and downwards (hysteresis). The mode is the verdict of `swirl classify` on these impacts, or on as many as
+it takes itself where they leave an orbit undecided. An orbit that settles on a cycle is sampled over one period, once it is
+on it but for rounding. A column's mode and period are those of most of its starts.
+
 --branches continues every cycle found (period <= --longest-branch) over the whole range, stable or not, names its special
-points, and says how well samples and stable branches agree. An interrupted run writes the orbits that are done. `swirl plot`
+points, and says how well samples and stable branches agree. If interrupted, the finished orbits are kept. `swirl plot`
 draws the record.
 
 Examples:

@@ -2,6 +2,7 @@
 #include "apps/bifurcate/column_shares.hpp"
 
 #include "apps/modes/mode_fields.hpp"
+#include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>
@@ -267,11 +268,12 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
     fmt::print("{} columns, {} orbits: {}\n", diagram.columns.size(), all, shares);
     if (!options.branches) return;
     print_branches(branches_of(options, diagram), diagram.along, diagram.branches);
-    fmt::print(
-        "{} cycles on stable branches (|multiplier| < 0.99): S differs by {:.1e} at most, the orbits' own last "
-        "states by {:.1e}; {} on no branch, {} members of families\n",
+    const std::string agreement = fmt::format(
+        "{} cycles lie on stable branches (|multiplier| < 0.99): S differs by {:.1e} at most, the orbits' own last "
+        "states by {:.1e}; {} lie on no branch, {} are members of families",
         diagram.agreement.compared, diagram.agreement.largest, diagram.agreement.distance, diagram.agreement.without,
         diagram.agreement.in_families);
+    fmt::print("{}\n", wrapped(agreement, 4));
 }
 
 }  // namespace swirl::apps::bifurcate

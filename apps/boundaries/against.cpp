@@ -226,20 +226,20 @@ void print_agreement(const Plane& plane, const Agreement& agreement) {
     const auto share = [&](std::size_t count) {
         return agreement.cells == 0 ? 0 : 100.0 * static_cast<double>(count) / static_cast<double>(agreement.cells);
     };
-    fmt::print("against the map: {} cells, {} with an attracting cycle by the curves\n", agreement.cells,
+    const auto line = [&](std::size_t count, const char* what) {
+        fmt::print("  {:>7} {:>6.2f} %  {}\n", count, share(count), what);
+    };
+    fmt::print("compared with the map: {} cells; the curves predict attracting cycles in {}\n", agreement.cells,
                agreement.with_cycle);
-    fmt::print("  a run came to a cycle that no curve leads to: {} cells, {:.2f} %\n", agreement.missing_cells,
-               share(agreement.missing_cells));
-    fmt::print("  a cycle attracts that no run came to:         {} cells, {:.2f} %\n", agreement.unseen_cells,
-               share(agreement.unseen_cells));
-    fmt::print("  cells whose cycle only the map's own runs led to: {}\n", agreement.led_by_runs);
+    line(agreement.missing_cells, "have a run that came to a cycle to which no curve leads");
+    line(agreement.unseen_cells, "have an attracting cycle to which no run came");
+    line(agreement.led_by_runs, "have a cycle to which only the map's own runs led");
     if (agreement.family_cells > 0)
-        fmt::print("  a run came to a member of a family, not compared: {} cells, {:.2f} %\n", agreement.family_cells,
-                   share(agreement.family_cells));
+        line(agreement.family_cells, "have a run that came to a member of a family, which is not compared");
     if (agreement.outside_cells > 0)
-        fmt::print("  cells outside of the plane, not compared:     {}\n", agreement.outside_cells);
+        fmt::print("  {} cells lie outside the plane and are not compared\n", agreement.outside_cells);
     for (const auto& entry : agreement.list)
-        fmt::print("  {} = {:<10.6g} {} = {:<10.6g} period {:<3} mean S {:>13.9f}  {}\n", plane.axes[0].name,
+        fmt::print("  {} = {:<9.6g} {} = {:<9.6g} period {:<3} mean S {:>13.9f}  {}\n", plane.axes[0].name,
                    entry.parameters[0], plane.axes[1].name, entry.parameters[1], entry.period, entry.mean_spin,
                    entry.why);
 }

@@ -18,28 +18,40 @@ constexpr int default_max_period = 4, default_lines = 12;
 }
 
 const char* const boundaries_details =
-    R"(Curves in a plane of two parameters (alpha, beta, mu, restitution, inertia-factor) on which cycles bifurcate: fold, flip,
-neimark-sacker, followed by pseudo-arclength on minimally augmented systems, each once. They begin at the special points of
-branches of cycles of period <= --max-period along --lines lines through the plane each way (diagrams as of `swirl
-bifurcate`, every branch followed stable or not), or at those of a record (--from: of continue, bifurcate --branches or
-boundaries). Along them the coefficient of the normal form (`swirl continue --help`).
-Points of codimension 2: cusp, generalised-flip, chenciner, 1:1, 1:2, 1:3, 1:4, fold-flip, fold-neimark-sacker,
-flip-neimark-sacker, double-neimark-sacker. A curve of another kind that crosses there is followed, too, and the
+    R"(Follows the curves in a plane of two parameters on which cycles bifurcate: fold, flip and neimark-sacker, each once, by
+pseudo-arclength on minimally augmented systems. The curves begin at the special points of branches of cycles (period <=
+--max-period) along --lines lines through the plane each way (diagrams as of `swirl bifurcate`; every branch is followed,
+stable or not), or at those of a record (--from: of continue, bifurcate --branches or boundaries). Along them the
+coefficient of the normal form is listed (`swirl continue --help`).
+
+Points of codimension 2 are cusp, generalised-flip, chenciner, 1:1, 1:2, 1:3, 1:4, fold-flip, fold-neimark-sacker,
+flip-neimark-sacker and double-neimark-sacker. A curve of another kind that crosses there is followed, too, and so is the
 neimark-sacker curve that ends at a 1:1 or 1:2.
-Why a curve ends: plane (it leaves it); closed; 1:1, 1:2 (neimark-sacker: the pair is real from there on); halved (the cycle
-becomes one of half its period); a border of the map: grazing, two-vertices, stick-slip, landing, or border where none of
-these is seen; not-converged; most-points (5000 each way).
-Borders: grazing (a vertex touches within a flight; so does one whose impact vanishes), two-vertices (another vertex is on
-the wall as one strikes) and stick-slip (the contact mode of an impact changes), with the times of impacts as unknowns; their
-special points fold-grazing, flip-two-vertices ... are where a curve of that kind ends on them, fold- and
-flip-vanishing-impact where one of the cycle with the vanishing impact does. These curves are followed, too, at a flip also
-the doubled cycle's on that border, and what they lead to. Landing is not followed.
---against MAP.h5, a sweep over the same two parameters: which attracting cycles, by the curves, no run came to
-(too-few-starts, or transient: a run has no verdict), and which a run came to and no curve leads to (curve-missing), after
-curves were sought from these, too. Members of families, and cells outside of the plane, are compared with nothing.
-Curves solve the smooth equations of a cycle's word (which vertices strike, in which contact mode). These are in double
-and search for no contact, so there is no other --accuracy.
-`swirl plot` draws the record, alone or over the record of a sweep.
+
+A curve ends for one of these reasons:
+  plane          it leaves the plane
+  closed         it comes back to its beginning
+  1:1, 1:2       of neimark-sacker: the pair of multipliers is real from there on
+  halved         the cycle becomes one of half its period
+  grazing, two-vertices, stick-slip, landing
+                 a border of the map (border where none of these is seen)
+  not-converged  no point was found to go on with
+  most-points    it has 5,000 points each way
+
+Curves on which a cycle meets a border are followed, too, with the times of impacts as unknowns:
+  grazing        a vertex touches within a flight, or the impact of one vanishes
+  two-vertices   another vertex is on the wall as one strikes
+  stick-slip     the contact mode of an impact changes
+A curve of folds or flips that ends on a border does so in a point fold-grazing, flip-two-vertices ...; where the border
+belongs to the cycle with the vanishing impact the point is called fold- or flip-vanishing-impact. The curves that begin
+there are followed; at a flip also the border of the doubled cycle. Landing is not followed.
+
+--against MAP.h5 compares with a sweep over the same two parameters. It names the attracting cycles that the curves predict
+and no run came to (too-few-starts, or transient: a run has no verdict), and those that a run came to and no curve leads to
+(curve-missing), after curves were sought from these, too. Members of families and cells outside the plane are not compared.
+
+The curves solve the smooth equations of a cycle's word (which vertices strike, in which contact mode) in double and search
+for no contact, so there is no other --accuracy. `swirl plot` draws the record, alone or over the record of a sweep.
 
 Examples:
   swirl boundaries --sides 6 --mu 0.5 --restitution 0.95 --plane alpha=0.3:0.6 --plane beta=0.3:0.6 --max-period 1 --lines 2

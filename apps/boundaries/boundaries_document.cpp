@@ -202,19 +202,19 @@ void write_curves_record(RecordWriter& record, const BoundariesOptions& options,
 }
 
 void print_curves(const Plane& plane, const PlaneCurves& found) {
-    const auto place = [&](const Eigen::Vector2d& p) { return fmt::format("({:.6g}, {:.6g})", p[0], p[1]); };
+    const auto place = [&](const Eigen::Vector2d& p) { return fmt::format("({:.4g}, {:.4g})", p[0], p[1]); };
     fmt::print("curves in ({}, {})\n", plane.axes[0].name, plane.axes[1].name);
-    fmt::print("{:>5}  {:<15} {:>6} {:>7}  {:<42}  {}\n", "curve", "kind", "period", "points", "from", "to");
+    fmt::print("{:>5}  {:<14} {:>6} {:>6}  {:<30}  {}\n", "curve", "kind", "period", "points", "from", "to");
     for (std::size_t c = 0; c < found.curves.size(); ++c) {
         const Curve& curve = found.curves[c];
-        fmt::print("{:>5}  {:<15} {:>6} {:>7}  {:<42}  {}\n", c, curve.kind, curve.period, curve.points.size(),
+        fmt::print("{:>5}  {:<14} {:>6} {:>6}  {:<30}  {}\n", c, curve.kind, curve.period, curve.points.size(),
                    place(curve.points.front().parameters) + " " + curve.begins,
                    place(curve.points.back().parameters) + " " + curve.ends);
         for (const auto& special : curve.special)
             fmt::print("       {:<22} {} = {:.10f}  {} = {:.10f}\n", special.kind, plane.axes[0].name,
                        special.cycle.parameters[0], plane.axes[1].name, special.cycle.parameters[1]);
     }
-    fmt::print("{} curves: {}; from {} special points, {} of them without a curve\n", found.curves.size(),
+    fmt::print("{} curves: {}; sought from {} special points, {} of which led to none\n", found.curves.size(),
                counts_of(found.curves), found.seeds, found.without);
     for (const auto& kind : found.left_out) fmt::print("not followed: {}\n", kind);
     if (!found.whole) fmt::print("interrupted: curves are missing\n");

@@ -1,4 +1,5 @@
 #include "apps/branches/branches.hpp"
+#include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/system/letter.hpp"
 
@@ -252,19 +253,21 @@ void print_branches(const SceneBranches& scene, const ParameterRange& along,
     };
     for (std::size_t b = 0; b < branches.size(); ++b) {
         const auto& branch = branches[b];
-        fmt::print("branch {}, period {}: {} points, {} from {:.8g}{} ({}) to {:.8g}{} ({})", b, branch.period(),
-                   branch.points.size(), along.name, value(branch.points.front()), unit,
-                   analysis::name_of(branch.begin), value(branch.points.back()), unit, analysis::name_of(branch.end));
-        if (branch.parent >= 0) fmt::print(", from branch {}", branch.parent);
-        fmt::print("\n");
+        std::string line = fmt::format("branch {}, period {}: {} points, {} from {:.8g}{} ({}) to {:.8g}{} ({})", b,
+                                       branch.period(), branch.points.size(), along.name, value(branch.points.front()),
+                                       unit, analysis::name_of(branch.begin), value(branch.points.back()), unit,
+                                       analysis::name_of(branch.end));
+        if (branch.parent >= 0) line += fmt::format(", from branch {}", branch.parent);
+        fmt::print("{}\n", wrapped(line, 4));
         for (const auto& special : branch.special) {
             const auto& c = special.cycle;
-            fmt::print("  {:<15} {} = {:.10f}{}  S {:>13.10f}  |multiplier| {:.6f}", kind_of(special), along.name,
-                       value(c), unit, c.at.points().front().tail(1)[0], std::abs(c.multipliers.front()));
-            if (!special.located) fmt::print("  between two points");
+            line =
+                fmt::format("  {:<15} {} = {:.10f}{}  S {:>13.10f}  |multiplier| {:.6f}", kind_of(special), along.name,
+                            value(c), unit, c.at.points().front().tail(1)[0], std::abs(c.multipliers.front()));
+            if (!special.located) line += "  between two points";
             if (special.normal_form && special.kind != analysis::SpecialKind::fold)
-                fmt::print("  {}", special.normal_form->supercritical ? "supercritical" : "subcritical");
-            fmt::print("\n");
+                line += special.normal_form->supercritical ? "  supercritical" : "  subcritical";
+            fmt::print("{}\n", wrapped(line, 18));
         }
     }
 }

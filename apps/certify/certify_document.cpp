@@ -166,7 +166,7 @@ void print_certified(const CertifyOptions& options, const Certified& certified) 
                        in_units(cell.tau_low, units, "1/omega_s"), in_units(cell.tau_high, units, "1/omega_s"),
                        units ? " s" : "", cell.phi_low, cell.phi_high, cell.reason);
     }
-    if (!certified.whole) fmt::print("  interrupted: not all were looked at\n");
+    if (!certified.whole) fmt::print("  interrupted: some cycles were not tried\n");
     if (!certified.found) fmt::print("  no cycle found\n");
     if (certified.orbits.empty()) return;
     if (!certified.all) fmt::print("  {} of {} proven\n", certified.proven(), certified.orbits.size());

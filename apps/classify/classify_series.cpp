@@ -23,13 +23,14 @@
 namespace swirl::apps::classify {
 
 const char* const classify_series_details =
-    R"(A record of simulate is judged by the orbit that it holds: by its second half, or by all of it if --skip left out its
-beginning, unless --transient and --collisions say which impacts. A measured series (--series, or a record without a
-scene) is judged without the map: does it repeat within its noise, does its spectrum have lines, is it predicted
-better than noise, and do neighbours part at a rate that all embeddings agree on? If the evidence is little or
-disagrees, the mode is undecided. With --noise SIGMA a constant with noise is recognised as steady. The longest
-segment without a gap counts; gaps of up to three rows in an angle are bridged. A position is never called steady or
-quasi-steady, since its distance from a centre swings along every flight.)";
+    R"(A record of simulate is judged by the orbit in it: by its second half, or by all of it if --skip left out the beginning,
+unless --transient and --collisions say which impacts count.
+
+A measured series (--series, or a record without a scene) is judged without the map by four questions. Does it repeat
+within its noise? Does its spectrum have lines? Is it predicted better than noise? Do neighbours part at a rate on which
+all embeddings agree? Where the evidence is little or disagrees, the mode is undecided. --noise SIGMA lets a constant with
+noise count as steady. The longest segment without a gap counts; gaps of up to three rows in an angle are bridged. A
+position is never called steady or quasi-steady, since its distance from a centre swings along every flight.)";
 
 namespace {
 
@@ -192,7 +193,7 @@ void judge_values(SeriesVerdict& v) {
     if (v.whole.quantity != distance_of_position || !regular) return;
     leave_undecided(v, {"regular in time", 1, 0,
                         "it is steady or quasi-steady, and a distance cannot tell which: it swings along every flight",
-                        "S, or an angle, of the same motion: that tells which of the two"});
+                        "S, or an angle, of the same motion, which says which of the two it is"});
 }
 
 bool is_sampled_flow(const ClassifyInput& input, const MeasuredSeries& series) {

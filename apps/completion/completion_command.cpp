@@ -10,9 +10,11 @@
 namespace swirl::apps::completion {
 
 const char* const completion_details =
-    R"text(Prints a script that lets the shell complete commands, flags, the words that a flag takes (--law, --kind, ...) and the
-names of files with the right suffix. `cmake --install` and the Debian package put it where both shells look. By hand, in
-~/.bashrc:  eval "$(swirl completion bash)"  and in ~/.zshrc, after compinit:  eval "$(swirl completion zsh)"
+    R"text(Prints a script that lets the shell complete commands, flags, the words that a flag takes (--law, --kind, ...) and the names
+of files with the right suffix. `cmake --install` and the Debian package put it into the folders that both shells search.
+By hand, one line does it:
+  bash  in ~/.bashrc:                 eval "$(swirl completion bash)"
+  zsh   in ~/.zshrc, after compinit:  eval "$(swirl completion zsh)"
 
 Examples:
   swirl completion bash

@@ -17,15 +17,25 @@
 namespace swirl::apps::continuation {
 
 const char* const continue_details =
-    R"(Follows a cycle over one parameter, both ways within A:B, through folds, by pseudo-arclength: the cycle near --from, cycle
---orbit of a RECORD of orbits, classify, describe, continue or bifurcate (in the record's scene; `swirl show` numbers its
-rows), or what the scene's start settles on (--from attractor; exit code 3 if that is no cycle). Located to rounding and named: fold, flip, neimark-sacker, branch-point; and the borders of the map:
-stick-slip, two-vertices, grazing, landing (border where none of these is seen), with the word on either side. Where the word changes and the branch goes
-on, it is followed on. Flips and branch points are switched at (--switch); a branch that is known already is left out.
-Why a branch begins or ends: range; closed; border; family (no curve over the parameter from there on); not-converged (no
-cycle found to go on); most-points (20000 each way); halved (at the flip of a cycle of half its period); switched (begins at
-another branch's special point); stopped (interrupted).
+    R"(Follows a cycle over one parameter, both ways within A:B and through folds, by pseudo-arclength. The cycle is that near
+--from, that of a RECORD of orbits, classify, describe, continue or bifurcate (--orbit I: row I, as `swirl show` numbers
+them; in the record's scene), or what the scene's start settles on (--from attractor; exit code 3 if that is no cycle).
+Special points are located to rounding and named: fold, flip, neimark-sacker, branch-point, and the map's borders
+stick-slip, two-vertices, grazing, landing (border where none of these is seen), with the word on either side. A branch is
+followed on where its word changes. At flips and branch points it is switched (--switch); a known branch is left out.
+
+A branch begins or ends for one of these reasons:
+  range          it leaves A:B
+  closed         it comes back to its beginning
+  border         it ends at a border of the map
+  family         there is no curve over the parameter from there on
+  halved         it ends at the flip of a cycle of half its period
+  switched       it begins at another branch's special point
+  not-converged  no cycle was found to go on with
+  most-points    it has 20,000 points each way
+  stopped        it was interrupted
 --along S=A:B or tau=A:B follows a family (the disk at e = 1) along itself instead, by S or by its return time.
+
 Normal forms: flip xi' = (-1 + a d) xi + b xi^3 (supercritical: b > 0), neimark-sacker z' = z e^(i theta)(1 + a d + b|z|^2)
 (supercritical: Re b < 0), fold xi' = xi + a d + b xi^2.
 

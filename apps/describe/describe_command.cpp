@@ -10,17 +10,19 @@
 namespace swirl::apps::describe {
 
 const char* const describe_details =
-    R"(From the scene's numbers alone: how far chi reaches (chi_m), the friction from which sliding can jam (Painleve), where the
-body is sheltered from the wall, whether impacts can last, and every steady mode (fixed point of the collision map) with a
-flight time up to --max-time, from two equations in closed form, each confirmed by the map. + is the branch on the outer
-side of the container's wall, psi near 0, - that on the inner one, psi near pi; j: vertices on from impact to impact, which
-fix S = 1 - 2 pi j/(N tau). A mode is stable if all multipliers lie inside the unit circle. With e = 1 a disk, and anything
-without friction, has families over tau: `swirl orbits --pin tau=VALUE` and `swirl continue --along tau=A:B` give their
-members. A disk on the wall is a pendulum: psi'' = -k sin psi.
-Of a polygon with friction it lists the chords of e = 1, too: the centre runs to and fro along them without slip, at an angle a
-to the wall's normal, a diameter if a = 0. A small swirl feeds those whose fate is `accelerates` (a diameter: J grows as
-(3/4 K beta^2 n)^(1/3) after n impacts, for ever) or `limit` (up to the speed v*, where S = S*), if |pair| < 1, so that they
-attract. With e < 1 the loss of impacts balances a diameter's gain at J*.
+    R"(Says what follows from the scene's numbers alone: how far chi reaches (chi_m), the friction from which sliding can jam
+(Painleve), how far from the wall's reach the body can be, whether impacts can last, and all steady modes (fixed points of
+the collision map) with a flight time up to --max-time, from two equations in closed form, each confirmed by the map.
+  +, -  branch: on the outer side of the container's wall (psi near 0), on the inner one (psi near pi)
+  j     vertices from impact to impact, which fix S = 1 - 2 pi j/(N tau)
+A mode is stable if all its multipliers lie inside the unit circle. With e = 1 a disk, and anything without friction, has
+families over tau; `swirl orbits --pin tau=VALUE` and `swirl continue --along tau=A:B` give their members. A disk on the
+wall is a pendulum: psi'' = -k sin psi.
+
+The table also lists a polygon's chords of e = 1 with friction: the centre runs to and fro along one without slip, at an
+angle a to the wall's normal (a diameter if a = 0). A small swirl feeds those whose fate is `accelerates` (a diameter: J
+grows as (3/4 K beta^2 n)^(1/3) after n impacts, for ever) or `limit` (up to the speed v*, where S = S*). They attract if
+|pair| < 1. With e < 1 the loss of impacts balances a diameter's gain at J*.
 
 Examples:
   swirl describe --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9

@@ -13,12 +13,13 @@
 namespace swirl::apps::lyapunov {
 
 const char* const lyapunov_details =
-    R"(Exponents are means of ln growth per collision, by falling size, from QR of the exact derivative: weighted means
-where both halves of the orbit agree on them to 1e-8 (regular orbits), plain means elsewhere; standard errors are from
-blocks. An exponent of -inf (null in JSON) says that a direction is annihilated: sticking takes one rank of DF, the end of
-a chatter several. The table names the impacts that did, and lists the exponents of the others ("without them"). An exponent is
-neutral, zero, where the summed growth stays bounded. Without friction and with e = 1 J is conserved, and exponents pair to zero.
-An orbit that ends early (in-contact, no-contact ...) gives the exponents of the impacts that it had, and exit code 3.
+    R"(Each exponent is the mean of ln growth per collision along one direction, from QR of the exact derivative; they are listed
+by falling size. Where both halves of the orbit agree to 1e-8 (regular orbits) the means are weighted, elsewhere plain;
+standard errors are from blocks. An exponent is -inf (null in JSON) where a direction is annihilated: sticking takes one
+rank of DF, the end of a chatter several. The table then names the impacts that did so, and lists the exponents without
+them. An exponent is neutral, zero, where the summed growth stays bounded. Without friction and with e = 1, J is conserved
+and exponents pair to zero. An orbit that ends early (in-contact, no-contact ...) gives the exponents of the impacts that it
+had, and exit code 3.
 
 Example:
   swirl lyapunov --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --collisions 20000)";

@@ -207,7 +207,7 @@ std::string in_words(const analysis::EscapeRate& escape, std::int64_t settling) 
     const char* const others = escape.remaining == 0 ? ""
                                : escape.others_will_leave
                                    ? "; the others are to be expected to leave, too"
-                                   : "; whether the others leave is not told by so few, or so early, escapes";
+                                   : "; these escapes are too few, or too early, to say whether the others leave";
     return fmt::format(
         "chaos: {} runs were in it after {} impacts, {} of these have left: half-life {:.3g} impacts (95 %: "
         "{:.3g} to {:.3g}){}",

@@ -10,11 +10,11 @@ const scripts::ScriptOutput document{"notebook_of_record.py",  "notebook", "swir
 }  // namespace
 
 const char* const notebook_details =
-    R"(What the record holds, its numbers and its figure, as a Jupyter notebook that has been executed. Its cells need h5py,
-xarray and matplotlib, and neither swirl nor its packages: whoever gets it can run it again and go on from there. A record
-of up to 100 kB is inside the notebook; a larger one is read from where it lies, or from beside the notebook where both have
-moved into one folder, and is checked by its SHA-256.
-Making it needs the Debian packages python3-nbformat, python3-nbclient and python3-ipykernel.
+    R"(Writes a Jupyter notebook that shows what the record holds, its numbers and its figure, and executes it. Its cells need
+h5py, xarray and matplotlib, and neither swirl nor its packages: whoever gets it can run it again and go on from there. A
+record of up to 100 kB is inside the notebook. A larger one is read from its path, or from the notebook's folder where both
+have moved there, and is checked by its SHA-256. Making a notebook needs the Debian packages python3-nbformat,
+python3-nbclient and python3-ipykernel.
 
 Example:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 200 -o orbit.h5

@@ -19,18 +19,23 @@
 namespace swirl::apps::orbits {
 
 const char* const orbits_details =
-    R"(Fixed points and cycles of the collision map, stable and unstable, each once. Period 1: all fixed points of impacts alone
-with a flight time up to --max-time, from two equations in closed form (`swirl describe`), each confirmed by the map. Longer
-periods, and cycles through contact: solved by multi-shooting with exact derivatives from close returns of trajectories and
-from random section points, then polished to rounding; where that fails, as near grazing, with the impacts' times as
-unknowns. How often each cycle was found tells how many were missed (Chao 1984): at least that many, if some
-are harder to find than others. --complete searches on, twice as long each time, until the estimate is none and nothing new
-came; cycles that fewer than 3 in n of the candidates lead to may be missing all the same. Multipliers are those of DF^k;
-index: how many lie outside the unit circle. A family (the disk at e = 1, conserved J or S) is given once, with its tangent;
---pin S=VALUE or --pin tau=VALUE gives its members there. --near gives the nearest of the cycles that lie beside the point,
-sought from it and from clouds about it, and how far it is. Interrupted, it gives the cycles that were found.
-The table numbers the cycles: in a record (-o) `swirl show`, `swirl continue RECORD --orbit I` and `swirl certify RECORD
---orbit I` know them by these numbers.
+    R"(Lists fixed points and cycles of the collision map, stable and unstable, each once.
+  period 1        all fixed points through impacts alone with a flight time up to --max-time, from two
+                  equations in closed form (`swirl describe`), each confirmed by the map
+  longer periods  and cycles through contact: multi-shooting with exact derivatives, from close returns
+                  of trajectories and from random section points, polished to rounding; where that
+                  fails, as near grazing, the impacts' times are unknowns, too
+How often each cycle was found tells how many were missed (Chao 1984): at least that many, if some are harder to find than
+others. --complete searches on, twice as long each time, until the estimate is none and nothing new came; cycles to which
+fewer than 3 in n candidates lead may be missing all the same.
+
+Multipliers are those of DF^k; index is the number of them outside the unit circle. A family (the disk at e = 1, conserved
+J or S) is listed once, with its tangent; --pin S=VALUE or --pin tau=VALUE gives its member there. --near finds the nearest
+of the cycles beside a point, from that point and from clouds about it, and says how far it is. If interrupted, the cycles
+that were found are kept.
+
+The table numbers the cycles. In a record (-o) `swirl show`, `swirl continue RECORD --orbit I`, `swirl certify RECORD
+--orbit I` and `swirl animate RECORD --orbit I` know them by these numbers.
 
 Examples:
   swirl orbits --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --period 1

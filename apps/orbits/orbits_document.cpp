@@ -62,7 +62,7 @@ std::vector<double> parts_of(const Cycle& cycle, double (*part)(const std::compl
 
 std::string stability_in_words(const Cycle& c) {
     return std::string(analysis::name_of(c.stability)) +
-           (c.is_family() ? fmt::format(", a family of {}", c.tangents.cols()) : "");
+           (c.is_family() ? fmt::format(", family of {}", c.tangents.cols()) : "");
 }
 
 /// The cycles of a map. `longest`: the longest period, to which lists of points are filled up.
@@ -76,29 +76,29 @@ Table<Cycle> cycle_table(const Scene<double>& scene, const FoundOrbits& found, s
     return {
         {"orbit"},
         {F{"number", [&found](const Cycle& c) { return &c - found.cycles.data() + 1; }, no_column}.table_only().shown(
-             "orbit", "  {:>5}"),
+             "orbit", " {:>5}"),
          F{"period", &Cycle::period, "1", "k"}.shown("period", " {:>6}"),
          F{"points", coordinates_of, "1", "section points; NaN beyond the period"}
              .along({"phase", "coordinate"}, longest * d)
              .json_written(write_points),
-         F{"return_time", &Cycle::return_time, "1/omega_s", "sum of the flights"}.shown("return time", " {:>14.10f}"),
+         F{"return_time", &Cycle::return_time, "1/omega_s", "sum of the flights"}.shown("return time", " {:>12.8f}"),
          F{"S", [](const Cycle& c) { return c.points.front().tail(1)[0]; }, "1", "S of its first point"}
              .table_only()
-             .shown("S", " {:>16.12f}"),
-         F{"mean_S", &Cycle::mean, "1", "time mean of S"}.shown("mean S", " {:>16.12f}"),
+             .shown("S", " {:>14.10f}"),
+         F{"mean_S", &Cycle::mean, "1", "time mean of S"}.shown("mean S", " {:>14.10f}"),
          F{"mean_S_per_impact", mean_spin_per_impact, no_column},
          {"multipliers", [](JsonWriter& json, const Cycle& c) { json.array(c.multipliers); }},
          F{"multiplier_re", re, "1", "real part"}.along({"multiplier_index"}, d).record_only(),
          F{"multiplier_im", im, "1", "imaginary part"}.along({"multiplier_index"}, d).record_only(),
          {"index", &Cycle::index, "1", "multipliers outside the unit circle"},
          {"stability", &Cycle::stability, "", "by the multipliers"},
-         F{"residual", &Cycle::residual, "1", "largest |F(z_i) - z_(i+1)|"}.shown("residual", " {:>9.1e}"),
+         F{"residual", &Cycle::residual, "1", "largest |F(z_i) - z_(i+1)|"}.shown("residual", " {:>8.1e}"),
          {"word", [](JsonWriter& json, const Cycle& c) { write_word(json, c.word); }},
          F{"family", [](const Cycle& c) { return c.tangents.cols(); }, "1", "parameters of the family; 0: isolated"}
              .json_written(family),
          F{"largest_multiplier", [](const Cycle& c) { return std::abs(c.multipliers.front()); }, no_column}
              .table_only()
-             .shown("|multiplier|", " {:>14.10f}"),
+             .shown("|multiplier|", " {:>12.8g}"),
          F{"found", &Cycle::found, "1", "candidates that led to it; 0: from the steady modes' equations, or --near"},
          F{"words", stability_in_words, no_column}.table_only().shown("stability", "  {}")},
         {"period", "index", "family", "mean_S", "return_time", "residual", "stability", "multiplier_re",
@@ -116,7 +116,7 @@ Table<PeriodSearch> search_table() {
     using analysis::UnseenCycles;
     return {{"search"},
             {F{"period", &PeriodSearch::period, "1", "of period 1 those through contact alone"},
-             F{"candidates", &PeriodSearch::tried, "1", "places that Newton's method began at"},
+             F{"candidates", &PeriodSearch::tried, "1", "points at which Newton's method began"},
              F{"converged", &PeriodSearch::converged, "1", "candidates that led to a cycle"},
              F{"cycles", of(&UnseenCycles::found), "1", "of that period, through contact if it is 1"},
              F{"samples", of(&UnseenCycles::samples), "1", "candidates that led to one of them"},
@@ -134,12 +134,12 @@ std::string in_words(const SteadySearch& steady, const std::optional<Units>& uni
     const char* kind = steady.set == SteadySet::families ? "families of fixed points" : "fixed points";
     if (steady.not_fixed > 0)
         return fmt::format(
-            "period 1, impacts alone: of the exact map's {} {} with tau <= {} this accuracy has {}; it may have "
+            "period 1, impacts alone: this accuracy has {} of the exact map's {} {} with tau <= {}; it may have "
             "others",
-            steady.found + steady.not_fixed, kind, time(steady.max_time), steady.found);
+            steady.found, steady.found + steady.not_fixed, kind, time(steady.max_time));
     const std::string all = fmt::format("period 1, impacts alone: all {} {} with tau <= {}", steady.found, kind,
                                         time(std::min(steady.complete_to, steady.max_time)));
-    return steady.is_complete() ? all : all + "; there are more than are looked at";
+    return steady.is_complete() ? all : all + "; there are more";
 }
 
 std::string in_words(const PeriodSearch& search) {
@@ -149,7 +149,7 @@ std::string in_words(const PeriodSearch& search) {
     if (u.found == 0) return words;
     words += fmt::format("; {} were found once, {} twice: ", u.once, u.twice);
     if (u.missed < 0.5)
-        words += "fewer than one more, if all are as easy to find";
+        words += "fewer than one is missing, if all are as easy to find";
     else
         words += fmt::format("some {:.0f} more are to be expected (95 %: {:.0f} to {:.0f})", u.missed, u.least_missed,
                              u.most_missed);

@@ -70,23 +70,31 @@ std::string all_wrapped(const std::string& text, std::size_t indent) {
 
 std::string help_in_columns(const std::string& help) {
     std::istringstream lines(help);
-    std::string all, paragraph;
+    std::string all, paragraph, item;
     const auto flush = [&] {
         if (!paragraph.empty()) all += wrapped(paragraph, 0) + "\n";
+        if (!item.empty()) all += wrapped(item, std::max(description_at(item), blanks_before(item))) + "\n";
         paragraph.clear();
+        item.clear();
     };
     bool was_blank = false;
     for (std::string line; std::getline(lines, line);) {
         const bool blank = line.find_first_not_of(' ') == std::string::npos;
-        if (blank || line[0] == ' ') flush();
         if (blank) {
+            flush();
             if (!was_blank) all += "\n";
         } else if (line.starts_with("  swirl ")) {
+            flush();
             all += example_in_columns(line) + "\n";
         } else if (line[0] == ' ') {
-            const std::size_t indent = description_at(line);
-            all += wrapped(line, indent > 0 ? indent : blanks_before(line)) + "\n";
+            if (!item.empty() && blanks_before(line) == description_at(item)) {
+                item += line.substr(blanks_before(line) - 1);
+            } else {
+                flush();
+                item = line;
+            }
         } else {
+            if (!item.empty() || line.starts_with("Usage: ")) flush();
             paragraph += (paragraph.empty() ? "" : " ") + line;
             if (line.ends_with(':')) flush();  // a heading, or what leads to a list
         }

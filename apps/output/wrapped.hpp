@@ -14,8 +14,8 @@ std::string wrapped(const std::string& line, std::size_t indent);
 /// The same of each line of a text.
 std::string all_wrapped(const std::string& text, std::size_t indent);
 
-/// What `--help` prints: paragraphs are filled, flags' descriptions broken under themselves, and examples broken before
-/// a flag with "\", so that they run as they stand.
+/// What `--help` prints: paragraphs and the descriptions of lists are filled, these under themselves, and examples are
+/// broken before a flag with "\", so that they run as they stand.
 std::string help_in_columns(const std::string& help);
 
 }  // namespace swirl::apps

@@ -12,34 +12,40 @@ const scripts::ScriptOutput words_of_it{
 }  // namespace
 
 const char* const plot_details =
-    R"(The figure follows from what the record holds; the first of several kinds is the default:
-  simulate            orbit (the next two in one), spin (S(t) with its running time mean), path (of the centre, in the
-                      laboratory, in the container, and co-rotating with the swirl; on the wall too, with simulate
-                      --sample), section (two coordinates just after each impact, --x and --y, coloured by time; of
-                      several records by record), balance (J, and what restitution and friction change of it at each
-                      impact), energy (E_p = m v^2/2 + I omega_p^2/2 over time), contacts (motion on the wall and its
-                      events; with --sample normal force, friction, slip)
-  classify            verdict (with the orbit on the section, S and its spectrum), with --runs shares
-  recurrence          recurrence: the plot of --image, the measures, the lengths of lines; or over several thresholds
-  spectrum            spectrum, with its peaks
-  lyapunov            lyapunov: exponents and their convergence
-  orbits              multipliers: in the complex plane, with the mean spin of each orbit
-  bifurcate, continue bifurcation: samples, branches and the points where they change; of special points of one kind
-                      that lie within a marker of one another the first is drawn, and their number told
-  boundaries          boundaries: curves in two parameters and their special points; over the mode map of a sweep that is
-                      given first
-  sweep, join         modes: bands, a map or panels, by the number of parameters; of --sample its points; over two
-                      numbers of the start basins: the attractor that each start came to; with --track over one
-                      parameter attractors: share and mean S of each; means: mean S, or another quantity (--of), over
-                      one parameter (--over), a line for each value of another; map: that quantity over two parameters
-  tradeoff            tradeoff: work against precision, how the verdict settles, what pieces of the model add
-  describe, tour      steady-modes; tour
---caption says what the figure shows in words: its title, all special points, also those that the figure leaves out where
-they would lie on one another, and the records.
-Several records: below one another, (a), (b), ...; section portraits in the same axes. Widths of columns by name: aps,
-aps-2, nature, nature-2, elsevier, elsevier-2. Figures narrower than 127 mm have their panels below one another.
-They are drawn by the Python package swirl_figures, which notebooks can use as well. The environment's SWIRL_FIGURES
-names another folder that holds plot_record.py, SWIRL_PYTHON another interpreter than /usr/bin/python3.
+    R"(Draws a figure of a record. What it can show follows from what the record holds; the first kind is the default:
+  simulate            orbit (the next two in one); spin (S(t) with its running time mean); path (of the
+                      centre, in the laboratory, in the container and co-rotating with the swirl; with
+                      simulate --sample on the wall, too); section (two coordinates just after each impact,
+                      --x and --y, coloured by time, or by record where there are several); balance (J, and
+                      what restitution and friction change of it at each impact); energy
+                      (E_p = m v^2/2 + I omega_p^2/2 over time); contacts (motion on the wall and its
+                      events; with --sample normal force, friction and slip)
+  classify            verdict (the orbit on the section, S and its spectrum); with --runs shares
+  recurrence          recurrence (the plot of --image, the measures and the lengths of lines, or the measures
+                      over several thresholds)
+  spectrum            spectrum (with its peaks)
+  lyapunov            lyapunov (the exponents and their convergence)
+  orbits              multipliers (in the complex plane, with the mean spin of each orbit)
+  bifurcate, continue bifurcation (samples, branches and their special points; where points of one kind lie
+                      on one another, the first is drawn, and the legend counts them)
+  boundaries          boundaries (curves in two parameters and their special points; over the mode map of a
+                      sweep, if its record is given first)
+  sweep, join         modes (bands, a map or panels, by the number of parameters; points of --sample); basins
+                      (over two numbers of the start: the attractor that each start came to); attractors
+                      (with --track, over one parameter: share and mean S of each); means (mean S or another
+                      quantity, --of, over one parameter, --over, a line for each value of another); map
+                      (that quantity over two parameters)
+  tradeoff            tradeoff (work against precision, how the verdict settles, what pieces of the model add)
+  describe            steady-modes
+  tour                tour
+Several records are drawn below one another, (a), (b), ...; section portraits share their axes. Figures narrower than 127 mm
+have their panels below one another. Names of columns' widths are aps, aps-2, nature, nature-2, elsevier and elsevier-2.
+
+--caption FILE says what the figure shows in words: its title, all special points (also those that are not drawn, as they
+would lie on one another), and the records.
+
+The Python package swirl_figures draws; notebooks can use it as well. The environment's SWIRL_FIGURES names another folder
+that has plot_record.py, SWIRL_PYTHON another interpreter than /usr/bin/python3.
 
 Example:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 200 -o orbit.h5

@@ -19,10 +19,11 @@ namespace swirl::apps::recurrence {
 namespace recurrence = analysis::recurrence;
 
 const char* const recurrence_details =
-    R"(Several thresholds (--threshold 0.1,0.2) are counted in one pass; RR ... RC are then lists, in the order of the
-list `thresholds`. A cross recurrence (--cross, --cross-column) has the first series in its rows and no RC. An
-orbit that ends early is quantified as far as it came; the outcome says why, and the exit code is 3. --threshold is in
-SI units where the scene is and the observable has a unit (x, vn, ...; S has none).
+    R"(
+Several thresholds (--threshold 0.1,0.2) are counted in one pass; RR ... RC are then lists, in the order of the list
+`thresholds`. --threshold is in SI units where the scene is and the observable has a unit (x, vn, ...; S has none). A cross
+recurrence (--cross, --cross-column) has the first series in its rows and no RC. An orbit that ends early is quantified as
+far as it came: the outcome says why, and the exit code is 3.
 
 Examples:
   swirl recurrence --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1 --collisions 2000

@@ -19,16 +19,17 @@
 namespace swirl::apps::show {
 
 const char* const show_details =
-    R"(Prints what a record holds: what made it, its scene, its settings and the tables of its groups, of each the first --rows
-rows, numbered from 1: the numbers that `swirl continue RECORD --orbit I` and `swirl certify RECORD --orbit I` take.
-A list in a row has a column for each of its values: points_psi, points_2_S (of the second impact of a cycle).
-Numbers are as the record has them, where R_c = omega_s = m = 1.
+    R"(Prints what a record holds: what made it, its scene, its settings, and the first --rows rows of each table, numbered from 1.
+`swirl continue RECORD --orbit I` and `swirl certify RECORD --orbit I` take these numbers. A list in a row has a column for
+each of its values: points_psi, points_2_S (of the second impact of a cycle). Numbers are as the record has them, where
+R_c = omega_s = m = 1.
 
---json gives all rows: of each group a list of objects, one a row, under the group's name; of a group that also has values
-of its own an object of these, with the rows under the name of what they run over (evidence of mode).
---csv FILE writes all rows of one table. Lines that begin with # say what made it and name each column's units and meaning;
-then come the names of the columns and a line a row, numbers as the shortest decimals that read back to the same double,
-nan where there is no value. --group NAME says which table, where a record has several.
+--json prints all rows. A group is a list of objects, one a row, under its name; a group that also has values of its own is
+an object of these, with the rows under the name of what they run over (evidence of mode).
+
+--csv FILE writes all rows of one table (--group NAME, where a record has several). Lines that begin with # say what made it
+and name each column's units and meaning. Then come the names of the columns and a line a row, numbers as the shortest
+decimals that read back to the same double, nan where there is no value.
 
 Examples:
   swirl orbits --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --period 1 -o fixed.h5

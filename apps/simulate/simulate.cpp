@@ -15,29 +15,36 @@
 namespace swirl::apps::simulate {
 
 const char* const simulate_details =
-    R"(The table lists the state just after each impact, all numbers where R_c = omega_s = m = 1, or in m, s, kg where the scene
-is given in them; S is a ratio and has no unit:
-  psi     direction of the contact, from the container's centre, less the swirl's (its arm): arg n - t
-  chi     direction of the contact from the body's centre, less arg n (a disk has none)
-  vn, vt  velocity of the body's centre along n, outwards, and along t, counter-clockwise, in the laboratory
-  S       omega_p/omega_s, the body's spin over the swirl's. S > 0: with the swirl, counter-clockwise seen from above (y up)
-  p, q    impulse of the wall on the body: -p n + q t
-  J       energy in the frame that turns with the swirl, E - omega_s L
-  vertex  the vertex that struck; mode: what the contact did (sliding, c-sticking, ...); *: another vertex struck, too
+    R"(The table lists the state just after each impact, in units of R_c, 1/omega_s and m, or in m, s and kg where the scene is
+given in them. S is a ratio and has no unit. n is the unit normal from the container's centre to the contact; the tangent
+points counter-clockwise.
+  psi     angle of the contact about the container's centre, less that of the swirl: arg n - omega_s t
+  chi     angle of the contact about the body's centre, less arg n (a disk has none)
+  vn, vt  velocity of the body's centre in the laboratory, along n (outwards) and along the tangent
+  S       omega_p/omega_s, the body's spin over the swirl's. S > 0: with the swirl, counter-clockwise
+          seen from above (y up)
+  p, q    impulse of the wall on the body: p against n, q along the tangent
+  J       energy in the frame that turns with the swirl: E - omega_s L
+  vertex  number of the vertex that struck; * marks that another one struck at the same time
+  mode    contact mode: sliding, c-sticking, r-sticking, c-reversed, r-reversed or frictionless
 
-Outcomes: completed; no-contact (the body never meets the wall again: proven); in-contact (e < 1: the body came to
-stay on the wall, with no impact for 1,000 time units); contact-cut-short (the same for less, since its motion on the wall is too
-fast to be followed so long); resting (e = 1: held on the wall from the start; beta = 0: slower than 1e-75); diverged (Newton's
-law with friction creates energy without end, or the next impact would be no number: an inertia factor far below
-rounding); unresolved (one flight outlasted the search for its contact, or no contact motion was consistent); interrupted.
-All but the first exit with 3, interrupted with 130.
+The outcome says how the orbit ended. All but the first exit with code 3, interrupted with 130.
+  completed          it has the impacts, or the time, that were asked for
+  no-contact         the body never meets the wall again (proven)
+  in-contact         e < 1: the body stays on the wall; it had no impact for 1,000/omega_s
+  contact-cut-short  the same for a shorter time, since it moves on the wall too fast to be followed
+  resting            e = 1: it lay on the wall from the start; beta = 0: it is slower than 1e-75
+  diverged           Newton's law with friction creates energy without end, or the next impact would
+                     overflow (an inertia factor far below rounding)
+  unresolved         the search for one contact gave up, or no motion on the wall was consistent
+  interrupted        the user ended it
 
 --camera FPS writes what a tracker would make of a film of it: -o FILE.csv has a line a frame, the body's centre, a mark at
 vertex 0 and the direction from the one to the other, rounded, with --noise, without the share --lose of the frames;
 --pixels P gives an image's axes. --seed also seeds the noise.
 
-All contacts are listed, whatever --skip and --every leave out of the impacts. J after an impact is J after the one before
-plus jacobi_restitution + jacobi_friction of the impact, and jacobi_friction + landing_jacobi of the contacts between.
+--skip and --every leave out impacts; contacts are always listed. J after an impact is J after the one before plus
+jacobi_restitution + jacobi_friction of the impact, plus jacobi_friction + landing_jacobi of the contacts between them.
 
 Examples:
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --collisions 20

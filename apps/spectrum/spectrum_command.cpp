@@ -16,11 +16,13 @@
 namespace swirl::apps::spectrum {
 
 const char* const spectrum_details =
-    R"(An orbit's S(t), constant in flight and smooth in contact, is averaged exactly over equal time bins; its frequencies
-are in units of the swirl's. Of a cycle the bins divide the period, and peaks are named by their harmonic k of its
-frequency; with --bins what lies above the highest frequency folds back below it, and such peaks are marked as folded. A series' frequencies are cycles per unit of its times; uneven times are resampled, and
-the document says how; gaps stay open, and segments that touch one are left out. The integral of the power is
-the variance. An orbit that ends early is analysed as far as it came, with exit code 3.
+    R"(
+S(t) of an orbit is constant in flight and smooth in contact; it is averaged exactly over equal time bins. Frequencies are
+in units of the swirl's. The bins divide the period of a cycle, and its peaks are named by their harmonic k of the cycle's
+frequency; with --bins, harmonics above the highest frequency fold back below it and are marked as folded. Frequencies of a
+series are cycles per unit of its times. Uneven times are resampled, and the document says how; gaps stay open, and
+segments that touch one are left out. The integral of the power is the variance. An orbit that ends early is analysed as
+far as it came, with exit code 3.
 
 Examples:
   swirl spectrum --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95

@@ -11,8 +11,8 @@
 namespace swirl::apps::sweep {
 
 const char* const join_details =
-    R"(Every shard of the sweep is needed once, in any order: the record is the same, to the byte, as that of the sweep without
---shard.
+    R"(Makes the record of the whole sweep from its shards, each given once, in any order. It has the same bytes as that of the
+sweep without --shard.
 
 Example:
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --alpha 0.4 --grid beta=0.1:0.9:4 --collisions 500 --shard 1/1 -o part.h5

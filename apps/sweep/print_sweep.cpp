@@ -1,4 +1,5 @@
 // A sweep for people: the modes of its cells, and the shares.
+#include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/sweep/sweep_command.hpp"
 #include "apps/sweep/tracks.hpp"
@@ -15,7 +16,7 @@ void print_basins(const Sweep& sweep) {
     print_table(in_units(basin_table(), sweep.units), sweep.basins->basins);
     const auto none = std::count(sweep.basins->of_cell.begin(), sweep.basins->of_cell.end(), no_basin);
     if (none > 0)
-        fmt::print("  of {} of {} cells the verdict names no attractor\n", none, sweep.basins->of_cell.size());
+        fmt::print("  the verdicts of {} of {} cells name no attractor\n", none, sweep.basins->of_cell.size());
 }
 
 void print_saddles(const Boundaries& boundaries, const std::optional<Units>& units) {
@@ -24,7 +25,7 @@ void print_saddles(const Boundaries& boundaries, const std::optional<Units>& uni
         return std::count_if(boundaries.places.begin(), boundaries.places.end(),
                              [&](const BoundaryPlace& place) { return place.leads_to == where; });
     };
-    fmt::print("boundaries of basins at {} places:", boundaries.places.size());
+    fmt::print("boundaries of basins at {} points:", boundaries.places.size());
     for (const StraddleEnd where : {StraddleEnd::found, StraddleEnd::border, StraddleEnd::rounding,
                                     StraddleEnd::undecided, StraddleEnd::ended, StraddleEnd::not_found})
         if (count(where) > 0) fmt::print(" {} {}", name_of(where), count(where));
@@ -41,10 +42,11 @@ void print_tracks(const Sweep& sweep) {
     print_table(in_units(track_table(), sweep.units), tracks);
     if (all > most) fmt::print("  and {} more, over fewer cells each\n", all - most);
     const Tracking& t = sweep.tracking;
-    fmt::print(
+    const std::string carried = fmt::format(
         "cycles were carried to a neighbour {} times: {} came to an attractor there, {} to one that no start showed, "
-        "{} do not attract there, {} were not found\n",
+        "{} do not attract there, {} were not found",
         t.carried, t.arrived, t.unseen, t.not_attracting, t.not_found());
+    fmt::print("{}\n", wrapped(carried, 4));
 }
 
 }  // namespace
@@ -64,7 +66,7 @@ void print_sweep(const Sweep& sweep) {
         shares += fmt::format("{}{} {:.2f} %", m ? ", " : "", name_of(all_modes[m]), 100 * whole.shares[m]);
     fmt::print("{} cells x {} runs: {}\n", cells, sweep.runs, shares);
     if (cells < cell_count(sweep.grid) && !sweep.shard)
-        fmt::print("of a grid of {}; the others have the verdict of their neighbours\n", cell_count(sweep.grid));
+        fmt::print("the grid has {} cells; the others have their neighbours' verdicts\n", cell_count(sweep.grid));
     if (sweep.basins) print_basins(sweep);
     if (sweep.boundaries) print_saddles(*sweep.boundaries, sweep.units);
     if (!sweep.attractors.empty()) print_tracks(sweep);

@@ -88,8 +88,8 @@ Table<Saddle> saddle_table() {
                                                                                                  " {:>12.6g}"),
          F{"rotation_number", &Saddle::rotation, "1", "of a torus: the strongest line of S, turns per impact"}.shown(
              "rotation", " {:>11.7g}"),
-         F{"places", &Saddle::places, "1", "on the boundaries that lead to it"}.shown("places", " {:>7}"),
-         F{"share", &Saddle::share, "1", "of all places"}.shown("share", {"  {:>10}", in_percent}),
+         F{"places", &Saddle::places, "1", "points on the boundaries that lead to it"}.shown("points", " {:>7}"),
+         F{"share", &Saddle::share, "1", "of all points on boundaries"}.shown("share", {"  {:>10}", in_percent}),
          {"share_low", low, "1", "from this share on, by Wilson's interval"},
          {"share_high", high, "1", "up to this share"},
          F{"point", padded, "1", "its first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}.json_as(point).along(

@@ -20,28 +20,33 @@
 namespace swirl::apps::sweep {
 
 const char* const sweep_details =
-    R"(A grid goes over one to five of alpha, beta, mu, restitution, inertia-factor, sides, law and the starts' speed
-(NAME=A:B:COUNT; by logarithms NAME=A:B:COUNT:log; a list NAME=V,V,...); in
-every cell the modes of R random starts are named. Or it goes over numbers of the start (x, y, vx, vy, angle, spin; in R_c,
-R_c omega_s, radians, omega_s, or in SI units): every cell has one start, and the map is one of basins of attraction. Run r
-of a cell is what `swirl classify --seed SEED+r` gives for the cell's scene: an orbit is followed until its verdict is
-settled, at most through --transient and --collisions. A cell's mean_S (over time), mean_S_per_impact, recurrence_rate and largest_exponent are means over its runs,
-mean_S_error the standard error over them (of one run of chaos its own, by blocks). Each cell also lists the attracting steady modes that follow from the scene's
-equations, with their shares of the runs: 0 of one that no start came to. A document lists what the runs of each cell came to
-(attractors), with Wilson's intervals. Laws are a list, and sides with a disk: sides=3,6,disk; lists do not go with --refine. --scenes FILE.csv takes a scene from each row in
-place of a grid, in columns named as these. With -o an interrupted sweep (also a killed one) is continued by the same command, and
-more --runs are added to a finished record: it is then the one made at once. A record made with other options is refused.
+    R"(Names the modes of R random starts in every cell of a grid over one to five of alpha, beta, mu, restitution, inertia-factor,
+sides, law and the starts' speed: NAME=A:B:COUNT, NAME=A:B:COUNT:log (by logarithms), or a list NAME=V,V,... (laws, sides
+with a disk: sides=3,6,disk; lists do not go with --refine). A grid over numbers of the start (x, y, vx, vy, angle, spin; in
+R_c, R_c omega_s, radians, omega_s, or in SI units) gives a map of basins of attraction: every cell has one start.
+--scenes FILE.csv takes a scene from each row in place of a grid; its columns are named as the flags.
 
---refine LEVELS halves the steps of the grid so often where the verdicts (mode, kind, period of most runs) of neighbours
-differ; the record is that of the full grid, in which cells that were not looked at (`visited` 0) have their neighbour's
-results. --sample takes points that fill the box in place of a grid: Sobol's sequence, or a Latin hypercube by --seed.
---track follows each attractor over the grid: a cycle of up to 64 impacts is carried to the next cell by Newton's method and
-is the attractor there to which it comes, if that one leads back to it; chaos, tori and motions on the wall are one where
-each of the two cells has one of them. Attractors get a number, track, in document and record; `swirl plot` draws the shares by it.
---saddles PLACES, of a map of basins: between neighbouring starts that came to different attractors, at so many places evenly
-spread, the boundary is found to 1e-12 of a step and followed to the unstable cycle or torus whose stable set it is, or to a
-border, where the map jumps: saddles with their multipliers and how many places lead to each (the other endings: docs/command-line.md).
---shard i/n does the i-th of n parts; `swirl join` makes the record of the whole of them.
+Run r of a cell is what `swirl classify --seed SEED+r` gives for the cell's scene: an orbit is followed until its verdict is
+settled, at most through --transient and --collisions. mean_S (over time), mean_S_per_impact, recurrence_rate and
+largest_exponent of a cell are means over its runs; mean_S_error is the standard error over the runs (of one run of chaos
+its own, by blocks). A document lists what the runs of each cell came to (attractors), with Wilson's intervals, and the
+attracting steady modes that follow from the scene's equations, with their shares of the runs: 0 where no start came to one.
+
+The same command with -o continues an interrupted sweep (also a killed one), and adds runs to a finished one if --runs is
+larger; the record is the one made at once. A record made with other options is refused.
+
+  --refine LEVELS   halves the grid's steps so often where the verdicts (mode, kind, period of most runs) of
+                    neighbours differ. Cells without runs (`visited` 0) have their neighbour's results.
+  --sample          takes points that fill the box: Sobol's sequence, or a Latin hypercube by --seed.
+  --track           follows each attractor over the grid and numbers it (`track`). A cycle of up to 64 impacts
+                    is carried to the next cell by Newton's method; it is the attractor there to which it
+                    comes, if that one leads back to it. Chaos, tori and motions on the wall are one where
+                    each of two neighbouring cells has one of them. `swirl plot` draws shares.
+  --saddles COUNT   finds the boundary of basins between neighbouring starts, at COUNT points evenly spread,
+                    to 1e-12 of a step, and follows it to the unstable cycle or torus whose stable set it is,
+                    or to a border, where the map jumps. It lists these saddles with their multipliers and
+                    the number of points that lead to each (docs/command-line.md: other endings).
+  --shard i/n       does the i-th of n parts; `swirl join` makes the record of the whole of them.
 
 Examples:
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:5 --collisions 500
@@ -73,8 +78,8 @@ void SweepOptions::add_to(Flags& command) {
     add_file(command, "--scenes", scenes, "a scene in each row in place of a grid, columns named as flags")
         ->type_name("FILE.csv");
     command.add_flag("--track", track, "follow each attractor from cell to cell of a grid of random starts");
-    command.add_option("--saddles", saddles, "follow so many places on the boundaries of basins to their saddles")
-        ->type_name("PLACES")
+    command.add_option("--saddles", saddles, "follow so many points on the boundaries of basins to their saddles")
+        ->type_name("COUNT")
         ->transform(whole_number(1, 10'000));
     command.add_option("--shard", shard, "i/n: the i-th of n shards of the cells, for swirl join")->type_name("");
     command.add_option("--runs", runs, "random starts in each cell (default 1)")
@@ -134,7 +139,7 @@ void require_trackable(const SweepOptions& options, const std::vector<GridAxis>&
         throw BadInput(fmt::format("{} and track are both given: {}", other, why));
     };
     if (!options.sample.empty()) refuse("sample", "a sample has no neighbours");
-    if (options.refine > 0) refuse("refine", "cells that are not looked at have no attractors of their own");
+    if (options.refine > 0) refuse("refine", "cells without runs of their own have no attractors to follow");
     if (!options.shard.empty()) refuse("shard", "neighbours of its cells are in other shards");
     if (starts_are_placed(grid)) refuse("a grid over the start", "its cells have one start each, and one attractor");
 }

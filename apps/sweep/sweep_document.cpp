@@ -268,7 +268,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     if (!sweep.visited.empty())
         group.write<std::uint8_t>("visited", axes,
                                   std::vector<std::uint8_t>(sweep.visited.begin(), sweep.visited.end()),
-                                  {"1", "1: looked at; 0: has the results of a neighbour", {}});
+                                  {"1", "1: has runs of its own; 0: has the results of a neighbour", {}});
     auto by_run = axes;
     by_run.push_back("run");
     write_run_columns(group, by_run, sweep.results);

@@ -12,8 +12,8 @@
 namespace swirl::apps::tour {
 
 const char* const tour_details =
-    R"(Scenes: a hexagon that is chaotic, one that is quasi-steady, one that is steady, a disk with and without
-friction, one that comes to roll on the wall (e < 1).
+    R"(Names the modes of a hexagon that is chaotic, one that is quasi-steady, one that is steady, a disk with and without friction,
+and one that comes to roll on the wall (e < 1).
 
 Example:
   swirl tour -o swirl-tour.h5)";

@@ -55,19 +55,20 @@ std::string evidence_in_words(const Tradeoff& found) {
         return rung.collisions == (found.enough_collisions > 0 ? found.enough_collisions : rungs.back().collisions);
     });
     const bool more_are_unknown = used + 1 == rungs.end() && !found.evidence.judged_most;
-    std::string words = fmt::format(" with {2}{0} + {0} impacts ({1:.2g} s an orbit; ", used->collisions, used->seconds,
+    std::string words = fmt::format(" with {2}{0} + {0} impacts: {1:.2g} s an orbit", used->collisions, used->seconds,
                                     more_are_unknown ? "at least " : "");
-    if (used->mean_spin_error > 0) words += fmt::format("mean S is known to {:.1g}; ", used->mean_spin_error);
+    if (used->mean_spin_error > 0) words += fmt::format(", mean S is known to {:.1g}", used->mean_spin_error);
+    words += ". ";
     if (used + 1 != rungs.end())
-        return words + fmt::format("compared with {0} + {0} {1}, and less than {2:g} % on every number between)",
+        return words + fmt::format("Compared with {0} + {0} impacts {1}; on every number between it is below {2:g} %",
                                    rungs.back().collisions, changed_in_words(*used), 100 * may_change);
-    if (more_are_unknown) return words + "the budget ended before more were judged: give a larger --budget)";
-    if (rungs.size() < 2) return words + "fewer were not tried)";
+    if (more_are_unknown) return words + "The budget ended before more were judged: give a larger --budget";
+    if (rungs.size() < 2) return words + "Fewer were not tried";
     const EvidenceRung& fewer = rungs[rungs.size() - 2];
     if (fewer.changed_rate.most < may_change)
-        return words + fmt::format("on {0} + {0} mean S differs by {1:.1g}, where less than {2:g} would do)",
+        return words + fmt::format("After {0} + {0} impacts mean S differs by {1:.1g}; below {2:g} would do",
                                    fewer.collisions, fewer.mean_spin_differs, mean_may_differ);
-    return words + fmt::format("on {0} + {0} {1}, where less than {2:g} % would do)", fewer.collisions,
+    return words + fmt::format("After {0} + {0} impacts {1}; below {2:g} % would do", fewer.collisions,
                                changed_in_words(fewer), 100 * may_change);
 }
 
@@ -77,12 +78,12 @@ std::string digits_in_words(const Tradeoff& found, const ArithmeticRung& row) {
     std::string words;
     const double one = row.flights ? row.flights->one.largest : 0, of_ten = row.flights ? row.flights->ten.largest : 0;
     if (one > 0)
-        words = fmt::format(" ({}one step is off by at most {:.1g}",
-                            found.drawn.after_transient ? "" : "on beginnings of orbits ", one);
-    if (one > 0) words += of_ten > 0 ? fmt::format(", ten by {:.1g})", of_ten) : ")";
-    words += ": orbits and continue round every step to double, so that more digits do not sharpen their cycles";
-    if (&row == &last) return words;
-    return words + fmt::format(" (simulate, recurrence and spectrum keep those of {}, at {:.3g} times the time)",
+        words = fmt::format(": one step {}is off by at most {:.1g}",
+                            found.drawn.after_transient ? "" : "at the beginning of an orbit ", one);
+    if (one > 0 && of_ten > 0) words += fmt::format(", ten by {:.1g}", of_ten);
+    words += ". orbits and continue round every step to double, so that more digits do not sharpen their cycles";
+    if (&row == &last) return words + ".";
+    return words + fmt::format("; simulate, recurrence and spectrum keep those of {}, at {:.3g} times the time.",
                                last.rung->name, last.time.median / row.time.median);
 }
 
@@ -122,12 +123,12 @@ const ArithmeticRung* cheapest(const Tradeoff& found) {
 std::string obstacle(const Tradeoff& found) {
     const DrawnFlights& drawn = found.drawn;
     if (drawn.flights.empty() && drawn.steps > 0)
-        return "every step of this orbit leads through contact, and rungs are compared on flights: nothing to compare";
+        return "every step of this orbit leads through contact, so that it has no flights to compare";
     if (drawn.flights.empty() && drawn.outcome == Outcome::completed)
         return "the budget was spent before flights were drawn: give a larger --budget";
     if (drawn.flights.empty())
         return fmt::format("no flight ends in an impact: {} after {} impacts", name_of(drawn.outcome), drawn.impacts);
-    if (found.compared == 0) return "the budget was spent before rungs were compared: give a larger --budget";
+    if (found.compared == 0) return "the budget was spent before accuracies were compared: give a larger --budget";
     return "";
 }
 
@@ -149,7 +150,7 @@ void recommend(Tradeoff& found) {
                         best->flights->flights, best->flights->missed_rate.most, verdict_in_words(found, *best));
     else
         found.reason += fmt::format("{} is what the others are compared with", best->rung->name);
-    found.advice = fmt::format("for a map over parameters use {}{}; for a cycle use {}{}", best->rung->name,
+    found.advice = fmt::format("For a map over parameters use {}{}. For a cycle use {}{}", best->rung->name,
                                evidence_in_words(found), best->rung->name, digits_in_words(found, *best));
 }
 

@@ -12,22 +12,25 @@
 namespace swirl::apps::tradeoff {
 
 const char* const tradeoff_details =
-    R"(Three ladders, measured here and now on this scene:
-  arithmetic  each rung on the same flights of the scene's own orbit: seconds per collision (median of batches in turn,
-              with quartiles), errors after one flight and after ten against quad, contacts missed and contacts out of
-              order, each with its rate's interval at 95 % (Clopper and Pearson; 0 of n says how large the rate may be
-              all the same); and on its own orbit: verdict, mean S beside its sampling error, largest exponent, drift
-              of J
-  evidence    the verdict on 100 + 100, 300 + 300 ... impacts from up to 64 random starts (one, if it is given): how
-              many have another mode on the most impacts; mean S and largest exponent; how fast chaos ends, or how
-              slowly at least. Fewer impacts are recommended where, on these and all larger numbers, less than 10 % of
-              the starts have another mode, at 95 %
-  model       each piece with and without, and which commands pay for it; what the scene does not need, nothing pays for
-Recommended is the cheapest rung of --accuracy that missed or misordered no contact and whose verdict, where it can be
-compared, is that of quad. The knee is the cheapest of all that found every contact and errs in a step by no more than
-50 roundings of a double times the step's condition.
-What is counted depends on scene, start and budget, not on the machine; times do, and so do starts beyond the first eight.
-A machine on which that takes more than the budget leaves the rest out, and says so.
+    R"(Measures, on this machine and this scene, what accuracy costs, in three tables:
+  arithmetic  each --accuracy on the same flights of the scene's orbit: seconds per collision (median of
+              batches in turn, with quartiles), errors after one flight and after ten against quad,
+              contacts missed and contacts out of order, with 95 % intervals (Clopper and Pearson; 0 of n
+              says how large the rate may be all the same). Then each on its own orbit: verdict, mean S
+              beside its sampling error, largest exponent, drift of J
+  evidence    the verdict after 100 + 100, 300 + 300 ... impacts from up to 64 random starts (one, if it
+              is given): how many have another mode after the most impacts, mean S and largest exponent,
+              and how fast chaos ends, or how slowly at least. Fewer impacts are recommended where, on
+              these and all larger numbers, less than 10 % of the starts have another mode at 95 %, and
+              mean S differs by less than 0.05
+  model       each piece of the model with and without, and which commands pay for it; no command pays for
+              what the scene does not need
+The cheapest --accuracy is recommended that missed and misordered no contact and whose verdict, where it can be compared, is
+that of quad. The knee is the cheapest of all that found every contact and errs in a step by no more than 50 roundings of a
+double times the step's condition.
+
+What is counted depends on scene, start and budget, not on the machine; times do, and so do starts beyond the first eight. A
+machine on which that takes more than the budget leaves the rest out, and the output says so.
 
 Examples:
   swirl tradeoff --sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1 --budget 2

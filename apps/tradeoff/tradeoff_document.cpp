@@ -119,13 +119,16 @@ void print_tables(const TradeoffOptions& options, const Scene<double>& scene, co
     fmt::print("{}\n{}", scene_in_words(scene), units_in_words(units));
     print_flights(found);
     print_table(errors_table(), found.rungs);
-    fmt::print("orbits: each rung's own, judged by its own map\n");
+    print_table(contacts_table(), found.rungs);
+    fmt::print("orbits: one in each accuracy, judged by its own map\n");
     print_table(in_units(orbits_table(), units), found.rungs);
     if (!found.evidence.rungs.empty()) {
-        fmt::print("evidence: verdicts on so many impacts after as many\n");
+        fmt::print("evidence: the verdict on so many impacts after as many, of the first start and of all\n");
         print_table(in_units(evidence_table(), units), found.evidence.rungs);
+        print_table(starts_table(), found.evidence.rungs);
     }
-    if (found.evidence.escape) fmt::print("  {}\n", in_words(*found.evidence.escape, chaos_judged_after));
+    if (found.evidence.escape)
+        fmt::print("{}", all_wrapped("  " + in_words(*found.evidence.escape, chaos_judged_after), 4));
     if (!found.model.empty()) {
         fmt::print("model: in double, per collision\n");
         print_table(model_table(), found.model);

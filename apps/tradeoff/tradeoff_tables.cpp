@@ -63,14 +63,14 @@ void add_errors(std::vector<Arithmetic>& fields) {
     using E = ErrorSpread;
     fields.insert(
         fields.end(),
-        {Arithmetic{"error", one(&E::median), "1", "of one step, median, against the last rung"}.shown("error",
-                                                                                                       " {:>8.2g}"),
-         Arithmetic{"error_99", one(&E::most_of), "1", "of one step, 99 % are below"}.shown("99 %", " {:>8.2g}"),
-         Arithmetic{"error_largest", one(&E::largest), "1", "of one step, largest"}.shown("largest", " {:>8.2g}"),
-         Arithmetic{"error_of_ten", ten_of(&E::median), "1", "of ten steps, median"}.shown("of ten", " {:>8.2g}"),
+        {Arithmetic{"error", one(&E::median), "1", "of one step, median, against the last accuracy"}.shown("error",
+                                                                                                           " {:>7.2g}"),
+         Arithmetic{"error_99", one(&E::most_of), "1", "of one step, 99 % are below"}.shown("99 %", " {:>7.2g}"),
+         Arithmetic{"error_largest", one(&E::largest), "1", "of one step, largest"}.shown("largest", " {:>7.2g}"),
+         Arithmetic{"error_of_ten", ten_of(&E::median), "1", "of ten steps, median"}.shown("of ten", " {:>7.2g}"),
          Arithmetic{"error_of_ten_99", ten_of(&E::most_of), "1", "of ten steps, 99 % are below"},
          Arithmetic{"error_of_ten_largest", ten_of(&E::largest), "1", "of ten steps, largest"}.shown("largest",
-                                                                                                     " {:>8.2g}"),
+                                                                                                     " {:>7.2g}"),
          Arithmetic{"error_in_condition", of_flights([](const C& c) { return c.largest_in_condition; }), "1",
                     "largest error of one step over epsilon and the step's condition"}
              .shown("/(eps c)", " {:>8.2g}")});
@@ -102,10 +102,10 @@ void add_missed(std::vector<Arithmetic>& fields) {
     fields.insert(fields.end(),
                   {Arithmetic{"flights", of_flights([](const C& c) { return c.flights; }), "1", "compared"},
                    Arithmetic{"missed_contacts", of_flights([](const C& c) { return c.missed; }), "1",
-                              "flights on which it passed the first contact over: found none, or a later one"}});
+                              "flights on which it missed the first contact: it found none, or a later one"}});
     add_rate(fields, "missed", &C::missed, &C::missed_rate, "missed contacts (95 %)");
     fields.push_back(Arithmetic{"misordered_contacts", of_flights([](const C& c) { return c.misordered; }), "1",
-                                "flights on which another vertex, or an earlier contact, took the first one's place"});
+                                "flights on which it found another vertex, or an earlier contact"});
     add_rate(fields, "misordered", &C::misordered, &C::misordered_rate, "out of order (95 %)");
 }
 
@@ -127,7 +127,7 @@ void add_orbits(std::vector<Arithmetic>& fields) {
     };
     fields.insert(
         fields.end(),
-        {Arithmetic{"mode", name(&O::mode), "", "mode of the rung's own orbit"}.json_as(or_null(&O::mode)),
+        {Arithmetic{"mode", name(&O::mode), "", "mode of the orbit in this accuracy"}.json_as(or_null(&O::mode)),
          Arithmetic{"kind", name(&O::kind), "", "its kind"}.json_as(or_null(&O::kind)),
          Arithmetic{"period", count(&O::period), "1", "period, 0: none"}.json_as(
              [](const ArithmeticRung& row) -> std::optional<std::int64_t> {
@@ -135,23 +135,24 @@ void add_orbits(std::vector<Arithmetic>& fields) {
                  return row.orbit->period;
              }),
          Arithmetic{"outcome", name(&O::outcome), "", "how that orbit ended"}.json_as(or_null(&O::outcome)),
-         Arithmetic{"impacts", count(&O::impacts), "1", "of the rung's own orbit"},
+         Arithmetic{"impacts", count(&O::impacts), "1", "of the orbit in this accuracy"},
          Arithmetic{"verdict", &verdict_in_words, no_column}.table_only().shown("verdict", " {:<13}"),
          Arithmetic{"verdict_differs",
                     [](const ArithmeticRung& row) {
                         return row.verdict_differs ? (*row.verdict_differs ? 1.0 : 0.0) : std::nan("");
                     },
-                    "1", "mode, period or outcome is not the last rung's"}
+                    "1", "mode, period or outcome is not that of the last accuracy"}
              .json_as([](const ArithmeticRung& row) { return row.verdict_differs; }),
          Arithmetic{"mean_S", number(&O::mean_spin), "1", "time mean of S"},
          Arithmetic{"mean_S_error", number(&O::mean_spin_error), "1", "its sampling error"}.shown("S sampled to",
                                                                                                   " {:>12.1g}"),
-         Arithmetic{"mean_S_off", &ArithmeticRung::mean_spin_off, "1", "mean S less the last rung's"}.shown(
+         Arithmetic{"mean_S_off", &ArithmeticRung::mean_spin_off, "1", "mean S less that of the last accuracy"}.shown(
              "off by", " {:>8.1g}"),
          Arithmetic{"largest_exponent", number(&O::largest_exponent), "1", "per impact"},
          Arithmetic{"largest_exponent_error", number(&O::largest_exponent_error), "1", "its standard error"},
-         Arithmetic{"exponent_off", &ArithmeticRung::exponent_off, "1", "largest exponent less the last rung's"}.shown(
-             "exponent off", " {:>12.1g}"),
+         Arithmetic{"exponent_off", &ArithmeticRung::exponent_off, "1",
+                    "largest exponent less that of the last accuracy"}
+             .shown("exponent off", " {:>12.1g}"),
          Arithmetic{"jacobi_drift", number(&O::jacobi_drift), "m R_c^2 omega_s^2",
                     "|sum of J after - before - what impacts and contact say| per impact"}
              .shown("J drift", " {:>8.1g}")});
@@ -169,43 +170,59 @@ void add_time(std::vector<Field<Row>>& fields, const std::string& name, const ch
               Timing Row::*member) {
     const auto read = [member](auto part) { return [member, part](const Row& row) { return (row.*member).*part; }; };
     fields.push_back(
-        Field<Row>{name, read(&Timing::median), "s", of + ", median"}.shown(heading, seconds_look(" {:>12}")));
+        Field<Row>{name, read(&Timing::median), "s", of + ", median"}.shown(heading, seconds_look(" {:>9}")));
     fields.push_back(Field<Row>{name + "_lower", read(&Timing::lower), "s", of + ", lower quartile"});
     fields.push_back(Field<Row>{name + "_upper", read(&Timing::upper), "s", of + ", upper quartile"});
+}
+
+Arithmetic name_field() {
+    return Arithmetic{"name", [](const ArithmeticRung& row) { return row.rung->name; }, "", "a name of --accuracy"}
+        .shown("accuracy", "  {:<11}");
 }
 
 }  // namespace
 
 Table<ArithmeticRung> errors_table() {
-    std::vector<Arithmetic> fields;
-    fields.push_back(
-        Arithmetic{"name", [](const ArithmeticRung& row) { return row.rung->name; }, "", "rung of --accuracy"}.shown(
-            "rung", "  {:<11}"));
+    std::vector<Arithmetic> fields = {name_field()};
     fields.push_back(Arithmetic{"what", [](const ArithmeticRung& row) { return row.rung->what; }, "", "what it is"});
     add_time(fields, "seconds_per_collision", "time", "of a collision", &ArithmeticRung::time);
     fields.push_back(
         Arithmetic{"quartiles", [](const ArithmeticRung& row) { return quartiles_in_words(row.time); }, no_column}
             .table_only()
-            .shown("quartiles", "  {:<20}"));
+            .shown("quartiles", "  {:<18}"));
     add_errors(fields);
+    return {{"rung"}, std::move(fields)};
+}
+
+Table<ArithmeticRung> contacts_table() {
+    std::vector<Arithmetic> fields = {name_field()};
     add_missed(fields);
     return {{"rung"}, std::move(fields)};
 }
 
 Table<ArithmeticRung> orbits_table() {
-    std::vector<Arithmetic> fields;
-    fields.push_back(
-        Arithmetic{"name", [](const ArithmeticRung& row) { return row.rung->name; }, "", "rung of --accuracy"}.shown(
-            "rung", "  {:<11}"));
+    std::vector<Arithmetic> fields = {name_field()};
     add_orbits(fields);
     return {{"rung"}, std::move(fields)};
 }
 
 Table<ArithmeticRung> rungs_table() {
     Table<ArithmeticRung> table = errors_table();
-    const auto orbits = orbits_table().fields;
-    table.fields.insert(table.fields.end(), orbits.begin() + 1, orbits.end());  // both begin with the name
+    for (const auto& more : {contacts_table(), orbits_table()})  // all begin with the name
+        table.fields.insert(table.fields.end(), more.fields.begin() + 1, more.fields.end());
     return table;
+}
+
+Table<EvidenceRung> starts_table() {
+    using F = Field<EvidenceRung>;
+    return {
+        {"rung"},
+        {F{"collisions", &EvidenceRung::collisions, no_column}.shown("impacts", "  {:>9}"),
+         F{"mean_S_off", &EvidenceRung::mean_spin_off, no_column}.shown("mean S off by", " {:>13.1g}"),
+         F{"mean_S_differs", &EvidenceRung::mean_spin_differs, no_column}.shown("off, all starts", " {:>15.1g}"),
+         F{"changed_in_words",
+           [](const EvidenceRung& row) { return rate_in_words(row.changed, row.runs, row.changed_rate); }, no_column}
+             .shown("starts with another mode (95 %)", "  {}")}};
 }
 
 Table<EvidenceRung> evidence_table() {
@@ -215,17 +232,15 @@ Table<EvidenceRung> evidence_table() {
         {"rung"},
         {F{"collisions", &EvidenceRung::collisions, "1", "impacts, after as many that are left out"}.shown("impacts",
                                                                                                            "  {:>9}"),
-         F{"mode", of(&RunVerdict::mode), "", "mode by so many impacts"}.shown("mode", "  {:<13}"),
+         F{"mode", of(&RunVerdict::mode), "", "mode by so many impacts"}.shown("mode", "  {:<12}"),
          kind_field<EvidenceRung>(of(&RunVerdict::kind)).shown("kind", " {:<15}"),
          period_field<EvidenceRung>(of(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
          F{"outcome", of(&RunVerdict::outcome), "", "how the orbit ended"},
-         F{"mean_S", of(&RunVerdict::mean_spin), "1", "time mean of S"}.shown("mean S", " {:>13.7g}"),
+         F{"mean_S", of(&RunVerdict::mean_spin), "1", "time mean of S"}.shown("mean S", " {:>12.6g}"),
          F{"mean_S_error", &EvidenceRung::mean_spin_error, "1", "its standard error, 0 where exact"}.shown(
              "sampled to", " {:>10.1g}"),
-         F{"mean_S_off", &EvidenceRung::mean_spin_off, "1", "mean S less that of the most impacts"}.shown("off by",
-                                                                                                          " {:>8.1g}"),
-         F{"mean_S_differs", &EvidenceRung::mean_spin_differs, "1", "the same, root mean square over the starts"}.shown(
-             "all starts", " {:>10.1g}"),
+         F{"mean_S_off", &EvidenceRung::mean_spin_off, "1", "mean S less that of the most impacts"},
+         F{"mean_S_differs", &EvidenceRung::mean_spin_differs, "1", "the same, root mean square over the starts"},
          F{"largest_exponent", of(&RunVerdict::largest_exponent), "1", "per impact"}.shown("exponent", " {:>10.4g}"),
          F{"largest_exponent_error", of(&RunVerdict::largest_exponent_error), "1", "its standard error"}.shown(
              "error", " {:>8.1g}"),
@@ -234,10 +249,6 @@ Table<EvidenceRung> evidence_table() {
          F{"changed", &EvidenceRung::changed, "1", "of these: another mode on the most impacts"},
          F{"changed_rate_least", [](const EvidenceRung& row) { return row.changed_rate.least; }, "1", "at 95 %"},
          F{"changed_rate_most", [](const EvidenceRung& row) { return row.changed_rate.most; }, "1", "at 95 %"},
-         F{"changed_in_words",
-           [](const EvidenceRung& row) { return rate_in_words(row.changed, row.runs, row.changed_rate); }, no_column}
-             .table_only()
-             .shown("another mode (95 %)", "  {:<23}"),
          F{"seconds", &EvidenceRung::seconds, "s", "that the first start's verdict took"}.shown(
              "time", seconds_look(" {:>8}"))}};
 }

@@ -6,13 +6,17 @@
 
 namespace swirl::apps::tradeoff {
 
-/// Time, errors and missed contacts of a rung …
+/// Time and errors of an arithmetic …
 Table<ArithmeticRung> errors_table();
+/// … contacts that it missed …
+Table<ArithmeticRung> contacts_table();
 /// … what its own orbit is …
 Table<ArithmeticRung> orbits_table();
 /// … and all of these.
 Table<ArithmeticRung> rungs_table();
 Table<EvidenceRung> evidence_table();
+/// What of the evidence is of all starts; evidence_table() has it in records and JSON.
+Table<EvidenceRung> starts_table();
 Table<ModelRung> model_table();
 
 }  // namespace swirl::apps::tradeoff

@@ -36,7 +36,11 @@ def run(arguments, **options):
 
 def examples_of(command):
     """The examples of its help, each as one line without "swirl"."""
-    shown = run(f"{command} --help").stdout
+    return examples_in(run(f"{command} --help").stdout)
+
+
+def examples_in(shown):
+    """The same of a help that was printed."""
     return re.findall(r"^\s*swirl (?!\w+  )(.*)$", re.sub(r" *\\\n *", " ", shown).split("Example")[-1], re.M)
 
 

@@ -53,7 +53,7 @@ class Saddles(Refusing):
         self.assertEqual(run(f"plot {path} -o {self.folder}/b.svg").returncode, 0)
         again = run(f"sweep {scene} {grid} --saddles 8 -o {path}")
         self.assertIn("holds this sweep already", again.stderr)
-        self.assertIn("boundaries of basins at 8 places", again.stdout)
+        self.assertIn("boundaries of basins at 8 points", again.stdout)
         for places in PLACES:  # whatever place it is found from, it is one
             again, = document(f"sweep {scene} {grid} --saddles {places}")["saddles"]
             self.assertAlmostEqual(again["mean_S"], torus["mean_S"], delta=1e-5)

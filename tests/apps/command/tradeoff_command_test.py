@@ -65,7 +65,7 @@ class Ladders(unittest.TestCase):
                          ["double", "quad"])
         self.assertIn(found["recommended"], rungs(found))
         self.assertIn(found["knee"], rungs(found))
-        self.assertIn("for a cycle use", found["advice"])
+        self.assertIn("For a cycle use", found["advice"])
         self.assertLess(found["flights"]["compared"], found["flights"]["drawn"] + 1)
 
     def test_double_is_right_to_fifty_roundings_of_the_condition_and_more_digits_are_better(self):
@@ -165,7 +165,7 @@ class Ladders(unittest.TestCase):
                              "nothing: e = 1, and no friction holds a vertex", scene)
 
     def test_more_digits_are_not_offered_to_cycles(self):
-        cycle = measured(CHAOS)["advice"].split("for a cycle use ")[1]
+        cycle = measured(CHAOS)["advice"].split("For a cycle use ")[1]
         self.assertIn("orbits and continue round every step to double", cycle)
         self.assertNotIn("where more digits are wanted", cycle)
 

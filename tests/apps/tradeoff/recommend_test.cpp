@@ -72,7 +72,7 @@ TEST_F(Recommendation, FewerImpactsAreNotEnoughWhereMeanSDiffers) {
     Tradeoff none = of({off, verdicts(300, 0, 64)});
     recommend(none);
     EXPECT_EQ(none.enough_collisions, 0);
-    EXPECT_NE(none.advice.find("on 100 + 100 mean S differs by 0.6, where less than 0.05 would do"), std::string::npos)
+    EXPECT_NE(none.advice.find("After 100 + 100 impacts mean S differs by 0.6; below 0.05 would do"), std::string::npos)
         << none.advice;
 }
 
@@ -88,7 +88,8 @@ TEST_F(Recommendation, EightStartsOfWhichNoneChangesDoNotTellThatFewerImpactsAre
     recommend(found);
     EXPECT_EQ(found.enough_collisions, 0);
     EXPECT_NE(found.advice.find("with 300 + 300 impacts"), std::string::npos) << found.advice;
-    EXPECT_NE(found.advice.find("on 100 + 100 none of 8 starts has another mode, 31 % at most"), std::string::npos)
+    EXPECT_NE(found.advice.find("After 100 + 100 impacts none of 8 starts has another mode, 31 % at most"),
+              std::string::npos)
         << found.advice;
 }
 
@@ -97,7 +98,7 @@ TEST_F(Recommendation, MoreImpactsAreAskedForWhereTheBudgetEndedBeforeTheMostWer
     found.evidence.judged_most = false;
     recommend(found);
     EXPECT_NE(found.advice.find("with at least 100 + 100 impacts"), std::string::npos) << found.advice;
-    EXPECT_NE(found.advice.find("the budget ended before more were judged: give a larger --budget"), std::string::npos)
+    EXPECT_NE(found.advice.find("The budget ended before more were judged: give a larger --budget"), std::string::npos)
         << found.advice;
 }
 
@@ -174,8 +175,8 @@ TEST_F(Recommendation, AVerdictThatWasNotComparedIsNoObjectionAndIsSaid) {
 TEST_F(Recommendation, MoreDigitsAreOfferedForOrbitsThatKeepThemAndNotForCycles) {
     Tradeoff found = of({});
     recommend(found);
-    const std::string cycle = found.advice.substr(found.advice.find("for a cycle"));
-    EXPECT_EQ(cycle.find("for a cycle use double (one step is off by at most 1e-15): orbits and continue round"), 0u)
+    const std::string cycle = found.advice.substr(found.advice.find("For a cycle"));
+    EXPECT_EQ(cycle.find("For a cycle use double: one step is off by at most 1e-15. orbits and continue round"), 0u)
         << cycle;
     EXPECT_NE(cycle.find("simulate, recurrence and spectrum keep those of quad, at 250 times the time"),
               std::string::npos)

@@ -108,6 +108,8 @@ Attractor attractor_from(const Scene<double>& scene, const NamedMode& named, Orb
     attractor.mean_spin = named.verdict.mean;
     attractor.mean_spin_per_impact = named.verdict.mean_per_step;
     attractor.mean_errors = named.mean_errors;
+    attractor.growth = named.growth;
+    attractor.limit_spin = named.limit_spin;
     attractor.last = samples.last;
     if (named.outcome != Outcome::completed || is_dissipative_without_drive(scene)) return attractor;
     if (is_decided(named) && named.verdict.period > 0)

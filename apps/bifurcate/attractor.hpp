@@ -38,7 +38,9 @@ struct Attractor {
     double distance = 0;              ///< of the orbit's last state from the cycle, where there is one
     double mean_spin = std::nan("");  ///< time mean of S over the kept impacts, or over the period; NaN without
     double mean_spin_per_impact = std::nan("");
-    MeanErrors mean_errors;  ///< of these two
+    MeanErrors mean_errors;             ///< of these two
+    analysis::GrowthExponent growth;    ///< of one that is accelerated
+    double limit_spin = analysis::nan;  ///< S* of one on a chord
     /// Coordinates: the kept states; on a cycle (`is_on_cycle`) one period of the orbit once it is on it, or of the
     /// polished cycle where it comes nearer so slowly that it is not on it after some 20,000 impacts.
     std::vector<Eigen::VectorXd> states;
@@ -58,7 +60,7 @@ void for_each_part(Attractor& attractor, Part&& part) {
     part(attractor.finished), part(attractor.origin), part(attractor.start), part(attractor.outcome);
     part(attractor.mode), part(attractor.kind), part(attractor.period), part(attractor.distance);
     part(attractor.mean_spin), part(attractor.mean_spin_per_impact), part(attractor.states), part(attractor.last);
-    part(attractor.mean_errors);
+    part(attractor.mean_errors), part(attractor.growth), part(attractor.limit_spin);
 }
 
 /// Follows a start and names what it settles on: the verdict of `classify` (name_mode) with these counts of impacts; an

@@ -1,6 +1,7 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 #include "apps/bifurcate/column_shares.hpp"
 
+#include "apps/modes/driven_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
@@ -75,20 +76,24 @@ Table<AttractorRow> attractor_table(const BifurcateOptions& options, const Diagr
         return [name](JsonWriter& json, const Row& row) { write_samples(json, *row.attractor, name); };
     };
     const auto count = [](const Row& row) { return row.attractor->states.size(); };
-    return table_of("attractor", diagram,
-                    {{"outcome", of(&Attractor::outcome), "", "how the orbit ended"},
-                     {"mode", of(&Attractor::mode), "", "mode that the start settled on"},
-                     kind_field<Row>(of(&Attractor::kind)),
-                     period_field<Row>(of(&Attractor::period), "0: none"),
-                     {"mean_S", of(&Attractor::mean_spin), "1", "time mean of S"},
-                     {"mean_S_error", error_of(&MeanErrors::per_time), "1", "its standard error along the orbit"},
-                     {"mean_S_per_impact", of(&Attractor::mean_spin_per_impact), "1", "mean of S over impacts"},
-                     {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "its standard error"},
-                     {"mean_S_kind", error_of(&MeanErrors::kind), "", "exact, sampled, bounded, too-short or none"},
-                     F{"samples", count, "1", "how many follow in the group samples, in this order"}.record_only(),
-                     {"S", samples("S")},
-                     F{"values", samples(options.observable)}.when(options.observable != "S")},
-                    {"parameter", "mean_S", "column", "start", "origin", "period", "samples", "mode", "kind"});
+    Table<Row> table =
+        table_of("attractor", diagram,
+                 {{"outcome", of(&Attractor::outcome), "", "how the orbit ended"},
+                  {"mode", of(&Attractor::mode), "", "mode that the start settled on"},
+                  kind_field<Row>(of(&Attractor::kind)),
+                  period_field<Row>(of(&Attractor::period), "0: none"),
+                  {"mean_S", of(&Attractor::mean_spin), "1", "time mean of S"},
+                  {"mean_S_error", error_of(&MeanErrors::per_time), "1", "its standard error along the orbit"},
+                  {"mean_S_per_impact", of(&Attractor::mean_spin_per_impact), "1", "mean of S over impacts"},
+                  {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "its standard error"},
+                  {"mean_S_kind", error_of(&MeanErrors::kind), "", "exact, sampled, bounded, too-short or none"},
+                  F{"samples", count, "1", "how many follow in the group samples, in this order"}.record_only(),
+                  {"S", samples("S")},
+                  F{"values", samples(options.observable)}.when(options.observable != "S")},
+                 {"parameter", "mean_S", "column", "start", "origin", "period", "samples", "mode", "kind"});
+    const auto driven = driven_fields<Row>(of(&Attractor::growth), of(&Attractor::limit_spin));
+    table.fields.insert(table.fields.end() - 2, driven.begin(), driven.end());  // before the samples
+    return table;
 }
 
 Table<AttractorRow> sample_table(const BifurcateOptions& options, const Diagram& diagram) {

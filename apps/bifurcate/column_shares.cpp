@@ -1,6 +1,7 @@
 #include "apps/bifurcate/column_shares.hpp"
 
 #include "apps/modes/attractors.hpp"
+#include "apps/modes/driven_fields.hpp"
 #include "apps/modes/means.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace swirl::apps::bifurcate {
 
@@ -27,6 +29,8 @@ std::vector<ColumnShare> shares_of(const DiagramColumn& column, std::size_t numb
         run.mean_spin = start->mean_spin;
         run.mean_spin_per_impact = start->mean_spin_per_impact;
         run.mean_errors = start->mean_errors;
+        run.growth = start->growth;
+        run.limit_spin = start->limit_spin;
         runs.push_back(run);
     }
     std::vector<ColumnShare> shares;
@@ -36,6 +40,17 @@ std::vector<ColumnShare> shares_of(const DiagramColumn& column, std::size_t numb
     return shares;
 }
 
+namespace {
+
+/// The mean of S; of starts that have none where they go.
+std::string spin_in_words(const ColumnShare& row) {
+    const std::string way =
+        std::isnan(row.mean_spin) ? way_in_words(row.attractor->growth, row.attractor->limit_spin) : "";
+    return way.empty() ? with_error(row.mean_spin, row.mean_spin_error) : way;
+}
+
+}  // namespace
+
 Table<ColumnShare> share_table(const Diagram& diagram) {
     using Row = ColumnShare;
     using F = Field<Row>;
@@ -44,7 +59,7 @@ Table<ColumnShare> share_table(const Diagram& diagram) {
         return fmt::format("  {:>6.2f} %", 100 * std::get<double>(value));
     };
     const auto parameter = [](const Row& row) { return row.column->parameter; };
-    return {
+    Table<Row> table{
         {"share_of_column"},
         {F{"parameter", parameter, "1", "parameter " + diagram.along.name}.record_only().shown(diagram.along.name,
                                                                                                "  {:>14.10g}"),
@@ -56,10 +71,11 @@ Table<ColumnShare> share_table(const Diagram& diagram) {
          period_field<Row>(of(&Attractor::period), "0: none").shown("period", dash_for_zero(" {:>7}")),
          F{"mean_S", &Row::mean_spin, "1", "mean of the starts' time means"},
          F{"mean_S_error", &Row::mean_spin_error, "1", "its standard error over them; of one its own"},
-         F{"mean_S_in_words", [](const Row& row) { return with_error(row.mean_spin, row.mean_spin_error); }, no_column}
-             .table_only()
-             .shown("mean S", " {:>19}")},
+         F{"mean_S_in_words", spin_in_words, no_column}.table_only().shown("mean S", " {:>19}")},
         {"parameter", "share", "column", "mode", "kind", "outcome", "period"}};
+    const auto driven = driven_fields<Row>(of(&Attractor::growth), of(&Attractor::limit_spin));
+    table.fields.insert(table.fields.end(), driven.begin(), driven.end());
+    return table;
 }
 
 }  // namespace swirl::apps::bifurcate

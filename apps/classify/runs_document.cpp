@@ -1,6 +1,7 @@
 #include "apps/classify/runs_document.hpp"
 
 #include "apps/branches/branches.hpp"
+#include "apps/modes/driven_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/verdict_document.hpp"
 #include "apps/output/points_in_words.hpp"
@@ -10,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 namespace swirl::apps::classify {
@@ -39,23 +41,34 @@ void write_shares(JsonWriter& json, std::string_view key, const RunsFound& found
 Table<RunVerdict> runs_table() {
     using Run = RunVerdict;
     const auto error_of = [](auto member) { return [member](const Run& run) { return run.mean_errors.*member; }; };
-    return {{"run"},
-            {Field<Run>{"seed", &Run::seed, "", "seed of the random start"}.stored_as(ElementType::string),
-             {"attractor", &Run::attractor, "1", "place in the group attractors"},
-             {"mode", &Run::mode, "", "mode that the run settled on"},
-             kind_field<Run>(&Run::kind),
-             {"outcome", &Run::outcome, "", "how the orbit ended"},
-             period_field<Run>(&Run::period),
-             Field<Run>{"impacts", &Run::impacts, "1", "impacts followed"}.record_only(),
-             {"mean_S", &Run::mean_spin, "1", "time mean of S"},
-             {"mean_S_per_impact", &Run::mean_spin_per_impact, "1", "mean of S over impacts"},
-             {"mean_S_error", error_of(&MeanErrors::per_time), "1", "standard error of mean_S along the run"},
-             {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "that of mean_S_per_impact"},
-             {"mean_S_kind", error_of(&MeanErrors::kind), "", "exact, sampled, bounded, too-short or none"},
-             {"recurrence_rate", &Run::recurrence_rate, "1", "RC of S"},
-             {"ln_multiplier", &Run::ln_multiplier, "1", "of a cycle: ln of its largest |multiplier|, DF^period"},
-             {"largest_exponent", &Run::largest_exponent, "1", "largest Lyapunov exponent per impact"},
-             {"largest_exponent_error", &Run::largest_exponent_error, "1", "its standard error"}}};
+    Table<Run> table{
+        {"run"},
+        {Field<Run>{"seed", &Run::seed, "", "seed of the random start"}.stored_as(ElementType::string),
+         {"attractor", &Run::attractor, "1", "place in the group attractors"},
+         {"mode", &Run::mode, "", "mode that the run settled on"},
+         kind_field<Run>(&Run::kind),
+         {"outcome", &Run::outcome, "", "how the orbit ended"},
+         period_field<Run>(&Run::period),
+         Field<Run>{"impacts", &Run::impacts, "1", "impacts followed"}.record_only(),
+         {"mean_S", &Run::mean_spin, "1", "time mean of S"},
+         {"mean_S_per_impact", &Run::mean_spin_per_impact, "1", "mean of S over impacts"},
+         {"mean_S_error", error_of(&MeanErrors::per_time), "1", "standard error of mean_S along the run"},
+         {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "that of mean_S_per_impact"},
+         {"mean_S_kind", error_of(&MeanErrors::kind), "", "exact, sampled, bounded, too-short or none"},
+         {"recurrence_rate", &Run::recurrence_rate, "1", "RC of S"},
+         {"ln_multiplier", &Run::ln_multiplier, "1", "of a cycle: ln of its largest |multiplier|, DF^period"},
+         {"largest_exponent", &Run::largest_exponent, "1", "largest Lyapunov exponent per impact"},
+         {"largest_exponent_error", &Run::largest_exponent_error, "1", "its standard error"}}};
+    const auto driven = driven_fields<Run>(&Run::growth, &Run::limit_spin);
+    table.fields.insert(table.fields.end(), driven.begin(), driven.end());
+    return table;
+}
+
+/// The mean of S of its runs; of runs that have none where they go.
+std::string spin_in_words(const SharedAttractor& attractor, const RunVerdict& first) {
+    if (!std::isnan(attractor.mean_spin)) return with_error(attractor.mean_spin, attractor.mean_spin_error);
+    const std::string way = way_in_words(first.growth, first.limit_spin);
+    return way.empty() ? with_error(attractor.mean_spin, attractor.mean_spin_error) : way;
 }
 
 const std::vector<double>& point_of(const SharedAttractor& a, const RunsFound& found) {
@@ -77,34 +90,38 @@ Table<SharedAttractor> attractors_table(const RunsFound& found, std::size_t d) {
     };
     const auto number = [&found](const SharedAttractor& a) { return static_cast<std::int64_t>(number_of(a, found)); };
     const auto point = [&found](const SharedAttractor& a) { return point_of(a, found); };
-    return {{"attractor"},
-            {F{"number", number, no_column}.table_only().shown("no.", "  {:>4}"),
-             F{"share", [&found](const SharedAttractor& a) { return share(a.runs.size(), found); }, "1",
-               "share of the runs"}
-                 .shown("share", {" {:>8}", in_percent}),
-             F{"mode", first(&RunVerdict::mode), "", "mode of these runs"}.shown("mode", "  {:<12}"),
-             kind_field<SharedAttractor>(first(&RunVerdict::kind)).shown("kind", " {:<19}"),
-             F{"outcome", first(&RunVerdict::outcome), "", "how their orbits ended"},
-             period_field<SharedAttractor>(first(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
-             F{"mean_S", &SharedAttractor::mean_spin, "1", "mean of the runs' time means"},
-             F{"mean_S_error", &SharedAttractor::mean_spin_error, "1",
-               "its standard error over the runs; of one run its own"},
-             F{"mean_S_in_words", [](const SharedAttractor& a) { return with_error(a.mean_spin, a.mean_spin_error); },
-               no_column}
-                 .table_only()
-                 .shown("mean S", " {:>17}"),
-             F{"largest_exponent", &SharedAttractor::largest_exponent, "1", "mean over the runs, per impact"}.shown(
-                 "exponent", " {:>10.4g}"),
-             {"ln_multiplier", first(&RunVerdict::ln_multiplier), "1", "of a cycle: ln of its largest |multiplier|"},
-             {"recurrence_rate", &SharedAttractor::recurrence_rate, "1", "mean over the runs"},
-             F{"point", point, "1", "a cycle's first state, of the first run"}
-                 .along({"coordinate"}, d)
-                 .json_written(
-                     [point](JsonWriter& json, const SharedAttractor& a) { write_point_or_null(json, point(a)); }),
-             F{"seed", first(&RunVerdict::seed), "", "seed of the first of them"}
-                 .stored_as(ElementType::string)
-                 .shown("seed", "  {}")},
-            {"seed", "mode", "kind", "outcome", "period"}};
+    Table<SharedAttractor> table{
+        {"attractor"},
+        {F{"number", number, no_column}.table_only().shown("no.", "  {:>4}"),
+         F{"share", [&found](const SharedAttractor& a) { return share(a.runs.size(), found); }, "1",
+           "share of the runs"}
+             .shown("share", {" {:>8}", in_percent}),
+         F{"mode", first(&RunVerdict::mode), "", "mode of these runs"}.shown("mode", "  {:<12}"),
+         kind_field<SharedAttractor>(first(&RunVerdict::kind)).shown("kind", " {:<19}"),
+         F{"outcome", first(&RunVerdict::outcome), "", "how their orbits ended"},
+         period_field<SharedAttractor>(first(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),
+         F{"mean_S", &SharedAttractor::mean_spin, "1", "mean of the runs' time means"},
+         F{"mean_S_error", &SharedAttractor::mean_spin_error, "1",
+           "its standard error over the runs; of one run its own"},
+         F{"mean_S_in_words",
+           [&found](const SharedAttractor& a) { return spin_in_words(a, found.runs[a.runs.front()]); }, no_column}
+             .table_only()
+             .shown("mean S", " {:>17}"),
+         F{"largest_exponent", &SharedAttractor::largest_exponent, "1", "mean over the runs, per impact"}.shown(
+             "exponent", " {:>10.4g}"),
+         {"ln_multiplier", first(&RunVerdict::ln_multiplier), "1", "of a cycle: ln of its largest |multiplier|"},
+         {"recurrence_rate", &SharedAttractor::recurrence_rate, "1", "mean over the runs"},
+         F{"point", point, "1", "a cycle's first state, of the first run"}
+             .along({"coordinate"}, d)
+             .json_written(
+                 [point](JsonWriter& json, const SharedAttractor& a) { write_point_or_null(json, point(a)); }),
+         F{"seed", first(&RunVerdict::seed), "", "seed of the first of them"}
+             .stored_as(ElementType::string)
+             .shown("seed", "  {}")},
+        {"seed", "mode", "kind", "outcome", "period"}};
+    const auto driven = driven_fields<SharedAttractor>(first(&RunVerdict::growth), first(&RunVerdict::limit_spin));
+    table.fields.insert(table.fields.end(), driven.begin(), driven.end());
+    return table;
 }
 
 std::size_t dimension_of(const Scene<double>& scene) {

@@ -35,6 +35,7 @@ bool has_own_mean(analysis::Kind kind) {
 
 bool same_attractor(const RunVerdict& a, const RunVerdict& b) {
     if (a.mode != b.mode || a.kind != b.kind || a.outcome != b.outcome || a.period != b.period) return false;
+    if (a.kind == analysis::Kind::chord) return means_agree(a.limit_spin, b.limit_spin);
     return !has_own_mean(a.kind) ||
            (means_agree(a.mean_spin, b.mean_spin) && means_agree(a.mean_spin_per_impact, b.mean_spin_per_impact));
 }

@@ -31,7 +31,9 @@ RunVerdict run_verdict(std::uint64_t seed, const NamedMode& named) {
                       ln_multiplier_of(v),
                       0,
                       v.point,
-                      named.mean_errors};
+                      named.mean_errors,
+                      named.growth,
+                      named.limit_spin};
 }
 
 }  // namespace swirl::apps

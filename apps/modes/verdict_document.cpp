@@ -1,12 +1,14 @@
 #include "apps/modes/verdict_document.hpp"
 
 #include "apps/branches/branches.hpp"
+#include "apps/modes/driven_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace swirl::apps {
@@ -27,60 +29,40 @@ Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s)
             {"accuracy", std::string(name_of(named.accuracy))}};
 }
 
-using Growth = Field<NamedMode>;
-
-auto growth(double analysis::GrowthExponent::*member) {
-    return [member](const NamedMode& named) { return named.growth.*member; };
-}
-
-/// As one object, or null.
-Growth growth_field() {
-    return {"growth_exponent", [](JsonWriter& json, const NamedMode& named) {
-                if (std::isnan(named.growth.value)) return json.null();
-                json.begin_object();
-                json.member("value", named.growth.value);
-                json.member("low", named.growth.low);
-                json.member("high", named.growth.high);
-                json.end_object();
-            }};
-}
-
 Table<NamedMode> verdict_table() {
     using Verdict = analysis::Classification;
     const auto of = [](auto member) { return [member](const NamedMode& named) { return named.verdict.*member; }; };
     const auto error_of = [](auto member) {
         return [member](const NamedMode& named) { return named.mean_errors.*member; };
     };
-    return {{},
-            {{"mode", of(&Verdict::mode), no_column},
-             kind_field<NamedMode>(of(&Verdict::kind)),
-             period_field<NamedMode>(of(&Verdict::period)),
-             {"mean_S", of(&Verdict::mean), "1", "time mean of S"},
-             {"mean_S_per_impact", of(&Verdict::mean_per_step), "1", "mean of S over impacts"},
-             {"mean_S_error", error_of(&MeanErrors::per_time), "1", "standard error of mean_S"},
-             {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "that of mean_S_per_impact"},
-             {"mean_S_bound", error_of(&MeanErrors::bound), "1", "of a torus: mean_S is off by this at most"},
-             {"mean_S_kind", error_of(&MeanErrors::kind), no_column},
-             {"recurrence_rate", of(&Verdict::recurrence_rate), no_column},
-             {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal), no_column},
-             {"largest_exponent", of(&Verdict::largest_exponent), no_column},
-             {"largest_exponent_error", of(&Verdict::largest_exponent_error), no_column},
-             {"rotation_number", of(&Verdict::rotation), no_column},
-             growth_field(),
-             Growth{"growth_exponent", growth(&analysis::GrowthExponent::value), "1", "power of n by which J grows"}
-                 .record_only(),
-             Growth{"growth_exponent_low", growth(&analysis::GrowthExponent::low), "1", "of its interval of 95 %"}
-                 .record_only(),
-             Growth{"growth_exponent_high", growth(&analysis::GrowthExponent::high), "1", "of its interval of 95 %"}
-                 .record_only(),
-             {"limit_S", &NamedMode::limit_spin, no_column},
-             {"outcome", &NamedMode::outcome, no_column},
-             {"impacts", &NamedMode::impacts, no_column},
-             {"point", of(&Verdict::point), no_column},
-             {"section_point",
-              [](JsonWriter& json, const NamedMode& named) { write_point_or_null(json, named.verdict.point); }},
-             {"multipliers", [](JsonWriter& json, const NamedMode& named) { json.array(named.verdict.multipliers); }}},
-            {"mode", "kind", "period", "outcome", "impacts"}};
+    Table<NamedMode> table{
+        {},
+        {{"mode", of(&Verdict::mode), no_column},
+         kind_field<NamedMode>(of(&Verdict::kind)),
+         period_field<NamedMode>(of(&Verdict::period)),
+         {"mean_S", of(&Verdict::mean), "1", "time mean of S"},
+         {"mean_S_per_impact", of(&Verdict::mean_per_step), "1", "mean of S over impacts"},
+         {"mean_S_error", error_of(&MeanErrors::per_time), "1", "standard error of mean_S"},
+         {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "that of mean_S_per_impact"},
+         {"mean_S_bound", error_of(&MeanErrors::bound), "1", "of a torus: mean_S is off by this at most"},
+         {"mean_S_kind", error_of(&MeanErrors::kind), no_column},
+         {"recurrence_rate", of(&Verdict::recurrence_rate), no_column},
+         {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal), no_column},
+         {"largest_exponent", of(&Verdict::largest_exponent), no_column},
+         {"largest_exponent_error", of(&Verdict::largest_exponent_error), no_column},
+         {"rotation_number", of(&Verdict::rotation), no_column},
+         {"outcome", &NamedMode::outcome, no_column},
+         {"impacts", &NamedMode::impacts, no_column},
+         {"point", of(&Verdict::point), no_column},
+         {"section_point",
+          [](JsonWriter& json, const NamedMode& named) { write_point_or_null(json, named.verdict.point); }},
+         {"multipliers", [](JsonWriter& json, const NamedMode& named) { json.array(named.verdict.multipliers); }}},
+        {"mode", "kind", "period", "outcome", "impacts"}};
+    const auto outcome = std::find_if(table.fields.begin(), table.fields.end(),
+                                      [](const Field<NamedMode>& field) { return field.name == "outcome"; });
+    const auto driven = driven_fields<NamedMode>(&NamedMode::growth, &NamedMode::limit_spin);
+    table.fields.insert(outcome, driven.begin(), driven.end());
+    return table;
 }
 
 Table<analysis::Evidence> evidence_table() {

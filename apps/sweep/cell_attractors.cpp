@@ -2,6 +2,7 @@
 
 #include "apps/branches/branches.hpp"
 #include "apps/modes/attractors.hpp"
+#include "apps/modes/driven_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/system/section_coordinates.hpp"
 
@@ -18,6 +19,8 @@ RunVerdict verdict_of(const RunResult& run) {
     verdict.mean_spin = run.mean_spin;
     verdict.mean_spin_per_impact = run.mean_spin_per_impact;
     verdict.mean_errors.per_time = run.mean_spin_error;
+    verdict.growth = growth_of(run);
+    verdict.limit_spin = run.limit_spin;
     return verdict;
 }
 
@@ -51,28 +54,33 @@ Table<CellAttractor> cell_attractor_table(bool tracked) {
     const auto cell = [](const Row& row) { return static_cast<std::int64_t>(row.cell); };
     const auto point = [](const Row& row) { return row.point.empty() ? std::nullopt : std::optional(row.point); };
     const auto track = [](const Row& row) { return row.track == no_track ? std::nullopt : std::optional(row.track); };
-    return {{"attractor"},
-            {F{"cell", cell, "1", "place of its cell on the grid, the last axis fastest"}.record_only(),
-             F{"track", &Row::track, "1", "number of the attractor that it continues over the cells; -1: none"}
-                 .json_as(track)
-                 .when(tracked),
-             {"mode", [](const Row& row) { return mode_of(row.first); }, "", "mode of the attractor"},
-             kind_field<Row>([](const Row& row) { return kind_of(row.first); }),
-             {"outcome", [](const Row& row) { return static_cast<Outcome>(static_cast<int>(row.first.outcome)); }, "",
-              "how the first of its orbits ended"},
-             period_field<Row>([](const Row& row) { return static_cast<std::int64_t>(row.first.period); }),
-             {"share", &Row::share, "1", "share of the cell's runs"},
-             {"share_low", [](const Row& row) { return row.interval.low; }, "1",
-              "from this share on, by Wilson's interval at 95 %"},
-             {"share_high", [](const Row& row) { return row.interval.high; }, "1", "up to this share"},
-             {"mean_S", &Row::mean_spin, "1", "mean over its runs of the time mean of S"},
-             {"mean_S_error", &Row::spin_error, "1", "its standard error over these runs; of one its own"},
-             F{"point", &Row::point, "1", "a cycle's first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}
-                 .json_as(point)
-                 .along({"coordinate"}, polygon_dimension)
-                 .when(tracked),
-             F{"section_point", [](JsonWriter& json, const Row& row) { write_point_or_null(json, row.point); }}.when(
-                 tracked)}};
+    Table<Row> table{
+        {"attractor"},
+        {F{"cell", cell, "1", "place of its cell on the grid, the last axis fastest"}.record_only(),
+         F{"track", &Row::track, "1", "number of the attractor that it continues over the cells; -1: none"}
+             .json_as(track)
+             .when(tracked),
+         {"mode", [](const Row& row) { return mode_of(row.first); }, "", "mode of the attractor"},
+         kind_field<Row>([](const Row& row) { return kind_of(row.first); }),
+         {"outcome", [](const Row& row) { return static_cast<Outcome>(static_cast<int>(row.first.outcome)); }, "",
+          "how the first of its orbits ended"},
+         period_field<Row>([](const Row& row) { return static_cast<std::int64_t>(row.first.period); }),
+         {"share", &Row::share, "1", "share of the cell's runs"},
+         {"share_low", [](const Row& row) { return row.interval.low; }, "1",
+          "from this share on, by Wilson's interval at 95 %"},
+         {"share_high", [](const Row& row) { return row.interval.high; }, "1", "up to this share"},
+         {"mean_S", &Row::mean_spin, "1", "mean over its runs of the time mean of S"},
+         {"mean_S_error", &Row::spin_error, "1", "its standard error over these runs; of one its own"},
+         F{"point", &Row::point, "1", "a cycle's first state: psi, chi, vn, vt, S (disk: psi, vn, vt, S)"}
+             .json_as(point)
+             .along({"coordinate"}, polygon_dimension)
+             .when(tracked),
+         F{"section_point", [](JsonWriter& json, const Row& row) { write_point_or_null(json, row.point); }}.when(
+             tracked)}};
+    const auto driven = driven_fields<Row>([](const Row& row) { return growth_of(row.first); },
+                                           [](const Row& row) { return row.first.limit_spin; });
+    table.fields.insert(table.fields.end(), driven.begin(), driven.end());
+    return table;
 }
 
 Table<Tracking> tracking_table() {

@@ -1,5 +1,6 @@
 // The modes of a sweep's cells for people: a table over one parameter or of scenes, else maps in characters with the
 // axes of the figure (notebooks-export/swirl_figures/sweep.py): the first parameter across, the second upwards, rising.
+#include "apps/modes/driven_fields.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/sweep/starts.hpp"
 #include "apps/sweep/sweep_command.hpp"
@@ -64,7 +65,14 @@ std::string name_with_unit(const Sweep& sweep, std::size_t k) {
 struct TableRow {
     std::vector<double> point;
     CellSummary summary;
+    std::string way;  ///< of runs without a mean S, the first that goes somewhere
 };
+
+std::string way_of(std::span<const RunResult> runs) {
+    for (const RunResult& run : runs)
+        if (const std::string way = way_in_words(growth_of(run), run.limit_spin); !way.empty()) return way;
+    return "";
+}
 
 Table<TableRow> mode_table(const Sweep& sweep) {
     using F = Field<TableRow>;
@@ -92,8 +100,12 @@ Table<TableRow> mode_table(const Sweep& sweep) {
         table.fields.push_back(F{"share", share, no_column}.shown("share", {" {:>13}", in_percent}));
     }
     const auto of = [](auto member) { return [member](const TableRow& line) { return line.summary.*member; }; };
-    table.fields.push_back(
-        F{"mean_S", of(&CellSummary::mean_spin), "1", "mean over the runs"}.shown("mean S", " {:>13.6g}"));
+    const auto spin = [](const TableRow& row) {
+        const double mean = row.summary.mean_spin;
+        if (std::isnan(mean)) return row.way.empty() ? std::string("-") : row.way;
+        return fmt::format("{:.6g}", mean);
+    };
+    table.fields.push_back(F{"mean_S", spin, no_column}.shown("mean S", " {:>13}"));
     table.fields.push_back(F{"mean_S_error", of(&CellSummary::mean_spin_error), "1", "its standard error"}.shown(
         "its error", " {:>10.2g}"));
     return table;
@@ -102,7 +114,7 @@ Table<TableRow> mode_table(const Sweep& sweep) {
 void print_table_of(const Sweep& sweep, const std::vector<std::size_t>& cells) {
     std::vector<TableRow> lines;
     for (const std::size_t c : std::span(cells).first(std::min(cells.size(), most_lines)))
-        lines.push_back({cell_point(sweep.grid, c), summary_of(sweep.cell(c))});
+        lines.push_back({cell_point(sweep.grid, c), summary_of(sweep.cell(c)), way_of(sweep.cell(c))});
     print_table(in_units(mode_table(sweep), sweep.units), lines);
     if (cells.size() > most_lines) fmt::print("  and {} more: --json lists all\n", cells.size() - most_lines);
 }

@@ -22,6 +22,11 @@ struct RunColumn {
     std::optional<double> before = {};       ///< what stands for it where an older record lacks it
 };
 
+/// A number that older records lack.
+RunColumn added(const char* name, double RunResult::*member, const char* long_name) {
+    return {name, member, "1", long_name, ElementType::float64, {}, analysis::nan};
+}
+
 /// What a record holds of each run.
 std::vector<RunColumn> run_columns() {
     const auto names = ElementType::uint8, count = ElementType::int64;
@@ -37,22 +42,14 @@ std::vector<RunColumn> run_columns() {
         {"run_recurrence_rate", &RunResult::recurrence_rate, "1", "RC of S"},
         {"run_largest_exponent", &RunResult::largest_exponent, "1", "largest Lyapunov exponent per impact"},
         {"run_impacts", &RunResult::impacts, "1", "impacts followed", count},
-        {"run_mean_S_error",
-         &RunResult::mean_spin_error,
-         "1",
-         "standard error of run_mean_S along the run",
-         ElementType::float64,
-         {},
-         analysis::nan},
-        {"run_mean_S_per_impact_error",
-         &RunResult::mean_spin_per_impact_error,
-         "1",
-         "that of run_mean_S_per_impact",
-         ElementType::float64,
-         {},
-         analysis::nan},
+        added("run_mean_S_error", &RunResult::mean_spin_error, "standard error of run_mean_S along the run"),
+        added("run_mean_S_per_impact_error", &RunResult::mean_spin_per_impact_error, "that of run_mean_S_per_impact"),
         {"run_mean_S_kind", &RunResult::mean_kind, "", "how its mean was come by", names,
          names_up_to(MeanKind::too_short), 0},
+        added("run_growth_exponent", &RunResult::growth, "of kind accelerated: power of n by which J grows"),
+        added("run_growth_exponent_low", &RunResult::growth_low, "from this power on, at 95 %"),
+        added("run_growth_exponent_high", &RunResult::growth_high, "up to this power"),
+        added("run_limit_S", &RunResult::limit_spin, "of kind chord: S to which the chord leads"),
     };
 }
 

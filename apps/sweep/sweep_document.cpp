@@ -1,4 +1,5 @@
 #include "apps/command_line/record_output.hpp"
+#include "apps/modes/driven_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/record/flag_text.hpp"
@@ -23,19 +24,23 @@ struct Cell {
 /// The runs of a cell, as JSON has them.
 Table<RunResult> run_table() {
     const auto period = [](const RunResult& run) { return static_cast<std::int64_t>(run.period); };
-    return {{"run"},
-            {{"mode", mode_of, no_column},
-             kind_field<RunResult>(kind_of),
-             {"outcome", [](const RunResult& run) { return static_cast<Outcome>(static_cast<int>(run.outcome)); },
-              no_column},
-             period_field<RunResult>(period),
-             {"mean_S", &RunResult::mean_spin, no_column},
-             {"mean_S_per_impact", &RunResult::mean_spin_per_impact, no_column},
-             {"mean_S_error", &RunResult::mean_spin_error, no_column},
-             {"mean_S_per_impact_error", &RunResult::mean_spin_per_impact_error, no_column},
-             {"mean_S_kind", mean_kind_of, no_column},
-             {"largest_exponent", &RunResult::largest_exponent, no_column},
-             {"impacts", [](const RunResult& run) { return static_cast<std::int64_t>(run.impacts); }, no_column}}};
+    Table<RunResult> table{
+        {"run"},
+        {{"mode", mode_of, no_column},
+         kind_field<RunResult>(kind_of),
+         {"outcome", [](const RunResult& run) { return static_cast<Outcome>(static_cast<int>(run.outcome)); },
+          no_column},
+         period_field<RunResult>(period),
+         {"mean_S", &RunResult::mean_spin, no_column},
+         {"mean_S_per_impact", &RunResult::mean_spin_per_impact, no_column},
+         {"mean_S_error", &RunResult::mean_spin_error, no_column},
+         {"mean_S_per_impact_error", &RunResult::mean_spin_per_impact_error, no_column},
+         {"mean_S_kind", mean_kind_of, no_column},
+         {"largest_exponent", &RunResult::largest_exponent, no_column},
+         {"impacts", [](const RunResult& run) { return static_cast<std::int64_t>(run.impacts); }, no_column}}};
+    const auto driven = driven_fields<RunResult>(growth_of, &RunResult::limit_spin);
+    table.fields.insert(table.fields.end(), driven.begin(), driven.end());
+    return table;
 }
 
 void write_parameters(JsonWriter& json, const Sweep& sweep, const Cell& cell) {

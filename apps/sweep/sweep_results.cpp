@@ -32,7 +32,11 @@ RunResult result_of(const NamedMode& named) {
                      static_cast<double>(named.impacts),
                      named.mean_errors.per_time,
                      named.mean_errors.per_impact,
-                     static_cast<double>(named.mean_errors.kind)};
+                     static_cast<double>(named.mean_errors.kind),
+                     named.growth.value,
+                     named.growth.low,
+                     named.growth.high,
+                     named.limit_spin};
 }
 
 Interval wilson_interval(double share, double n) {

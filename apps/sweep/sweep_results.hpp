@@ -18,10 +18,16 @@ struct RunResult {
     double impacts = 0;
     double mean_spin_error = 0, mean_spin_per_impact_error = 0;  ///< along the run; NaN: none
     double mean_kind = 0;                                        ///< MeanKind's number
+    double growth = analysis::nan, growth_low = analysis::nan,
+           growth_high = analysis::nan;  ///< of one that is accelerated
+    double limit_spin = analysis::nan;   ///< S* of one on a chord
 };
 
 inline analysis::Mode mode_of(const RunResult& run) {
     return static_cast<analysis::Mode>(static_cast<int>(run.mode));
+}
+inline analysis::GrowthExponent growth_of(const RunResult& run) {
+    return {run.growth, run.growth_low, run.growth_high};
 }
 inline MeanKind mean_kind_of(const RunResult& run) {
     return static_cast<MeanKind>(static_cast<int>(run.mean_kind));

@@ -3,6 +3,8 @@
 import math
 import unittest
 
+import h5py
+
 from driving import InFolder, document, run
 
 PAPER = "--sides 6 --beta 0.1 --mu 0.5 --restitution 1"
@@ -57,6 +59,37 @@ class Chords(InFolder):
     def test_created_energy_is_no_chaos_however_few_impacts(self):
         found = document("classify --sides 6 --law newton --alpha 0.14 --beta 0.1 --mu 0.5 --restitution 1 --transient 2500 --collisions 500")
         self.assertEqual((found["mode"], found["kind"], found["mean_S"]), ("undecided", "accelerated", None))
+
+    def test_sweeps_say_where_orbits_go(self):
+        swept = f"sweep {PAPER} --grid alpha=0.3,0.44,0.56"
+        chaos, chord, diameter = document(swept)["cells"]
+        self.assertEqual([chaos["runs"][0][key] for key in ("growth_exponent", "limit_S")], [None, None])
+        for row in (chord["runs"][0], chord["attractors"][0]):
+            self.assertAlmostEqual(row["limit_S"], -10.451, delta=1e-3)
+            self.assertIsNone(row["growth_exponent"])
+        for row in (diameter["runs"][0], diameter["attractors"][0]):
+            self.assertAlmostEqual(row["growth_exponent"]["value"], 1 / 3, delta=0.05)
+            self.assertIsNone(row["limit_S"])
+        shown = run(swept).stdout
+        self.assertIn("S -> -10.4508", shown)
+        self.assertIn(f"J ~ n^{diameter['runs'][0]['growth_exponent']['value']:.3g}", shown)
+        with h5py.File(self.record(swept)) as record:
+            self.assertAlmostEqual(record["sweep/run_limit_S"][1, 0], -10.451, delta=1e-3)
+            self.assertEqual(record["sweep/run_growth_exponent"][2, 0], diameter["runs"][0]["growth_exponent"]["value"])
+
+    def test_diagrams_say_where_orbits_go(self):
+        diagram = f"bifurcate {PAPER} --along alpha=0.44:0.56:2 --starts 1"
+        chord, diameter = (column["attractors"][0] for column in document(diagram)["columns"])
+        self.assertAlmostEqual(chord["limit_S"], -10.451, delta=1e-3)
+        self.assertGreater(diameter["growth_exponent"]["value"], 0.2)
+        self.assertIn("S -> -10.4508", run(diagram).stdout)
+        with h5py.File(self.record(diagram)) as record:
+            self.assertAlmostEqual(record["attractors/limit_S"][0], -10.451, delta=1e-3)
+
+    def record(self, command):
+        path = self.folder / "driven.h5"
+        self.assertIn(run(f"{command} --quiet -o {path}").returncode, (0, 3))
+        return path
 
     def test_chaos_is_neither(self):
         found = document("classify --sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1")

@@ -14,8 +14,28 @@
 
 namespace swirl::apps {
 
+namespace {
+
+constexpr const char* options_heading = "Options";
+
+/// CLI11 from 2.5 on fills the lines of descriptions and footers anew, those of examples, too.
+template <class Formatter>
+void keep_lines(Formatter& formatter) {
+    if constexpr (requires { formatter.enable_footer_formatting(false); }) {
+        formatter.enable_description_formatting(false);
+        formatter.enable_footer_formatting(false);
+    }
+}
+
+}  // namespace
+
 Program::Program(const std::string& description, const std::string& version, const std::string& footer)
     : app_(std::make_unique<CLI::App>(description, "swirl")) {
+    keep_lines(*app_->get_formatter());
+    // CLI11 from 2.5 on has its headings in capitals.
+    app_->get_formatter()->label("POSITIONALS", "Positionals");
+    app_->get_help_ptr()->group(options_heading);
+    app_->option_defaults()->group(options_heading);
     app_->set_version_flag("--version", version);
     app_->require_subcommand(0, 1);
     app_->footer(footer);
@@ -26,6 +46,8 @@ Program::~Program() = default;
 Flags Program::new_command(const std::string& name, const std::string& does, const std::string& details,
                            Action action) {
     CLI::App* command = app_->add_subcommand(name, does);
+    command->group("Subcommands");
+    command->get_help_ptr()->group(options_heading);
     command->footer(details);
     commands_.emplace_back(command, std::move(action));
     return Flags(*command);

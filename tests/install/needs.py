@@ -134,7 +134,7 @@ def libraries(build):
     text = (build / "build.ninja").read_text(encoding="utf-8")
     linked = {word for line in re.findall(r"^  LINK_LIBRARIES = (.*)$", text, re.M) for word in line.split()}
     found = [(f"library {Path(path).name}", path, "the linker") for path in sorted(linked) if path.startswith("/usr/")]
-    configured = re.search(r"^build build\.ninja: RERUN_CMAKE (.*)$", text, re.M)[1].split()
+    configured = re.search(r"^build build\.ninja[^:\n]*: RERUN_CMAKE (.*)$", text, re.M)[1].split()
     for path in sorted(set(configured)):
         if not path.startswith("/usr/"):
             continue

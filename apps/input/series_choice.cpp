@@ -104,7 +104,7 @@ std::string SeriesChoice::flags() const {
     const auto add_list = [&](const char* flag, const std::vector<std::string>& values) {
         if (values.empty()) return;
         all += fmt::format(" {}", flag);
-        for (const auto& value : values) all += " " + in_one_word(value);
+        for (const auto& value : values) all += fmt::format(" {}", in_one_word(value));
     };
     const auto add_number = [&](const char* flag, const std::optional<double>& value) {
         if (value) all += fmt::format(" {} {}", flag, *value);

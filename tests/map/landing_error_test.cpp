@@ -63,7 +63,8 @@ std::optional<Later> later(const Map& map, const Scene<double>& scene, PostImpac
     for (int i = 0; i < 3000; ++i) {
         if constexpr (std::is_same_v<T, double>) {
             if (prolonged) {
-                left = std::max(left, looked_at_for(returns.contact(), from));
+                const auto contact = contact_scene(map.body(), map.scene().mu, map.scene().restitution, Map::rule);
+                left = std::max(left, looked_at_for(contact, from));
                 *prolonged = passed + left;
             }
         }

@@ -37,7 +37,7 @@ void compare_with_map(const Scene<double>& scene, Eigen::VectorXd z, Parameter f
     const Eigen::Vector2d p(number_of(copy, first), number_of(copy, second));
     const Eigen::Index d = z.size();
     for (int impact = 0; impact < 20; ++impact) {
-        const analysis::PlaneStep step = plane.step(z, p);
+        const analysis::ShootingStep step = plane.step(z, p);
         ASSERT_TRUE(step.alive) << impact;
         const Letter letter = letter_from(step.letter);
         ASSERT_FALSE(letter.through_contact);
@@ -54,7 +54,7 @@ void compare_with_map(const Scene<double>& scene, Eigen::VectorXd z, Parameter f
             word.after_by.rightCols(2) - by_time * word.touch.gap_by.tail(2);
         const double size = step.by_state.cwiseAbs().maxCoeff();
         EXPECT_LT((by.leftCols(d) - step.by_state).cwiseAbs().maxCoeff(), 1e-11 * size) << impact;
-        EXPECT_LT((by.rightCols(2) - step.by_parameters).cwiseAbs().maxCoeff(), 1e-11 * (size + 1)) << impact;
+        EXPECT_LT((by.rightCols(2) - step.by_parameter).cwiseAbs().maxCoeff(), 1e-11 * (size + 1)) << impact;
         z = step.state;
     }
 }

@@ -24,8 +24,8 @@ idtracker.ai, AnimalTA, ToxTrac, trackpy, Bonsai (times of the clock), ImageJ, a
 text (HDF5, npz, xls).
 
 Example:
-  swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --camera 5 --time 200 -o film.csv --force
-  swirl inspect film.csv)";
+  swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9 --camera 5 --time 200 -o dish.csv
+  swirl inspect dish.csv)";
 
 void InspectOptions::add_to(Flags& command) {
     series.add_to(command, false, "FILE,--series");

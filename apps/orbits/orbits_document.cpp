@@ -1,6 +1,7 @@
 #include "apps/branches/branches.hpp"
 #include "apps/orbits/family_members.hpp"
 #include "apps/orbits/orbits_command.hpp"
+#include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/system/shooting_map.hpp"
 
@@ -81,7 +82,7 @@ Table<Cycle> cycle_table(const Scene<double>& scene, const FoundOrbits& found, s
          F{"points", coordinates_of, "1", "section points; NaN beyond the period"}
              .along({"phase", "coordinate"}, longest * d)
              .json_written(write_points),
-         F{"return_time", &Cycle::return_time, "1/omega_s", "sum of the flights"}.shown("return time", " {:>12.8f}"),
+         F{"return_time", &Cycle::return_time, "1/omega_s", "sum of the flights"}.shown("return time", " {:>11.8f}"),
          F{"S", [](const Cycle& c) { return c.points.front().tail(1)[0]; }, "1", "S of its first point"}
              .table_only()
              .shown("S", " {:>14.10f}"),
@@ -211,8 +212,8 @@ void write_orbits_document(const OrbitsOptions& options, const Scene<double>& sc
 void print_orbits(const OrbitsOptions& options, const Scene<double>& scene, const FoundOrbits& found) {
     fmt::print("{}\n{}{}", scene_in_words(scene), units_in_words(options.scene.units()),
                found.interrupted ? "  interrupted\n" : "");
-    if (found.steady) fmt::print("  {}\n", in_words(*found.steady, options.scene.units()));
-    for (const auto& search : found.searches) fmt::print("  {}\n", in_words(search));
+    if (found.steady) fmt::print("{}\n", wrapped("  " + in_words(*found.steady, options.scene.units()), 4));
+    for (const auto& search : found.searches) fmt::print("{}\n", wrapped("  " + in_words(search), 4));
     for (const auto& limit : found.limits) fmt::print("  {}\n", limit);
     if (std::isfinite(found.distance)) fmt::print("  nearest point of a cycle at {:.3g} from --near\n", found.distance);
     if (found.cycles.empty()) {

@@ -186,7 +186,7 @@ ModelPiece derivative_piece(const Scene<double>& scene, const DrawnFlights& draw
                 return impacts;
             });
         };
-        return {"derivative", "classify, lyapunov, orbits, continue, bifurcate, sweep",
+        return {"derivative", "verdicts, exponents, cycles, branches",
                 chains([](const auto& m, const State& z) { return m.linearise(z); }),
                 chains([](const auto& m, const State& z) { return m.advance(z); })};
     });

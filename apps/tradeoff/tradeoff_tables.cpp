@@ -231,7 +231,7 @@ Table<EvidenceRung> evidence_table() {
     return {
         {"rung"},
         {F{"collisions", &EvidenceRung::collisions, "1", "impacts, after as many that are left out"}.shown("impacts",
-                                                                                                           "  {:>9}"),
+                                                                                                           " {:>9}"),
          F{"mode", of(&RunVerdict::mode), "", "mode by so many impacts"}.shown("mode", "  {:<12}"),
          kind_field<EvidenceRung>(of(&RunVerdict::kind)).shown("kind", " {:<15}"),
          period_field<EvidenceRung>(of(&RunVerdict::period)).shown("period", dash_for_zero(" {:>6}")),

@@ -16,7 +16,8 @@ ROOT = Path(sys.argv.pop(1)).resolve()
 LEFT_OUT = {"build", ".git"}
 DOCUMENTS = {path.relative_to(ROOT): path.read_text(encoding="utf-8") for path in sorted(ROOT.rglob("*.md"))
              if not LEFT_OUT & set(path.relative_to(ROOT).parts)}
-COMMANDS = re.findall(r"^  ([a-z]+) ", run("--help").stdout.split("Subcommands:")[1], re.M)
+#: The help lists examples beneath.
+COMMANDS = list(dict.fromkeys(re.findall(r"^  ([a-z]+) ", run("--help").stdout.split("Subcommands:")[1], re.M)))
 #: What stands for a command's name where all are meant.
 ANY = {"COMMAND", "NAME", "…", "..."}
 

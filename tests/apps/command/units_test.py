@@ -140,8 +140,11 @@ class Same(unittest.TestCase):
         ours, plain = (document(f"tradeoff {scene} --budget 0.2") for scene in (PHYSICAL, PLAIN))
         self.assertEqual(ours["units"], {"length": LENGTH, "time": 1 / RATE, "mass": MASS})
         for row, other in zip(ours["rungs"], plain["rungs"], strict=True):
-            for key in ("missed_contacts", "flights"):  # times are the machine's
-                self.assertEqual(row[key], other[key], (row["name"], key))
+            if row["flights"] != other["flights"]:  # a slow machine leaves some out, and the document says so
+                cut = min(((row, ours), (other, plain)), key=lambda pair: pair[0]["flights"])[1]
+                self.assertTrue(cut["cut_short"], (row["name"], row["flights"], other["flights"]))
+                continue
+            self.assertEqual(row["missed_contacts"], other["missed_contacts"], row["name"])
             # Lengths in SI units are rounded, so that errors of one rounding are drawn anew: half or twice.
             for key in ("error", "error_of_ten"):
                 self.assertTrue(row[key] == other[key] or 0.5 < row[key] / other[key] < 2, (row["name"], key, row[key], other[key]))

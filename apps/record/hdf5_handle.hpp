@@ -28,6 +28,8 @@ public:
         const hid_t id = std::exchange(id_, H5I_INVALID_HID);
         return id >= 0 ? Close(id) : 0;
     }
+    /// Leaves it open in the library for good.
+    void abandon() { id_ = H5I_INVALID_HID; }
     [[nodiscard]] hid_t id() const { return id_; }
     [[nodiscard]] bool open() const { return id_ >= 0; }
 

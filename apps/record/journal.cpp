@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <boost/crc.hpp>
 #include <boost/endian/conversion.hpp>
-#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -86,15 +85,6 @@ std::uint64_t replay_entries(std::ifstream& file, std::uint64_t begin, std::uint
     }
 }
 
-void write_all(int descriptor, std::span<const std::byte> bytes, const std::string& name) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) throw RecordError(write_action, name, system_reason());
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-}
-
 }  // namespace
 
 std::filesystem::path journal_path(const std::filesystem::path& record) {
@@ -147,7 +137,7 @@ void Journal::append(std::uint64_t index, std::span<const std::byte> payload) {
 }
 
 void Journal::write_buffer() {
-    write_all(file_.descriptor(), buffer_, path_.string());
+    write_all(file_, buffer_, write_action, path_.string());
     buffer_.clear();
 }
 

@@ -4,8 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
+#include <span>
 #include <system_error>
+#include <vector>
 
 #include "apps/record/record_error.hpp"
 
@@ -51,16 +52,21 @@ OutputFile::OutputFile(const std::filesystem::path& target) : name_(target), tar
 }
 
 OutputFile::~OutputFile() {
-    if (!committed_ && file_.descriptor() >= 0) ::unlink(partial_.c_str());
+    if (committed_ || file_.descriptor() < 0) return;
+    ::unlink(partial_.c_str());
+    // Whoever has it open still, as HDF5 does, holds no room on the disk.
+    static_cast<void>(::ftruncate(file_.descriptor(), 0) == 0);
 }
 
 void OutputFile::append(std::string_view text) const {
-    while (!text.empty()) {
-        const ssize_t written = ::write(file_.descriptor(), text.data(), text.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) throw RecordError("cannot write", name_.string(), system_reason());
-        text.remove_prefix(static_cast<std::size_t>(written));
-    }
+    write_all(file_, std::as_bytes(std::span(text)), "cannot write", name_.string());
+}
+
+void OutputFile::find_room(std::size_t bytes) const {
+    const std::vector<std::byte> zeros(bytes);
+    write_all(file_, zeros, "cannot create record", name_.string());
+    if (::ftruncate(file_.descriptor(), 0) != 0 || ::lseek(file_.descriptor(), 0, SEEK_SET) < 0)
+        throw RecordError("cannot create record", name_.string(), system_reason());
 }
 
 void OutputFile::commit() {

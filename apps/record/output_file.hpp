@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 
@@ -34,6 +35,9 @@ public:
 
     /// Writes at the end. RecordError if that fails.
     void append(std::string_view text) const;
+
+    /// RecordError if the disk has no room for so many. To be called before anything is written.
+    void find_room(std::size_t bytes) const;
 
     /// Puts the partial file's bytes on the disk (fsync) and renames it. RecordError if either fails.
     void commit();

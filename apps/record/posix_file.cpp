@@ -54,6 +54,16 @@ PosixFile open_locked(const std::filesystem::path& path, const std::string& acti
     }
 }
 
+void write_all(const PosixFile& file, std::span<const std::byte> bytes, const std::string& action,
+               const std::string& name) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file.descriptor(), bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) throw RecordError(action, name, system_reason());
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+}
+
 std::optional<std::string> obstacle_to_creating(const std::filesystem::path& path) {
     namespace fs = std::filesystem;
     std::error_code ignored;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -32,6 +34,10 @@ std::string system_reason();
 /// every other writer of the same file out until it is closed. `action` and `name` begin the RecordError of a failure,
 /// which includes the lock being held elsewhere.
 PosixFile open_locked(const std::filesystem::path& path, const std::string& action, const std::string& name);
+
+/// Writes where the file stands, whatever interrupts it. RecordError(action, name, ...) if it can't.
+void write_all(const PosixFile& file, std::span<const std::byte> bytes, const std::string& action,
+               const std::string& name);
 
 /// Do two names, or a name and an open descriptor, lead to one file (the same name, a link, a hard link)? False where
 /// one of them is missing.

@@ -14,17 +14,22 @@ namespace swirl::apps {
 
 namespace {
 
+// More than a superblock and the root's object header take; a block of most file systems.
+constexpr std::size_t first_bytes = 4096;
+
 // The format of HDF5 1.10 (2016), not the newest that the library knows: its checksums find damage, its chunk index
 // stays small in long records. Locking is OutputFile's.
-hdf5::File create_file(const std::filesystem::path& path, const std::string& name) {
+hdf5::File create_file(const OutputFile& output) {
     hdf5::prepare();
+    // HDF5 2.2 aborts the process where the first bytes of a file find no room.
+    output.find_room(first_bytes);
     const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS));
     H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
     H5Pset_file_locking(access.id(), false, true);
     const hdf5::Properties creation(H5Pcreate(H5P_FILE_CREATE));
     H5Pset_obj_track_times(creation.id(), false);
-    return hdf5::File(
-        hdf5::check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), "cannot create record", name));
+    return hdf5::File(hdf5::check(H5Fcreate(output.partial_path().c_str(), H5F_ACC_TRUNC, creation.id(), access.id()),
+                                  "cannot create record", output.name().string()));
 }
 
 // The words that xarray converts to datetime64/timedelta64 when they stand alone as units.
@@ -51,9 +56,12 @@ void make_bare_scale(hid_t group, const std::string& name, std::uint64_t size, c
 
 }  // namespace
 
-RecordStore::RecordStore(const std::filesystem::path& path)
-    : output_(path), file_(create_file(output_.partial_path(), path.string())) {
+RecordStore::RecordStore(const std::filesystem::path& path) : output_(path), file_(create_file(output_)) {
     groups_.push_back({"/", hdf5::Group(H5Gopen2(file_.id(), "/", H5P_DEFAULT)), {}, {}});
+}
+
+RecordStore::~RecordStore() {
+    file_.abandon();
 }
 
 void RecordStore::refuse(const std::string& object, const std::string& reason) const {

@@ -19,6 +19,12 @@ namespace swirl::apps {
 class RecordStore {
 public:
     explicit RecordStore(const std::filesystem::path& path);
+    /// Without finish(): HDF5 never closes the file. Closing writes what is left, of a file that is about to be
+    /// removed; on a full disk HDF5 2.2 then aborts the process. What it keeps of the file in memory stays until the
+    /// process ends.
+    ~RecordStore();
+    RecordStore(const RecordStore&) = delete;
+    RecordStore& operator=(const RecordStore&) = delete;
 
     /// The path of group `name` in `parent`, created when it does not exist.
     std::string require_group(const std::string& parent, const std::string& name);

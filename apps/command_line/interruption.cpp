@@ -49,8 +49,8 @@ bool ignores_hangup() {
 
 bool hangup_is_ignored = false;
 
-// What nohup has set is asked before the constructors of shared libraries run: UCX, which Open MPI 5 brings along,
-// takes SIGHUP for itself in one (findings/hangup_of_ucx.sh). Sanitizers are not ready that early.
+// What nohup has set is asked before the constructors of shared libraries run: one may take SIGHUP for itself, as that
+// of UCX does (findings/hangup_of_ucx.sh). Sanitizers are not ready that early.
 #if !defined(SWIRL_SANITIZED)
 [[gnu::section(".preinit_array"), gnu::used]] void (*asked_first)() = [] { hangup_is_ignored = ignores_hangup(); };
 #endif

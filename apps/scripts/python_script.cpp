@@ -1,6 +1,7 @@
 #include "apps/scripts/python_script.hpp"
 
 #include "apps/command_line/errors.hpp"
+#include "apps/command_line/program_folder.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/record/posix_file.hpp"
 
@@ -34,13 +35,6 @@ std::string environment(const char* name) {
 bool is_file(const std::filesystem::path& path) {
     std::error_code unreadable;
     return std::filesystem::is_regular_file(path, unreadable);
-}
-
-/// Empty where the system does not tell.
-std::filesystem::path folder_of_this_program() {
-    std::error_code unknown;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    return unknown ? std::filesystem::path() : program.parent_path();
 }
 
 }  // namespace

@@ -79,12 +79,13 @@ class Packages(unittest.TestCase):
         program, figures, library = (files_below(self.unpacked(name)) for name in ("swirl", FIGURES, "libswirl-dev"))
         commands = re.findall(r"^  ([a-z]+) ", told(self.unpacked("swirl") / "usr/bin/swirl", "--help").split("Subcommands:")[1],
                               re.M)
+        libraries = "usr/lib/" + told("dpkg-architecture", "-qDEB_HOST_MULTIARCH").strip()
         pages = {f"usr/share/man/man1/swirl-{command}.1.gz" for command in commands} | {"usr/share/man/man1/swirl.1.gz"}
         self.assertLessEqual(pages | {"usr/bin/swirl", "usr/share/bash-completion/completions/swirl",
                                       "usr/share/zsh/vendor-completions/_swirl", "usr/share/doc/swirl/tutorial.md"}, program)
+        self.assertIn(f"{libraries}/swirl/swirl_mpi.so", program)
         self.assertIn("usr/share/swirl/notebooks-export/plot_record.py", figures)
         self.assertFalse([name for name in program | figures | library if "__pycache__" in name])
-        libraries = "usr/lib/" + told("dpkg-architecture", "-qDEB_HOST_MULTIARCH").strip()
         self.assertLessEqual({f"{libraries}/libswirl_map.a", f"{libraries}/cmake/Swirl/SwirlConfig.cmake",
                               "usr/include/swirl/analysis/section_map.hpp"}, library)
         for name in NAMES:

@@ -5,6 +5,7 @@ Open MPI's launcher; other launchers start ranks with other flags. --all: also w
 
 import os
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -177,6 +178,28 @@ class Wrong(InFolder):
 
     def test_help_is_no_matter_of_ranks(self):
         self.assertIn("--grid", over(1, "sweep --help").stdout)
+
+
+class Library(InFolder):
+    """All of MPI is in a library that is loaded where a launcher has started several."""
+
+    def test_the_program_itself_is_linked_with_none_of_it(self):
+        needed = subprocess.run(["ldd", SWIRL], capture_output=True, text=True, check=True).stdout
+        self.assertIn("libhdf5", needed)
+        self.assertNotIn("mpi", needed)
+
+    def test_where_it_is_missing_or_none_that_is_said(self):
+        program, library = self.folder / "swirl", self.folder / "swirl_mpi.so"
+        shutil.copy(SWIRL, program)
+        for content, reason in ((None, "this build of swirl has no MPI"), ("no library", "MPI can't be loaded: ")):
+            if content:
+                library.write_text(content)
+            result = subprocess.run([program, *GRID.split(), "-o", self.folder / "a.h5"], capture_output=True, text=True,
+                                    env={**os.environ, "OMPI_COMM_WORLD_SIZE": "2"}, timeout=60)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), reason)
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+            self.assertIn(reason, result.stderr)
+            self.assertFalse((self.folder / "a.h5").exists())
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ endif()
 find_package(Ceres 2.1 REQUIRED)
 find_package(GSL 2.7 REQUIRED)
 find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)  # FFTW has no CMake package
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy-contrib libhwy)

@@ -79,8 +79,9 @@ std::optional<StraddleEnd> narrowed(const M& map, Straddle<M>& two, const IsInsi
 ///   is_enough  asked of the orbit's points (those of `in`) each time the two have been halved: true to end
 /// Cost: a step of each, and some 13 questions `is_inside` for each 10⁴ that steps part the two.
 template <SectionMap M, class IsInside, class IsEnough>
-StraddleEnd follow_boundary(const M& map, const State<M>& in, const State<M>& out, const IsInside& is_inside,
-                            const IsEnough& is_enough, const StraddleOptions& options = {}, const Stop& stop = {}) {
+StraddleEnd follow_basin_boundary(const M& map, const State<M>& in, const State<M>& out, const IsInside& is_inside,
+                                  const IsEnough& is_enough, const StraddleOptions& options = {},
+                                  const Stop& stop = {}) {
     Straddle<M> two{in, out};
     std::vector<Vector<M::dimension>> orbit{coordinates(map, in)};
     while (static_cast<std::int64_t>(orbit.size()) <= options.most_steps) {

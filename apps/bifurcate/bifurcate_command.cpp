@@ -2,7 +2,9 @@
 
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/parameter_range.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <variant>
 
 namespace swirl::apps::bifurcate {
 
@@ -59,26 +62,11 @@ void BifurcateOptions::add_to(Flags& command) {
         ->transform(whole_number(1, 128));
 }
 
-Scene<double> column_scene(const BifurcateOptions& options, const ParameterRange& along, double value) {
+DiagramSettings settings_of(const BifurcateOptions& options, const ParameterRange& along) {
     SceneOptions scene = options.scene;
-    scene.set(along.name, fmt::format("{:.17g}", value));
-    return scene.scene<double>();
-}
-
-const Attractor& typical(const DiagramColumn& column) {
-    const auto same = [](const Attractor& a, const Attractor& b) { return a.mode == b.mode && a.period == b.period; };
-    std::size_t best = 0;
-    std::ptrdiff_t most = 0;
-    for (std::size_t i = 0; i < column.attractors.size(); ++i) {
-        const auto count = std::count_if(column.attractors.begin(), column.attractors.end(), [&](const Attractor& a) {
-            return a.origin == column.attractors.front().origin && same(a, column.attractors[i]);
-        });
-        if (count > most) {
-            most = count;
-            best = i;
-        }
-    }
-    return column.attractors[best];
+    scene.set(along.name, fmt::format("{:.17g}", along.low));
+    return {scene.scene<double>(), along,          options.settings,      options.start.speed(),
+            options.start.seed(),  options.starts, options.longest_branch};
 }
 
 namespace {
@@ -91,10 +79,11 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
         throw BadInput("a diagram's starts are random: give --speed and --seed, not --x … or --point");
     options.start.require_one_way();
     if (options.starts == 0 && !options.follow) throw BadInput("starts = 0 needs --follow");
+    const DiagramSettings settings = settings_of(options, along);
     for (const double value : {along.low, along.high}) {
-        const Scene<double> scene = column_scene(options, along, value);
+        const Scene<double> scene = column_scene(settings, value);
         if (scene.is_disk() && options.observable == "chi") throw BadInput("observable = chi: a disk has none");
-        flight_from(make_body(scene), random_start(scene.beta, options.start.speed(), options.start.seed(), 0));
+        flight_from(make_body(scene), std::get<LabStart<double>>(column_start(settings, scene, 0)));
     }
 }
 
@@ -124,10 +113,12 @@ int draw_diagram(BifurcateOptions& options, HandOut& hand_out) {
     note_interruptions();
     const auto begin = std::chrono::steady_clock::now();
     sample_columns(options, diagram, hand_out);
-    if (options.follow) follow_columns(options, diagram);
+    const DiagramSettings settings = settings_of(options, diagram.along);
+    const RunControl control = run_control(options.output);
+    if (options.follow) follow_columns(settings, control, diagram);
     keep_finished(diagram);
-    find_steady_modes(options, diagram);
-    if (options.branches && !is_interrupted()) continue_attractors(options, diagram);
+    find_steady_modes(settings, control, diagram);
+    if (options.branches && !is_interrupted()) continue_attractors(settings, control, diagram);
     diagram.interrupted = is_interrupted();
     finish_up();
     if (!options.output.record.empty()) {

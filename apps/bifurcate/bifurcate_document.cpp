@@ -1,8 +1,9 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
-#include "apps/bifurcate/column_shares.hpp"
+#include "apps/studies/diagrams/column_shares.hpp"
 
 #include "apps/modes/driven_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
+#include "apps/modes/steady_share_table.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 
@@ -184,8 +185,7 @@ Settings agreement_of(const Agreement& agreement) {
 }
 
 SceneBranches branches_of(const BifurcateOptions& options, const Diagram& diagram) {
-    return scene_branches(column_scene(options, diagram.along, diagram.along.low), diagram.along,
-                          options.settings.accuracy);
+    return scene_branches(settings_of(options, diagram.along).scene, diagram.along, options.settings.accuracy);
 }
 
 }  // namespace
@@ -208,7 +208,7 @@ Settings diagram_settings(const BifurcateOptions& options, const Diagram& diagra
 
 Settings diagram_scene(const BifurcateOptions& options, const Diagram& diagram) {
     Settings settings;
-    for (const auto& item : scene_settings(column_scene(options, diagram.along, diagram.along.low)))
+    for (const auto& item : scene_settings(settings_of(options, diagram.along).scene))
         if (item.first != diagram.along.name &&
             !(item.first == "inertia_factor" && diagram.along.name == "inertia-factor"))
             settings.push_back(item);

@@ -1,9 +1,12 @@
 #include "apps/boundaries/boundaries_command.hpp"
 
+#include "apps/boundaries/read_planes.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/parameter_range.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
 
 #include <fmt/format.h>
@@ -97,8 +100,7 @@ LineOptions lines_of(const BoundariesOptions& options, std::size_t longest) {
     LineOptions lines;
     lines.lines = options.lines.value_or(default_lines);
     lines.max_period = static_cast<int>(longest);
-    lines.threads = options.output.threads;
-    lines.quiet = options.output.quiet;
+    lines.control = run_control(options.output);
     return lines;
 }
 
@@ -106,11 +108,11 @@ LineOptions lines_of(const BoundariesOptions& options, std::size_t longest) {
 /// lie between all lines.
 Agreement search_and_compare(CurveSearch& search, const Scene<double>& scene, const Plane& plane,
                              const MappedPlane& map, const LineOptions& options) {
-    Agreement first = compare(scene, plane, search.found().curves, map, options.max_period);
+    Agreement first = compare(scene, plane, search.found().curves, map, options.max_period, is_interrupted);
     const auto runs = missing_runs(first);
     if (runs.empty() || is_interrupted()) return first;
     search.follow(seeds_of_runs(scene, plane, runs, map.starts, options));
-    Agreement agreement = compare(scene, plane, search.found().curves, map, options.max_period);
+    Agreement agreement = compare(scene, plane, search.found().curves, map, options.max_period, is_interrupted);
     agreement.led_by_runs = first.missing_cells - std::min(agreement.missing_cells, first.missing_cells);
     return agreement;
 }
@@ -152,7 +154,7 @@ int boundaries(BoundariesOptions& options) {
     for (const Seed& seed : seeds) longest = std::max(longest, seed.points.size());
     if (map && options.from.empty())  // the map's runs have cycles that no line has met
         longest = std::max(longest, on_lines);
-    CurveSearch search(scene, plane, {options.longest_step, longest, options.output.quiet});
+    CurveSearch search(scene, plane, {options.longest_step, longest, run_control(options.output)});
     search.follow(seeds);
     std::optional<Agreement> agreement;
     if (map) agreement = search_and_compare(search, scene, plane, *map, lines_of(options, longest));

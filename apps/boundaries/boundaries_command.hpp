@@ -1,8 +1,9 @@
 // `swirl boundaries`: the curves that bound modes in a plane of two parameters.
 #pragma once
 
-#include "apps/boundaries/against.hpp"
+#include "apps/boundaries/plane_options.hpp"
 #include "apps/command_line/output_options.hpp"
+#include "apps/studies/bifurcation_curves/against.hpp"
 
 #include <optional>
 
@@ -28,6 +29,8 @@ void write_curves_document(const BoundariesOptions& options, const Scene<double>
 void write_curves_record(RecordWriter& record, const BoundariesOptions& options, const Scene<double>& scene,
                          const Plane& plane, const PlaneCurves& found);
 void print_curves(const Plane& plane, const PlaneCurves& found);
+void write_agreement(JsonWriter& json, const Plane& plane, const Agreement& agreement);
+void print_agreement(const Plane& plane, const Agreement& agreement);
 
 int boundaries(BoundariesOptions& options);
 

@@ -1,8 +1,8 @@
 #include "analysis/special_values.hpp"
 #include "apps/boundaries/boundaries_command.hpp"
-#include "apps/branches/branches.hpp"
+#include "apps/branches/section_point.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/system/section_coordinates.hpp"
+#include "apps/studies/scene_map/section_coordinates.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/boundaries/against.hpp"
+#include "apps/boundaries/read_planes.hpp"
 #include "apps/boundaries/record_scene.hpp"
 #include "apps/record/flag_text.hpp"
 

@@ -1,10 +1,10 @@
 #include "analysis/cycles/stability.hpp"
+#include "apps/boundaries/read_planes.hpp"
 #include "apps/boundaries/record_scene.hpp"
-#include "apps/boundaries/seeds.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/record/flag_text.hpp"
-#include "apps/system/section_coordinates.hpp"
-#include "apps/system/shooting_map.hpp"
+#include "apps/studies/scene_map/section_coordinates.hpp"
+#include "apps/studies/scene_map/shooting_map.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
-#include "apps/branches/branches.hpp"
+#include "apps/branches/branch_document.hpp"
+
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/system/letter.hpp"
+#include "apps/studies/scene_map/letter.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +38,7 @@ std::vector<PointRow> special_of(const Branch& branch, std::size_t number) {
 }
 
 /// A coordinate of each point of a cycle.
-std::vector<double> coordinates_of(const PointRow& row, const std::string& observable) {
+std::vector<double> values_of(const PointRow& row, const std::string& observable) {
     std::vector<double> values;
     for (const auto& z : row.cycle->at.points()) values.push_back(z[place_of(observable, z.size())]);
     return values;
@@ -77,11 +78,11 @@ Table<PointRow> cycle_table(const SceneBranches& scene, const std::string& rows,
              F{"points", all_coordinates_of, "1", "section points; NaN beyond the period"}
                  .along({"phase", "coordinate"}, longest * static_cast<std::size_t>(scene.map.dimension))
                  .record_only(),
-             F{"S", [](const Row& row) { return coordinates_of(row, "S"); }, "1",
+             F{"S", [](const Row& row) { return values_of(row, "S"); }, "1",
                "S after each impact of the cycle; NaN beyond it"}
                  .along({"phase"}, longest),
-             F{"value", [=](const Row& row) { return coordinates_of(row, observable); },
-               units_of_coordinate(observable), observable + " after each impact of the cycle; NaN beyond it"}
+             F{"value", [=](const Row& row) { return values_of(row, observable); }, units_of_coordinate(observable),
+               observable + " after each impact of the cycle; NaN beyond it"}
                  .along({"phase"}, longest)
                  .record_only()
                  .when(observable != "S"),

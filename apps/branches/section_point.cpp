@@ -1,6 +1,6 @@
-// Section points and words as they are listed.
-#include "apps/branches/branches.hpp"
-#include "apps/system/scene_map.hpp"
+#include "apps/branches/section_point.hpp"
+
+#include "apps/studies/scene_map/letter.hpp"
 
 #include <algorithm>
 #include <cmath>

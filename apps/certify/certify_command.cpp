@@ -3,18 +3,19 @@
 #include "apps/certify/certificate_file.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
-#include "apps/command_line/parallel_pieces.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/command_line/text_file.hpp"
-#include "apps/modes/settled_cycle.hpp"
-#include "apps/orbits/near_orbit.hpp"
+#include "apps/modes/verdict_in_words.hpp"
 #include "apps/orbits/recorded_cycles.hpp"
 #include "apps/record/output_file.hpp"
 #include "apps/record/record_error.hpp"
-#include "apps/system/section_coordinates.hpp"
-#include "apps/system/shooting_map.hpp"
+#include "apps/studies/cycles/near_orbit.hpp"
+#include "apps/studies/modes/settled_cycle.hpp"
+#include "apps/studies/scene_map/section_coordinates.hpp"
+#include "apps/studies/scene_map/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <fmt/format.h>
@@ -142,50 +143,24 @@ void write_and_commit(OutputFile& file, const std::string& text) {
     file.commit();
 }
 
-CertifiedOrbit certified_at(const CyclePlace& place) {
-    CertifiedOrbit orbit{place.number, place.scene, place.points.size(), place.points.front(), {}};
-    const Candidate candidate = candidate_at(place);
-    if (candidate.reason.empty())
-        orbit.proof = proof::prove_cycle(place.scene, candidate.claim);
-    else
-        orbit.proof.reason = candidate.reason;
-    if (!orbit.proof.radii.empty()) orbit.point = orbit.proof.points.front();  // the box's centre
-    return orbit;
-}
-
-/// Each in its place, on all threads; those that an interruption left are dropped.
-std::vector<CertifiedOrbit> certified_of(const CertifyOptions& options, std::vector<CyclePlace> places) {
-    const auto work = std::make_shared<const std::vector<CyclePlace>>(std::move(places));
-    const auto results = std::make_shared<std::vector<std::optional<CertifiedOrbit>>>(work->size());
-    Progress progress("certify", static_cast<double>(work->size()), options.output.quiet);
-    run_pieces(work->size(), options.output.threads, progress, [work, results](std::size_t i) -> KeepResult {
-        CertifiedOrbit orbit = certified_at((*work)[i]);
-        return [results, i, orbit = std::move(orbit)] { (*results)[i] = orbit; };
-    });
-    std::vector<CertifiedOrbit> orbits;
-    for (auto& orbit : *results)
-        if (orbit) orbits.push_back(std::move(*orbit));
-    return orbits;
-}
-
 Certified certified_record(const CertifyOptions& options) {
     orbits::RecordCycles cycles = orbits::cycles_of_record(options.record);
     warn_without_checksum(options.record, options.output.quiet);
     if (options.orbit) cycles.places = {orbits::cycle_of_record(options.record, options.orbit)};
     const std::size_t asked = cycles.places.size();
-    Certified certified{cycles.scene, cycles.along, certified_of(options, cycles.places), {}, true};
+    Certified certified{cycles.scene, cycles.along, prove_cycles(cycles.places, run_control(options.output)), {}, true};
     certified.whole = certified.orbits.size() == asked;
     return certified;
 }
 
 Certified certified_near(const Scene<double>& scene, const SectionPoint<double>& z, int period) {
     const auto map = shooting_map_of(scene);
-    const auto found = orbits::find_near(scene, map, Accuracy::double_precision, z, period, period, is_interrupted);
+    const auto found = cycles::find_near(scene, map, Accuracy::double_precision, z, period, period, is_interrupted);
     Certified certified{scene, {}, {}, {}, !found.cycles.empty(), !is_interrupted()};
     for (const analysis::Cycle& cycle : found.cycles) {
         CyclePlace place{scene, {}};
         for (const auto& point : cycle.points) place.points.push_back(section_point_of(point));
-        certified.orbits.push_back(certified_at(place));
+        certified.orbits.push_back(proven_at(place));
         certified.orbits.back().number = certified.orbits.size();
     }
     return certified;
@@ -203,7 +178,7 @@ Certified certified_attractor(const CertifyOptions& options, const Scene<double>
     const SettledCycle settled =
         settled_cycle(scene, options.start.start<double>(scene), Accuracy::double_precision, is_interrupted);
     if (settled.point) return certified_near(scene, *settled.point, settled.period);
-    if (!is_interrupted()) tell(no_cycle_in_words(settled));
+    if (!is_interrupted()) tell(no_cycle_in_words(settled.named.verdict));
     return {scene, {}, {}, {}, false, !is_interrupted()};
 }
 

@@ -1,16 +1,18 @@
 // `swirl certify`: cycles proven by interval arithmetic, and their certificates checked.
 #pragma once
 
-#include "apps/certify/certified_orbit.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/start_options.hpp"
+#include "apps/studies/certify/certified_orbit.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <string>
 
 namespace swirl::apps::certify {
+
+using namespace studies::certify;
 
 struct CertifyOptions {
     SceneOptions scene;

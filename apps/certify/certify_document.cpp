@@ -1,7 +1,7 @@
-#include "apps/branches/branches.hpp"
+#include "apps/branches/section_point.hpp"
 #include "apps/certify/certify_command.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/system/section_coordinates.hpp"
+#include "apps/studies/scene_map/section_coordinates.hpp"
 #include "map/derivative/parameter.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "apps/classify/classify_command.hpp"
 
-#include "apps/branches/branches.hpp"
+#include "apps/branches/section_point.hpp"
 #include "apps/classify/classify_runs.hpp"
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"

@@ -6,7 +6,7 @@
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"
-#include "apps/modes/name_mode.hpp"
+#include "apps/studies/modes/name_mode.hpp"
 
 #include <string>
 

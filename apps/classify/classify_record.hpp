@@ -4,7 +4,7 @@
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "apps/input/orbit_columns.hpp"
-#include "apps/modes/name_mode.hpp"
+#include "apps/studies/modes/name_mode.hpp"
 
 #include <optional>
 #include <string>

@@ -4,10 +4,11 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
-#include "apps/modes/run_verdict.hpp"
 #include "apps/ranks/hand_out.hpp"
 #include "apps/ranks/packed.hpp"
+#include "apps/studies/modes/run_verdict.hpp"
 
 #include <fmt/format.h>
 
@@ -87,7 +88,8 @@ std::vector<RunVerdict> follow_all(const ClassifyCommandOptions& options, const 
 /// What several runs tell together; after an interruption only which attractors they share.
 void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& scene, RunsFound& found) {
     const double speed = options.start.speed();
-    if (!is_interrupted()) found.escape = escape_of(scene, speed, found.runs, options.output);
+    if (!is_interrupted())
+        found.escape = escape_of(scene, speed, found.runs, options.output.accuracy(), run_control(options.output));
     if (found.escape) name_remaining(*found.escape, found.runs);
     found.attractors = attractors_of(found.runs);
     for (std::size_t a = 0; a < found.attractors.size(); ++a)

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "apps/classify/classify_command.hpp"
-#include "apps/modes/attractors.hpp"
-#include "apps/modes/escape.hpp"
-#include "apps/modes/steady_shares.hpp"
+#include "apps/studies/modes/attractors.hpp"
+#include "apps/studies/modes/escape.hpp"
+#include "apps/studies/modes/steady_shares.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,13 +1,16 @@
 #include "apps/classify/runs_document.hpp"
 
-#include "apps/branches/branches.hpp"
+#include "apps/branches/section_point.hpp"
 #include "apps/modes/driven_fields.hpp"
+#include "apps/modes/escape_document.hpp"
+#include "apps/modes/mean_in_words.hpp"
 #include "apps/modes/mode_fields.hpp"
+#include "apps/modes/steady_share_table.hpp"
 #include "apps/modes/verdict_document.hpp"
 #include "apps/output/points_in_words.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/system/section_coordinates.hpp"
+#include "apps/studies/scene_map/section_coordinates.hpp"
 
 #include <fmt/format.h>
 

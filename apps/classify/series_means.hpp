@@ -3,7 +3,7 @@
 
 #include "analysis/means/mean_error.hpp"
 #include "apps/input/measured_series.hpp"
-#include "apps/modes/means.hpp"
+#include "apps/studies/modes/means.hpp"
 
 #include <vector>
 

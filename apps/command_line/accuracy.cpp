@@ -16,24 +16,6 @@ constexpr std::array all = {
 
 }  // namespace
 
-std::string_view name_of(Accuracy accuracy) {
-    switch (accuracy) {
-        case Accuracy::double_precision:
-            return "double";
-        case Accuracy::extended:
-            return "extended";
-        case Accuracy::quad:
-            return "quad";
-        case Accuracy::paper:
-            return "paper";
-        case Accuracy::brent:
-            return "brent";
-        case Accuracy::fixed_step:
-            return "fixed-step";
-    }
-    return "";
-}
-
 Accuracy accuracy_from(const std::string& name, int extended_bits) {
     std::string allowed;
     const bool has_extended = extended_bits > std::numeric_limits<double>::digits;

@@ -3,20 +3,13 @@
 #pragma once
 
 #include "apps/command_line/errors.hpp"
-#include "map/derivative/parameter.hpp"
+#include "apps/command_line/plain_names.hpp"
+#include "apps/studies/scene_map/parameter_range.hpp"
 
 #include <string>
 #include <vector>
 
 namespace swirl::apps {
-
-struct ParameterRange {
-    std::string name;                    ///< as given
-    std::optional<Parameter> parameter;  ///< empty: S or tau, the members of a family
-    double low = 0, high = 0;
-    std::vector<double> columns;  ///< of a diagram; empty without COUNT
-    bool falling = false;         ///< A > B
-};
 
 /// @throws BadInput naming the value and what is allowed
 ///   counted   COUNT is wanted

@@ -3,28 +3,18 @@
 
 #include "apps/command_line/flags.hpp"
 #include "apps/command_line/numbers.hpp"
+#include "apps/command_line/plain_names.hpp"
 #include "apps/command_line/scene_options.hpp"
-#include "map/orbit/laboratory.hpp"
+#include "apps/studies/scene_map/start.hpp"
 
 #include <cstdint>
 #include <map>
 #include <string>
-#include <variant>
 
 namespace swirl::apps {
 
-template <class T>
-using Start = std::variant<LabStart<T>, SectionPoint<T>>;
-
-/// The random start number `run` of a seed: at the container's centre, |V| = speed in a random direction, a random
-/// orientation, no spin. Philox 4×64 keyed by the seed, counter = run: any start can be made alone.
-LabStart<double> random_start(double beta, double speed, std::uint64_t seed, std::uint64_t run);
-
 /// --seed: CLI11 would take −1 for 2⁶⁴ − 1. `given`, if there is one, is set when the flag is.
 Flag add_seed(Flags& command, std::uint64_t& seed, const std::string& help, bool* given = nullptr);
-
-/// The speed of Sun 2019 (docs/references.md) at ω_s = 1: |v| = 1 with R_c = 7.
-inline constexpr double paper_speed = 1.0 / 7;
 
 class StartOptions {
 public:

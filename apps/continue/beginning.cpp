@@ -1,14 +1,12 @@
 #include "apps/continue/beginning.hpp"
 
-#include "analysis/cycles/cycle.hpp"
-#include "analysis/cycles/multi_shooting.hpp"
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/start_options.hpp"
-#include "apps/modes/settled_cycle.hpp"
+#include "apps/modes/verdict_in_words.hpp"
 #include "apps/orbits/recorded_cycles.hpp"
-#include "apps/system/section_coordinates.hpp"
+#include "apps/studies/modes/settled_cycle.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +14,6 @@
 namespace swirl::apps::continuation {
 
 namespace {
-
-constexpr double accepted = 1e-10;
 
 void require_one_way(const ContinueOptions& options) {
     const bool from_record = !options.record.empty();
@@ -46,7 +42,7 @@ Beginning of_attractor(ContinueOptions& options) {
     exit_when_interrupted();
     const SettledCycle settled =
         settled_cycle(scene, options.start.start<double>(scene), options.output.accuracy(), {});
-    if (!settled.point) return {scene, 1, {}, options.from, no_cycle_in_words(settled)};
+    if (!settled.point) return {scene, 1, {}, options.from, no_cycle_in_words(settled.named.verdict)};
     return {scene, settled.period, {*settled.point}, orbits::point_as_flag(*settled.point, scene.is_disk()), ""};
 }
 
@@ -60,21 +56,6 @@ Beginning beginning_of(ContinueOptions& options) {
     const auto z = section_point_from<double>("--from", options.from, scene.is_disk());
     require_leaving(make_body(scene), z);
     return {scene, static_cast<int>(options.its_period.value_or(1)), {z}, options.from, ""};
-}
-
-analysis::CyclePoints cycle_from(const Beginning& beginning, const analysis::ShootingMap& map, double p) {
-    if (beginning.points.empty()) return {};
-    const bool disk = beginning.scene.is_disk();
-    analysis::CyclePoints guess;
-    if (std::ssize(beginning.points) == beginning.period)
-        for (const auto& z : beginning.points) guess.push_back(coordinates_of(z, disk));
-    else
-        guess = analysis::orbit_from(map, coordinates_of(beginning.points.front(), disk), p, beginning.period);
-    if (guess.empty()) return {};
-    const auto shot = analysis::solve_shooting(map, guess, p, accepted);
-    if (!shot.converged) return {};
-    const auto cycle = analysis::minimal_cycle(map, shot.points, analysis::same_cycle);
-    return static_cast<int>(cycle.size()) == beginning.period ? cycle : analysis::CyclePoints{};
 }
 
 }  // namespace swirl::apps::continuation

@@ -1,9 +1,8 @@
 // Where a branch begins: near a point, at a record's cycle, or at what a start settles on.
 #pragma once
 
-#include "analysis/curves/shooting_map.hpp"
 #include "apps/continue/continue_command.hpp"
-#include "map/model/section.hpp"
+#include "apps/studies/cycles/cycle_place.hpp"
 
 #include <string>
 #include <vector>
@@ -20,8 +19,5 @@ struct Beginning {
 
 /// @throws BadInput unless one way is given, and for what is none
 Beginning beginning_of(ContinueOptions& options);
-
-/// The cycle there, at the parameter's value p; empty if none was found.
-analysis::CyclePoints cycle_from(const Beginning& beginning, const analysis::ShootingMap& map, double p);
 
 }  // namespace swirl::apps::continuation

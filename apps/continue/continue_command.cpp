@@ -4,11 +4,13 @@
 #include "analysis/cycles/multi_shooting.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/parameter_range.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/continue/beginning.hpp"
-#include "apps/system/shooting_map.hpp"
+#include "apps/studies/cycles/cycle_near.hpp"
+#include "apps/studies/scene_map/shooting_map.hpp"
 
 #include <fmt/format.h>
 
@@ -116,7 +118,7 @@ int continue_orbit(ContinueOptions& options) {
         throw BadInput(fmt::format("longest-step = {:g} is outside its range: 1e-6 to 1", options.longest_step));
     if (along.parameter)
         for (const double end : {along.low, along.high}) validated(with_parameter(scene, *along.parameter, end));
-    SceneBranches system = scene_branches(scene, along, accuracy);
+    SceneBranches system = scene_branches(scene, along, accuracy, is_interrupted);
     const double p = value_of(scene, along);
     if (along.parameter && (p < along.low || p > along.high))
         throw BadInput(fmt::format("{} = {:g} of the scene is outside the range of --along: {:g} to {:g}", along.name,
@@ -124,7 +126,7 @@ int continue_orbit(ContinueOptions& options) {
     system.options.longest_step = options.longest_step;
     system.options.first_step = std::min(1e-3, options.longest_step);
     if (!beginning.why_none.empty()) tell(beginning.why_none);
-    auto cycle = cycle_from(beginning, system.map, p);
+    auto cycle = cycles::cycle_from({scene, beginning.points}, beginning.period, system.map, p);
     if (!cycle.empty() && !lies_on_curve(scene, accuracy, along, cycle)) {
         tell(fmt::format("swirl: the cycle is {}",
                          along.parameter

@@ -1,7 +1,7 @@
 // `swirl continue`: one-parameter branches of cycles.
 #pragma once
 
-#include "apps/branches/branches.hpp"
+#include "apps/branches/branch_document.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"

@@ -1,9 +1,9 @@
 #include "analysis/cycles/stability.hpp"
-#include "apps/branches/branches.hpp"
+#include "apps/branches/section_point.hpp"
 #include "apps/describe/describe_command.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/system/section_coordinates.hpp"
+#include "apps/studies/scene_map/section_coordinates.hpp"
 
 #include <fmt/format.h>
 

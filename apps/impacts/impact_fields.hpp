@@ -1,7 +1,8 @@
 // The numbers of an impact by name, in the order of docs/command-line.md, "simulate", with what a record says of them.
 #pragma once
 
-#include "apps/impacts/impact_row.hpp"
+#include "apps/command_line/plain_names.hpp"
+#include "apps/studies/scene_map/impact_row.hpp"
 
 #include <array>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "apps/command_line/documents.hpp"
-#include "apps/modes/name_mode.hpp"
 #include "apps/modes/verdict_in_words.hpp"
+#include "apps/studies/modes/name_mode.hpp"
 
 #include <string>
 

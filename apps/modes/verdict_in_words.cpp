@@ -45,6 +45,10 @@ std::string mode_in_words(const Classification& verdict) {
                        verdict.period > 0 ? fmt::format(", period {}", verdict.period) : "");
 }
 
+std::string no_cycle_in_words(const Classification& verdict) {
+    return fmt::format("swirl: the start settles on no cycle to go on from: {}", mode_in_words(verdict));
+}
+
 std::string sureness_in_words(const Classification& verdict, const std::optional<Units>& units) {
     if (const Evidence* chord = evidence_of(verdict, "slowest multiplier of the chord"); chord != nullptr)
         return fmt::format("settled: the chord attracts, slowest multiplier {:.6g}", chord->value);

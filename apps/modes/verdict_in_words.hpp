@@ -13,6 +13,9 @@ namespace swirl::apps {
 /// "mode quasi-steady (cycle), period 4"
 std::string mode_in_words(const analysis::Classification& verdict);
 
+/// The line that says why nothing goes on from a start that settles on this.
+std::string no_cycle_in_words(const analysis::Classification& verdict);
+
 /// How sure, in one line. `settled`: nothing that follows can change it (an attracting cycle, rest). `as far as it was
 /// followed`: nothing settles chaos or a torus. `undecided`: why.
 std::string sureness_in_words(const analysis::Classification& verdict, const std::optional<Units>& units = {});

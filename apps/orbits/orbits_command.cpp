@@ -2,11 +2,11 @@
 
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 #include "apps/command_line/record_output.hpp"
-#include "apps/orbits/family_members.hpp"
-#include "apps/orbits/find_orbits.hpp"
-#include "apps/orbits/near_orbit.hpp"
-#include "apps/system/shooting_map.hpp"
+#include "apps/command_line/run_control.hpp"
+#include "apps/studies/cycles/near_orbit.hpp"
+#include "apps/studies/scene_map/shooting_map.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <fmt/format.h>
@@ -95,8 +95,7 @@ FindOptions find_options_of(const OrbitsOptions& options) {
     find.max_time = options.max_time;
     find.complete = options.complete;
     find.most_starts = options.most_starts;
-    find.threads = options.output.threads;
-    find.quiet = options.output.quiet;
+    find.control = run_control(options.output);
     return find;
 }
 
@@ -126,10 +125,16 @@ void check(const OrbitsOptions& options) {
 
 }  // namespace
 
-double mean_spin_per_impact(const analysis::Cycle& cycle) {
-    double sum = 0;
-    for (const auto& z : cycle.points) sum += z[z.size() - 1];
-    return sum / static_cast<double>(cycle.period());
+std::optional<Pin> pin_from(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    const auto equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    if (equals == std::string::npos || (name != "S" && name != "tau"))
+        throw BadInput(fmt::format("pin = {}: S=VALUE or tau=VALUE is wanted", text));
+    const double value = number_from<double>("pin", text.substr(equals + 1));
+    if (!std::isfinite(value) || (name == "tau" && value <= 0))
+        throw BadInput(fmt::format("pin = {} is outside its range: S finite, tau > 0", text));
+    return Pin{name == "tau", value};
 }
 
 int orbits(OrbitsOptions& options) {
@@ -147,11 +152,13 @@ int orbits(OrbitsOptions& options) {
     std::optional<RecordWriter> record =
         open_record(options.output, "Cycles of a swirled polygon", {options.scene.file()}, options.scene.units());
     note_interruptions();
-    options.candidates.stop = is_interrupted;
     const auto [first, last] = options.periods();
     FoundOrbits found = near ? find_near(scene, map, options.candidates.accuracy, *near, first, last, is_interrupted)
                              : find_orbits(scene, map, find_options_of(options));
     found.accuracy = options.candidates.accuracy;
+    for (const ShortOrbit& orbit : found.too_short)
+        found.limits.push_back(
+            fmt::format("period {}: the orbit from --near ends after {} impacts", orbit.period, orbit.impacts));
     if (pin) pin_families(scene, map, *pin, found);
     const bool as_asked = !near ? !found.wants_more() : !found.cycles.empty();
     if (options.stable) leave_out_others(found);

@@ -3,12 +3,14 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
-#include "apps/orbits/candidates.hpp"
-#include "apps/orbits/found_orbits.hpp"
+#include "apps/studies/cycles/family_members.hpp"
+#include "apps/studies/cycles/find_orbits.hpp"
 
 #include <string>
 
 namespace swirl::apps::orbits {
+
+using namespace studies::cycles;
 
 struct OrbitsOptions {
     SceneOptions scene;
@@ -37,8 +39,8 @@ void write_orbits_record(RecordWriter& record, const OrbitsOptions& options, con
                          const FoundOrbits& found);
 Settings orbits_settings(const OrbitsOptions& options);
 
-/// The mean of S just after the impacts.
-double mean_spin_per_impact(const analysis::Cycle& cycle);
+/// "S=VALUE" or "tau=VALUE"; empty: none. @throws BadInput
+std::optional<Pin> pin_from(const std::string& text);
 
 int orbits(OrbitsOptions& options);
 

@@ -1,9 +1,9 @@
-#include "apps/branches/branches.hpp"
-#include "apps/orbits/family_members.hpp"
+#include "apps/branches/section_point.hpp"
 #include "apps/orbits/orbits_command.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/system/shooting_map.hpp"
+#include "apps/studies/cycles/family_members.hpp"
+#include "apps/studies/scene_map/shooting_map.hpp"
 
 #include <fmt/format.h>
 

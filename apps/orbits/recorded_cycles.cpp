@@ -4,8 +4,8 @@
 #include "apps/command_line/scene_options.hpp"
 #include "apps/record/flag_text.hpp"
 #include "apps/record/record_reader.hpp"
-#include "apps/system/section_coordinates.hpp"
-#include "apps/system/shooting_map.hpp"
+#include "apps/studies/scene_map/section_coordinates.hpp"
+#include "apps/studies/scene_map/shooting_map.hpp"
 #include "map/derivative/parameter.hpp"
 
 #include <algorithm>

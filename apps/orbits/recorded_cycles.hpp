@@ -1,8 +1,8 @@
 // The cycles that a record holds, to go on from.
 #pragma once
 
-#include "map/model/scene.hpp"
-#include "map/model/section.hpp"
+#include "apps/command_line/plain_names.hpp"
+#include "apps/studies/cycles/cycle_place.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -11,12 +11,7 @@
 
 namespace swirl::apps::orbits {
 
-/// Where a cycle is said to be, in its own scene.
-struct CyclePlace {
-    Scene<double> scene;
-    std::vector<SectionPoint<double>> points;
-    std::size_t number = 1;  ///< of the record's row, from 1
-};
+using namespace studies::cycles;
 
 /// The cycles of a record of `orbits`, those along the branches of `continue` and `bifurcate`, the steady modes of
 /// `describe`, or those that `classify` found, in the order of the record's rows.

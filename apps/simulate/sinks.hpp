@@ -1,10 +1,10 @@
 // Where impacts, contacts and samples go as they come: a record, JSON, a table for people.
 #pragma once
 
-#include "apps/impacts/impact_row.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/simulate/samples.hpp"
 #include "apps/simulate/simulate.hpp"
+#include "apps/studies/scene_map/impact_row.hpp"
 
 #include <optional>
 #include <vector>

@@ -88,7 +88,7 @@ Sweep sweep_from(const std::string& path, const ReadShard& read, SweepOptions& o
             if (name == parameter) options.scene.set(name, text);
     }
     sweep.grid = grid_from(setting<std::vector<std::string>>(path, sweep.settings, "grid"), form);
-    cell_scene(options.scene, sweep.grid, 0);
+    scene_of_cell(options.scene, sweep.grid, 0);
     if (sweep.runs < 1 || sweep.runs > 1'000'000)
         throw BadInput(fmt::format("record '{}': runs = {} is outside its range: 1 to 1000000", path, sweep.runs));
     sweep.results.resize(cell_count(sweep.grid) * static_cast<std::size_t>(sweep.runs));

@@ -2,7 +2,8 @@
 // axes of the figure (notebooks-export/swirl_figures/sweep.py): the first parameter across, the second upwards, rising.
 #include "apps/modes/driven_fields.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/sweep/starts.hpp"
+#include "apps/sweep/result_tables.hpp"
+#include "apps/sweep/start_settings.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
 #include <fmt/format.h>
@@ -46,7 +47,7 @@ std::vector<std::size_t> rising(const GridAxis& axis) {
 /// A point of an axis, in the user's units.
 std::string label_of(const Sweep& sweep, std::size_t k, double point) {
     const GridAxis& axis = sweep.grid[k];
-    if (axis.has_words()) return axis.word_at(point);
+    if (axis.has_words()) return word_at(axis, point);
     return fmt::format("{:.6g}", in_units(point, sweep.units, units_of_axis(axis.name)));
 }
 

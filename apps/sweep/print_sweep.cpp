@@ -1,8 +1,8 @@
 // A sweep for people: the modes of its cells, and the shares.
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
+#include "apps/sweep/result_tables.hpp"
 #include "apps/sweep/sweep_command.hpp"
-#include "apps/sweep/tracks.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ void print_saddles(const Boundaries& boundaries, const std::optional<Units>& uni
 /// Those over most cells.
 void print_tracks(const Sweep& sweep) {
     constexpr std::size_t most = 20;
-    std::vector<Track> tracks = tracks_of(sweep);
+    std::vector<Track> tracks = tracks_of(sweep.attractors);
     const std::size_t all = tracks.size();
     tracks.resize(std::min(all, most));
     print_table(in_units(track_table(), sweep.units), tracks);

@@ -3,8 +3,9 @@
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/progress.hpp"
 #include "apps/ranks/packed.hpp"
-#include "apps/sweep/refine.hpp"
-#include "apps/sweep/starts.hpp"
+#include "apps/studies/basins/cell_verdicts.hpp"
+#include "apps/studies/grids/refine.hpp"
+#include "apps/studies/grids/run_cells.hpp"
 
 #include <fmt/format.h>
 
@@ -14,17 +15,11 @@
 namespace swirl::apps::sweep {
 
 NamedWork work_of(const SweepOptions& options, const Sweep& sweep) {
-    const auto work = [&options, grid = sweep.grid, runs = static_cast<std::size_t>(sweep.runs)](
-                          std::span<const std::size_t> pieces, const KeepPiece& keep) {
-        std::vector<SceneStart> starts;
-        for (const std::size_t index : pieces) {
-            const Scene<double> scene = cell_scene(options.scene, grid, index / runs);
-            starts.push_back({scene, cell_start(options.start, scene, grid, index / runs, index % runs)});
-        }
-        const auto take = [pieces, &keep](std::size_t place, const NamedMode& named, const OrbitSamples&) {
-            keep({pieces[place], packed(result_of(named))});
-        };
-        name_modes(starts, {options.settings, options.output.accuracy(), is_interrupted}, take);
+    const auto work = [study = study_of(options, sweep.grid)](std::span<const std::size_t> pieces,
+                                                              const KeepPiece& keep) {
+        name_runs(study, pieces, is_interrupted, [&keep](std::size_t index, const RunResult& result) {
+            keep({index, packed(result)});
+        });
     };
     return {name_of_work(sweep.settings), work, most_named_together()};
 }
@@ -50,40 +45,14 @@ bool run_cells(const SweepOptions& options, const std::vector<std::size_t>& cell
     return all;
 }
 
-/// What most runs of a cell say: mode, kind and period as one number. Of equally many that of the earlier run.
-std::int64_t verdict_of(std::span<const RunResult> runs) {
-    const auto number = [](const RunResult& run) {
-        constexpr double kinds = 64, modes = 8;
-        return static_cast<std::int64_t>((run.period * kinds + run.kind) * modes + run.mode);
-    };
-    std::int64_t usual = 0;
-    std::ptrdiff_t most = 0;
-    for (const auto& run : runs) {
-        const auto same = [&](const RunResult& other) { return number(other) == number(run); };
-        const auto count = std::count_if(runs.begin(), runs.end(), same);
-        if (count > most) most = count, usual = number(run);
-    }
-    return usual;
-}
-
 /// Coarse points first, then those that the tree asks for, until it asks for none.
 bool run_tree(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal,
               HandOut& hand_out) {
     Lattice lattice{{}, options.refine};
     for (const auto& axis : sweep.grid) lattice.points.push_back(axis.points.size());
     sweep.visited.assign(lattice.size(), 0);
-    std::vector<RunResult> attractors;  // of one scene: told apart by their mean S, too
-    const bool basins = are_all_of_the_start(sweep.grid);
-    const auto verdict = [&](std::size_t cell) -> std::int64_t {
-        if (!basins) return verdict_of(sweep.cell(cell));
-        const RunResult& run = sweep.results[cell];
-        if (!has_attractor(run)) return no_basin;
-        const auto known = std::find_if(attractors.begin(), attractors.end(),
-                                        [&](const RunResult& other) { return is_same_attractor(other, run); });
-        const std::int64_t place = known - attractors.begin();
-        if (known == attractors.end()) attractors.push_back(run);
-        return place;
-    };
+    CellVerdicts verdicts(sweep.grid);
+    const auto verdict = [&](std::size_t cell) { return verdicts.of(sweep.cell(cell)); };
     int wave = 0;
     for (auto cells = coarse_points(lattice); !cells.empty(); cells = next_points(lattice, sweep.visited, verdict)) {
         const std::string task = wave == 0 ? "sweep" : fmt::format("sweep, refined {}", wave);

@@ -36,8 +36,8 @@ private:
 bool run_all(const SweepOptions& options, Sweep& sweep, std::vector<char>& done, SweepJournal* journal,
              HandOut& hand_out);
 
-/// The runs of a sweep, by their indices; a piece is one of them. It holds what it uses but the options, which live
-/// until the process ends: after an interruption it may outlive the sweep.
+/// The runs of a sweep, by their indices; a piece is one of them. It holds what it uses: after an interruption it may
+/// outlive the sweep.
 NamedWork work_of(const SweepOptions& options, const Sweep& sweep);
 
 }  // namespace swirl::apps::sweep

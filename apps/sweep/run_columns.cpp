@@ -1,5 +1,6 @@
 #include "apps/sweep/run_columns.hpp"
 
+#include "apps/command_line/errors.hpp"
 #include "apps/output/value.hpp"
 
 #include <fmt/format.h>

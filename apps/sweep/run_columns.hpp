@@ -1,15 +1,18 @@
 // The results of runs as columns of a record.
 #pragma once
 
+#include "apps/command_line/plain_names.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/record/record_writer.hpp"
-#include "apps/sweep/sweep_results.hpp"
+#include "apps/studies/grids/run_results.hpp"
 
 #include <span>
 #include <string>
 #include <vector>
 
 namespace swirl::apps::sweep {
+
+using namespace studies::grids;
 
 /// The columns run_mode, run_kind, … along `axes`, the last of which is the run.
 void write_run_columns(const RecordGroup& group, const std::vector<std::string>& axes,

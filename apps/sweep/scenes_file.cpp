@@ -2,7 +2,7 @@
 
 #include "apps/command_line/text_file.hpp"
 #include "apps/input/cells.hpp"
-#include "apps/sweep/grid.hpp"
+#include "apps/sweep/grid_options.hpp"
 
 #include <fmt/format.h>
 
@@ -78,7 +78,7 @@ ScenesFile read_scenes(const std::string& file) {
             if (cells[k].empty()) refuse(file, lines[row].number, names[k] + " is empty");
             try {
                 const GridAxis axis{names[k], "", {}, true, false};
-                scenes.columns[k] += (row > 1 ? "," : "") + axis.word_at(axis_value(names[k], cells[k]));
+                scenes.columns[k] += (row > 1 ? "," : "") + word_at(axis, axis_value(names[k], cells[k]));
             } catch (const BadInput& error) {
                 refuse(file, lines[row].number, error.what());
             }

@@ -9,7 +9,7 @@ namespace swirl::apps::sweep {
 
 struct ScenesFile {
     std::size_t rows = 0;
-    std::vector<std::string> columns;  ///< NAME=V,V,…, a value a row, each as GridAxis::word_at() writes it
+    std::vector<std::string> columns;  ///< NAME=V,V,…, a value a row, each as word_at() writes it
 };
 
 /// Reads a file: a header, then a scene a line; cells are separated by tabs, semicolons or commas; lines that are empty

@@ -4,11 +4,11 @@
 #include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/sweep/run_cells.hpp"
 #include "apps/sweep/scenes_file.hpp"
-#include "apps/sweep/starts.hpp"
-#include "apps/sweep/tracks.hpp"
+#include "apps/sweep/start_settings.hpp"
 
 #include <fmt/format.h>
 
@@ -108,14 +108,16 @@ void check_beside(const SweepOptions& options, const std::vector<GridAxis>& grid
     if (axis.name == "law") throw BadInput("--law and --grid law=… are both given: give one of them");
     std::vector<GridAxis> others = grid;
     std::erase_if(others, [&](const GridAxis& other) { return other.name == axis.name; });
-    cell_scene(options.scene, others, 0);
+    scene_of_cell(options.scene, others, 0);
 }
 
 /// @throws BadInput, of a table of scenes naming the row
-void check_cell(const SweepOptions& options, const std::vector<GridAxis>& grid, std::size_t c) {
+void check_cell(const SweepOptions& options, const std::vector<GridAxis>& grid, std::size_t c,
+                std::optional<GridStudy>& study) {
     try {
-        const Scene<double> scene = cell_scene(options.scene, grid, c);
-        flight_from(make_body(scene), cell_start(options.start, scene, grid, c, 0));
+        if (!study) study = study_of(options, grid);
+        const Scene<double> scene = cell_scene(*study, c);
+        flight_from(make_body(scene), cell_start(*study, scene, c, 0));
     } catch (const std::exception& error) {
         if (options.scenes.empty()) throw;
         throw BadInput(fmt::format("scenes '{}', scene {}: {}", options.scenes, c + 1, error.what()));
@@ -130,7 +132,8 @@ void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     const double results = static_cast<double>(cell_count(grid)) * static_cast<double>(options.runs);
     if (results > static_cast<double>(most_results))
         throw BadInput(fmt::format("cells x runs = {:.0f} is outside its range: 1 to {}", results, most_results));
-    for (std::size_t c = 0; c < cell_count(grid); ++c) check_cell(options, grid, c);
+    std::optional<GridStudy> study;  // made with the first cell, whose faults it has
+    for (std::size_t c = 0; c < cell_count(grid); ++c) check_cell(options, grid, c, study);
 }
 
 /// Tracks lead from cell to cell of random starts that were all looked at.
@@ -150,14 +153,6 @@ void require_boundaries(const SweepOptions& options, const std::vector<GridAxis>
     if (!are_all_of_the_start(grid)) refuse("boundaries of basins are those of a grid over numbers of the start alone");
     if (!options.sample.empty()) refuse("the starts of a sample have no neighbours");
     if (!options.shard.empty()) refuse("neighbours of a shard's cells are in other shards");
-}
-
-/// What is found from the results of all runs. False if interrupted.
-bool look_into_results(const SweepOptions& options, Sweep& sweep) {
-    if (!find_steady_modes(options, sweep)) return false;
-    if (options.track && !track_attractors(options, sweep)) return false;
-    find_basins(sweep);
-    return find_saddles(options, sweep);
 }
 
 /// What can be known of the record before any work.

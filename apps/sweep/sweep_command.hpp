@@ -3,12 +3,13 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
-#include "apps/modes/steady_shares.hpp"
-#include "apps/sweep/basins.hpp"
-#include "apps/sweep/cell_attractors.hpp"
-#include "apps/sweep/grid.hpp"
-#include "apps/sweep/saddles.hpp"
-#include "apps/sweep/sweep_results.hpp"
+#include "apps/studies/basins/basins.hpp"
+#include "apps/studies/basins/cell_attractors.hpp"
+#include "apps/studies/basins/saddles.hpp"
+#include "apps/studies/grids/run_results.hpp"
+#include "apps/studies/grids/starts.hpp"
+#include "apps/studies/modes/steady_shares.hpp"
+#include "apps/sweep/grid_options.hpp"
 
 #include <optional>
 #include <string>
@@ -43,6 +44,8 @@ struct Shard {
 Shard shard_from(const std::string& text);
 /// Everything that the results depend on, in one order. The scene's gridded parameters stand in the grid.
 Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& grid);
+/// What is asked of every cell. @throws BadInput, std::invalid_argument if the first cell's scene is none
+GridStudy study_of(const SweepOptions& options, const std::vector<GridAxis>& grid);
 
 /// A sweep, whole: what was asked for and what was found. Results of cell c, run r are at c · runs + r.
 struct Sweep {
@@ -81,9 +84,8 @@ bool find_steady_modes(const SweepOptions& options, Sweep& sweep);
 /// Of a grid over numbers of the start alone, which start came to what; else nothing.
 void find_basins(Sweep& sweep);
 
-/// The boundaries of the basins and the saddles that they lead to (`saddles` places). False if interrupted.
-/// Cost: of a place some 50 runs, and about one for each impact until its orbit is at the saddle.
-bool find_saddles(const SweepOptions& options, Sweep& sweep);
+/// What is found from the results of all runs, as asked for. False if interrupted.
+bool look_into_results(const SweepOptions& options, Sweep& sweep);
 
 /// A record of a finished sweep. @throws RecordError
 void write_sweep(const SweepOptions& options, const Sweep& sweep);

@@ -1,14 +1,14 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/modes/driven_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
+#include "apps/modes/steady_share_table.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/record/flag_text.hpp"
-#include "apps/sweep/cell_attractors.hpp"
+#include "apps/studies/scene_map/section_coordinates.hpp"
+#include "apps/sweep/result_tables.hpp"
 #include "apps/sweep/run_columns.hpp"
-#include "apps/sweep/starts.hpp"
+#include "apps/sweep/start_settings.hpp"
 #include "apps/sweep/sweep_command.hpp"
-#include "apps/sweep/tracks.hpp"
-#include "apps/system/section_coordinates.hpp"
 
 #include <algorithm>
 
@@ -48,7 +48,7 @@ void write_parameters(JsonWriter& json, const Sweep& sweep, const Cell& cell) {
     json.begin_object();
     for (std::size_t k = 0; k < point.size(); ++k)
         if (const GridAxis& axis = sweep.grid[k]; axis.name == "law" || (axis.has_words() && point[k] == disk_sides))
-            json.member(axis.name, axis.word_at(point[k]));
+            json.member(axis.name, word_at(axis, point[k]));
         else
             json.member(axis.name, point[k]);
     json.end_object();
@@ -201,7 +201,7 @@ void write_axis(const RecordGroup& group, const GridAxis& axis) {
     }
     std::vector<std::string> words;
     words.reserve(axis.points.size());
-    for (const double point : axis.points) words.push_back(axis.word_at(point));
+    for (const double point : axis.points) words.push_back(word_at(axis, point));
     group.write_strings(record_name(axis.name), along, words, {"", "parameter " + axis.name, {}});
 }
 

@@ -1,12 +1,12 @@
-#include "apps/sweep/starts.hpp"
+#include "apps/sweep/start_settings.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
-#include <algorithm>
+#include <variant>
 
 namespace swirl::apps::sweep {
 
 Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& grid) {
-    const Scene<double> first = cell_scene(options.scene, grid, 0);
+    const Scene<double> first = scene_of_cell(options.scene, grid, 0);
     Settings settings{{"swirl_version", std::string(version())}};
     std::vector<std::string> axes;
     for (const auto& axis : grid) axes.push_back(axis.text);
@@ -34,6 +34,24 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     settings.emplace_back("threshold", options.settings.recurrence_threshold);
     settings.emplace_back("accuracy", options.output.accuracy_name);
     return settings;
+}
+
+GridStudy study_of(const SweepOptions& options, const std::vector<GridAxis>& grid) {
+    GridStudy study;
+    study.grid = grid;
+    study.scene = scene_of_cell(options.scene, grid, 0);
+    study.uniform = !options.scene.has("inertia-factor");
+    study.runs = options.runs;
+    study.seed = options.start.seed();
+    if (!starts_are_placed(grid)) {
+        if (!has_axis(grid, "speed")) study.speed = options.start.speed();
+    } else if (!options.start.is_random()) {
+        study.placed = std::get<LabStart<double>>(options.start.start(study.scene));
+        study.at_centre = !options.start.gives("x");
+    }
+    study.settings = options.settings;
+    study.accuracy = options.output.accuracy();
+    return study;
 }
 
 }  // namespace swirl::apps::sweep

@@ -2,7 +2,8 @@
 
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/record_output.hpp"
-#include "apps/system/orbit_ending.hpp"
+#include "apps/command_line/run_control.hpp"
+#include "apps/studies/scene_map/orbit_ending.hpp"
 #include "apps/tradeoff/tradeoff_document.hpp"
 
 #include <fmt/format.h>
@@ -79,7 +80,7 @@ int tradeoff(TradeoffOptions& options) {
     std::optional<RecordWriter> record = open_record(options.output, "Accuracy and cost of a swirled polygon's map",
                                                      {options.scene.file()}, options.scene.units());
     exit_when_interrupted();
-    const Tradeoff found = measure(scene, starts, amounts, budget, options.output);
+    const Tradeoff found = measure(scene, starts, amounts, budget, run_control(options.output));
     if (record) {
         write_record(record->root(), options, scene, amounts, found);
         record->finish();

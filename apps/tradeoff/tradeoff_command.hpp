@@ -4,8 +4,11 @@
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"
+#include "apps/studies/tradeoff/tradeoff.hpp"
 
 namespace swirl::apps::tradeoff {
+
+using namespace studies::tradeoff;
 
 struct TradeoffOptions {
     SceneOptions scene;

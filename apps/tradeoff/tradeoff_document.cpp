@@ -1,6 +1,7 @@
 #include "apps/tradeoff/tradeoff_document.hpp"
 
 #include "apps/command_line/documents.hpp"
+#include "apps/modes/escape_document.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/tradeoff/tradeoff_tables.hpp"
 

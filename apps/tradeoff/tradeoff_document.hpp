@@ -1,7 +1,8 @@
 // What `swirl tradeoff` says: a document, a record, tables for people.
 #pragma once
 
-#include "apps/tradeoff/tradeoff.hpp"
+#include "apps/command_line/documents.hpp"
+#include "apps/studies/tradeoff/tradeoff.hpp"
 #include "apps/tradeoff/tradeoff_command.hpp"
 
 namespace swirl::apps::tradeoff {

@@ -1,10 +1,13 @@
 // The tables of `swirl tradeoff`, each described once.
 #pragma once
 
+#include "apps/command_line/plain_names.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/tradeoff/tradeoff.hpp"
+#include "apps/studies/tradeoff/tradeoff.hpp"
 
 namespace swirl::apps::tradeoff {
+
+using namespace studies::tradeoff;
 
 /// Time and errors of an arithmetic …
 Table<ArithmeticRung> errors_table();

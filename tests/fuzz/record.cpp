@@ -1,13 +1,14 @@
 // What a record holds and states of itself, by four ways: a good file of HDF5 with whatever in it to every reader of
 // records; the head of a file; a journal that was damaged.
-#include "apps/boundaries/seeds.hpp"
-#include "apps/certify/certified_orbit.hpp"
+#include "apps/boundaries/read_planes.hpp"
 #include "apps/classify/classify_record.hpp"
 #include "apps/input/input_options.hpp"
+#include "apps/orbits/recorded_cycles.hpp"
 #include "apps/record/journal.hpp"
 #include "apps/record/read_everything.hpp"
 #include "apps/record/record_checksum.hpp"
 #include "apps/record/record_reader.hpp"
+#include "apps/studies/certify/certified_orbit.hpp"
 #include "apps/sweep/shard.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/made_record.hpp"

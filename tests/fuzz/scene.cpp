@@ -1,8 +1,8 @@
 // A scene and a start, any numbers. They are refused, or the orbit from there has finite states, impulses that do not
 // pull, times that do not fall and vertices inside, ends with a name, and costs no more than its steps may.
 #include "apps/command_line/start_options.hpp"
-#include "apps/system/effort.hpp"
-#include "apps/system/scene_orbit.hpp"
+#include "apps/studies/scene_map/effort.hpp"
+#include "apps/studies/scene_map/scene_orbit.hpp"
 #include "map/first_contact/bounds.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/outcome.hpp"

@@ -36,7 +36,7 @@ TEST(BasinBoundary, OfTheHenonAttractorLeadsToTheOuterFixedPoint) {
             nearest = std::min(nearest, (orbit.back() - saddle).norm());
             return nearest < 1e-6;
         };
-        const auto end = follow_boundary(
+        const auto end = follow_basin_boundary(
             map, inside, outside, [&](const Vector<2>& z) { return stays(map, z); }, is_enough);
         EXPECT_EQ(end, StraddleEnd::found) << angle << ": " << nearest;
     }
@@ -54,7 +54,7 @@ struct Jump {
 static_assert(SectionMap<Jump>);
 
 TEST(BasinBoundary, EndsWhereTheMapJumps) {
-    const auto end = follow_boundary(
+    const auto end = follow_basin_boundary(
         Jump{}, Vector<1>(0.7), Vector<1>(-0.9), [](const Vector<1>& z) -> std::optional<bool> { return z[0] >= 0; },
         [](const std::vector<Vector<1>>&) { return false; });
     EXPECT_EQ(end, StraddleEnd::border);
@@ -65,16 +65,17 @@ TEST(BasinBoundary, EndsWhereNobodyKnowsAndWhereItIsStopped) {
     const Vector<2> inside(0.1, 0.1), outside(5, 5);
     const auto never = [](const Points&) { return false; };
     const auto unknown = [](const Vector<2>&) -> std::optional<bool> { return {}; };
-    EXPECT_EQ(follow_boundary(map, inside, outside, unknown, never), StraddleEnd::undecided);
+    EXPECT_EQ(follow_basin_boundary(map, inside, outside, unknown, never), StraddleEnd::undecided);
     const auto known = [&](const Vector<2>& z) { return stays(map, z); };
-    EXPECT_EQ(follow_boundary(map, inside, outside, known, never, {}, [] { return true; }), StraddleEnd::not_found);
+    EXPECT_EQ(follow_basin_boundary(map, inside, outside, known, never, {}, [] { return true; }),
+              StraddleEnd::not_found);
     // Inside is what it was for the first 60 questions only: the end that is asked for again has lost its side.
     int asked = 0;
     const auto forgets = [&](const Vector<2>& z) -> std::optional<bool> { return ++asked <= 60 && *stays(map, z); };
-    EXPECT_EQ(follow_boundary(map, inside, outside, forgets, never), StraddleEnd::rounding);
+    EXPECT_EQ(follow_basin_boundary(map, inside, outside, forgets, never), StraddleEnd::rounding);
     StraddleOptions few;
     few.most_questions = 100;  // 43 halve the first time
-    EXPECT_EQ(follow_boundary(map, inside, outside, known, never, few), StraddleEnd::not_found);
+    EXPECT_EQ(follow_basin_boundary(map, inside, outside, known, never, few), StraddleEnd::not_found);
 }
 
 }  // namespace

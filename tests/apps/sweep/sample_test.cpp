@@ -1,6 +1,6 @@
 // Points in place of a grid.
 #include "apps/command_line/errors.hpp"
-#include "apps/sweep/grid.hpp"
+#include "apps/sweep/grid_options.hpp"
 
 #include <gtest/gtest.h>
 

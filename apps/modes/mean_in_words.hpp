@@ -1,0 +1,18 @@
+// A mean of S and its error for people.
+#pragma once
+
+#include "apps/command_line/plain_names.hpp"
+#include "apps/studies/modes/means.hpp"
+
+#include <string>
+
+namespace swirl::apps {
+
+/// "-0.05 +- 0.02": the error with one digit, two where the first is 1, and the mean with as many decimals. Eight
+/// digits without "+-" where the error is NaN, or less than they show.
+std::string with_error(double mean, double error);
+
+/// The same of a mean of this kind: "0.1234567 (off by 3e-05 at most)", "about -0.05 (too short a run for an error)".
+std::string mean_in_words(double mean, const MeanErrors& errors);
+
+}  // namespace swirl::apps

@@ -1,0 +1,156 @@
+#include "apps/studies/bifurcation_curves/born_curves.hpp"
+
+#include "analysis/boundaries/follow_boundary.hpp"
+#include "analysis/cycles/stability.hpp"
+#include "apps/studies/bifurcation_curves/border_system.hpp"
+#include "apps/studies/bifurcation_curves/critical_word.hpp"
+#include "apps/studies/bifurcation_curves/doubled_border.hpp"
+
+namespace swirl::studies::bifurcation_curves {
+
+namespace {
+
+/// As many equations as unknowns: the cycle of a word, how far it is from the border, and its multiplier 1 or −1; where
+/// a pair is on the circle, that it lies beside the special point (the curve is then sought from there).
+struct BornSystem {
+    const WordMap& map;
+    const Plane& plane;
+    BorderCycle like;
+    bool strikes;                     ///< with the impact that vanishes on the border, the first of the cycle
+    std::complex<double> multiplier;  ///< 1, −1 or one of the pair
+    Eigen::VectorXd along;            ///< the border curve's direction at the special point
+    double off;                       ///< what touches, off the border
+
+    double determinant(const Eigen::VectorXd& y) const {
+        return word_determinant(map, border_cycle_at(map, like, y), multiplier.real());
+    }
+
+    analysis::ShootingResidual equations(const Eigen::VectorXd& y) const {
+        const BorderLayout layout = layout_of(map, like);
+        analysis::ShootingResidual at;
+        if (!is_in_range(plane, y.segment<2>(layout.parameters()))) return at;
+        const Eigen::Index row = layout.parameters() + layout.period;
+        at.gap = Eigen::VectorXd::Zero(y.size());
+        at.jacobian = Eigen::MatrixXd::Zero(y.size(), y.size());
+        add_cycle(map, like, layout, y, at);
+        if (strikes)
+            add_approach(map, like, layout, y, at);
+        else
+            add_touch(map, like, layout, y, at);
+        at.gap[row] -= off;
+        if (multiplier.imag() == 0)
+            add_multiplier(layout, y, at);
+        else
+            add_place(y, at);
+        at.alive = at.gap.allFinite() && at.jacobian.allFinite();
+        return at;
+    }
+
+    void add_place(const Eigen::VectorXd& y, analysis::ShootingResidual& at) const {
+        at.gap[y.size() - 1] = along.dot(y - unknowns_of(map, like));
+        at.jacobian.row(y.size() - 1) = along.transpose();
+    }
+
+    void add_multiplier(const BorderLayout& layout, const Eigen::VectorXd& y, analysis::ShootingResidual& at) const {
+        const Eigen::Index last = y.size() - 1;
+        at.gap[last] = determinant(y);
+        constexpr double h = 1e-6;  // steers only
+        for (Eigen::Index i = 0; i < y.size(); ++i) {
+            Eigen::VectorXd above = y, below = y;
+            above[i] += h;
+            below[i] -= h;
+            // At the end of a parameter's range (μ = 0) from one side.
+            if (!is_in_range(plane, above.segment<2>(layout.parameters()))) above = y;
+            if (!is_in_range(plane, below.segment<2>(layout.parameters()))) below = y;
+            at.jacobian(last, i) = (determinant(above) - determinant(below)) / (above[i] - below[i]);
+        }
+        const double size = at.jacobian.row(last).norm();
+        at.gap[last] /= size;
+        at.jacobian.row(last) /= size;
+    }
+
+    /// By Newton's method from the cycle on the border.
+    std::optional<BorderCycle> solve() const {
+        const Eigen::VectorXd all = unknowns_of(map, like);
+        const auto y =
+            analysis::solve_square_system([this](const Eigen::VectorXd& at_y) { return equations(at_y); },
+                                          strikes ? Eigen::VectorXd(all.head(layout_of(map, like).touch_time())) : all);
+        return y ? std::optional(border_cycle_at(map, like, *y)) : std::nullopt;
+    }
+};
+
+/// The side on which there is such a cycle: what touches is inside, a flight takes time, an impact has a rate. Across a
+/// stick-slip border there is one on either.
+std::vector<double> signs_of(Touch touch, bool strikes) {
+    if (strikes || touch == Touch::no_flight) return {1};
+    if (touch == Touch::grazing || touch == Touch::two_vertices) return {-1};
+    return {1, -1};
+}
+
+std::optional<Seed> seed_of(const BornSystem& system, const analysis::PlaneMap& map,
+                            const analysis::BoundaryOptions& options) {
+    const auto cycle = system.solve();
+    if (!cycle) return std::nullopt;
+    const auto shooting = analysis::shooting_residual(map, analysis::stacked(cycle->points), cycle->p);
+    constexpr double closes = 1e-7;
+    if (!shooting.alive || !(shooting.gap.lpNorm<Eigen::Infinity>() < closes)) return std::nullopt;
+    if (system.multiplier.imag() == 0)
+        return Seed{system.multiplier.real() > 0 ? "fold" : "flip", cycle->points, cycle->p, system.multiplier};
+    const auto on_curve = analysis::critical_cycle_near(map, analysis::BoundaryKind::neimark_sacker, cycle->points,
+                                                        cycle->p, system.multiplier, options);
+    if (!on_curve) return std::nullopt;
+    return Seed{"neimark-sacker", on_curve->points, on_curve->p, on_curve->multiplier};
+}
+
+Seed seed_on_border(const BorderCycle& cycle) {
+    Seed seed{std::string(name_of(cycle.touch)), cycle.points, cycle.p, -1};
+    seed.border = cycle;
+    return seed;
+}
+
+/// The critical multiplier at a special point of a border curve; none if it is a neutral saddle's.
+std::optional<std::complex<double>> multiplier_at(const WordMap& words, const BorderCurve& curve,
+                                                  const analysis::PlaneSpecial& special) {
+    if (special.kind.rfind("fold", 0) == 0) return 1;
+    if (special.kind.rfind("flip", 0) == 0) return -1;
+    const auto multipliers = analysis::sorted_multipliers(monodromy_of(words, curve.like, special.at.y));
+    if (!has_pair_on_circle(multipliers)) return std::nullopt;
+    return critical_pair(multipliers);
+}
+
+}  // namespace
+
+BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
+                        const analysis::BoundaryOptions& options, std::size_t longest_period,
+                        const BorderCurve& curve) {
+    BornSeeds born;
+    for (const auto& special : curve.arc.special) {
+        const auto multiplier = multiplier_at(words, curve, special);
+        if (!multiplier) continue;
+        const bool strikes = special.kind == fold_of_impact || special.kind == flip_of_impact;
+        BorderCycle cycle = border_cycle_at(words, curve.like, special.at.y);
+        const std::size_t period = curve.like.points.size() + (strikes ? 1 : 0);
+        if (*multiplier == -1.0 && !strikes && 2 * period <= longest_period) {
+            if (const auto doubled = doubled_on_border(words, plane, cycle))
+                born.seeds.push_back(seed_on_border(*doubled));
+            else
+                ++born.not_found;
+        }
+        if (period > longest_period) continue;
+        if (strikes) cycle = with_impact(words, cycle, 0);
+        for (const double sign : signs_of(cycle.touch, strikes)) {
+            std::optional<Seed> seed;
+            for (const double off : {1e-3, 1e-4, 1e-5})
+                if (!seed)
+                    seed = seed_of({words, plane, cycle, strikes, *multiplier, special.at.tangent, sign * off}, map,
+                                   options);
+            if (seed)
+                born.seeds.push_back(std::move(*seed));
+            else
+                ++born.not_found;
+        }
+    }
+    return born;
+}
+
+}  // namespace swirl::studies::bifurcation_curves

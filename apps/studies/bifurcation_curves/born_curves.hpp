@@ -1,0 +1,25 @@
+// The curves that are born where a cycle on a border has a multiplier 1 or −1 or a pair on the unit circle.
+#pragma once
+
+#include "apps/studies/bifurcation_curves/border_curve.hpp"
+
+namespace swirl::studies::bifurcation_curves {
+
+/// Special points of grazing curves of their own: a multiplier of the cycle with the impact that vanishes there.
+inline constexpr const char *fold_of_impact = "fold-vanishing-impact", *flip_of_impact = "flip-vanishing-impact";
+
+struct BornSeeds {
+    std::vector<Seed> seeds;
+    std::size_t not_found = 0;  ///< special points, or sides of them, of which Newton's method found none
+};
+
+/// Cycles of the fold, flip and Neimark–Sacker curves that end at the special points of a curve on a border, a little
+/// off it: by Newton's method on the equations of the word with det = 0 (critical_word.hpp; of a Neimark–Sacker curve
+/// beside the special point), where what touches is 10⁻³ (if that fails, down to 10⁻⁵) inside, or the impact that
+/// vanished has such a rate. Those that the map itself closes to 10⁻⁷. At a multiplier −1 also the doubled cycle on the
+/// same border (doubled_border.hpp). Of periods up to `longest_period`.
+/// Cost: some 10 k(D + 1) steps of the map for each.
+BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
+                        const analysis::BoundaryOptions& options, std::size_t longest_period, const BorderCurve& curve);
+
+}  // namespace swirl::studies::bifurcation_curves

@@ -1,0 +1,203 @@
+#include "analysis/continuation/on_branch.hpp"
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
+#include "apps/studies/bifurcation_curves/seeds.hpp"
+#include "apps/studies/branches/branches.hpp"
+#include "apps/studies/diagrams/attractor.hpp"
+#include "apps/studies/parallel/pieces.hpp"
+#include "apps/studies/scene_map/letter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace swirl::studies::bifurcation_curves {
+
+namespace {
+
+using analysis::Branch;
+
+constexpr double golden_mean = 0.6180339887498949;  // its multiples are spread most evenly
+
+/// A line along one axis of the plane.
+struct Line {
+    int axis = 0;
+    Eigen::Vector2d p{0, 0};  ///< of which only the other axis counts
+    /// Of its columns, in their spacing: no two lines have theirs at the same places, so that a band which is narrower
+    /// than the spacing but runs across lines is met.
+    double offset = 0.5;
+};
+
+std::vector<Line> lines_through(const Plane& plane, int count) {
+    std::vector<Line> lines;
+    for (int axis = 0; axis < 2; ++axis) {
+        for (int i = 0; i < count; ++i) {
+            const Eigen::Vector2d low = plane.low(), width = plane.high() - low;
+            lines.push_back({axis, low + (i + 0.5) / count * width, std::fmod((i + 1) * golden_mean, 1.0)});
+        }
+    }
+    return lines;
+}
+
+/// The branches of one line, each once.
+class LineSearch {
+public:
+    LineSearch(const Scene<double>& scene, const Plane& plane, const Line& line, const LineOptions& options)
+        : options_(options),
+          offset_(line.offset),
+          range_(plane.axes[static_cast<std::size_t>(line.axis)]),
+          scene_(scene_at(scene, plane, line.p)),
+          branches_(scene_branches(scene_, range_, Accuracy::double_precision, options.control.stop)) {
+        branches_.options.forms = nullptr;  // a curve has its own
+    }
+
+    /// The branches of the cycle that one start comes to.
+    std::vector<Branch> find_from(double value, const MapRun& run, const MapStarts& starts) {
+        const Scene<double> scene = with_parameter(scene_, *range_.parameter, value);
+        look_from(value, random_start(scene.beta, starts.speed, starts.seed + run.run, 0),
+                  {starts.transient, starts.collisions});
+        return finish();
+    }
+
+    /// Those of one cycle.
+    std::vector<Branch> find_from(double value, const analysis::CyclePoints& cycle) {
+        follow(cycle, value);
+        return finish();
+    }
+
+    std::vector<Branch> find() {
+        for (int i = 0; i < options_.columns; ++i) {
+            const double value = range_.low + (i + offset_) / options_.columns * (range_.high - range_.low);
+            const double beta = with_parameter(scene_, *range_.parameter, value).beta;
+            for (int run = 0; run < options_.starts && !options_.control.is_stopped(); ++run)
+                look_from(value, random_start(beta, paper_speed, 1 + static_cast<std::uint64_t>(run), 0), {});
+        }
+        return finish();
+    }
+
+private:
+    std::vector<Branch> finish() {
+        follow_switches(branches_, found_, 1, static_cast<std::size_t>(options_.max_period));
+        return std::move(found_);
+    }
+
+    void look_from(double value, const Start<double>& start, const diagrams::SampleSettings& settings) {
+        const Scene<double> scene = with_parameter(scene_, *range_.parameter, value);
+        const auto attractor = diagrams::settle(scene, start, settings, options_.control.stop);
+        if (!attractor.finished || !diagrams::is_on_cycle(attractor) || attractor.period > options_.max_period) return;
+        follow(attractor.states, value);
+    }
+
+    void follow(const analysis::CyclePoints& states, double value) {
+        for (const auto& branch : found_)
+            if (analysis::find_on_branch(branches_.map, branch, value, states)) return;
+        const auto shot = analysis::solve_shooting(branches_.map, states, value, 1e-10);
+        Branch branch;
+        if (shot.converged && analysis::continue_branch(branches_.map, shot.points, value, branches_.options, branch))
+            found_.push_back(std::move(branch));
+    }
+
+    LineOptions options_;
+    double offset_;
+    ParameterRange range_;
+    Scene<double> scene_;
+    SceneBranches branches_;
+    std::vector<Branch> found_;
+};
+
+std::complex<double> critical_multiplier(const analysis::SpecialPoint& special) {
+    if (special.kind == analysis::SpecialKind::fold) return 1;
+    if (special.kind == analysis::SpecialKind::flip) return -1;
+    return critical_pair(special.cycle.multipliers);
+}
+
+std::vector<Seed> seeds_of(const std::vector<Branch>& branches, const Line& line) {
+    std::vector<Seed> seeds;
+    for (const auto& branch : branches) {
+        for (const auto& special : branch.special) {
+            if (special.kind == analysis::SpecialKind::branch_point || !special.located) continue;
+            Seed seed{kind_of(special), special.cycle.at.points(), line.p, critical_multiplier(special)};
+            name_flights(seed, special.cycle.at.shooting.steps);
+            for (const auto letter : special.word_before) seed.modes_before.push_back(letter_from(letter).mode);
+            for (const auto letter : special.word_after) seed.modes_behind.push_back(letter_from(letter).mode);
+            seed.p[line.axis] = special.cycle.at.p();
+            seeds.push_back(std::move(seed));
+        }
+    }
+    return seeds;
+}
+
+}  // namespace
+
+std::complex<double> critical_pair(const std::vector<std::complex<double>>& multipliers) {
+    std::complex<double> best(std::numeric_limits<double>::quiet_NaN(), 0);
+    for (const auto& m : multipliers)
+        if (m.imag() > 0 && !(std::abs(std::abs(m) - 1) >= std::abs(std::abs(best) - 1))) best = m;
+    return best;
+}
+
+void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps) {
+    for (const auto& step : steps) {
+        const Letter letter = letter_from(step.letter);
+        if (letter.through_contact) {
+            seed.times.clear();
+            seed.vertices.clear();
+            return;
+        }
+        seed.times.push_back(step.duration);
+        seed.vertices.push_back(letter.vertex_step);
+    }
+}
+
+std::vector<Seed> seeds_of_runs(const Scene<double>& scene, const Plane& plane, const std::vector<MapRun>& runs,
+                                const MapStarts& starts, const LineOptions& options) {
+    std::vector<std::vector<Seed>> of_runs(2 * runs.size());
+    // A piece that a stop leaves alone may outlive the call: it has what it reads.
+    const auto look = [scene, plane, runs, starts, options, &of_runs](std::size_t i) -> KeepResult {
+        const MapRun& run = runs[i / 2];
+        const Line line{static_cast<int>(i % 2), run.p};
+        const auto found = std::make_shared<std::vector<Seed>>(
+            seeds_of(LineSearch(scene, plane, line, options).find_from(run.p[line.axis], run, starts), line));
+        if (options.control.is_stopped()) return {};
+        return [&of_runs, i, found] { of_runs[i] = std::move(*found); };
+    };
+    run_pieces(of_runs.size(), "runs of the map", options.control, look);
+    std::vector<Seed> seeds;
+    for (auto& of_run : of_runs) seeds.insert(seeds.end(), of_run.begin(), of_run.end());
+    return seeds;
+}
+
+std::vector<Seed> seeds_about(const Scene<double>& scene, const Plane& plane, const analysis::CyclePoints& cycle,
+                              const Eigen::Vector2d& p, const LineOptions& options) {
+    constexpr double reach = 0.1;
+    std::vector<Seed> seeds;
+    for (int axis = 0; axis < 2 && !options.control.is_stopped(); ++axis) {
+        const Line line{axis, p};
+        Plane near = plane;
+        auto& range = near.axes[static_cast<std::size_t>(axis)];
+        const double width = range.high - range.low;
+        range.low = std::max(range.low, p[axis] - reach * width);
+        range.high = std::min(range.high, p[axis] + reach * width);
+        const auto found = seeds_of(LineSearch(scene, near, line, options).find_from(p[axis], cycle), line);
+        seeds.insert(seeds.end(), found.begin(), found.end());
+    }
+    return seeds;
+}
+
+std::vector<Seed> seeds_on_lines(const Scene<double>& scene, const Plane& plane, const LineOptions& options) {
+    const auto lines = lines_through(plane, options.lines);
+    std::vector<std::vector<Seed>> of_lines(lines.size());
+    const auto look = [scene, plane, lines, options, &of_lines](std::size_t i) -> KeepResult {
+        const auto found =
+            std::make_shared<std::vector<Seed>>(seeds_of(LineSearch(scene, plane, lines[i], options).find(), lines[i]));
+        if (options.control.is_stopped()) return {};
+        return [&of_lines, i, found] { of_lines[i] = std::move(*found); };
+    };
+    run_pieces(lines.size(), "lines", options.control, look);
+    std::vector<Seed> seeds;
+    for (auto& of_line : of_lines) seeds.insert(seeds.end(), of_line.begin(), of_line.end());
+    return seeds;
+}
+
+}  // namespace swirl::studies::bifurcation_curves

@@ -1,0 +1,52 @@
+// The mode of an orbit that has come to stay on the wall.
+#pragma once
+
+#include "analysis/classification/classify.hpp"
+#include "analysis/classification/swing.hpp"
+#include "map/orbit/return_map.hpp"
+#include "map/sustained/rim_pendulum.hpp"
+
+#include <limits>
+#include <optional>
+
+namespace swirl::studies {
+
+/// What was seen of a contact that lasts: the second half of the time that it was followed.
+class ContactTail {
+public:
+    ContactTail(const ContactScene<double>& scene, double followed) : scene_(scene), followed_(followed) {}
+
+    /// A ContactSink.
+    void add(const ContactSums<double>& sums, Support support, ContactMotion motion, const ContactState<double>& state);
+
+    /// Fills mode, kind, mean S and evidence. At rest in the co-rotating frame, or S constant: rolling, steady;
+    /// swinging or turning on with a period, or settling on one: quasi-steady; slipping, unless that dies out: sliding;
+    /// on an edge: two-vertex (both steady if S is constant); else undecided. A rolling disk whose slip dies out is
+    /// named by the pendulum that it settles on (settled_pendulum), and its mean S is that pendulum's.
+    /// @return true if nothing changes any more: a longer look would show the same
+    bool judge(analysis::Classification& verdict) const;
+    double followed() const { return followed_; }
+
+private:
+    void note_rolling(double share, const ContactState<double>& state);
+    bool was_cut() const;  ///< contact was not followed as far as was asked for
+    bool slip_dies() const;
+    std::optional<RimPendulum> settles_on(const analysis::Swing& swing) const;
+    void describe(const analysis::Swing& swing, const std::optional<RimPendulum>& settled,
+                  analysis::Classification& verdict) const;
+
+    ContactScene<double> scene_;
+    double followed_;
+    std::vector<analysis::SwingSample> samples_;
+    double last_time_ = 0;
+    double slip_early_ = 0, slip_late_ = 0;  ///< what slip dissipates in the first and the last quarter of that half
+    double last_loss_ = 0;                   ///< |f u_t| at the last look
+    std::optional<ContactState<double>> rolling_;  ///< where a disk rolled last
+    /// The least energy (RimPendulum) with which a disk rolled in the first and the last quarter.
+    double height_early_ = std::numeric_limits<double>::infinity();
+    double height_late_ = std::numeric_limits<double>::infinity();
+    bool slides_ = false;
+    bool on_edge_ = true;
+};
+
+}  // namespace swirl::studies

@@ -1,0 +1,205 @@
+#include "apps/studies/modes/name_mode.hpp"
+
+#include "apps/studies/modes/chord_mode.hpp"
+#include "apps/studies/modes/contact_mode.hpp"
+#include "apps/studies/modes/naming.hpp"
+#include "apps/studies/scene_map/chatter_once.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace swirl::studies {
+
+namespace {
+
+/// What follows the last impact, followed on and judged.
+template <int D>
+void judge_contact(const SceneMap<D>& map, const PostImpactState<double>& last, analysis::Classification& verdict) {
+    // Friction may take longer than that to bring slip to an end: a tail that still changes is followed ten times on.
+    for (const double time : {contact_horizon, 10 * contact_horizon}) {
+        double reached = time;
+        for (bool cut = true;
+             cut;) {  // a body that swings very fast (most_contact_steps): once more, to where that was
+            const double followed = reached;
+            ContactTail tail(map.contact(), followed);
+            const auto return_step = map.return_step(last, followed, [&](const auto&... seen) { tail.add(seen...); });
+            if (!ends_in_contact(return_step.outcome)) return;
+            reached = return_step.contacts.back().end;
+            cut = reached < followed;
+            if (cut) continue;
+            verdict.evidence.clear();
+            if (tail.judge(verdict)) return;
+        }
+        if (reached < time) return;
+    }
+}
+
+/// What is said per impact of a cycle, its impacts being those with these S.
+void count_chatter_once(const std::vector<double>& spins, const analysis::ClassifyOptions& settings,
+                        analysis::Classification& verdict) {
+    const auto impacts = static_cast<std::int64_t>(spins.size());
+    const double fewer = static_cast<double>(verdict.period) / static_cast<double>(impacts);
+    verdict.evidence.push_back(
+        {rebounds_evidence, static_cast<double>(verdict.period - impacts), 0,
+         "the cycle leads through sustained contact; rebounds that end there count as one impact",
+         "a cycle without contact: it is one of impacts alone"});
+    for (auto& evidence : verdict.evidence)
+        if (evidence.name == "period") evidence.value = static_cast<double>(impacts);
+    verdict.period = impacts;
+    verdict.largest_exponent *= fewer;
+    verdict.largest_exponent_error *= fewer;
+    double sum = 0, pairs = 0;
+    for (const double a : spins) {
+        sum += a;
+        for (const double b : spins) pairs += std::abs(a - b) <= settings.recurrence_threshold ? 1 : 0;
+    }
+    const auto n = static_cast<double>(impacts);
+    verdict.mean_per_step = sum / n;
+    verdict.recurrence_rate = pairs / (n * n);
+    // Without its diagonal RC is of a series: that of as many impacts as were judged.
+    const double judged = std::floor(static_cast<double>(settings.collisions) / fewer);
+    verdict.recurrence_rate_without_diagonal = (verdict.recurrence_rate * judged - 1) / (judged - 1);
+}
+
+/// The cycle's state after its first landing; none where it leads through no contact.
+template <int D>
+std::optional<PostImpactState<double>> after_landing(const SceneMap<D>& map, const analysis::Classification& verdict) {
+    auto z = map.state_at(analysis::Vector<D>(verdict.point.data()));
+    for (std::int64_t k = 0; k < verdict.period; ++k) {
+        const auto step = map.advance(z);
+        if (!step.alive) return {};
+        z = step.state;
+        if (letter_from(step.letter).through_contact) return z;
+    }
+    return {};
+}
+
+/// A cycle that leads through sustained contact is a landing; its rebounds before that count as one impact
+/// (chatter_once.hpp) in the period, and so in all that is said per impact.
+template <int D>
+void look_for_landings(const SceneMap<D>& map, const analysis::ClassifyOptions& settings,
+                       analysis::Classification& verdict) {
+    using analysis::Kind;
+    if (verdict.kind != Kind::cycle && verdict.kind != Kind::fixed_point) return;
+    const auto first = after_landing(map, verdict);
+    if (!first) return;
+    std::vector<double> spins;
+    auto z = *first;
+    for (std::int64_t done = 0; done < verdict.period;) {
+        spins.push_back(map.coordinates(z)[map.integrated]);
+        const auto steps = steps_as_one(map, z);
+        done += static_cast<std::int64_t>(steps.size());
+        const auto step = sum_of(map, steps);
+        if (!step.alive) return;
+        z = step.state;
+    }
+    verdict.kind = Kind::landing;
+    verdict.mode = analysis::Mode::quasi_steady;
+    const analysis::Vector<D> point = map.coordinates(*first);
+    verdict.point.assign(point.begin(), point.end());
+    count_chatter_once(spins, settings, verdict);
+}
+
+/// Impacts that only lose must fade, whatever they look like so far.
+void name_dissipative_orbit(analysis::Classification& verdict) {
+    verdict.mode = analysis::Mode::undecided;
+    verdict.kind = analysis::Kind::transient;
+    verdict.evidence = {
+        {"loss by every impact", 1, 1,
+         "with e < 1 every impact lowers J (without friction) or the energy (without swirl), so that no "
+         "attractor has impacts: the orbit is on its way to contact",
+         "e = 1, or friction and swirl: period, exponent and rotation number decide"}};
+}
+
+/// An orbit that ended with neither impacts nor contact to go on with.
+void name_ending(Outcome outcome, long long impacts, analysis::Classification& verdict) {
+    verdict.evidence.push_back({"impacts until the end", static_cast<double>(impacts), static_cast<double>(impacts),
+                                fmt::format("the orbit ended ({}) before its impacts showed a mode", name_of(outcome)),
+                                "an orbit that goes on: its impacts give the mode"});
+}
+
+/// An orbit that has no next impact from `last` on.
+template <int D>
+void name_end(const SceneMap<D>& map, const PostImpactState<double>& last, NamedMode& named) {
+    if (ends_in_contact(named.outcome))
+        judge_contact(map, last, named.verdict);
+    else
+        name_ending(named.outcome, named.impacts, named.verdict);
+}
+
+template <int D>
+void keep_samples(const SceneMap<D>& map, const analysis::Tail<SceneMap<D>>& tail, OrbitSamples& samples) {
+    samples.last = section_point(tail.ended ? tail.end : tail.last);
+    if (tail.ended) return;
+    for (const auto& point : tail.points) samples.points.emplace_back(point);
+    for (const auto& state : tail.states) samples.points.emplace_back(map.coordinates(state));
+}
+
+template <int D>
+NamedMode name_in(const SceneMap<D>& map, const SceneStart& from, const analysis::ClassifyOptions& settings,
+                  const analysis::Stop& stop, OrbitSamples* samples) {
+    const auto& [scene, start] = from;
+    const OrbitBegin begin = begin_orbit(map, start);
+    if (begin.outcome != Outcome::completed) return named_without_orbit(begin);
+    auto orbit =
+        followed(map, begin.state, steps_before(begin, settings), settings, is_dissipative_without_drive(scene), stop);
+    return named_from(map, scene, begin, orbit, settings, samples);
+}
+
+}  // namespace
+
+analysis::ClassifyOptions settings_for(const Scene<double>& scene, analysis::ClassifyOptions settings) {
+    settings.conserves = scene.mu == 0 && scene.restitution == 1;
+    return settings;
+}
+
+NamedMode named_without_orbit(const OrbitBegin& begin) {
+    NamedMode named;
+    named.outcome = begin.outcome;
+    named.impacts = begin.impacts;
+    named.verdict.ended = true;
+    name_ending(named.outcome, named.impacts, named.verdict);
+    return named;
+}
+
+template <int D>
+NamedMode named_from(const SceneMap<D>& map, const Scene<double>& scene, const OrbitBegin& begin,
+                     FollowedScene<D>& orbit, const analysis::ClassifyOptions& settings, OrbitSamples* samples) {
+    const bool dissipative = is_dissipative_without_drive(scene);
+    NamedMode named;
+    named.impacts = begin.impacts;
+    const auto& tail = orbit.tail;
+    named.finished = !tail.stopped;
+    if (tail.stopped) return named;
+    if (samples) keep_samples(map, tail, *samples);
+    named.verdict = judged(map, orbit, settings, dissipative);
+    named.impacts += named.verdict.steps;
+    if (tail.ended) {
+        named.outcome = ending_at(map, tail.end, named.impacts);
+        name_end(map, tail.end, named);
+    } else if (dissipative) {
+        name_dissipative_orbit(named.verdict);
+    }
+    look_for_landings(map, settings, named.verdict);
+    if (named.outcome == Outcome::diverged) name_divergence(named);
+    if constexpr (D == polygon_dimension) look_for_growth(map, scene, tail, named);
+    named.mean_errors = errors_of_means(map, tail, named.verdict);
+    return named;
+}
+
+template NamedMode named_from(const SceneMap<disk_dimension>&, const Scene<double>&, const OrbitBegin&,
+                              FollowedScene<disk_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
+template NamedMode named_from(const SceneMap<polygon_dimension>&, const Scene<double>&, const OrbitBegin&,
+                              FollowedScene<polygon_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
+
+NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& options,
+                    Accuracy accuracy, const analysis::Stop& stop, OrbitSamples* samples) {
+    const analysis::ClassifyOptions settings = settings_for(scene, options);
+    const auto name = [&](const auto& map) { return name_in(map, SceneStart{scene, start}, settings, stop, samples); };
+    NamedMode named = with_scene_map(scene, name, contact_horizon, accuracy);
+    named.accuracy = accuracy;
+    return named;
+}
+
+}  // namespace swirl::studies

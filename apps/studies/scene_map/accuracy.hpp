@@ -1,0 +1,50 @@
+// In which arithmetic, and by which search for the next contact, an orbit is followed.
+#pragma once
+
+#include "map/baselines/baseline_contact.hpp"
+#include "map/numbers/real.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace swirl::studies {
+
+enum class Accuracy {
+    double_precision,  ///< 53 bits
+    extended,          ///< long double: 64 bits on x86
+    quad,              ///< 113 bits
+    paper,             ///< to compare with: double with another search (map/baselines), and so are those below
+    brent,
+    fixed_step
+};
+
+/// "double", "extended", "quad", "paper", "brent", "fixed-step".
+std::string_view name_of(Accuracy accuracy);
+
+/// The search that takes the exact one's place; none for the first three.
+inline std::optional<BaselineSearch> baseline_of(Accuracy accuracy) {
+    switch (accuracy) {
+        case Accuracy::double_precision:
+        case Accuracy::extended:
+        case Accuracy::quad:
+            return std::nullopt;
+        case Accuracy::paper:
+            return BaselineSearch::paper;
+        case Accuracy::brent:
+            return BaselineSearch::brent;
+        case Accuracy::fixed_step:
+            return BaselineSearch::fixed_step;
+    }
+    return std::nullopt;
+}
+
+/// Calls `use` with a zero of the number type in which an orbit of that accuracy is followed: the one place where it
+/// is chosen for orbits that keep all digits from step to step.
+template <class Use>
+auto with_number_of(Accuracy accuracy, Use&& use) {
+    if (accuracy == Accuracy::extended) return use(0.0L);
+    if (accuracy == Accuracy::quad) return use(Quad(0));
+    return use(0.0);
+}
+
+}  // namespace swirl::studies

@@ -1,0 +1,45 @@
+// An orbit of a scene, impact by impact, in one number type, whatever the shape and impact rule: what follows orbits is
+// compiled once a number type, and the maps behind it once in all (scene_orbit_functions.hpp).
+#pragma once
+
+#include "apps/studies/scene_map/start.hpp"
+#include "map/baselines/baseline_contact.hpp"
+#include "map/orbit/orbit.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace swirl::studies {
+
+template <class T>
+struct SceneOrbitFunctions;
+
+/// Orbit of the scene's map, which it owns.
+template <class T>
+class SceneOrbit {
+public:
+    ///   search  in place of the exact one (map/baselines), in double only
+    /// @throws std::invalid_argument for a scene or start out of range
+    SceneOrbit(const Scene<T>& scene, const Start<T>& start, const std::optional<BaselineSearch>& search = {});
+
+    /// As Orbit::advance, and so are those below.
+    bool advance(double horizon = contact_horizon, const ContactSink& sink = {});
+
+    const Body<T>& body() const { return body_; }
+    const ReturnStep<T>& return_step() const;
+    const LabFrame<T>& frame() const;
+    Outcome outcome() const;
+    long long impacts() const;
+
+    const Collision<T>& collision() const { return return_step().collision; }
+    const PostImpactState<T>& post_impact() const { return return_step().collision.after; }
+    const std::vector<ContactSegment>& contacts() const { return return_step().contacts; }
+    LabState<T> lab() const { return lab_state(body_, frame(), post_impact()); }
+
+private:
+    const SceneOrbitFunctions<T>* functions_ = nullptr;
+    std::shared_ptr<void> orbit_;
+    Body<T> body_;
+};
+
+}  // namespace swirl::studies

@@ -1,0 +1,14 @@
+#include "apps/studies/scene_map/lanes.hpp"
+
+namespace swirl::studies {
+
+bool has_lanes() {
+    return false;
+}
+
+template <Shape shape, ImpactRule rule>
+void follow_together(std::span<LaneOrbit>) {}
+
+SWIRL_EVERY_MAP(SWIRL_COMPILE_LANES, double)
+
+}  // namespace swirl::studies

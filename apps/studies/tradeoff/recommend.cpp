@@ -1,0 +1,157 @@
+#include "apps/studies/tradeoff/tradeoff.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swirl::studies::tradeoff {
+
+namespace {
+
+/// Why a rung that was measured is not to be used; empty: it is.
+std::string objection_to(const ArithmeticRung& row) {
+    if (row.flights && row.flights->missed + row.flights->misordered > 0)
+        return fmt::format("missed {} and misordered {} of {} contacts", row.flights->missed, row.flights->misordered,
+                           row.flights->flights);
+    if (row.verdict_differs.value_or(false)) return "its verdict differs";
+    return "";
+}
+
+/// Are so many impacts enough? At 95 % less than `may_change` of the starts have another mode on the most, and their
+/// mean S differs by less than `mean_may_differ`.
+bool is_enough(const EvidenceRung& rung) {
+    return rung.changed_rate.most < may_change && !(rung.mean_spin_differs >= mean_may_differ);
+}
+
+/// The fewest impacts that are enough, as all larger numbers are; 0: there are none below the most. Modes need not
+/// settle one after another: what a number shows, a larger one may not.
+std::int64_t enough(const std::vector<EvidenceRung>& rungs) {
+    std::int64_t least = 0;
+    for (std::size_t k = rungs.empty() ? 0 : rungs.size() - 1; k-- > 0 && is_enough(rungs[k]);)
+        least = rungs[k].collisions;
+    return least;
+}
+
+/// To two digits: "0.31", "3.1", "31", "100".
+std::string in_percent(double share) {
+    return 100 * share < 10 ? fmt::format("{:.2g}", 100 * share) : fmt::format("{:.0f}", 100 * share);
+}
+
+/// "2 of 64 starts have another mode, 11 % at most at 95 %"
+std::string changed_in_words(const EvidenceRung& rung) {
+    return fmt::format("{} of {} start{} {} another mode, {} % at most at 95 %",
+                       rung.changed > 0 ? fmt::format("{}", rung.changed) : "none", rung.runs,
+                       rung.runs == 1 ? "" : "s", rung.changed > 1 ? "have" : "has",
+                       in_percent(rung.changed_rate.most));
+}
+
+/// What there is to say of the number of impacts.
+std::string evidence_in_words(const Tradeoff& found) {
+    const auto& rungs = found.evidence.rungs;
+    if (rungs.empty()) return "";
+    const auto used = std::find_if(rungs.begin(), rungs.end(), [&](const EvidenceRung& rung) {
+        return rung.collisions == (found.enough_collisions > 0 ? found.enough_collisions : rungs.back().collisions);
+    });
+    const bool more_are_unknown = used + 1 == rungs.end() && !found.evidence.judged_most;
+    std::string words = fmt::format(" with {2}{0} + {0} impacts: {1:.2g} s an orbit", used->collisions, used->seconds,
+                                    more_are_unknown ? "at least " : "");
+    if (used->mean_spin_error > 0) words += fmt::format(", mean S is known to {:.1g}", used->mean_spin_error);
+    words += ". ";
+    if (used + 1 != rungs.end())
+        return words + fmt::format("Compared with {0} + {0} impacts {1}; on every number between it is below {2:g} %",
+                                   rungs.back().collisions, changed_in_words(*used), 100 * may_change);
+    if (more_are_unknown) return words + "The budget ended before more were judged: give a larger --budget";
+    if (rungs.size() < 2) return words + "Fewer were not tried";
+    const EvidenceRung& fewer = rungs[rungs.size() - 2];
+    if (fewer.changed_rate.most < may_change)
+        return words + fmt::format("After {0} + {0} impacts mean S differs by {1:.1g}; below {2:g} would do",
+                                   fewer.collisions, fewer.mean_spin_differs, mean_may_differ);
+    return words + fmt::format("After {0} + {0} impacts {1}; below {2:g} % would do", fewer.collisions,
+                               changed_in_words(fewer), 100 * may_change);
+}
+
+/// What a cycle's points can be trusted to, and what more digits are good for.
+std::string digits_in_words(const Tradeoff& found, const ArithmeticRung& row) {
+    const ArithmeticRung& last = found.rungs.back();
+    std::string words;
+    const double one = row.flights ? row.flights->one.largest : 0, of_ten = row.flights ? row.flights->ten.largest : 0;
+    if (one > 0)
+        words = fmt::format(": one step {}is off by at most {:.1g}",
+                            found.drawn.after_transient ? "" : "at the beginning of an orbit ", one);
+    if (one > 0 && of_ten > 0) words += fmt::format(", ten by {:.1g}", of_ten);
+    words += ". orbits and continue round every step to double, so that more digits do not sharpen their cycles";
+    if (&row == &last) return words + ".";
+    return words + fmt::format("; simulate, recurrence and spectrum keep those of {}, at {:.3g} times the time.",
+                               last.rung->name, last.time.median / row.time.median);
+}
+
+/// Is a step's error within `roundings_at_knee`? The last rung, with which others are compared, is.
+bool is_within_rounding(const ArithmeticRung& row) {
+    if (!row.flights) return true;
+    const double in_double =
+        row.flights->largest_in_condition * row.rung->epsilon / std::numeric_limits<double>::epsilon();
+    return row.flights->missed + row.flights->misordered == 0 && in_double <= roundings_at_knee;
+}
+
+const Rung* knee_of(const Tradeoff& found) {
+    const ArithmeticRung* knee = nullptr;
+    for (const ArithmeticRung& row : found.rungs)
+        if (is_within_rounding(row) && row.time.median < (knee ? knee->time.median : INFINITY)) knee = &row;
+    return knee ? knee->rung : nullptr;
+}
+
+/// What is known of the verdict of a rung that is recommended.
+std::string verdict_in_words(const Tradeoff& found, const ArithmeticRung& row) {
+    const std::string_view last = found.rungs.back().rung->name;
+    if (row.verdict_differs) return fmt::format("its verdict is that of {}", last);
+    if (row.orbit && found.rungs.back().orbit)
+        return fmt::format("its orbit or that of {} is too short to compare verdicts", last);
+    return fmt::format("the budget was spent before its verdict was compared with that of {}", last);
+}
+
+const ArithmeticRung* cheapest(const Tradeoff& found) {
+    const ArithmeticRung* best = nullptr;
+    for (const ArithmeticRung& row : found.rungs)
+        if (row.rung->is_exact && objection_to(row).empty() && (!best || row.time.median < best->time.median))
+            best = &row;
+    return best;
+}
+
+/// Why nothing can be recommended; empty: something can.
+std::string obstacle(const Tradeoff& found) {
+    const DrawnFlights& drawn = found.drawn;
+    if (drawn.flights.empty() && drawn.steps > 0)
+        return "every step of this orbit leads through contact, so that it has no flights to compare";
+    if (drawn.flights.empty() && drawn.outcome == Outcome::completed)
+        return "the budget was spent before flights were drawn: give a larger --budget";
+    if (drawn.flights.empty())
+        return fmt::format("no flight ends in an impact: {} after {} impacts", name_of(drawn.outcome), drawn.impacts);
+    if (found.compared == 0) return "the budget was spent before accuracies were compared: give a larger --budget";
+    return "";
+}
+
+}  // namespace
+
+void recommend(Tradeoff& found) {
+    found.enough_collisions = enough(found.evidence.rungs);
+    found.reason = obstacle(found);
+    if (!found.reason.empty()) return;
+    const ArithmeticRung* best = cheapest(found);  // the last one at least
+    found.recommended = best->rung;
+    found.knee = knee_of(found);
+    for (const ArithmeticRung& row : found.rungs)
+        if (row.rung->is_exact && !objection_to(row).empty())
+            found.reason += fmt::format("{}: {}; ", row.rung->name, objection_to(row));
+    if (best->flights)
+        found.reason +=
+            fmt::format("{} missed or misordered 0 of {} contacts (below {:.1e} at 95 %), and {}", best->rung->name,
+                        best->flights->flights, best->flights->missed_rate.most, verdict_in_words(found, *best));
+    else
+        found.reason += fmt::format("{} is what the others are compared with", best->rung->name);
+    found.advice = fmt::format("For a map over parameters use {}{}. For a cycle use {}{}", best->rung->name,
+                               evidence_in_words(found), best->rung->name, digits_in_words(found, *best));
+}
+
+}  // namespace swirl::studies::tradeoff

@@ -1,11 +1,13 @@
-# Install and export: find_package(Swirl) gives Swirl::map and Swirl::analysis, with the headers under include/swirl.
+# Install and export: find_package(Swirl) gives Swirl::map, Swirl::analysis and Swirl::studies, with the headers under
+# include/swirl.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # swirl_install_library(TARGET folder): the target, and every header of the folder as a public one.
 function(swirl_install_library target folder)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
-  list(FILTER headers EXCLUDE REGEX "/map/(intervals|proof|proof_check)/")  # the command's: their library needs Arb
+  # The command's: their libraries need Arb.
+  list(FILTER headers EXCLUDE REGEX "/(map/(intervals|proof|proof_check)|apps/studies/certify)/")
   target_sources(${target} ${ARGN} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   install(TARGETS ${target} EXPORT SwirlTargets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -15,6 +17,7 @@ endfunction()
 install(TARGETS swirl_options EXPORT SwirlTargets)
 swirl_install_library(swirl_map map PUBLIC)
 swirl_install_library(swirl_analysis analysis PUBLIC)
+swirl_install_library(swirl_studies apps/studies PUBLIC)
 
 set(swirl_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Swirl)
 install(EXPORT SwirlTargets NAMESPACE Swirl:: DESTINATION ${swirl_package_dir})

@@ -3,6 +3,8 @@
 Prints one line per violation, `file:line: what is wrong`, and exits 1 if there is any; 2 if ROOT holds no sources.
 What is checked, in every .hpp and .cpp of map/, analysis/ and apps/:
   - a folder includes only the folders that it may know (FOLDERS);
+  - apps/studies/ includes of apps/ only itself, and no other file of apps/ includes both map/ and analysis/: what joins
+    them is a study;
   - map/ and analysis/ include only the libraries that are granted to them (LIBRARIES) and the C++ standard library;
   - the project's headers are included in quotes, by their path from the root, and exist;
   - headers do not include each other in a circle.
@@ -19,12 +21,16 @@ FOLDERS = {
     "apps": {"map", "analysis", "apps"},
 }
 
+# within apps/: the library that computes what a question about a scene asks, without flags, files and documents
+STUDIES = "apps/studies/"
+
 # folder -> how the library headers that it may include begin; a folder not named here is free
 LIBRARIES = {
     "map": ("Eigen/", "ceres/jet.h", "hwy/", "boost/", "Random123/", "gsl/", "flint/", "arb.h", "arb_mat.h", "acb.h", "acb_mat.h",
             "arf.h", "mag.h"),
     "analysis": ("Eigen/", "unsupported/Eigen/", "ceres/", "gsl/", "fftw3.h", "tbb/", "oneapi/tbb", "hwy/", "boost/",
                  "Random123/"),
+    STUDIES: ("Eigen/", "ceres/jet.h", "gsl/", "tbb/", "boost/", "Random123/", "fmt/format.h"),
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -40,7 +46,7 @@ def includes_of(file):
 
 
 def violation(root, folder, bracket, name):
-    """What is wrong with one include in a folder, or None."""
+    """What is wrong with one include in a folder (or STUDIES), or None."""
     target = name.split("/")[0]
     ours = target in FOLDERS or target == "tests"
     if bracket == "<":
@@ -49,14 +55,30 @@ def violation(root, folder, bracket, name):
         allowed = LIBRARIES.get(folder)
         if allowed is None or STANDARD.match(name) or name.startswith(allowed):
             return None
-        return f"<{name}>: {folder}/ may use only the standard library and {', '.join(allowed)}"
+        return f"<{name}>: {folder.strip('/')}/ may use only the standard library and {', '.join(allowed)}"
     if not ours:
         return f'"{name}": not a path from the root of the project'
-    if target not in FOLDERS[folder]:
+    if folder == STUDIES:
+        if target == "tests" or (target == "apps" and not name.startswith(STUDIES)):
+            return f'"{name}": {STUDIES} may include only map, analysis and itself'
+    elif target not in FOLDERS[folder]:
         return f'"{name}": {folder}/ may include only {", ".join(sorted(FOLDERS[folder]))}'
     if not (root / name).is_file():
         return f'"{name}": no such file'
     return None
+
+
+def join(name, included):
+    """What is wrong with all includes of a file together, or None. Lists of (line number, name)."""
+    if not name.startswith("apps/") or name.startswith(STUDIES):
+        return None
+    first = {}
+    for number, target in included:
+        first.setdefault(target.split("/")[0], (number, target))
+    if not {"map", "analysis"} <= set(first):
+        return None
+    number, target = max(first["map"], first["analysis"])
+    return f'{name}:{number}: "{target}": map and analysis are joined in {STUDIES}, not in the command'
 
 
 def find_circles(graph):
@@ -91,12 +113,16 @@ def check(root):
     found, graph = [], {}
     for folder, file in source_files(root):
         name = file.relative_to(root).as_posix()
+        part = STUDIES if name.startswith(STUDIES) else folder
         for number, bracket, included in includes_of(file):
-            message = violation(root, folder, bracket, included)
+            message = violation(root, part, bracket, included)
             if message:
                 found.append(f"{name}:{number}: {message}")
             elif bracket == '"':
                 graph.setdefault(name, []).append((number, included))
+        joined = join(name, graph.get(name, []))
+        if joined:
+            found.append(joined)
     found += [f"{circle[0]}:0: a circle of includes: {' -> '.join(circle)}" for circle in find_circles(graph)]
     return found
 

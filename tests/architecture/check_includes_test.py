@@ -12,7 +12,8 @@ SOUND = {
     "map/flight.hpp": '#include <cmath>\n#include <Eigen/Core>\n#include <ceres/jet.h>\n',
     "map/map.hpp": '#include "map/flight.hpp"\n',
     "analysis/orbits.hpp": '#include <gsl/gsl_errno.h>\n#include <tbb/parallel_for.h>\n#include <fftw3.h>\n',
-    "apps/main.cpp": '#include "analysis/orbits.hpp"\n#include "map/map.hpp"\n#include <hdf5.h>\n',
+    "apps/studies/verdict.hpp": '#include "analysis/orbits.hpp"\n#include "map/map.hpp"\n#include <fmt/format.h>\n',
+    "apps/main.cpp": '#include "apps/studies/verdict.hpp"\n#include "map/map.hpp"\n#include <hdf5.h>\n',
 }
 
 
@@ -47,6 +48,15 @@ class CheckIncludes(unittest.TestCase):
 
     def test_analysis_includes_apps(self):
         self.assert_found("analysis/bad.hpp", 1, '#include "apps/record.hpp"\n', "apps/record.hpp")
+
+    def test_studies_include_the_shell(self):
+        self.assert_found("apps/studies/bad.hpp", 1, '#include "apps/record.hpp"\n', "map, analysis and itself")
+        self.assert_found("apps/studies/deep/bad.cpp", 1, "#include <CLI/CLI.hpp>\n", "CLI/CLI.hpp")
+
+    def test_a_command_joins_map_and_analysis(self):
+        both = '#include "map/map.hpp"\n#include "analysis/orbits.hpp"\n'
+        self.assert_found("apps/deep/bad.cpp", 2, both, "joined in apps/studies/")
+        self.assertEqual(check_tree({"apps/studies/deep/good.cpp": both}), [])
 
     def test_nobody_includes_tests(self):
         self.assert_found("apps/bad.cpp", 1, '#include "tests/sample_count.hpp"\n', "tests/sample_count.hpp")

@@ -62,7 +62,7 @@ class Site:
         groups = {"Swirl": [], "Commands": [], "Mathematics": [], "Project": []}
         for other in self.sources:
             folder = other.parts[0]
-            group = ("Commands" if folder == "manual" else "Mathematics" if folder in ("map", "analysis") else
+            group = ("Commands" if folder == "manual" else "Mathematics" if folder in ("map", "analysis") or other.parts[:2] == ("apps", "studies") else
                      "Swirl" if other == Path("README.md") or other.parent == Path("docs") else "Project")
             groups[group].append(other)
         text = ""

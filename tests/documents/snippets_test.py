@@ -18,6 +18,7 @@ TAKEN_FOR_GRANTED = {
                             "const std::vector<swirl::PostImpactState<double>>& starts"),
     "map/proof/README.md": ("#include <iostream>\n", ""),
     "map/steady/README.md": ("#include <iostream>\n", ""),
+    "apps/studies/README.md": ("", ""),
     "apps/record/README.md": ('#include "apps/record/record_writer.hpp"\nusing namespace swirl::apps;\n',
                               "const std::string& version, const std::string& instruction_set"),
     "analysis/recurrence/README.md": ("#include <vector>\n", "const std::vector<double>& series"),

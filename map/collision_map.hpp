@@ -5,6 +5,7 @@
 #include "map/map_list.hpp"
 #include "map/model/body.hpp"
 #include "map/model/section.hpp"
+#include "map/numbers/quad.hpp"
 
 namespace swirl {
 

@@ -1,4 +1,5 @@
 #include "map/collision_map.hpp"
+#include "map/numbers/quad.hpp"
 
 namespace swirl {
 

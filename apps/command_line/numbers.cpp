@@ -1,5 +1,7 @@
 #include "apps/command_line/numbers.hpp"
 
+#include "map/numbers/quad.hpp"
+
 #include <algorithm>
 #include <cmath>
 

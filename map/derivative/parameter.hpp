@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/derivative/strike_along.hpp"
+#include "map/numbers/jets.hpp"
 
 #include <Eigen/Core>
 

@@ -5,8 +5,7 @@
 #pragma once
 
 #include "map/derivative/linearised_collision.hpp"
-
-#include <ceres/jet.h>
+#include "map/numbers/jets.hpp"
 
 namespace swirl {
 

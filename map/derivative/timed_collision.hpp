@@ -5,6 +5,7 @@
 
 #include "map/derivative/parameter.hpp"
 #include "map/first_contact/vertices.hpp"
+#include "map/numbers/jets.hpp"
 
 #include <Eigen/Core>
 

@@ -3,13 +3,10 @@
 
 #include "map/numbers/real.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
 namespace swirl {
 
@@ -60,17 +57,8 @@ namespace detail {
 
 template <class T>
 [[noreturn]] void out_of_range(const char* name, const T& value, const char* range) {
-    std::ostringstream message;
-    message << name << " = ";
-    if constexpr (std::is_same_v<T, double>) {
-        char shortest[32];  // that reads back as the same double: 24 characters at most
-        message.write(shortest, std::to_chars(shortest, shortest + sizeof shortest, value).ptr - shortest);
-    } else {
-        message.precision(17);
-        message << value;
-    }
-    message << " is outside its range: " << range;
-    throw std::invalid_argument(message.str());
+    throw std::invalid_argument(std::string(name) + " = " + NumberTraits<Plain<T>>::text(plain(value)) +
+                                " is outside its range: " + range);
 }
 
 /// The numbers of a scene and of a start are 0 or within these bounds, so that their fourth powers can be held.

@@ -1,46 +1,41 @@
-// The number types that the map is written for, and the functions that differ between them.
+// The functions in which the number types of the map differ: double and long double here, 113 bits in quad.hpp, dual
+// numbers in jets.hpp. A file that computes with one of the latter includes its header.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
-#if defined(SWIRL_HAS_QUADMATH)
-#include <boost/multiprecision/float128.hpp>
-#else
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#endif
-#include <ceres/jet.h>
-
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <string>
+#include <type_traits>
 
 namespace swirl {
 
-/// 113-bit arithmetic: libquadmath's where the compiler has it, Boost's own elsewhere (slower, the same precision).
-#if defined(SWIRL_HAS_QUADMATH)
-using Quad = boost::multiprecision::float128;
-#else
-using Quad = boost::multiprecision::cpp_bin_float_quad;
-#endif
+/// What a number type is to the map: the plain number below it (T itself, or what a Jet differentiates), π, and the
+/// text of a value: a double's shortest that reads back the same, 17 digits of a longer number.
+template <class T>
+struct NumberTraits {
+    using PlainNumber = T;
+    static const T& plain(const T& value) { return value; }
+    static T pi() { return std::numbers::pi_v<T>; }
+    static std::string text(T value) {
+        char digits[32];  // 24 characters at most
+        char* const last = digits + sizeof digits;
+        if constexpr (std::is_same_v<T, long double>)
+            return {digits, std::to_chars(digits, last, value, std::chars_format::general, 17).ptr};
+        else
+            return {digits, std::to_chars(digits, last, value).ptr};
+    }
+};
 
 /// The plain number below a type: T itself, or what a Jet differentiates.
 template <class T>
-struct PlainOf {
-    using type = T;
-};
-template <class T, int D>
-struct PlainOf<ceres::Jet<T, D>> {
-    using type = T;
-};
-template <class T>
-using Plain = typename PlainOf<T>::type;
+using Plain = typename NumberTraits<T>::PlainNumber;
 
 /// The value of a number without its derivatives.
 template <class T>
-inline const T& plain(const T& value) {
-    return value;
-}
-template <class T, int D>
-inline const T& plain(const ceres::Jet<T, D>& value) {
-    return value.a;
+inline const Plain<T>& plain(const T& value) {
+    return NumberTraits<T>::plain(value);
 }
 
 /// Unit roundoff spacing ε of T: 2⁻⁵² for double.
@@ -63,7 +58,7 @@ constexpr Plain<T> fraction(int p, int q) {
 
 template <class T>
 inline Plain<T> pi() {
-    return boost::math::constants::pi<Plain<T>>();
+    return NumberTraits<Plain<T>>::pi();
 }
 
 /// φ reduced to (−π, π].

@@ -3,6 +3,7 @@
 
 #include "map/collision_map.hpp"
 #include "map/map_list.hpp"
+#include "map/numbers/quad.hpp"
 #include "map/orbit/outcome.hpp"
 #include "map/orbit/speed_limits.hpp"
 #include "map/sustained/contact_phase.hpp"

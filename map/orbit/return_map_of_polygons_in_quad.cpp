@@ -1,3 +1,4 @@
+#include "map/numbers/quad.hpp"
 #include "map/orbit/return_map.hpp"
 
 namespace swirl {

@@ -1,5 +1,6 @@
 #include "map/steady/steady_modes.hpp"
 
+#include "map/numbers/jets.hpp"
 #include "map/steady/flight_times.hpp"
 #include "map/steady/sticking_curves.hpp"
 #include "map/steady/whole_numbers.hpp"

@@ -1,7 +1,7 @@
 // The Jets that sustained contact is compiled for (contact_along.hpp).
 #pragma once
 
-#include <ceres/jet.h>
+#include "map/numbers/jets.hpp"
 
 namespace swirl {
 

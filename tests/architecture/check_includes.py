@@ -7,6 +7,8 @@ What is checked, in every .hpp and .cpp of map/, analysis/ and apps/:
     them is a study;
   - map/ and analysis/ include only the libraries that are granted to them (LIBRARIES) and the C++ standard library;
   - the project's headers are included in quotes, by their path from the root, and exist;
+  - a number type's header is included by the header that holds its traits alone (TRAITS): without these a file would
+    compute with the traits of plain numbers;
   - headers do not include each other in a circle.
 """
 
@@ -30,7 +32,13 @@ LIBRARIES = {
             "arf.h", "mag.h"),
     "analysis": ("Eigen/", "unsupported/Eigen/", "ceres/", "gsl/", "fftw3.h", "tbb/", "oneapi/tbb", "hwy/", "boost/",
                  "Random123/"),
-    STUDIES: ("Eigen/", "ceres/jet.h", "gsl/", "tbb/", "boost/", "Random123/", "fmt/format.h"),
+    STUDIES: ("Eigen/", "gsl/", "tbb/", "boost/", "Random123/", "fmt/format.h"),
+}
+
+# library header -> the one file of map/ and apps/ that may include it
+TRAITS = {
+    "ceres/jet.h": "map/numbers/jets.hpp",
+    "boost/multiprecision/float128.hpp": "map/numbers/quad.hpp",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -45,13 +53,15 @@ def includes_of(file):
             yield number, match.group(1), match.group(2)
 
 
-def violation(root, folder, bracket, name):
-    """What is wrong with one include in a folder (or STUDIES), or None."""
+def violation(root, folder, file, bracket, name):
+    """What is wrong with one include of a file in a folder (or STUDIES), or None."""
     target = name.split("/")[0]
     ours = target in FOLDERS or target == "tests"
     if bracket == "<":
         if ours and "/" in name:  # <map> is the standard library's
             return f"<{name}>: the project's own headers are included in quotes"
+        if folder != "analysis" and TRAITS.get(name, file) != file:
+            return f"<{name}>: {TRAITS[name]} includes it, with its traits, for all"
         allowed = LIBRARIES.get(folder)
         if allowed is None or STANDARD.match(name) or name.startswith(allowed):
             return None
@@ -115,7 +125,7 @@ def check(root):
         name = file.relative_to(root).as_posix()
         part = STUDIES if name.startswith(STUDIES) else folder
         for number, bracket, included in includes_of(file):
-            message = violation(root, part, bracket, included)
+            message = violation(root, part, name, bracket, included)
             if message:
                 found.append(f"{name}:{number}: {message}")
             elif bracket == '"':

@@ -9,7 +9,8 @@ from pathlib import Path
 import check_includes
 
 SOUND = {
-    "map/flight.hpp": '#include <cmath>\n#include <Eigen/Core>\n#include <ceres/jet.h>\n',
+    "map/flight.hpp": '#include <cmath>\n#include <Eigen/Core>\n',
+    "map/numbers/jets.hpp": '#include <ceres/jet.h>\n',
     "map/map.hpp": '#include "map/flight.hpp"\n',
     "analysis/orbits.hpp": '#include <gsl/gsl_errno.h>\n#include <tbb/parallel_for.h>\n#include <fftw3.h>\n',
     "apps/studies/verdict.hpp": '#include "analysis/orbits.hpp"\n#include "map/map.hpp"\n#include <fmt/format.h>\n',
@@ -65,6 +66,11 @@ class CheckIncludes(unittest.TestCase):
         self.assert_found("map/bad.hpp", 1, "#include <hdf5.h>\n", "hdf5.h")
         self.assert_found("map/bad.hpp", 1, "#include <ceres/solver.h>\n", "ceres/solver.h")
         self.assert_found("analysis/bad.hpp", 1, "#include <CLI/CLI.hpp>\n", "CLI/CLI.hpp")
+
+    def test_a_number_type_comes_without_its_traits(self):
+        self.assert_found("map/bad.hpp", 1, "#include <ceres/jet.h>\n", "map/numbers/jets.hpp")
+        self.assert_found("apps/bad.cpp", 1, "#include <boost/multiprecision/float128.hpp>\n", "map/numbers/quad.hpp")
+        self.assertEqual(check_tree({"analysis/fit.cpp": "#include <ceres/jet.h>\n"}), [])  # knows no such traits
 
     def test_own_header_in_angle_brackets(self):
         self.assert_found("analysis/bad.hpp", 1, "#include <map/map.hpp>\n", "in quotes")

@@ -5,6 +5,7 @@
 #include "apps/command_line/parameter_range.hpp"
 #include "apps/commands.hpp"
 #include "apps/input/input_options.hpp"
+#include "map/numbers/quad.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/outcome.hpp"
 

@@ -2,6 +2,7 @@
 #include "apps/command_line/program.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/command_line/start_options.hpp"
+#include "map/numbers/quad.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/outcome.hpp"

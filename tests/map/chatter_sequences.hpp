@@ -1,6 +1,7 @@
 // Chatter followed impact by impact in 113 bits, to compare its sum with.
 #pragma once
 
+#include "map/numbers/quad.hpp"
 #include "map/orbit/orbit.hpp"
 #include "map/sustained/chatter_completion.hpp"
 #include "map/sustained/motion_choice.hpp"

@@ -1,4 +1,5 @@
 // The return map's derivative through contact against differences in 113 bits.
+#include "map/numbers/quad.hpp"
 #include "map/orbit/return_derivative.hpp"
 #include "map/sustained/removal.hpp"
 #include "tests/map/compared_derivatives.hpp"

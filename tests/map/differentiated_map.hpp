@@ -4,6 +4,7 @@
 
 #include "map/derivative/strike_along.hpp"
 #include "map/map_list.hpp"
+#include "map/numbers/jets.hpp"
 
 #include <array>
 

@@ -1,4 +1,5 @@
 // The 48 orbits of tests/references/trajectories.json, in three precisions.
+#include "map/numbers/quad.hpp"
 #include "map/orbit/laboratory.hpp"
 #include "tests/references/references.hpp"
 

@@ -1,4 +1,5 @@
 // Sustained contact in more digits: in 113 bits it is its own reference, for double and long double the reference.
+#include "map/numbers/quad.hpp"
 #include "map/orbit/orbit.hpp"
 #include "map/sustained/motion_choice.hpp"
 #include "tests/map/landings.hpp"

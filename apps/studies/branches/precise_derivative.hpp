@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/derivative/saltation.hpp"
+#include "map/numbers/quad.hpp"
 #include "map/numbers/real.hpp"
 
 namespace swirl::studies {

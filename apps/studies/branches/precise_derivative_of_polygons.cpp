@@ -1,4 +1,5 @@
 #include "apps/studies/branches/precise_derivative.hpp"
+#include "map/numbers/quad.hpp"
 
 namespace swirl::studies {
 

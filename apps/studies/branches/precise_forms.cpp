@@ -1,6 +1,7 @@
 #include "apps/studies/branches/branches.hpp"
 #include "apps/studies/branches/precise_derivative.hpp"
 #include "map/derivative/parameter.hpp"
+#include "map/numbers/quad.hpp"
 
 namespace swirl::studies {
 

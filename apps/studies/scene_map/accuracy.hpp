@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/baselines/baseline_contact.hpp"
+#include "map/numbers/quad.hpp"
 #include "map/numbers/real.hpp"
 
 #include <optional>

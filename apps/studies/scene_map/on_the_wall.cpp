@@ -1,6 +1,6 @@
 #include "apps/studies/scene_map/on_the_wall.hpp"
 
-#include <ceres/jet.h>
+#include "map/numbers/jets.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,5 @@
 #include "apps/studies/scene_map/rounded_scene.hpp"
+#include "map/numbers/quad.hpp"
 
 namespace swirl::studies {
 

@@ -1,4 +1,5 @@
 #include "apps/studies/tradeoff/rung_with_search.hpp"
+#include "map/numbers/quad.hpp"
 
 #include <limits>
 

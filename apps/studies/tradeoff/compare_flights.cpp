@@ -1,6 +1,7 @@
 #include "apps/studies/tradeoff/compare_flights.hpp"
 
 #include "apps/studies/parallel/pieces.hpp"
+#include "map/numbers/quad.hpp"
 
 #include <algorithm>
 #include <atomic>

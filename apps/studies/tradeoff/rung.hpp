@@ -2,6 +2,7 @@
 // one, so that they can be compared there.
 #pragma once
 
+#include "map/numbers/quad.hpp"
 #include "map/orbit/return_map.hpp"
 
 #include <cstddef>

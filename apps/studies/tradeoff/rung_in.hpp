@@ -4,6 +4,7 @@
 #include "apps/studies/scene_map/in_digits.hpp"
 #include "apps/studies/tradeoff/rung.hpp"
 #include "map/derivative/parameter.hpp"
+#include "map/numbers/quad.hpp"
 #include "map/orbit/speed_limits.hpp"
 
 #include <algorithm>

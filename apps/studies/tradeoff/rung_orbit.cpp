@@ -4,6 +4,7 @@
 #include "analysis/means/mean_error.hpp"
 #include "apps/studies/scene_map/scene_map.hpp"
 #include "apps/studies/tradeoff/rung_in.hpp"
+#include "map/numbers/quad.hpp"
 
 #include <numeric>
 

@@ -1,4 +1,5 @@
 #include "apps/studies/tradeoff/rung_in.hpp"
+#include "map/numbers/quad.hpp"
 
 namespace swirl::studies::tradeoff {
 

@@ -1,6 +1,7 @@
 // Swirl's own maps: exact in double and quad, and the searches of map/baselines.
 #include "map/baselines/baseline_map.hpp"
 #include "map/batch/orbit_batch.hpp"
+#include "map/numbers/quad.hpp"
 #include "peer.hpp"
 
 #include <stdexcept>

@@ -1,5 +1,6 @@
 // Swirl::map brings what its headers need: Eigen and the Jets that differentiate the map.
-#include <ceres/jet.h>
+#include "map/numbers/jets.hpp"
+
 #include <Eigen/Core>
 
 #include <cstdio>

@@ -1,5 +1,6 @@
 // One orbit of very many impacts: J walks as rounding does, nothing leaves the container, and the swirl's phase keeps
 // its digits.
+#include "map/numbers/quad.hpp"
 #include "map/orbit/laboratory.hpp"
 #include "tests/map/container_scan.hpp"
 #include "tests/sample_count.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/collision_map.hpp"
+#include "map/numbers/quad.hpp"
 #include "tests/map/random_scenes.hpp"
 
 #include <algorithm>

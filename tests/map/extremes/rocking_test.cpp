@@ -1,5 +1,6 @@
 // A body on one vertex whose neighbour, which has just left the wall, comes back, or does not: against 113 bits.
 #include "map/sustained/rocking.hpp"
+#include "map/numbers/quad.hpp"
 #include "tests/map/landings.hpp"
 
 #include <gtest/gtest.h>

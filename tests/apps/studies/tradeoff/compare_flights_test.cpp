@@ -1,6 +1,7 @@
 // Contacts that are passed over and contacts that are out of order, told apart on rungs that are made up.
 #include "apps/studies/tradeoff/compare_flights.hpp"
 #include "apps/studies/scene_map/in_digits.hpp"
+#include "map/numbers/quad.hpp"
 
 #include <gtest/gtest.h>
 

@@ -57,10 +57,10 @@ void compare_forms(const Map& map, const SectionPoint<double>& z, long wanted, C
     EXPECT_LE(off, 1e-11) << name_of(collision.impulse.mode) << ", u_n = " << un << ", of a kept flight";
 }
 
-void report(const char* what, const Comparison& comparison, const std::vector<ContactMode>& modes, long wanted) {
+void report(const std::string& what, const Comparison& comparison, const std::vector<ContactMode>& modes, long wanted) {
     for (const ContactMode mode : modes) {
         const auto m = static_cast<std::size_t>(mode);
-        std::printf("%-9s %-13s %6ld states, largest relative difference %.2e, of kept flights %.2e\n", what,
+        std::printf("%-9s %-13s %6ld states, largest relative difference %.2e, of kept flights %.2e\n", what.c_str(),
                     std::string(name_of(mode)).c_str(), comparison.count[m], comparison.worst[m],
                     comparison.worst_of_kept[m]);
         EXPECT_EQ(comparison.count[m], wanted) << what << ' ' << name_of(mode);

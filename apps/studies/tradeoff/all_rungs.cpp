@@ -19,6 +19,7 @@ constexpr bool has_extended = std::numeric_limits<long double>::digits > std::nu
 
 std::vector<Rung> table() {
     std::vector<Rung> rungs;
+    rungs.reserve(6);
     rungs.push_back(rung<InNumbers<double>>("double", "double precision: the first contact proven, to rounding", true));
     if (has_extended) rungs.push_back(rung<InNumbers<long double>>("extended", "the same in long double", true));
     rungs.push_back(

@@ -33,11 +33,11 @@ inline constexpr const char* nameless_border = "border";
 /// The value that distinguishes the cycles of the branch: the parameter, or the label of a family.
 double parameter_of(const ContinuationOptions& options, const CurvePoint& point);
 
-/// Follows the branch through a cycle to both ends of the range. Steps adapt to the corrector and the curve's bend;
-/// where the itinerary of the cycle changes or no cycle follows, steps are halved down to the border itself. Special
-/// points are zeros of test functions along the arclength, bracketed by two steps and found by TOMS 748 to rounding.
-/// Cost: about 4 × k steps of the map and two QRs of kD + 1 unknowns a point. False if the cycle can't be continued:
-/// the solutions there are no curve (a family), or p is outside the range.
+/// Follows the branch through a cycle to both ends of the range. Steps adapt to the corrector and the turn of the
+/// tangent; where the itinerary of the cycle changes or no cycle follows, steps are halved down to the border itself.
+/// Special points are zeros of test functions along the arclength, bracketed by two steps and found by TOMS 748 to
+/// rounding. Cost: about 4 × k steps of the map and two QRs of kD + 1 unknowns a point. False if the cycle can't be
+/// continued: the solutions there are no curve (a family), or p is outside the range.
 bool continue_branch(const ShootingMap& map, const CyclePoints& cycle, double p, const ContinuationOptions& options,
                      Branch& branch);
 

@@ -38,8 +38,8 @@ HWY_INLINE Lane fourth_bound(const LaneBody& body, const LaneFlight& flight, Lan
 HWY_INLINE LaneGap struck_gap_at_start(const LaneFlight& flight) {
     const Plane rate = flight.velocity + quarter_turned(flight.spin * flight.arm - flight.swirl);
     const Lane spin2 = flight.spin * flight.spin;
-    const Plane bend = flight.swirl - spin2 * flight.arm;
-    return {Lane(0), Lane(2) * rate.x, Lane(2) * (dot(rate, rate) + bend.x), Lane(0)};
+    const Plane curvature = flight.swirl - spin2 * flight.arm;
+    return {Lane(0), Lane(2) * rate.x, Lane(2) * (dot(rate, rate) + curvature.x), Lane(0)};
 }
 
 /// VertexBounds.
@@ -65,7 +65,7 @@ struct LaneEnd {
     Plane centre, drift;
     Lane spin;
     Plane arm;
-    Lane rate, bend, t, slack;
+    Lane rate, curvature, t, slack;
 };
 
 HWY_INLINE Mask only_one_at_wall(const LaneBody& body, const LaneBounds& bounds, const LaneEnd& end) {
@@ -75,7 +75,7 @@ HWY_INLINE Mask only_one_at_wall(const LaneBody& body, const LaneBounds& bounds,
     const Lane behind = Lane(2) * dot(end.centre, side);
     const Lane slope = Lane(2) * (dot(end.drift, side) - end.spin * cross(end.centre, side));
     return all(magnitude(across) <= body.half_slope * along, end.rate > Lane(0),
-               end.t * (end.bend + fraction(1, 3) * bounds.third * end.t) <= Lane(2) * end.rate,
+               end.t * (end.curvature + fraction(1, 3) * bounds.third * end.t) <= Lane(2) * end.rate,
                end.rate * behind + end.slack <= Lane(0),
                end.rate * (behind + end.t * (slope + end.t * bounds.apart)) + end.slack <= Lane(0));
 }
@@ -94,7 +94,7 @@ struct ProofTask {
 /// The circumscribed circle's gap at the start, and at another moment (without its jerk).
 HWY_INLINE LaneGap leaving_gap(const ProofTask& task) {
     return {dot(task.flight.centre, task.flight.centre) - task.body.inner * task.body.inner, task.start.rate,
-            task.start.bend, task.start.jerk};
+            task.start.curvature, task.start.jerk};
 }
 HWY_INLINE LaneGap centre_gap(const LaneBody& body, const LaneInstant& at) {
     return {dot(at.centre, at.centre) - body.inner * body.inner, Lane(2) * dot(at.centre, at.drift),
@@ -129,17 +129,17 @@ HWY_INLINE Mask clear_by_circumcircle(const ProofTask& task) {
     const LaneRing ring = closed_between(leaving_gap(task), centre_gap(body, at), at.time, bounds.centre_sixth);
     const Lane shift = magnitude(task.search.correction);
     const Lane in = ring.in + shift;
-    const Lane rate = g.rate - shift * (magnitude(g.bend) + bounds.third * shift);
-    const Lane bend = g.bend + bounds.third * shift;
+    const Lane rate = g.rate - shift * (magnitude(g.curvature) + bounds.third * shift);
+    const Lane curvature = g.curvature + bounds.third * shift;
     const Lane s = magnitude(flight.spin);
     const Lane fastest = Lane(2) * (bounds.drift + body.alpha * s);
     const Lane slack = Lane(32 * unit_roundoff) * (Lane(1) + fastest) * (Lane(1) + fastest * at.time) +
                        rate * shift * Lane(2) * body.side * (bounds.drift + body.outer * s);
     const Plane start_drift = flight.velocity - quarter_turned(flight.swirl);
-    const LaneEnd first{flight.centre,     start_drift,      flight.spin, flight.arm,
-                        -task.struck.rate, task.struck.bend, ring.out,    Lane(0)};
-    const LaneEnd last{at.centre, {-at.drift.x, -at.drift.y}, -flight.spin, task.search.nearest.arm, rate, bend, in,
-                       slack};
+    const LaneEnd first{flight.centre,     start_drift,           flight.spin, flight.arm,
+                        -task.struck.rate, task.struck.curvature, ring.out,    Lane(0)};
+    const LaneEnd last{
+        at.centre, {-at.drift.x, -at.drift.y}, -flight.spin, task.search.nearest.arm, rate, curvature, in, slack};
     return all(ring.proven,
                two_suffice(body, flight, bounds.drift, larger(ring.out, in), body.inner - bounds.drift * shift),
                only_one_at_wall(body, bounds, first), only_one_at_wall(body, bounds, last));

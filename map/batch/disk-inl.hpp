@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
 
 struct LaneRoot {
-    Lane first, second, value, rate, half_bend;
+    Lane first, second, value, rate, half_curvature;
 };
 
 HWY_INLINE LaneRoot root_of(const LaneSeries& g) {
@@ -29,16 +29,16 @@ HWY_INLINE LaneRoot root_of(const LaneSeries& g) {
     root.rate = ((c[1] + Lane(2) * c[2] * d) + d2 * (Lane(3) * c[3] + Lane(4) * c[4] * d)) +
                 d4 * (((Lane(5) * c[5] + Lane(6) * c[6] * d) + d2 * (Lane(7) * c[7] + Lane(8) * c[8] * d)) +
                       d4 * (Lane(9) * c[9] + Lane(10) * c[10] * d));
-    root.half_bend = ((c[2] + Lane(3) * c[3] * d) + d2 * (Lane(6) * c[4] + Lane(10) * c[5] * d)) +
-                     d4 * ((Lane(15) * c[6] + Lane(21) * c[7] * d) + d2 * (Lane(28) * c[8] + Lane(36) * c[9] * d));
-    root.second = -(root.value * root.rate) / (root.rate * root.rate - root.value * root.half_bend);
+    root.half_curvature = ((c[2] + Lane(3) * c[3] * d) + d2 * (Lane(6) * c[4] + Lane(10) * c[5] * d)) +
+                          d4 * ((Lane(15) * c[6] + Lane(21) * c[7] * d) + d2 * (Lane(28) * c[8] + Lane(36) * c[9] * d));
+    root.second = -(root.value * root.rate) / (root.rate * root.rate - root.value * root.half_curvature);
     return root;
 }
 
 HWY_INLINE LaneGap gap_at(const LaneSeries& g, const LaneRoot& root) {
     const Lane jerk = Lane(6) * (g.c[3] + Lane(4) * g.c[4] * root.first);
-    return {Lane(0), root.rate + Lane(2) * root.second * root.half_bend, Lane(2) * root.half_bend + root.second * jerk,
-            jerk};
+    return {Lane(0), root.rate + Lane(2) * root.second * root.half_curvature,
+            Lane(2) * root.half_curvature + root.second * jerk, jerk};
 }
 
 HWY_INLINE Mask is_converged(const LaneRoot& root, Lane time, Lane eleventh) {
@@ -48,7 +48,7 @@ HWY_INLINE Mask is_converged(const LaneRoot& root, Lane time, Lane eleventh) {
     const Lane d2 = d * d;
     const Lane d4 = d2 * d2;
     return all(
-        size <= small, size * magnitude(root.half_bend) <= small * root.rate,
+        size <= small, size * magnitude(root.half_curvature) <= small * root.rate,
         magnitude(root.value) <= Lane(2) * root.rate * size,
         eleventh * (d4 * d4 * (d2 * d)) * fraction(1, 39916800) <= Lane(1.0 / 1024 * unit_roundoff) * root.rate * time);
 }
@@ -156,7 +156,7 @@ HWY_INLINE RoundResult look_at_disks(bool sums_chatter, LaneBlock& block, int i)
     usual = all(looked, near_enough, time > Lane(0));
     const Lane outer = load(scenes.outer, i);
     const Mask converged = is_converged(root, time, centre_bound(11, flight.beta, outer, speed));
-    const Mask clear = clear_between({Lane(0), start.rate, start.bend, start.jerk}, gap_at(gap, root), time,
+    const Mask clear = clear_between({Lane(0), start.rate, start.curvature, start.jerk}, gap_at(gap, root), time,
                                      centre_bound(6, flight.beta, outer, speed));
 
     const DiskAtWall at = disk_at_wall(flight, near, root, time);

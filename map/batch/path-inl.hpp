@@ -15,7 +15,7 @@ namespace swirl::detail::HWY_NAMESPACE {
 inline constexpr double unit_roundoff = 0x1p-52;
 
 struct LaneGap {
-    Lane value, rate, bend, jerk;
+    Lane value, rate, curvature, jerk;
 };
 
 /// What a round reads of a flight.
@@ -29,7 +29,7 @@ struct LanePath {
 };
 
 struct LaneStart {
-    Lane rate, bend, jerk, fourth, fifth;
+    Lane rate, curvature, jerk, fourth, fifth;
 };
 
 HWY_INLINE LanePath circle_path(const LaneFlight& flight) {
@@ -53,7 +53,7 @@ HWY_INLINE LanePath circle_path_from_wall(LaneFactor inner, const LaneFlight& fl
 HWY_INLINE LaneStart gap_at_start(const LanePath& path) {
     LaneStart gap;
     gap.rate = path.slope - Lane(2) * path.b0;
-    gap.bend = Lane(2) * (path.speed2 + (path.a0 - Lane(2) * path.b1));
+    gap.curvature = Lane(2) * (path.speed2 + (path.a0 - Lane(2) * path.b1));
     gap.jerk = Lane(2) * (path.b0 + Lane(3) * path.a1);
     gap.fourth = Lane(2) * (Lane(4) * path.b1 - path.a0);
     gap.fifth = Lane(-2) * (path.b0 + Lane(5) * path.a1);
@@ -62,7 +62,7 @@ HWY_INLINE LaneStart gap_at_start(const LanePath& path) {
 
 HWY_INLINE Lane return_guess(const LaneStart& start) {
     const Lane n = -start.rate;
-    const Lane d = Lane(0.5) * start.bend;
+    const Lane d = Lane(0.5) * start.curvature;
     const Lane n2 = n * n;
     const Lane d2 = d * d;
     const Lane cubic = fraction(1, 6) * start.jerk * d2;
@@ -128,8 +128,8 @@ HWY_INLINE InnerLanes inner_coefficients(const LaneGap& from, const LaneGap& to,
     const Lane h2 = h * h;
     const Lane remainder = sixth * (h2 * h2 * h2) * fraction(1, 14400);
     return {from.value + fraction(1, 5) * h * from.rate,
-            from.value + fraction(2, 5) * h * from.rate + fraction(1, 20) * h2 * from.bend + remainder,
-            to.value - fraction(2, 5) * h * to.rate + fraction(1, 20) * h2 * to.bend + remainder,
+            from.value + fraction(2, 5) * h * from.rate + fraction(1, 20) * h2 * from.curvature + remainder,
+            to.value - fraction(2, 5) * h * to.rate + fraction(1, 20) * h2 * to.curvature + remainder,
             to.value - fraction(1, 5) * h * to.rate};
 }
 

@@ -35,13 +35,13 @@ HWY_INLINE LaneInstant instant_at(const LaneFlight& flight, Lane time) {
 }
 
 HWY_INLINE LaneGap gap_after(const LaneGap& gap, Lane d) {
-    const Lane bend = gap.bend + d * gap.jerk;
-    return {gap.value + d * (gap.rate + Lane(0.5) * d * (gap.bend + fraction(1, 3) * d * gap.jerk)),
-            gap.rate + Lane(0.5) * d * (gap.bend + bend), bend, gap.jerk};
+    const Lane curvature = gap.curvature + d * gap.jerk;
+    return {gap.value + d * (gap.rate + Lane(0.5) * d * (gap.curvature + fraction(1, 3) * d * gap.jerk)),
+            gap.rate + Lane(0.5) * d * (gap.curvature + curvature), curvature, gap.jerk};
 }
 
-HWY_INLINE Mask nonpositive_until(Lane value, Lane rate, Lane bend, Lane t, Lane third) {
-    const Lane b = larger(bend + fraction(1, 3) * third * t, Lane(0));
+HWY_INLINE Mask nonpositive_until(Lane value, Lane rate, Lane curvature, Lane t, Lane third) {
+    const Lane b = larger(curvature + fraction(1, 3) * third * t, Lane(0));
     return all(value <= Lane(0), value + t * (rate + Lane(0.5) * b * t) <= Lane(0));
 }
 
@@ -91,10 +91,10 @@ HWY_INLINE Mask clear_by_pairs(const ProofTask& task, const LaneGap& arriving, c
     return all(
         ring.proven,
         two_suffice(body, flight, bounds.drift, larger(ring.out, ring.in + shift), body.inner - bounds.drift * shift),
-        nonpositive_until(struck.value, struck.rate, struck.bend, ring.out, bounds.third),
-        nonpositive_until(other.value, other.rate, other.bend, ring.out, bounds.third),
-        nonpositive_until(striking.value, -striking.rate, striking.bend, ring.in, bounds.third),
-        nonpositive_until(neighbour.value, -neighbour.rate, neighbour.bend, ring.in, bounds.third));
+        nonpositive_until(struck.value, struck.rate, struck.curvature, ring.out, bounds.third),
+        nonpositive_until(other.value, other.rate, other.curvature, ring.out, bounds.third),
+        nonpositive_until(striking.value, -striking.rate, striking.curvature, ring.in, bounds.third),
+        nonpositive_until(neighbour.value, -neighbour.rate, neighbour.curvature, ring.in, bounds.third));
 }
 
 /// One lane's flight in all lanes, so that its vertices can stand in them.

@@ -112,8 +112,8 @@ HWY_INLINE LaneVertex choose(Mask condition, const LaneVertex& yes, const LaneVe
         choose(condition, yes.number, otherwise.number),
         {choose(condition, yes.row.value, otherwise.row.value), choose(condition, yes.row.rest, otherwise.row.rest)},
         choose(condition, yes.arm, otherwise.arm),
-        {choose(condition, a.value, b.value), choose(condition, a.rate, b.rate), choose(condition, a.bend, b.bend),
-         choose(condition, a.jerk, b.jerk)},
+        {choose(condition, a.value, b.value), choose(condition, a.rate, b.rate),
+         choose(condition, a.curvature, b.curvature), choose(condition, a.jerk, b.jerk)},
         either(hn::And(condition, yes.known), hn::AndNot(condition, otherwise.known))};
 }
 
@@ -141,14 +141,14 @@ HWY_INLINE LaneGap gap_of(const VertexRows& vertices, Lane spin, const LaneInsta
     const Lane spin2 = spin * spin;
     const Plane x = at.centre + arm;
     const Plane rate = at.drift + spin * quarter_turned(arm);
-    const Plane bend = at.swirl - spin2 * arm;
+    const Plane curvature = at.swirl - spin2 * arm;
     const Plane jerk = quarter_turned(at.swirl - (spin2 * spin) * arm);
     const Plane moved = at.moved + at.arm_moved;
     const Lane struck = Lane(2) * moved.x + dot(moved, moved);
     Lane value = (dot(x, x) - Lane(1)) + Lane(2) * dot(x, times(at.arm, row.rest));
     if (vertices.some_short) value = choose(vertices.short_sides, short_side_gap(at, moved, struck, row), value);
     return {choose(equal(number, Lane(0)), struck, value), Lane(2) * dot(x, rate),
-            Lane(2) * (dot(rate, rate) + dot(x, bend)), Lane(2) * (Lane(3) * dot(rate, bend) + dot(x, jerk))};
+            Lane(2) * (dot(rate, rate) + dot(x, curvature)), Lane(2) * (Lane(3) * dot(rate, curvature) + dot(x, jerk))};
 }
 
 /// vertex_towards, and its arm.
@@ -181,19 +181,19 @@ HWY_INLINE void stay_or_turn(const VertexRows& vertices, Lane half_slope, const 
 }
 
 HWY_INLINE Lane correction_of(const LaneGap& g) {
-    const Lane half_bend = Lane(0.5) * g.bend;
+    const Lane half_curvature = Lane(0.5) * g.curvature;
     const Lane sixth_jerk = fraction(1, 6) * g.jerk;
     const Lane square = g.rate * g.rate;
-    const Lane bend = half_bend + half_bend;
-    return -(g.value * (square - g.value * half_bend)) /
-           (g.rate * (square - g.value * bend) + g.value * (g.value * sixth_jerk));
+    const Lane curvature = half_curvature + half_curvature;
+    return -(g.value * (square - g.value * half_curvature)) /
+           (g.rate * (square - g.value * curvature) + g.value * (g.value * sixth_jerk));
 }
 
 HWY_INLINE Mask is_converged(const LaneGap& gap, Lane correction, Lane time, Lane fourth) {
     const Lane small(0x1p-13 / 4);
     const Lane size = magnitude(correction);
     const Lane square = size * size;
-    return all(size <= small, size * magnitude(gap.bend) <= small * gap.rate,
+    return all(size <= small, size * magnitude(gap.curvature) <= small * gap.rate,
                square * magnitude(gap.jerk) <= small * small * gap.rate,
                fourth * (square * square) <= Lane(unit_roundoff) * gap.rate * time,
                magnitude(gap.value) <= Lane(2) * gap.rate * size);

@@ -92,9 +92,9 @@ inline bool is_last(const Gap<T>& gap, const T& third, const T& step, const T& t
     using std::fabs;
     const T change = third * step * step;
     const T moves = std::min(T(gap.rate * (time + step)), T(1000));
-    const T left = -gap.value - step * (gap.rate + T(0.5) * step * gap.bend);
+    const T left = -gap.value - step * (gap.rate + T(0.5) * step * gap.curvature);
     return gap.rate > 0 && change * step <= T(0.001) * epsilon<T>() * moves &&
-           gap.rate + step * std::min(gap.bend, T(0)) > T(0.5) * change &&
+           gap.rate + step * std::min(gap.curvature, T(0)) > T(0.5) * change &&
            left <= change * step + T(16) * epsilon<T>() * fabs(gap.value);
 }
 
@@ -135,18 +135,18 @@ inline T overshoot(const Gap<T>& gap, const T& time) {
     using std::sqrt;
     T back = gap.value / gap.rate;
     // Just before the top of a double root g′ is rounding, too, and the tangent would lead back too far: the parabola.
-    const T curved = T(-2) * gap.bend * gap.value;
+    const T curved = T(-2) * gap.curvature * gap.value;
     if (curved > T(0x1p-10) * (gap.rate * gap.rate))
         back = T(2) * gap.value / (gap.rate + sqrt(gap.rate * gap.rate + curved));
     back = std::min(back, time);
-    return back * gap.bend < gap.rate ? back : T(0);
+    return back * gap.curvature < gap.rate ? back : T(0);
 }
 
 /// True if a vertex (disk) is at the wall and does not leave it. (One that began the flight with u_n = 0 and g″ < 0
 /// leaves, though g and g′ stay zero within rounding for a while.)
 template <class T>
 inline bool touches(const Gap<T>& gap) {
-    return gap.value >= 0 && (gap.rate > 0 || (gap.rate == 0 && gap.bend >= 0));
+    return gap.value >= 0 && (gap.rate > 0 || (gap.rate == 0 && gap.curvature >= 0));
 }
 
 /// Time until an approaching vertex touches, to first order; 0 for one that touches without approaching, +∞ for the
@@ -223,8 +223,8 @@ inline bool stays(const Body<T>& body, const Flight<T>& flight, Gap<T>& gap) {
     const T rounding = rate_rounding(body, flight);
     if (gap.rate < -rounding) return false;
     if (gap.rate > rounding) return true;  // pressed into the wall: no flight begins here
-    if (gap.bend < 0) gap.rate = std::min(gap.rate, T(0));
-    return gap.bend >= 0;
+    if (gap.curvature < 0) gap.rate = std::min(gap.rate, T(0));
+    return gap.curvature >= 0;
 }
 
 }  // namespace detail

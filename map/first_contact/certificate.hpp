@@ -65,8 +65,8 @@ template <class T>
     const T h2 = h * h;
     const T remainder = sixth * (h2 * h2 * h2) * fraction<T>(1, 14400);
     return {from.value + fraction<T>(1, 5) * h * from.rate,
-            from.value + fraction<T>(2, 5) * h * from.rate + fraction<T>(1, 20) * h2 * from.bend + remainder,
-            to.value - fraction<T>(2, 5) * h * to.rate + fraction<T>(1, 20) * h2 * to.bend + remainder,
+            from.value + fraction<T>(2, 5) * h * from.rate + fraction<T>(1, 20) * h2 * from.curvature + remainder,
+            to.value - fraction<T>(2, 5) * h * to.rate + fraction<T>(1, 20) * h2 * to.curvature + remainder,
             to.value - fraction<T>(1, 5) * h * to.rate};
 }
 
@@ -101,7 +101,7 @@ template <class T>
     const T small = fourth_root_of_epsilon<T>() / T(4);  // 3·10⁻⁵ in double
     const T size = fabs(correction);
     const T square = size * size;
-    return size <= small && size * fabs(gap.bend) <= small * gap.rate &&
+    return size <= small && size * fabs(gap.curvature) <= small * gap.rate &&
            square * fabs(gap.jerk) <= small * small * gap.rate &&
            fourth * (square * square) <= epsilon<T>() * gap.rate * time && fabs(gap.value) <= T(2) * gap.rate * size;
 }
@@ -109,9 +109,9 @@ template <class T>
 /// True if g ≤ 0 for a time t, by |g‴| ≤ M: up to t the gap is at most g + g′s + ½b s² with b = (g″ + M t/3)⁺, which is
 /// convex. Backwards in time g′ changes sign.
 template <class T>
-[[gnu::always_inline]] inline bool nonpositive_until(const T& value, const T& rate, const T& bend, const T& t,
+[[gnu::always_inline]] inline bool nonpositive_until(const T& value, const T& rate, const T& curvature, const T& t,
                                                      const T& third) {
-    const T b = std::max(T(bend + fraction<T>(1, 3) * third * t), T(0));
+    const T b = std::max(T(curvature + fraction<T>(1, 3) * third * t), T(0));
     return value <= 0 && value + t * (rate + T(0.5) * b * t) <= 0;
 }
 

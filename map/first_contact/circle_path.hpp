@@ -53,7 +53,7 @@ template <class T>
     CircleGap<T> gap;
     gap.value = T(0);
     gap.rate = path.slope - T(2) * path.b0;
-    gap.bend = T(2) * (path.speed2 + (path.a0 - T(2) * path.b1));
+    gap.curvature = T(2) * (path.speed2 + (path.a0 - T(2) * path.b1));
     gap.jerk = T(2) * (path.b0 + T(3) * path.a1);
     gap.fourth = T(2) * (T(4) * path.b1 - path.a0);
     gap.fifth = T(-2) * (path.b0 + T(5) * path.a1);
@@ -95,7 +95,7 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline T return_guess(const CircleGap<T>& start) {
     const T n = -start.rate;
-    const T d = T(0.5) * start.bend;
+    const T d = T(0.5) * start.curvature;
     const T n2 = n * n;
     const T d2 = d * d;
     const T cubic = fraction<T>(1, 6) * start.jerk * d2;

@@ -16,13 +16,13 @@ namespace swirl::detail {
 
 /// First positive root of g + g′h + ½ b h² for g < 0; +∞ if there is none.
 template <class T>
-inline T first_root(const T& g, const T& rate, const T& bend) {
+inline T first_root(const T& g, const T& rate, const T& curvature) {
     using std::sqrt;
-    const T discriminant = rate * rate - T(2) * bend * g;
+    const T discriminant = rate * rate - T(2) * curvature * g;
     if (discriminant < 0) return std::numeric_limits<T>::infinity();
     if (rate >= 0) return T(-2) * g / (rate + sqrt(discriminant));
-    if (bend <= 0) return std::numeric_limits<T>::infinity();
-    return (sqrt(discriminant) - rate) / bend;
+    if (curvature <= 0) return std::numeric_limits<T>::infinity();
+    return (sqrt(discriminant) - rate) / curvature;
 }
 
 /// A bound from above for P's first positive root when the parabola without M has none (Lagrange, Kioustelidis).
@@ -34,21 +34,21 @@ inline T root_bound(const Gap<T>& gap, const T& third) {
     if (leading == 0) return std::numeric_limits<T>::infinity();
     T bound = cbrt(T(-gap.value / leading));
     if (gap.rate < 0) bound = std::max(bound, T(sqrt(-gap.rate / leading)));
-    if (gap.bend < 0) bound = std::max(bound, T(T(-0.5) * gap.bend / leading));
+    if (gap.curvature < 0) bound = std::max(bound, T(T(-0.5) * gap.curvature / leading));
     return T(2) * bound;
 }
 
 /// A safe step from inside, g < 0.
 template <class T>
 inline T safe_step(const Gap<T>& gap, const T& third) {
-    T reach = first_root(gap.value, gap.rate, gap.bend);
+    T reach = first_root(gap.value, gap.rate, gap.curvature);
     if (!(reach < std::numeric_limits<T>::infinity())) reach = root_bound(gap, third);
     if (!(reach < std::numeric_limits<T>::infinity())) return reach;
-    const T parabola = gap.bend + third * reach / T(3);
+    const T parabola = gap.curvature + third * reach / T(3);
     const T step = std::min(reach, first_root(gap.value, gap.rate, parabola));
     if (step > T(0.99) * reach) return step;
     const T nearer = T(0.5) * (step + reach);
-    const T tighter = gap.bend + third * nearer / T(3);
+    const T tighter = gap.curvature + third * nearer / T(3);
     return std::max(step, std::min(nearer, first_root(gap.value, gap.rate, tighter)));
 }
 
@@ -56,11 +56,11 @@ inline T safe_step(const Gap<T>& gap, const T& third) {
 template <class T>
 inline T safe_step_off_the_wall(const Gap<T>& gap, const T& third) {
     using std::sqrt;
-    const T half_bend = T(0.5) * gap.bend;
-    const T root = sqrt(half_bend * half_bend - T(2) / T(3) * third * gap.rate);
-    if (half_bend > 0) return T(-2) * gap.rate / (half_bend + root);
+    const T half_curvature = T(0.5) * gap.curvature;
+    const T root = sqrt(half_curvature * half_curvature - T(2) / T(3) * third * gap.rate);
+    if (half_curvature > 0) return T(-2) * gap.rate / (half_curvature + root);
     if (third == 0) return std::numeric_limits<T>::infinity();
-    return (root - half_bend) * T(3) / third;
+    return (root - half_curvature) * T(3) / third;
 }
 
 }  // namespace swirl::detail

@@ -73,7 +73,7 @@ inline Departure<T> departure_of(const Body<T>& body, const Flight<T>& flight, c
     if (vertex.vertex == 0)
         departure.leaves = rests;
     else
-        departure.leaves = fabs(gap.value) <= T(16) * epsilon<T>() && (released || (rests && gap.bend < T(0)));
+        departure.leaves = fabs(gap.value) <= T(16) * epsilon<T>() && (released || (rests && gap.curvature < T(0)));
     departure.recedes = vertex.vertex != 0 && !rests && fabs(gap.value) <= T(16) * epsilon<T>();
     departure.vertex = vertex.vertex;
     departure.place = vertex.vertex == 0 ? Vec2<T>{T(1), T(0)} : start.centre + vertex.arm;

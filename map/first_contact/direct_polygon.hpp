@@ -74,7 +74,7 @@ template <Sides sides, class T>
         nearest.arm = body.turned_to_vertex(at.arm, nearest.vertex);
         nearest.gap = gap_of<sides>(body, flight, at, nearest);
         const Gap<T>& g = nearest.gap;
-        correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(fraction<T>(1, 6) * g.jerk));
+        correction = householder(g.value, g.rate, T(T(0.5) * g.curvature), T(fraction<T>(1, 6) * g.jerk));
         if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
         if (is_converged(g, correction, at.time, fourth)) return at.time + correction > T(nearest_share) * latest;
         advance<Shape::polygon>(flight, at, correction);
@@ -86,7 +86,7 @@ template <Sides sides, class T>
 template <class T>
 [[gnu::always_inline]] inline Gap<T> leaving_gap(const Body<T>& body, const Flight<T>& flight,
                                                  const CircleGap<T>& start) {
-    return {dot(flight.centre, flight.centre) - body.inner * body.inner, start.rate, start.bend, start.jerk};
+    return {dot(flight.centre, flight.centre) - body.inner * body.inner, start.rate, start.curvature, start.jerk};
 }
 
 /// The moment `correction` after `at`, at which `vertex` strikes.
@@ -169,7 +169,7 @@ template <class T>
         next.arm = body.turned_to_vertex(at.arm, next.vertex);
         next.gap = gap_of(body, flight, at, next);
         const Gap<T>& g = next.gap;
-        const T correction = householder(g.value, g.rate, T(T(0.5) * g.bend), T(fraction<T>(1, 6) * g.jerk));
+        const T correction = householder(g.value, g.rate, T(T(0.5) * g.curvature), T(fraction<T>(1, 6) * g.jerk));
         if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return;
         if (is_converged(g, correction, at.time, fourth)) {
             if (at.time + correction > T(nearest_share) * latest &&

@@ -22,16 +22,18 @@ struct GapSeries {
 template <class T>
 struct SeriesRoot {
     T first, second;
-    T value, rate;  ///< g and g′ at `first`
-    T half_bend;    ///< ½g″ there
+    T value, rate;     ///< g and g′ at `first`
+    T half_curvature;  ///< ½g″ there
 };
 
 /// Householder's correction of third order, δ = −g (g′² − ½gg″) / (g′³ − gg′g″ + g²g‴/6): the error d becomes O(d⁴).
 template <class T>
-[[gnu::always_inline]] inline T householder(const T& value, const T& rate, const T& half_bend, const T& sixth_jerk) {
+[[gnu::always_inline]] inline T householder(const T& value, const T& rate, const T& half_curvature,
+                                            const T& sixth_jerk) {
     const T square = rate * rate;
-    const T bend = half_bend + half_bend;
-    return -(value * (square - value * half_bend)) / (rate * (square - value * bend) + value * (value * sixth_jerk));
+    const T curvature = half_curvature + half_curvature;
+    return -(value * (square - value * half_curvature)) /
+           (rate * (square - value * curvature) + value * (value * sixth_jerk));
 }
 
 /// The same of fourth order: with A₀ = 1 and Aₖ = c₁Aₖ₋₁ − c₀c₂Aₖ₋₂ + c₀²c₃Aₖ₋₃ − …, the n-th is −c₀Aₙ₋₁/Aₙ.
@@ -60,9 +62,9 @@ template <class T>
     root.rate = ((c[1] + T(2) * c[2] * d) + d2 * (T(3) * c[3] + T(4) * c[4] * d)) +
                 d4 * (((T(5) * c[5] + T(6) * c[6] * d) + d2 * (T(7) * c[7] + T(8) * c[8] * d)) +
                       d4 * (T(9) * c[9] + T(10) * c[10] * d));
-    root.half_bend = ((c[2] + T(3) * c[3] * d) + d2 * (T(6) * c[4] + T(10) * c[5] * d)) +
-                     d4 * ((T(15) * c[6] + T(21) * c[7] * d) + d2 * (T(28) * c[8] + T(36) * c[9] * d));
-    root.second = -(root.value * root.rate) / (root.rate * root.rate - root.value * root.half_bend);
+    root.half_curvature = ((c[2] + T(3) * c[3] * d) + d2 * (T(6) * c[4] + T(10) * c[5] * d)) +
+                          d4 * ((T(15) * c[6] + T(21) * c[7] * d) + d2 * (T(28) * c[8] + T(36) * c[9] * d));
+    root.second = -(root.value * root.rate) / (root.rate * root.rate - root.value * root.half_curvature);
     return root;
 }
 
@@ -70,7 +72,8 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline Gap<T> gap_at(const GapSeries<T>& g, const SeriesRoot<T>& root) {
     const T jerk = T(6) * (g.c[3] + T(4) * g.c[4] * root.first);
-    return {T(0), root.rate + T(2) * root.second * root.half_bend, T(2) * root.half_bend + root.second * jerk, jerk};
+    return {T(0), root.rate + T(2) * root.second * root.half_curvature, T(2) * root.half_curvature + root.second * jerk,
+            jerk};
 }
 
 template <class T>
@@ -94,7 +97,7 @@ template <class T>
     const T d = fabs(root.first);
     const T d2 = d * d;
     const T d4 = d2 * d2;
-    return size <= small && size * fabs(root.half_bend) <= small * root.rate &&
+    return size <= small && size * fabs(root.half_curvature) <= small * root.rate &&
            fabs(root.value) <= T(2) * root.rate * size &&
            eleventh * (d4 * d4 * (d2 * d)) * fraction<T>(1, 39916800) <=
                fraction<T>(1, 1024) * epsilon<T>() * root.rate * time;

@@ -23,9 +23,9 @@ inline constexpr int most_halvings = 3;
 /// The gap a small time d later by its own derivatives.
 template <class T>
 [[gnu::always_inline]] inline Gap<T> gap_after(const Gap<T>& gap, const T& d) {
-    const T bend = gap.bend + d * gap.jerk;
-    return {gap.value + d * (gap.rate + T(0.5) * d * (gap.bend + fraction<T>(1, 3) * d * gap.jerk)),
-            gap.rate + T(0.5) * d * (gap.bend + bend), bend, gap.jerk};
+    const T curvature = gap.curvature + d * gap.jerk;
+    return {gap.value + d * (gap.rate + T(0.5) * d * (gap.curvature + fraction<T>(1, 3) * d * gap.jerk)),
+            gap.rate + T(0.5) * d * (gap.curvature + curvature), curvature, gap.jerk};
 }
 
 /// The neighbour of a candidate on the side of X.
@@ -72,13 +72,13 @@ template <class T>
 }
 
 /// Proof for one end of a flight from one vertex alone: for `t` after a moment when the vertex at `arm` is at the wall
-/// it stays inside (g′ = −`rate`, g″ ≤ `bend`), and the one second nearest to the centre's direction, at an angle of
-/// 2π/N to it, is farther inside. `drift` = W and `spin` = S; both change sign backwards in time, for a vertex that
+/// it stays inside (g′ = −`rate`, g″ ≤ `curvature`), and the one second nearest to the centre's direction, at an angle
+/// of 2π/N to it, is farther inside. `drift` = W and `spin` = S; both change sign backwards in time, for a vertex that
 /// arrives.
 template <class T>
 [[gnu::always_inline]] inline bool only_one_at_wall(const Body<T>& body, const VertexBounds<T>& bounds,
                                                     const Vec2<T>& centre, const Vec2<T>& drift, const T& spin,
-                                                    const Vec2<T>& arm, const T& rate, const T& bend, const T& t,
+                                                    const Vec2<T>& arm, const T& rate, const T& curvature, const T& t,
                                                     const T& slack) {
     using std::copysign;
     using std::fabs;
@@ -88,7 +88,7 @@ template <class T>
     const T behind = T(2) * dot(centre, side);
     const T slope = T(2) * (dot(drift, side) - spin * cross(centre, side));
     return fabs(across) <= body.half_slope * along && rate > 0 &&
-           t * (bend + fraction<T>(1, 3) * bounds.third * t) <= T(2) * rate && rate * behind + slack <= 0 &&
+           t * (curvature + fraction<T>(1, 3) * bounds.third * t) <= T(2) * rate && rate * behind + slack <= 0 &&
            rate * (behind + t * (slope + t * bounds.apart)) + slack <= 0;
 }
 
@@ -107,8 +107,8 @@ template <class T>
     const T in = ring.in + shift;
     // At the contact itself. `slack`: the gap within which `touch_together` calls two times the same, and the motion
     // between `at` and the contact.
-    const T rate = nearest.gap.rate - shift * (fabs(nearest.gap.bend) + bounds.third * shift);
-    const T bend = nearest.gap.bend + bounds.third * shift;
+    const T rate = nearest.gap.rate - shift * (fabs(nearest.gap.curvature) + bounds.third * shift);
+    const T curvature = nearest.gap.curvature + bounds.third * shift;
     const T fastest = T(2) * (bounds.drift + body.alpha * fabs(flight.spin));  // |g′| of any vertex
     const T slack = T(32) * epsilon<T>() * (T(1) + fastest) * (T(1) + fastest * at.time) +
                     rate * shift * T(2) * body.side * (bounds.drift + body.outer * fabs(flight.spin));
@@ -116,9 +116,9 @@ template <class T>
     return ring.proven &&
            two_suffice(body, flight, bounds.drift, std::max(ring.out, in), T(body.inner - bounds.drift * shift)) &&
            only_one_at_wall(body, bounds, flight.centre, start_drift, flight.spin, flight.arm, T(-struck.rate),
-                            struck.bend, ring.out, T(0)) &&
+                            struck.curvature, ring.out, T(0)) &&
            only_one_at_wall(body, bounds, at.centre, Vec2<T>{-at.drift.x, -at.drift.y}, T(-flight.spin), nearest.arm,
-                            rate, bend, in, slack);
+                            rate, curvature, in, slack);
 }
 
 /// The same with the gaps of both vertices at both ends, as far as |g‴| ≤ M takes them. Nothing may touch until `out`
@@ -135,10 +135,10 @@ inline bool clear_by_pairs(const Body<T>& body, const Flight<T>& flight, const I
                                      T(body.inner - bounds.drift * shift))))
         return false;
     const Gap<T> other = neighbour_of(body, flight, start, Candidate<T>{0, flight.arm, struck}).gap;
-    return nonpositive_until(struck.value, struck.rate, struck.bend, ring.out, bounds.third) &&
-           nonpositive_until(other.value, other.rate, other.bend, ring.out, bounds.third) &&
-           nonpositive_until(striking.value, T(-striking.rate), striking.bend, ring.in, bounds.third) &&
-           nonpositive_until(neighbour.value, T(-neighbour.rate), neighbour.bend, ring.in, bounds.third);
+    return nonpositive_until(struck.value, struck.rate, struck.curvature, ring.out, bounds.third) &&
+           nonpositive_until(other.value, other.rate, other.curvature, ring.out, bounds.third) &&
+           nonpositive_until(striking.value, T(-striking.rate), striking.curvature, ring.in, bounds.third) &&
+           nonpositive_until(neighbour.value, T(-neighbour.rate), neighbour.curvature, ring.in, bounds.third);
 }
 
 /// The gaps of all vertices at a moment, of a polygon with few.

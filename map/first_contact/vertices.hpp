@@ -160,7 +160,7 @@ template <class T>
 inline const Candidate<T>* touching_neighbour(const NearestTwo<T>& pair, const T& rounding) {
     const Candidate<T>& other = pair.second.vertex == 0 ? pair.first : pair.second;
     if (other.vertex == 0 || other.gap.value < 0) return nullptr;
-    const bool touches = other.gap.rate > rounding || (other.gap.rate >= -rounding && other.gap.bend >= 0);
+    const bool touches = other.gap.rate > rounding || (other.gap.rate >= -rounding && other.gap.curvature >= 0);
     return touches ? &other : nullptr;
 }
 

@@ -107,10 +107,10 @@ template <class T>
 /// A gap and its first three derivatives in time.
 template <class T>
 struct Gap {
-    T value;  ///< g
-    T rate;   ///< g′
-    T bend;   ///< g″
-    T jerk;   ///< g‴
+    T value;      ///< g
+    T rate;       ///< g′
+    T curvature;  ///< g″
+    T jerk;       ///< g‴
 };
 
 /// g = |X|² − (1 − α)²: the disk's gap, and the polygon's circumscribed circle's. X″ = w, X‴ = i w.
@@ -129,10 +129,10 @@ template <class T>
     const T spin2 = flight.spin * flight.spin;
     const Vec2<T> x = at.centre + arm;
     const Vec2<T> rate = at.drift + flight.spin * quarter_turned(arm);
-    const Vec2<T> bend = at.swirl - spin2 * arm;
+    const Vec2<T> curvature = at.swirl - spin2 * arm;
     const Vec2<T> jerk = quarter_turned(at.swirl - (spin2 * flight.spin) * arm);
-    return {dot(x, x) - T(1), T(2) * dot(x, rate), T(2) * (dot(rate, rate) + dot(x, bend)),
-            T(2) * (T(3) * dot(rate, bend) + dot(x, jerk))};
+    return {dot(x, x) - T(1), T(2) * dot(x, rate), T(2) * (dot(rate, rate) + dot(x, curvature)),
+            T(2) * (T(3) * dot(rate, curvature) + dot(x, jerk))};
 }
 
 /// The same for the vertex that began the flight: |(1, 0) + d|² − 1 = 2 d_x + |d|², with d what it has moved.
@@ -150,9 +150,9 @@ template <class T>
     const Vec2<T> swirl = flight.beta * flight.phase;
     const Vec2<T> rate = flight.velocity + quarter_turned(Vec2<T>(flight.spin * flight.arm - swirl));
     const T spin2 = flight.spin * flight.spin;
-    const Vec2<T> bend = swirl - spin2 * flight.arm;
-    return {T(0), T(2) * rate.x, T(2) * (dot(rate, rate) + bend.x),
-            T(2) * (T(3) * dot(rate, bend) - (swirl.y - spin2 * flight.spin * flight.arm.y))};
+    const Vec2<T> curvature = swirl - spin2 * flight.arm;
+    return {T(0), T(2) * rate.x, T(2) * (dot(rate, rate) + curvature.x),
+            T(2) * (T(3) * dot(rate, curvature) - (swirl.y - spin2 * flight.spin * flight.arm.y))};
 }
 
 }  // namespace swirl

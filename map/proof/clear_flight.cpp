@@ -39,7 +39,7 @@ struct BallFlight {
     }
     /// g, g′ and g″ of vertex k (of the disk: its centre's).
     struct Gap {
-        Ball value, rate, bend;
+        Ball value, rate, curvature;
     };
     Gap gap(const Moment& m, int k) const {
         BallVec x = m.centre, v = m.motion, a = m.arm;
@@ -106,10 +106,10 @@ std::optional<Candidates> candidates_of(const BallFlight& flight, const Piece& p
 /// True if the vertex is proven inside on the whole piece, but for its contact at an end.
 bool is_clear(const BallFlight& flight, const Piece& piece, int k) {
     const BallFlight::Gap middle = flight.gap(piece.middle, k), all = flight.gap(piece.all, k);
-    const Ball rate = middle.rate + all.bend * piece.away;
+    const Ball rate = middle.rate + all.curvature * piece.away;
     if (k == 0 && piece.from == 0) return is_negative(rate);
     if (k == flight.arriving && piece.to >= lower(flight.tau)) return is_positive(rate);
-    return is_negative(middle.value + middle.rate * piece.away + Ball(0.5) * all.bend * square(piece.away));
+    return is_negative(middle.value + middle.rate * piece.away + Ball(0.5) * all.curvature * square(piece.away));
 }
 
 /// A gap that is positive before the flight's end, for all of the box.

@@ -26,7 +26,7 @@ struct OpenCondition {
     T factor = T(1), border = T(0);      ///< factor a − |b| − border > 0 while the condition holds
     T rounding = T(0);                   ///< values below this are rounding
     T dips_below = T(0);                 ///< a minimum below this is examined
-    T bend = T(0);                       ///< bounds its second derivative from above, on the step
+    T curvature = T(0);                  ///< bounds its second derivative from above, on the step
 
     T at(const T& t) const {
         using std::abs;
@@ -39,7 +39,7 @@ struct OpenCondition {
     }
 
     /// How far the condition may be below the lower of its values at the ends of a time `width`, within it.
-    T may_fall(const T& width) const { return T(0.125) * bend * width * width; }
+    T may_fall(const T& width) const { return T(0.125) * curvature * width * width; }
 
     /// The moment between two ends of a part at which the condition is lowest, if it falls below `dips_below` there
     /// though it holds at both.
@@ -66,7 +66,7 @@ private:
         const T width = to - from;
         if (std::min(before, after) - may_fall(width) > lowest.value) return;
         const T leaving = rate_at(from), arriving = rate_at(to);
-        if (leaving >= bend * width || arriving <= -bend * width) return;
+        if (leaving >= curvature * width || arriving <= -curvature * width) return;
         if (leaving < 0 && arriving > 0) {
             const T time = lowest_between(from, to);
             return lowest.note(at(time), time);
@@ -105,8 +105,8 @@ struct OpenConditions {
         if (held - condition.border > reach) return;
         condition.rounding = tolerance<T>(1e-9) * (abs(held) + reach);
         condition.dips_below = room ? T(8 * epsilon<T>() * abs(condition.border)) : T(-1e-4 * condition.rounding);
-        condition.bend = abs(condition.factor) * bend_of(*condition.falls, h) +
-                         (condition.against ? bend_of(*condition.against, h) : T(0));
+        condition.curvature = abs(condition.factor) * bend_of(*condition.falls, h) +
+                              (condition.against ? bend_of(*condition.against, h) : T(0));
         list[count++] = condition;
     }
 

@@ -17,8 +17,8 @@ namespace detail {
 template <class T>
 inline T leaving_time(const Gap<T>& gap, const T& third, const T& fourth, const T& rounding) {
     T time(0);
-    if (gap.bend < -rounding) time = safe_step_off_the_wall(Gap<T>{T(0), T(0), gap.bend, gap.jerk}, third);
-    if (gap.bend <= rounding && gap.jerk < T(0)) time = std::max(time, T(T(-2) * gap.jerk / fourth));
+    if (gap.curvature < -rounding) time = safe_step_off_the_wall(Gap<T>{T(0), T(0), gap.curvature, gap.jerk}, third);
+    if (gap.curvature <= rounding && gap.jerk < T(0)) time = std::max(time, T(T(-2) * gap.jerk / fourth));
     return time;
 }
 

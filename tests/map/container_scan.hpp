@@ -38,7 +38,7 @@ struct ScannedFlight {
         return distance2 + alpha * alpha + 2 * alpha * std::sqrt(distance2) * std::cos(off) - 1;
     }
     /// |g″| ≤ 2[(|V| + |S|α + β)² + S²α + β], for the disk 2[(|V| + β)² + β(1 − α)].
-    Real bend() const {
+    Real curvature() const {
         const Real turning = sides == disk_sides ? 0 : std::fabs(spin) * alpha;
         const Real rate = speed() + turning + beta;
         const Real pull = sides == disk_sides ? beta * (1 - alpha) : spin * spin * alpha + beta;
@@ -57,7 +57,7 @@ inline Scan scan(const ScannedFlight& flight, Real end, Real tolerance) {
     struct Interval {
         Real from, to, gap_from, gap_to;
     };
-    const Real eighth = flight.bend() / 8;
+    const Real eighth = flight.curvature() / 8;
     Scan result;
     std::vector<Interval> left{{0, end, flight.gap(0), flight.gap(end)}};
     result.moments = 2;

@@ -35,7 +35,7 @@ Gap<double> by_differences(Value value) {
 void expect_alike(const Gap<double>& gap, const Gap<double>& expected, double fast, const char* what) {
     EXPECT_NEAR(gap.value, expected.value, 1e-13) << what;
     EXPECT_NEAR(gap.rate, expected.rate, 1e-10 * fast) << what;
-    EXPECT_NEAR(gap.bend, expected.bend, 1e-10 * fast * fast) << what;
+    EXPECT_NEAR(gap.curvature, expected.curvature, 1e-10 * fast * fast) << what;
     EXPECT_NEAR(gap.jerk, expected.jerk, 1e-10 * fast * fast * fast) << what;
 }
 
@@ -123,7 +123,7 @@ struct Sextic {
             const double a = c[static_cast<std::size_t>(k)];
             g.value += a * std::pow(t, k);
             if (k > 0) g.rate += k * a * std::pow(t, k - 1);
-            if (k > 1) g.bend += k * (k - 1) * a * std::pow(t, k - 2);
+            if (k > 1) g.curvature += k * (k - 1) * a * std::pow(t, k - 2);
         }
         return g;
     }

@@ -87,12 +87,12 @@ TEST(Outcome, WithoutRestitutionContactIsSustainedUnlessTheWallFallsAway) {
         const CollisionMap<double, Shape::disk, ImpactRule::frictionless> map(scene);
         // Just after an impact with e = 0: u_n = 0. Then g″/2 = |W|² + X·w = u_t² (less the spin) + ρβ cos ψ.
         SectionPoint<double> z{psi, 0, 2 * std::sin(psi), 2 * std::cos(psi) + 0.3, 0};
-        const double bend = 0.3 * 0.3 + 0.6 * 2 * std::cos(psi);
+        const double curvature = 0.3 * 0.3 + 0.6 * 2 * std::cos(psi);
         const auto step = map.advance(post_impact_state(z));
-        if (bend > 1e-6) {
+        if (curvature > 1e-6) {
             EXPECT_EQ(step.outcome, FirstContactOutcome::sustained) << psi;
             ++sustained;
-        } else if (bend < -1e-6) {
+        } else if (curvature < -1e-6) {
             EXPECT_EQ(step.outcome, FirstContactOutcome::contact) << psi;
             EXPECT_GT(step.flight_time, 0) << psi;
             ++released;

@@ -39,14 +39,15 @@ bool is_inside(const FlightInBalls& flight, const Piece& piece, int k, double al
     const auto all = flight.gap(flight.over(piece.from, piece.to, piece.middle, piece.at_middle), k);
     const Ball away = around(0, piece.half);
     const Ball most(allowed);
-    const double bend = upper(all.bend);
+    const double curvature = upper(all.curvature);
     if (is_negative(at_middle.value + at_middle.rate * away +
-                    Ball(0.5 * std::max(bend, 0.0)) * square(Ball(piece.half)) - most))
+                    Ball(0.5 * std::max(curvature, 0.0)) * square(Ball(piece.half)) - most))
         return true;
     // Concave: below the top of the parabola through its middle.
-    if (bend < 0 && is_negative(at_middle.value - square(at_middle.rate) / Ball(2 * bend) - most)) return true;
+    if (curvature < 0 && is_negative(at_middle.value - square(at_middle.rate) / Ball(2 * curvature) - most))
+        return true;
     // Monotonic: below the value at an end. The vertex that has struck begins from zero exactly.
-    const Ball rate = at_middle.rate + all.bend * away;
+    const Ball rate = at_middle.rate + all.curvature * away;
     if (is_negative(rate)) {
         if (piece.from == 0 && k == 0 && flight.begins_on_the_wall()) return true;
         if (is_negative(flight.gap(flight.at(Ball(piece.from)), k).value - most)) return true;
@@ -137,7 +138,7 @@ Ball rate_over(const FlightInBalls& flight, int k, double from, double to) {
     const double middle = from + 0.5 * (to - from);
     const auto at_middle = flight.at(Ball(middle));
     const auto all = flight.gap(flight.over(from, to, middle, at_middle), k);
-    return flight.gap(at_middle, k).rate + all.bend * (between(from, to) - Ball(middle));
+    return flight.gap(at_middle, k).rate + all.curvature * (between(from, to) - Ball(middle));
 }
 
 /// Who strikes first in the bracket about the claimed time, in which `striking` has one root.
@@ -167,9 +168,9 @@ Check check_within(const FlightInBalls& flight, int striking, double time, doubl
     const double depth = rounding_depth(way), rate = lower(claimed.rate);
     // Where the vertex turns so soon that the wall's rounding is wider than its approach, there is no root to bracket.
     const double slack = rate > 0 ? depth / rate + 16 * eps * time : time;
-    const double bend = std::max(std::fabs(lower(claimed.bend)), std::fabs(upper(claimed.bend)));
-    if (!(slack * bend <= 0.25 * rate)) {
-        const double about = std::min(0.5 * time, std::sqrt(4 * depth / std::max(bend, 1e-300)) + 16 * eps * time);
+    const double curvature = std::max(std::fabs(lower(claimed.curvature)), std::fabs(upper(claimed.curvature)));
+    if (!(slack * curvature <= 0.25 * rate)) {
+        const double about = std::min(0.5 * time, std::sqrt(4 * depth / std::max(curvature, 1e-300)) + 16 * eps * time);
         if (is_clear(flight, time - about, check)) check.seen = Seen::tangent;
         if (!(std::fabs(intervals::middle(claimed.value)) <= 2 * depth)) check.seen = Seen::refuted;
         if (check.vertex == no_vertex) check.vertex = striking;

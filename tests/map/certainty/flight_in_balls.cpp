@@ -77,13 +77,13 @@ BallVec FlightInBalls::place(const Moment& moment, int k) const {
 
 FlightInBalls::Gap FlightInBalls::gap(const Moment& moment, int k) const {
     const BallVec x = place(moment, k);
-    BallVec rate = moment.drift, bend = moment.swirl;
+    BallVec rate = moment.drift, curvature = moment.swirl;
     if (sides_ != disk_sides) {
         const BallVec turning = spin_ * turned(times(arm_of(k), moment.spun));
         rate = rate + turning;
-        bend = bend + spin_ * turned(turning);
+        curvature = curvature + spin_ * turned(turning);
     }
-    return {squared(x) - square(reach_), Ball(2) * dot(x, rate), Ball(2) * (squared(rate) + dot(x, bend))};
+    return {squared(x) - square(reach_), Ball(2) * dot(x, rate), Ball(2) * (squared(rate) + dot(x, curvature))};
 }
 
 bool FlightInBalls::is_far_inside(const Moment& at_middle, int k, double half) const {

@@ -40,7 +40,7 @@ public:
 
     /// g of vertex k (of the disk) with g′ and g″.
     struct Gap {
-        Ball value, rate, bend;
+        Ball value, rate, curvature;
     };
     Gap gap(const Moment& moment, int k) const;
 

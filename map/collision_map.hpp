@@ -75,7 +75,7 @@ public:
     ///   vertex  its number: what rounding left out of its tabled direction is made up for (0: nothing is)
     [[gnu::always_inline]] void strike(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm, int vertex,
                                        Collision<T>& collision) const {
-        const Vec2<T> x = shape == Shape::disk ? body_.spread_per_inner * at.centre : at.centre + arm;
+        const Vec2<T> x = shape == Shape::disk ? body_.unbiased_inverse_inner * at.centre : at.centre + arm;
         const Vec2<T> seen = seen_from(x, flight.velocity);
         const T longer = missing_length(x);  // at a contact |x| = 1 but for rounding
         // ψ = arg n − arg w, χ = arg r − arg n
@@ -90,7 +90,8 @@ public:
             const T turn = cross(x, body_.rest_of_vertex(at.arm, vertex));  // from x to the true n
             const Vec2<T> correction{longer, turn};
             after.psi = renormalised(seen_from(at.phase, x), turn);
-            after.chi = renormalised(body_.spread_per_alpha * seen_from(x, arm), T(body_.rest_angle(vertex) - turn));
+            after.chi =
+                renormalised(body_.unbiased_inverse_alpha * seen_from(x, arm), T(body_.rest_angle(vertex) - turn));
             velocity = seen + seen_from(correction, seen);
             collision.normal = x + times(correction, x);
         }
@@ -135,7 +136,7 @@ private:
         const T& q = j.tangential;
         state.vn = state.vn - p;
         state.vt = state.vt + q;
-        state.spin = state.spin + (before.rn * q + before.rt * p) * body_.per_inertia;
+        state.spin = state.spin + (before.rn * q + before.rt * p) * body_.inverse_inertia;
         const T half(0.5);
         collision.jacobi_restitution = -p * (before.un - half * (before.b2() * p + before.b3() * q));
         collision.jacobi_friction = q * (before.ut + half * (before.b3() * p + before.b1() * q) - T(1));
@@ -156,7 +157,7 @@ private:
         } else {
             const T ut = (state.vt + body_.alpha * state.spin) - body_.beta * state.psi.x;
             const Impulse<T> j = disk_impulse(un, ut, body_.disk_grip, scene_.mu, scene_.restitution);
-            const T change = body_.alpha * body_.per_inertia * j.tangential;  // of the spin
+            const T change = body_.alpha * body_.inverse_inertia * j.tangential;  // of the spin
             state.vn = state.vn - j.normal;
             state.vt = state.vt + j.tangential;
             state.spin = state.spin + change;

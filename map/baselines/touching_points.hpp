@@ -30,9 +30,9 @@ inline TouchingPoint touching_point(const Body<double>& body, const Flight<doubl
     TouchingPoint point;
     Vec2<double> moved;
     if (body.sides == disk_sides) {
-        point.place = body.per_inner * at.centre;
-        point.rate = body.per_inner * at.drift;
-        moved = body.per_inner * at.moved;
+        point.place = body.inverse_inner * at.centre;
+        point.rate = body.inverse_inner * at.drift;
+        moved = body.inverse_inner * at.moved;
     } else {
         const Vec2<double> arm = body.turned_to_vertex(at.arm, k);
         point.place = at.centre + arm;
@@ -54,7 +54,7 @@ inline FirstContact<double> contact_of(const Body<double>& body, const Instant<d
     contact.outcome = FirstContactOutcome::contact;
     contact.at = at;
     contact.arm =
-        body.sides == disk_sides ? (body.alpha * body.per_inner) * at.centre : body.turned_to_vertex(at.arm, k);
+        body.sides == disk_sides ? (body.alpha * body.inverse_inner) * at.centre : body.turned_to_vertex(at.arm, k);
     contact.vertex = k;
     contact.steps = steps;
     return contact;

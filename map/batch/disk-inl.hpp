@@ -59,7 +59,7 @@ HWY_INLINE Mask leaves_the_wall(const LaneScenes& scenes, int i, const LaneState
     const Lane un = z.vn - z.spin * (alpha * z.chi.y) - beta * z.psi.y;
     const Lane ut = z.vt + z.spin * (alpha * z.chi.x) - beta * z.psi.x;
     const Lane along = ut - alpha * z.spin;
-    const Lane acceleration = beta + along * along * load(scenes.per_inner, i);
+    const Lane acceleration = beta + along * along * load(scenes.inverse_inner, i);
     return leaves_quickly(un, load(scenes.chatter, i) * acceleration, z, alpha, beta);
 }
 
@@ -110,7 +110,7 @@ HWY_INLINE LaneImpact impact_of_disk(const LaneScenes& scenes, int i, LaneState&
         const Mask slides = magnitude(stick) > mu * end;
         const Lane q = choose(slides, choose(ut > Lane(0), -mu * end, mu * end), stick);
         const Mask early = magnitude(stick) < mu * un;
-        const Lane change = alpha * load(scenes.per_inertia, i) * q;
+        const Lane change = alpha * load(scenes.inverse_inertia, i) * q;
         z.vn = z.vn - end;
         z.vt = z.vt + q;
         z.spin = z.spin + change;
@@ -136,7 +136,7 @@ HWY_INLINE RoundResult look_at_disks(bool sums_chatter, LaneBlock& block, int i)
     flight.spin = z.spin;
     flight.swirl = flight.beta * flight.phase;
 
-    const LanePath path = circle_path_from_wall(load(scenes.spread_inner, i), flight);
+    const LanePath path = circle_path_from_wall(load(scenes.unbiased_inner, i), flight);
     const LaneStart start = gap_at_start(path);
     const Lane speed = magnitude(z.vn) + magnitude(z.vt);
     Mask usual = start.rate < -rate_rounding(speed, flight.beta, z.spin, alpha);
@@ -161,7 +161,7 @@ HWY_INLINE RoundResult look_at_disks(bool sums_chatter, LaneBlock& block, int i)
 
     const DiskAtWall at = disk_at_wall(flight, near, root, time);
     LaneState after;
-    meet_the_wall(load(scenes.spread_per_inner, i) * at.centre, at.phase, flight, after);
+    meet_the_wall(load(scenes.unbiased_inverse_inner, i) * at.centre, at.phase, flight, after);
     const LaneImpact impact = impact_of_disk<rule>(scenes, i, after);
 
     const Mask struck = all(usual, converged, clear, stays_in_range(after, flight.beta, alpha));

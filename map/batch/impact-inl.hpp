@@ -69,15 +69,15 @@ HWY_INLINE Lane number_of(ContactMode mode) {
 }
 
 template <ImpactRule rule>
-HWY_INLINE LaneImpact impulse(const LaneContact& approach, Lane per_inertia, Lane mu, Lane restitution) {
-    const Lane b2 = Lane(1) + approach.rt * approach.rt * per_inertia;
+HWY_INLINE LaneImpact impulse(const LaneContact& approach, Lane inverse_inertia, Lane mu, Lane restitution) {
+    const Lane b2 = Lane(1) + approach.rt * approach.rt * inverse_inertia;
     const Lane un = choose(approach.un < Lane(0), Lane(0), approach.un);
     if constexpr (rule == ImpactRule::frictionless) {
         return {(Lane(1) + restitution) * un / b2, Lane(0), number_of(ContactMode::frictionless)};
     } else {
-        const Lane along_normal = approach.rn * approach.rn * per_inertia;
+        const Lane along_normal = approach.rn * approach.rn * inverse_inertia;
         const Lane b1 = Lane(1) + along_normal;
-        const Lane b3 = approach.rn * approach.rt * per_inertia;
+        const Lane b3 = approach.rn * approach.rt * inverse_inertia;
         const Lane stick = mu * b1;
         const Mask sticks = magnitude(b3) <= stick;
         const Mask at_rest = equal(approach.ut, Lane(0));
@@ -109,12 +109,12 @@ HWY_INLINE LaneImpact impulse(const LaneContact& approach, Lane per_inertia, Lan
 /// `z` is the state before the impact and then the one after it.
 template <ImpactRule rule>
 HWY_INLINE LaneImpact impact_of_polygon(const LaneScenes& scenes, int i, LaneState& z) {
-    const Lane per_inertia = load(scenes.per_inertia, i);
+    const Lane inverse_inertia = load(scenes.inverse_inertia, i);
     const LaneContact before = contact_kinematics(load(scenes.alpha, i), load(scenes.beta, i), z);
-    const LaneImpact j = impulse<rule>(before, per_inertia, load(scenes.mu, i), load(scenes.restitution, i));
+    const LaneImpact j = impulse<rule>(before, inverse_inertia, load(scenes.mu, i), load(scenes.restitution, i));
     z.vn = z.vn - j.normal;
     z.vt = z.vt + j.tangential;
-    z.spin = z.spin + (before.rn * j.tangential + before.rt * j.normal) * per_inertia;
+    z.spin = z.spin + (before.rn * j.tangential + before.rt * j.normal) * inverse_inertia;
     return j;
 }
 

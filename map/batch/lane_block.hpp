@@ -20,16 +20,16 @@ struct alignas(64) LaneNumbers {
     double of[block_lanes] = {};
 };
 
-/// A SpreadFactor of each lane.
+/// A UnbiasedFactor of each lane.
 struct LaneFactors {
     LaneNumbers first, second;
 };
 
 /// Numbers of a lane's scene: those of `Body`, and of the impact.
 struct LaneScenes {
-    LaneNumbers alpha, beta, per_inertia, per_inner, disk_grip, inner, outer;
-    LaneFactors spread_alpha, spread_per_alpha;  // polygons only
-    LaneFactors spread_inner, spread_per_inner;  // disks only
+    LaneNumbers alpha, beta, inverse_inertia, inverse_inner, disk_grip, inner, outer;
+    LaneFactors unbiased_alpha, unbiased_inverse_alpha;  // polygons only
+    LaneFactors unbiased_inner, unbiased_inverse_inner;  // disks only
     LaneNumbers mu, restitution;
     LaneNumbers chatter;      ///< chatter_tolerance (1 − e); not read at e = 1 where nothing chatters
     LaneNumbers widest_sine;  ///< ContactScene's

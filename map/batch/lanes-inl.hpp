@@ -159,7 +159,7 @@ HWY_INLINE Plane renormalised(Plane a, Lane angle) {
     return a + times(Plane{missing_length(a), angle}, a);
 }
 
-/// SpreadFactor.
+/// UnbiasedFactor.
 struct LaneFactor {
     Lane first, second;
 };

@@ -6,7 +6,7 @@ namespace swirl::detail {
 
 namespace {
 
-void fill_factor(const SpreadFactor<double>& factor, int lane, LaneFactors& factors) {
+void fill_factor(const UnbiasedFactor<double>& factor, int lane, LaneFactors& factors) {
     factors.first.of[lane] = factor.first;
     factors.second.of[lane] = factor.second;
 }
@@ -18,15 +18,15 @@ void fill_scene(const Body<double>& body, double mu, double restitution, double 
     LaneScenes& s = block.scenes;
     s.alpha.of[lane] = body.alpha;
     s.beta.of[lane] = body.beta;
-    s.per_inertia.of[lane] = body.per_inertia;
-    s.per_inner.of[lane] = body.per_inner;
+    s.inverse_inertia.of[lane] = body.inverse_inertia;
+    s.inverse_inner.of[lane] = body.inverse_inner;
     s.disk_grip.of[lane] = body.disk_grip;
     s.inner.of[lane] = body.inner;
     s.outer.of[lane] = body.outer;
-    fill_factor(body.spread_alpha, lane, s.spread_alpha);
-    fill_factor(body.spread_per_alpha, lane, s.spread_per_alpha);
-    fill_factor(body.spread_inner, lane, s.spread_inner);
-    fill_factor(body.spread_per_inner, lane, s.spread_per_inner);
+    fill_factor(body.unbiased_alpha, lane, s.unbiased_alpha);
+    fill_factor(body.unbiased_inverse_alpha, lane, s.unbiased_inverse_alpha);
+    fill_factor(body.unbiased_inner, lane, s.unbiased_inner);
+    fill_factor(body.unbiased_inverse_inner, lane, s.unbiased_inverse_inner);
     s.mu.of[lane] = mu;
     s.restitution.of[lane] = restitution;
     s.chatter.of[lane] = chatter_tolerance<double>() * (1 - restitution);

@@ -100,8 +100,8 @@ HWY_INLINE Found instant_of_return(const LaneFlight& flight, const LanePath& pat
 }
 
 /// `CollisionMap::strike`: the state in the axes of the contact, before the impact.
-HWY_INLINE LaneState state_at_wall(LaneFactor per_alpha, const LaneFlight& flight, const LaneInstant& at, Lane vertex,
-                                   const VertexRows& vertices) {
+HWY_INLINE LaneState state_at_wall(LaneFactor inverse_alpha, const LaneFlight& flight, const LaneInstant& at,
+                                   Lane vertex, const VertexRows& vertices) {
     const Rows row = rows_of_vertex(vertices, vertex);
     const Plane arm = turned_to(at.arm, vertex, row.value);
     const Plane x = at.centre + arm;
@@ -110,7 +110,7 @@ HWY_INLINE LaneState state_at_wall(LaneFactor per_alpha, const LaneFlight& fligh
     const Plane velocity = seen + seen_from(Plane{missing_length(x), turn}, seen);
     LaneState after;
     after.psi = renormalised(seen_from(at.phase, x), turn);
-    after.chi = renormalised(per_alpha * seen_from(x, arm), cross(row.value, row.rest) - turn);
+    after.chi = renormalised(inverse_alpha * seen_from(x, arm), cross(row.value, row.rest) - turn);
     after.vn = velocity.x;
     after.vt = velocity.y;
     after.spin = flight.spin;
@@ -141,7 +141,7 @@ HWY_INLINE RoundResult look_at_polygons(bool sums_chatter, LaneBlock& block, int
     const LaneState z = load_state(block, i);
     ProofTask task;
     task.body = load_body(scenes, i);
-    task.flight = flight_from(task.body, load(scenes.spread_alpha, i), z);
+    task.flight = flight_from(task.body, load(scenes.unbiased_alpha, i), z);
     task.vertices = vertex_rows(block, i);
     task.speed = magnitude(z.vn) + magnitude(z.vt);
     const LaneBody& body = task.body;
@@ -173,7 +173,8 @@ HWY_INLINE RoundResult look_at_polygons(bool sums_chatter, LaneBlock& block, int
         vain = either(vain, all(unproven, no(by_others), magnitude(flight.spin * at.time) < Lane(32)));
     }
 
-    LaneState after = state_at_wall(load(scenes.spread_per_alpha, i), flight, at, search.nearest.number, task.vertices);
+    LaneState after =
+        state_at_wall(load(scenes.unbiased_inverse_alpha, i), flight, at, search.nearest.number, task.vertices);
     const LaneImpact impact = impact_of_polygon<rule>(scenes, i, after);
 
     const Mask done = all(clear, stays_in_range(after, body.beta, body.alpha));

@@ -89,7 +89,7 @@ Matrix5<T> flight_derivative(const Flight<T>& flight, const ContactChange<T>& co
 template <class T>
 VariedKinematics<T> varied_kinematics(const Body<T>& body, const PostImpactState<T>& before) {
     const ContactKinematics<T> k = contact_kinematics(body, before);
-    const T &rn = k.rn, &rt = k.rt, &per_inertia = body.per_inertia;
+    const T &rn = k.rn, &rt = k.rt, &inverse_inertia = body.inverse_inertia;
     VariedKinematics<T> a;
     a.un.value = approaching(k.un);
     if (a.un.value > T(0)) a.un.change << -body.beta * before.psi.x, -before.spin * rn, T(1), T(0), -rt;
@@ -98,9 +98,9 @@ VariedKinematics<T> varied_kinematics(const Body<T>& body, const PostImpactState
     a.b1.value = k.b1();
     a.b2.value = k.b2();
     a.b3.value = k.b3();
-    a.b1.change[1] = T(-2) * rn * rt * per_inertia;  // dr = (−r_t, r_n) dχ
-    a.b2.change[1] = T(2) * rn * rt * per_inertia;
-    a.b3.change[1] = (rn * rn - rt * rt) * per_inertia;
+    a.b1.change[1] = T(-2) * rn * rt * inverse_inertia;  // dr = (−r_t, r_n) dχ
+    a.b2.change[1] = T(2) * rn * rt * inverse_inertia;
+    a.b3.change[1] = (rn * rn - rt * rt) * inverse_inertia;
     return a;
 }
 
@@ -117,7 +117,8 @@ void add_impact(const Body<T>& body, const Scene<T>& scene, const PostImpactStat
     const Differential<T> normal = change.normal * d, tangential = change.tangential * d;
     d.row(2) -= normal;
     d.row(3) += tangential;
-    d.row(4) += (r.x * tangential + r.y * normal + (r.x * j.normal - r.y * j.tangential) * d.row(1)) * body.per_inertia;
+    d.row(4) +=
+        (r.x * tangential + r.y * normal + (r.x * j.normal - r.y * j.tangential) * d.row(1)) * body.inverse_inertia;
 }
 
 /// The state before an impact at `normal`: its place, and the velocities that the flight came with.

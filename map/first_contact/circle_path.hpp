@@ -42,8 +42,8 @@ template <class T>
 [[gnu::always_inline]] inline CirclePath<T> circle_path_from_wall(const Body<T>& body, const Flight<T>& flight,
                                                                   const Vec2<T>& swirl) {
     CirclePath<T> path = circle_path(flight, swirl);
-    path.slope = T(2) * (body.spread_inner * flight.velocity.x);
-    path.b0 = -(body.spread_inner * swirl.y);
+    path.slope = T(2) * (body.unbiased_inner * flight.velocity.x);
+    path.b0 = -(body.unbiased_inner * swirl.y);
     return path;
 }
 

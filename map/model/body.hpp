@@ -2,8 +2,8 @@
 #pragma once
 
 #include "map/model/scene.hpp"
-#include "map/numbers/spread_factor.hpp"
 #include "map/numbers/turn.hpp"
+#include "map/numbers/unbiased_factor.hpp"
 #include "map/numbers/vec2.hpp"
 
 #include <algorithm>
@@ -31,12 +31,12 @@ struct Body {
     int sides = disk_sides;
     bool short_sides = false;  ///< below `longest_short_side`
     T alpha{}, beta{};
-    T inertia{};      ///< I = κ α² (m = 1)
-    T per_inertia{};  ///< 1/I: what is divided by at every impact is kept as a reciprocal
-    T per_inner{};    ///< 1/(1 − α)
-    T disk_grip{};    ///< 1/B₁ of the disk, I/(I + α²)
+    T inertia{};          ///< I = κ α² (m = 1)
+    T inverse_inertia{};  ///< 1/I: what is divided by at every impact is kept as a reciprocal
+    T inverse_inner{};    ///< 1/(1 − α)
+    T disk_grip{};        ///< 1/B₁ of the disk, I/(I + α²)
     // α, 1/α, 1 − α and 1/(1 − α) for products that must not be biased.
-    SpreadFactor<T> spread_alpha, spread_per_alpha, spread_inner, spread_per_inner;
+    UnbiasedFactor<T> unbiased_alpha, unbiased_inverse_alpha, unbiased_inner, unbiased_inverse_inner;
     T inner{};          ///< 1 − α: the centre's distance at which the circumscribed circle touches
     T outer{};          ///< the largest distance the centre can have (next to an edge's middle); inner for the disk
     T spacing{};        ///< 2π/N, the angle from a vertex to the next
@@ -132,12 +132,12 @@ inline Body<T> make_body(const Scene<T>& scene, const Body<T>* similar = nullptr
     body.beta = scene.beta;
     body.inertia = scene.inertia_factor * scene.alpha * scene.alpha;
     body.inner = T(1) - scene.alpha;
-    body.per_inertia = T(1) / body.inertia;
-    body.per_inner = T(1) / body.inner;
-    body.spread_alpha = spread(body.alpha);
-    body.spread_per_alpha = spread(T(T(1) / body.alpha));
-    body.spread_inner = spread(body.inner);
-    body.spread_per_inner = spread(body.per_inner);
+    body.inverse_inertia = T(1) / body.inertia;
+    body.inverse_inner = T(1) / body.inner;
+    body.unbiased_alpha = unbiased(body.alpha);
+    body.unbiased_inverse_alpha = unbiased(T(T(1) / body.alpha));
+    body.unbiased_inner = unbiased(body.inner);
+    body.unbiased_inverse_inner = unbiased(body.inverse_inner);
     body.disk_grip = body.inertia / (body.inertia + body.alpha * body.alpha);
     body.outer = body.inner;
     if (scene.is_disk()) return body;

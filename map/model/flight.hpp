@@ -117,7 +117,7 @@ struct Gap {
 template <class T>
 [[gnu::always_inline]] inline Gap<T> centre_gap(const Body<T>& body, const Flight<T>& flight, const Instant<T>& at) {
     const T value = flight.struck && body.sides == disk_sides
-                        ? T(T(2) * (body.spread_inner * at.moved.x) + dot(at.moved, at.moved))
+                        ? T(T(2) * (body.unbiased_inner * at.moved.x) + dot(at.moved, at.moved))
                         : T(dot(at.centre, at.centre) - body.inner * body.inner);
     return {value, T(2) * dot(at.centre, at.drift), T(2) * (dot(at.drift, at.drift) + dot(at.centre, at.swirl)),
             T(2) * (T(3) * dot(at.drift, at.swirl) - cross(at.centre, at.swirl))};

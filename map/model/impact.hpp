@@ -53,13 +53,13 @@ struct ContactKinematics {
     T rn{};            ///< offset from the body's centre to the contact, along n
     T rt{};            ///< … along t
     T inertia = T(1);  ///< I
-    T per_inertia = T(1) / inertia;
+    T inverse_inertia = T(1) / inertia;
 
-    T b1() const { return T(1) + rn * rn * per_inertia; }
-    T b2() const { return T(1) + rt * rt * per_inertia; }
-    T b3() const { return rn * rt * per_inertia; }
+    T b1() const { return T(1) + rn * rn * inverse_inertia; }
+    T b2() const { return T(1) + rt * rt * inverse_inertia; }
+    T b3() const { return rn * rt * inverse_inertia; }
     /// B₂ − B₃²/B₁ = (1 + r²/I)/B₁, dC/dp while sticking: a sum, where the difference is rounding for a small I.
-    T sticking() const { return (b2() + rn * rn * per_inertia) / b1(); }
+    T sticking() const { return (b2() + rn * rn * inverse_inertia) / b1(); }
 };
 
 /// The impulse −p n + q t on the body.

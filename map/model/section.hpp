@@ -43,7 +43,7 @@ inline SectionPoint<T> section_point(const PostImpactState<T>& post_impact) {
 template <class T>
 [[gnu::always_inline]] inline Flight<T> flight_from(const Body<T>& body, const PostImpactState<T>& post_impact) {
     Flight<T> flight;
-    flight.arm = body.spread_alpha * post_impact.chi;
+    flight.arm = body.unbiased_alpha * post_impact.chi;
     flight.centre = Vec2<T>{T(1) - flight.arm.x, -flight.arm.y};
     flight.velocity = {post_impact.vn, post_impact.vt};
     flight.phase = conjugate(post_impact.psi);
@@ -64,7 +64,7 @@ template <class T>
             r.x,
             r.y,
             body.inertia,
-            body.per_inertia};
+            body.inverse_inertia};
 }
 
 /// Energy in the swirling frame, J = ½|V − ẑ×X|² − ½|X|² + ½I(S − 1)² − ½I with X from the swirl's centre

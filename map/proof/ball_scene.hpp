@@ -15,8 +15,8 @@ struct BallScene {
     Law law = Law::poisson;
     bool frictionless = false;
     Ball alpha, beta, mu, restitution, kappa;
-    Ball inertia, per_inertia;  ///< I = κα², 1/I
-    Ball spacing;               ///< 2π/N; 0 of the disk
+    Ball inertia, inverse_inertia;  ///< I = κα², 1/I
+    Ball spacing;                   ///< 2π/N; 0 of the disk
 
     bool is_disk() const { return sides == disk_sides; }
 };
@@ -37,7 +37,7 @@ inline BallScene ball_scene(const Scene<double>& scene) {
     if (scene.inertia_factor == uniform_inertia_factor<double>(scene.sides) && !scene.is_disk())
         balls.kappa = (Ball(2) + intervals::sine_cosine(balls.spacing).cosine) / Ball(6);
     balls.inertia = balls.kappa * intervals::square(balls.alpha);
-    balls.per_inertia = Ball(1) / balls.inertia;
+    balls.inverse_inertia = Ball(1) / balls.inertia;
     return balls;
 }
 

@@ -58,9 +58,9 @@ struct SlipPath {
     Ball sign;
 
     SlipPath(const BallScene& scene, const BallKinematics<T>& at, int s) : friction(Ball(s) * scene.mu), sign(s) {
-        b1 = scene.per_inertia * (at.rn * at.rn) + Ball(1);
-        b2 = scene.per_inertia * (at.rt * at.rt) + Ball(1);
-        b3 = scene.per_inertia * (at.rn * at.rt);
+        b1 = scene.inverse_inertia * (at.rn * at.rn) + Ball(1);
+        b2 = scene.inverse_inertia * (at.rt * at.rt) + Ball(1);
+        b3 = scene.inverse_inertia * (at.rn * at.rt);
         first = b2 - friction * b3;
         slowing = scene.mu * b1 - sign * b3;
     }
@@ -130,7 +130,7 @@ template <class T>
 BallImpulse<T> impulse_of(const BallScene& scene, const BallKinematics<T>& at, const Branch& branch, Margins* margins) {
     detail::note(margins, "u_n before > 0", at.un);
     if (branch.mode == ContactMode::frictionless) {
-        const T b2 = scene.per_inertia * (at.rt * at.rt) + Ball(1);
+        const T b2 = scene.inverse_inertia * (at.rt * at.rt) + Ball(1);
         return {(Ball(1) + scene.restitution) * at.un / b2, T(0)};
     }
     if (branch.slip != 0) {
@@ -176,7 +176,7 @@ BallStep<T> step_in_balls(const BallScene& scene, const Branch& branch, double a
     step.after = step.before;
     step.after.vn = step.before.vn - j.p;
     step.after.vt = step.before.vt + j.q;
-    step.after.spin = step.before.spin + scene.per_inertia * (at.rn * j.q + at.rt * j.p);
+    step.after.spin = step.before.spin + scene.inverse_inertia * (at.rn * j.q + at.rt * j.p);
     return step;
 }
 

@@ -83,7 +83,7 @@ T second_order(const ContactScene<T>& scene, const Slip<T>& slip, const ContactS
     if (scene.is_disk()) {
         const T rate = 1 + abs(normal_rate(scene, support, before));
         const T turning = normal_rate(scene, support, contact);
-        const T faster = abs(change.ut_rate - body.alpha * change.spin_rate) * body.per_inner;
+        const T faster = abs(change.ut_rate - body.alpha * change.spin_rate) * body.inverse_inner;
         const T a = wn + body.inner * turning * turning;
         const T a_rate = wt * abs(turning - 1) + 2 * body.inner * abs(turning) * faster;
         return rate * (rate + a_rate / abs(a)) + faster;

@@ -64,7 +64,7 @@ template <class T>
     using std::abs;
     const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
     const T along = scene.is_disk() ? T(u.ut - scene.body.alpha * post_impact.spin) : u.ut;
-    const T nearer = scene.is_disk() ? scene.body.per_inner : T(1);
+    const T nearer = scene.is_disk() ? scene.body.inverse_inner : T(1);
     const T acceleration = scene.body.beta + along * along * nearer;
     if (!(u.un * u.un > chatter_tolerance<T>() * (1 - scene.restitution) * acceleration &&
           abs(u.un) > velocity_rounding(scene, post_impact)))

@@ -102,7 +102,7 @@ ContactState<J> stopped(const ContactScene<J>& scene, Support support, ContactSt
     if (support == Support::edge) return z;
     const ContactKinematics<J> at = contact_kinematics(scene.body, post_impact_state(scene, z));
     const J q = -slip / (at.b1() - at.b3() * at.b3() / at.b2()), p = -at.b3() * q / at.b2();
-    z.spin += (at.rn * q + at.rt * p) * scene.body.per_inertia;
+    z.spin += (at.rn * q + at.rt * p) * scene.body.inverse_inertia;
     return z;
 }
 

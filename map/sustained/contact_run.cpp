@@ -94,11 +94,11 @@ bool holds_throughout(const ContactScene<double>& scene, Support support, Contac
 ContactEnd<double> advanced_at_once(const ContactScene<double>& scene, const ContactState<double>& start,
                                     double duration) {
     const ContactState<double> to = advance_rim(scene, start, duration);
-    const double per_alpha = 1 / scene.body.alpha;
+    const double inverse_alpha = 1 / scene.body.alpha;
     const bool rolls = scene.mu > 0;
     const double turned =
-        rolls ? -scene.body.inner * per_alpha * (duration + (to.psi - start.psi)) : start.spin * duration;
-    const double work = rolls ? -scene.body.inertia * per_alpha * (to.spin - start.spin) : 0;
+        rolls ? -scene.body.inner * inverse_alpha * (duration + (to.psi - start.psi)) : start.spin * duration;
+    const double work = rolls ? -scene.body.inertia * inverse_alpha * (to.spin - start.spin) : 0;
     return {ContactEvent::horizon, to, {duration, turned, work}, false, 1};
 }
 

@@ -77,12 +77,12 @@ struct Builder {
     const T smu = sticks ? T(0) : T(scene.mu * Plain<T>(sign_of(motion)));
     const T kappa = scene.inertia_factor();
     const T rolling = -kappa / (T(1) + kappa), grip = T(1) + T(1) / kappa;  // of a disk: f/w_t, and u_t′ by f
-    const T alpha = body.alpha, by_force = alpha * body.per_inertia;
+    const T alpha = body.alpha, by_force = alpha * body.inverse_inertia;
     // Of an edge: the directions of its contacts from its middle, and about the container's centre its inertia, the
     // centre's share of what leans on it, Λ's factor and how friction divides between the two λ.
     const T c = cos(scene.half_chord), per_s = T(1) / sin(scene.half_chord), d = body.outer;
-    const T per_inertia = T(1) / (body.inertia + d * d), lean_share = body.inertia * per_inertia;
-    const T uneven = c - d * per_inertia, per_stiffness = T(1) / (c + smu * smu * uneven);
+    const T inverse_inertia = T(1) / (body.inertia + d * d), lean_share = body.inertia * inverse_inertia;
+    const T uneven = c - d * inverse_inertia, per_stiffness = T(1) / (c + smu * smu * uneven);
 
     void begin(Support support, const ContactState<T>& start, const T& psi_rest) {
         const T& beta = body.beta;
@@ -111,7 +111,7 @@ struct Builder {
     void rim(int k) {
         swirl.extend(z.psi[k], k);
         const T wn = swirl.cosine(k), wt = -swirl.sine(k);
-        rate[k] = (z.ut[k] - alpha * z.spin[k]) * body.per_inner;
+        rate[k] = (z.ut[k] - alpha * z.spin[k]) * body.inverse_inner;
         z.normal[k] = wn + body.inner * square(rate, k);
         z.friction[k] = sticks ? T(rolling * wt) : T(-smu * z.normal[k]);
         spin_rate[k] = by_force * z.friction[k];
@@ -142,14 +142,14 @@ struct Builder {
         pushed[k] = Two<T>(lever[k], z.ut[k]);
         const Two<T> squares = square(rates, k);
         spin2[k] = squares[0];
-        z.stiffness[k] = T(k == 0 ? 1 : 0) + body.per_inertia * product(tangential, lever, k);
+        z.stiffness[k] = T(k == 0 ? 1 : 0) + body.inverse_inertia * product(tangential, lever, k);
         if (k == 0) per_stiffness_now = T(1) / z.stiffness[0];
         const Two<T> inwards = product(spin2, r.both, k), along = product(spin_rate, r.both, k);
         const Two<T> by_normal = product(z.normal, pushed, k);
         const T pull = swirl.cosine(k) + squares[1] - inwards[1] - along[0];
-        z.normal[k] = (pull - (body.per_inertia * tangential[0]) * by_normal[0]) * per_stiffness_now;
+        z.normal[k] = (pull - (body.inverse_inertia * tangential[0]) * by_normal[0]) * per_stiffness_now;
         z.friction[k] = -smu * z.normal[k];
-        spin_rate[k] = body.per_inertia * (by_normal[0] + z.normal[k] * lever[0]);
+        spin_rate[k] = body.inverse_inertia * (by_normal[0] + z.normal[k] * lever[0]);
         const T ut_rate = (along[1] - swirl.sine(k) - inwards[0]) + (z.friction[k] + spin_rate[k] * r.cosine(0));
         const T power = dissipates ? T(-smu * (by_normal[1] + z.normal[k] * z.ut[0])) : T(0);
         integrate(k, z.ut[k], z.spin[k] - z.ut[k], ut_rate, power);
@@ -170,7 +170,7 @@ struct Builder {
         z.normal[k] = T(0.5) * (sum_of_two + difference);
         z.second[k] = T(0.5) * (sum_of_two - difference);
         z.friction[k] = -smu * sum_of_two;
-        spin_rate[k] = (z.friction[k] + d * wt) * per_inertia;
+        spin_rate[k] = (z.friction[k] + d * wt) * inverse_inertia;
         integrate(k, z.spin[k], T(0), spin_rate[k], slip_power(k));
     }
 };

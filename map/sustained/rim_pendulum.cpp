@@ -50,7 +50,7 @@ double least_of_way(const ContactScene<double>& scene, const RimPendulum& p, dou
 RimPendulum rim_pendulum(const ContactScene<double>& scene, const ContactState<double>& state) {
     const bool rolls = scene.mu > 0;
     const double rate = normal_rate(scene, Support::rim, state) - 1, s = std::sin(0.5 * state.psi);
-    const double strength = scene.body.beta * scene.body.per_inner / (rolls ? 1 + scene.inertia_factor() : 1);
+    const double strength = scene.body.beta * scene.body.inverse_inner / (rolls ? 1 + scene.inertia_factor() : 1);
     return {rolls, strength, 0.5 * rate * rate + 2 * strength * s * s, rate < 0 ? -1.0 : 1.0};
 }
 

@@ -230,7 +230,7 @@ TEST(Impact, HoldsForEveryMomentOfInertia) {
         Sample s = random_sample(random);
         ContactKinematics<double>& a = s.approach;
         a.inertia = random.log_between(1e-100, 10) * (a.rn * a.rn + a.rt * a.rt);
-        a.per_inertia = 1 / a.inertia;
+        a.inverse_inertia = 1 / a.inertia;
         s.mu = std::max(s.mu, 1.1 * std::abs(a.b3() / a.b1()));
         worst = std::max({worst, error_against_quad<ImpactRule::poisson>(s), error_against_quad<ImpactRule::newton>(s),
                           error_against_quad<ImpactRule::stronge>(s)});

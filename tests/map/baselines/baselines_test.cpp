@@ -33,7 +33,7 @@ Flight<double> simple_flight(Random& random, const Body<double>& body, const Sce
 
 /// |x| of the point that touches, 1 on the wall.
 double distance_of(const Body<double>& body, const FirstContact<double>& contact) {
-    return detail::magnitude(body.sides == disk_sides ? body.per_inner * contact.at.centre
+    return detail::magnitude(body.sides == disk_sides ? body.inverse_inner * contact.at.centre
                                                       : contact.at.centre + contact.arm);
 }
 

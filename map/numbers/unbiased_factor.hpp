@@ -13,22 +13,22 @@ namespace swirl {
 /// such structure: c₁x is rounded up as often as down, its error is spread evenly over the last place, and so the sum
 /// c₁x + c₂x is rounded without bias, too. Its error is some 1½ ulp at most (a product's ½). Cost: a product and a sum.
 template <class T>
-struct SpreadFactor {
+struct UnbiasedFactor {
     T first{}, second{};
 };
 
 template <class T>
-constexpr SpreadFactor<T> spread(const T& c) {
+constexpr UnbiasedFactor<T> unbiased(const T& c) {
     const T first = T(1.0012484394506866) * c;
     return {first, c - first};  // exact: the two are near to each other
 }
 
 template <class T>
-constexpr T operator*(const SpreadFactor<T>& c, const T& x) {
+constexpr T operator*(const UnbiasedFactor<T>& c, const T& x) {
     return c.first * x + c.second * x;
 }
 template <class T>
-constexpr Vec2<T> operator*(const SpreadFactor<T>& c, const Vec2<T>& v) {
+constexpr Vec2<T> operator*(const UnbiasedFactor<T>& c, const Vec2<T>& v) {
     return {c * v.x, c * v.y};
 }
 

@@ -1,5 +1,5 @@
-// Products with constants of few digits: map/numbers/spread_factor.hpp.
-#include "map/numbers/spread_factor.hpp"
+// Products with constants of few digits: map/numbers/unbiased_factor.hpp.
+#include "map/numbers/unbiased_factor.hpp"
 #include "tests/map/random_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -33,30 +33,30 @@ RoundingErrors rounding_errors(double c, int count, Product product) {
     return errors;
 }
 
-TEST(SpreadFactor, IsTheConstant) {
+TEST(UnbiasedFactor, IsTheConstant) {
     tests::Random random(3);
     for (int k = 0; k < 1000; ++k) {
         const double c = std::exp(random.between(-300, 300));
-        const SpreadFactor<double> factor = spread(c);
+        const UnbiasedFactor<double> factor = unbiased(c);
         EXPECT_EQ(factor.first + factor.second, c);
         EXPECT_EQ(c - factor.first, factor.second);
     }
 }
 
-TEST(SpreadFactor, GivesProductsToOneAndAHalfUlp) {
+TEST(UnbiasedFactor, GivesProductsToOneAndAHalfUlp) {
     for (const double c : few_digits) {
-        const SpreadFactor<double> factor = spread(c);
+        const UnbiasedFactor<double> factor = unbiased(c);
         const RoundingErrors errors = rounding_errors(c, 100'000, [&](double x) { return factor * x; });
         // ½ for the sum, 1 for c₁x, whose last place may be the double, 2⁻¹⁰ for c₂x.
         EXPECT_LE(errors.largest, 1.51) << c;
     }
 }
 
-TEST(SpreadFactor, RoundsAsOftenUpAsDown) {
+TEST(UnbiasedFactor, RoundsAsOftenUpAsDown) {
     constexpr int count = 1'000'000;
     double most_of_plain = 0;
     for (const double c : few_digits) {
-        const SpreadFactor<double> factor = spread(c);
+        const UnbiasedFactor<double> factor = unbiased(c);
         const RoundingErrors spread_errors = rounding_errors(c, count, [&](double x) { return factor * x; });
         const RoundingErrors plain_errors = rounding_errors(c, count, [&](double x) { return c * x; });
         // The error's standard deviation is √(2/12) ulp: four standard deviations of the mean.

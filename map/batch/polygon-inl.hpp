@@ -94,7 +94,7 @@ HWY_INLINE Found instant_of_return(const LaneFlight& flight, const LanePath& pat
         back.close = either(back.close, hn::And(sampled, other.close));
     }
     const Lane spun = flight.spin * back.near.time;
-    at = instant_after(flight, back.near, turn_minus_one(spun), back.closer);
+    at = instant_after(flight, back.near, cis_minus_one(spun), back.closer);
     latest = larger(back.near.time, at.time);
     return {all(back.close, magnitude(spun) < Lane(32), magnitude(flight.spin * back.closer) < Lane(32)), vain};
 }

@@ -24,11 +24,11 @@ HWY_INLINE LaneInstant instant_at_start(const LaneFlight& flight) {
 /// instant_at<polygon>, where τ and |Sτ| < 32.
 HWY_INLINE LaneInstant instant_at(const LaneFlight& flight, Lane time) {
     LaneInstant at;
-    const Plane turn = turn_minus_one(time);
+    const Plane turn = cis_minus_one(time);
     at.time = time;
     at.moved = time * flight.velocity - flight.beta * times(flight.phase, turn);
     at.phase = turned(flight.phase, turn);
-    at.arm_moved = times(flight.arm, turn_minus_one(flight.spin * time));
+    at.arm_moved = times(flight.arm, cis_minus_one(flight.spin * time));
     at.arm = flight.arm + at.arm_moved;
     complete(flight, at);
     return at;

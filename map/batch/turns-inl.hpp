@@ -101,13 +101,13 @@ HWY_INLINE Mask is_small(Lane angle) {
     return magnitude(angle) <= Lane(0.25);
 }
 
-/// turn_minus_one for |δ| ≤ ¼.
+/// cis_minus_one for |δ| ≤ ¼.
 HWY_INLINE Plane turn_within_quarter(Lane angle) {
     return choose(is_tiny(angle), tiny_turn(angle), small_turn(angle));
 }
 
-/// turn_minus_one for |δ| < 32, which is the caller's to see to.
-HWY_INLINE Plane turn_minus_one(Lane angle) {
+/// cis_minus_one for |δ| < 32, which is the caller's to see to.
+HWY_INLINE Plane cis_minus_one(Lane angle) {
     const Lane doubled = angle + angle;
     const Lane shifted = doubled + Lane(0x1.8p52);
     const Lane nearest = shifted - Lane(0x1.8p52);

@@ -26,9 +26,9 @@ HWY_INLINE void complete(const LaneFlight& flight, LaneInstant& at) {
     at.drift = flight.velocity - quarter_turned(at.swirl);
 }
 
-/// turn_minus_one for |δ| < 32; nearly always all lanes are within ¼.
+/// cis_minus_one for |δ| < 32; nearly always all lanes are within ¼.
 HWY_INLINE Plane turn_of(Lane angle) {
-    if (any(no(is_small(angle)))) return turn_minus_one(angle);
+    if (any(no(is_small(angle)))) return cis_minus_one(angle);
     return turn_within_quarter(angle);
 }
 

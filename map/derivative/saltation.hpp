@@ -46,7 +46,7 @@ ContactChange<T> contact_change(const Vec2<T>& y, const Vec2<T>& rate, const std
 template <Shape shape, class T>
 ContactChange<T> contact_change_of(const Body<T>& body, const Flight<T>& flight, const T& time, int vertex) {
     const T zero(0);
-    const Vec2<T> turn = turn_minus_one(time);  // E(τ) = cis τ − 1
+    const Vec2<T> turn = cis_minus_one(time);  // E(τ) = cis τ − 1
     const Instant<T> at = instant_at<shape>(flight, time, turn);
     const Vec2<T> by_psi = quarter_turned(flight.beta * times(flight.phase, turn));  // i(w − w₀)
     const Vec2<T> by_vn{time, zero}, by_vt{zero, time};

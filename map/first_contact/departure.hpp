@@ -100,11 +100,11 @@ T gap_of_departure(const Flight<T>& flight, const Departure<T>& from, const Inst
     const T angle = flight.spin * time;
     const Vec2<T> swirl = flight.beta * flight.phase;
     const bool turns_little = fabs(angle) <= T(0.25);
-    const Vec2<T> arm_moved = turns_little ? times(from.arm, turn_minus_one(angle)) : vertex.arm - from.arm;
+    const Vec2<T> arm_moved = turns_little ? times(from.arm, cis_minus_one(angle)) : vertex.arm - from.arm;
     const Vec2<T> arm_bent =
         turns_little ? times(from.arm, turn_beyond_first_order(angle)) : arm_moved - angle * quarter_turned(from.arm);
     const bool begins = time <= T(0.25);
-    const Vec2<T> swirl_moved = begins ? times(swirl, turn_minus_one(time)) : at.swirl - swirl;
+    const Vec2<T> swirl_moved = begins ? times(swirl, cis_minus_one(time)) : at.swirl - swirl;
     const Vec2<T> swirl_bent =
         begins ? times(swirl, turn_beyond_first_order(time)) : swirl_moved - time * quarter_turned(swirl);
     const Vec2<T> bent = arm_bent - swirl_bent;

@@ -30,7 +30,7 @@ template <class T>
     at.phase = turned(flight.phase, turn);
     at.swirl = flight.beta * at.phase;
     at.drift = flight.velocity - quarter_turned(at.swirl);
-    at.arm_moved = times(flight.arm, compose(spun, turn_minus_one(T(flight.spin * later))));
+    at.arm_moved = times(flight.arm, compose(spun, cis_minus_one(T(flight.spin * later))));
     at.arm = flight.arm + at.arm_moved;
     return at;
 }
@@ -53,7 +53,7 @@ template <class T>
         closer = householder(series_along(path, near));
         if (!(fabs(closer) <= T(longest_step))) return false;
     }
-    at = instant_after(flight, near, turn_minus_one(T(flight.spin * near.time)), closer);
+    at = instant_after(flight, near, cis_minus_one(T(flight.spin * near.time)), closer);
     latest = std::max(near.time, at.time);
     return true;
 }

@@ -72,7 +72,7 @@ struct Body {
     /// cis(2πk/N) − 1 to a few ε of itself, 0 ≤ k < N.
     Vec2<T> turn_to_vertex(int k) const {
         if (rests.empty()) {
-            const Vec2<Plain<T>> turn = turn_minus_one(angle_of_vertex(k));
+            const Vec2<Plain<T>> turn = cis_minus_one(angle_of_vertex(k));
             return {T(turn.x), T(turn.y)};
         }
         const Vec2<T>& direction = vertices[static_cast<std::size_t>(k)];

@@ -62,7 +62,7 @@ template <Shape shape, class T>
     at.swirl = flight.beta * at.phase;
     at.drift = flight.velocity - quarter_turned(at.swirl);
     if constexpr (shape == Shape::polygon) {
-        at.arm_moved = times(flight.arm, turn_minus_one(T(flight.spin * time)));
+        at.arm_moved = times(flight.arm, cis_minus_one(T(flight.spin * time)));
         at.arm = flight.arm + at.arm_moved;
     }
     return at;
@@ -71,13 +71,13 @@ template <Shape shape, class T>
 /// The moment τ, from the start.
 template <Shape shape, class T>
 [[gnu::always_inline]] inline Instant<T> instant_at(const Flight<T>& flight, const T& time) {
-    return instant_at<shape>(flight, time, turn_minus_one(time));
+    return instant_at<shape>(flight, time, cis_minus_one(time));
 }
 
 /// The moment `step` later (or earlier, if negative).
 template <Shape shape, class T>
 [[gnu::always_inline]] inline void advance(const Flight<T>& flight, Instant<T>& at, const T& step) {
-    const Vec2<T> turn = turn_minus_one(step);
+    const Vec2<T> turn = cis_minus_one(step);
     at.time = at.time + step;
     at.moved = at.moved + (step * flight.velocity - times(at.swirl, turn));
     at.centre = flight.centre + at.moved;
@@ -85,7 +85,7 @@ template <Shape shape, class T>
     at.swirl = flight.beta * at.phase;
     at.drift = flight.velocity - quarter_turned(at.swirl);
     if constexpr (shape == Shape::polygon) {
-        const Vec2<T> arm_step = times(at.arm, turn_minus_one(T(flight.spin * step)));
+        const Vec2<T> arm_step = times(at.arm, cis_minus_one(T(flight.spin * step)));
         at.arm = at.arm + arm_step;
         at.arm_moved = at.arm_moved + arm_step;
     }

@@ -89,7 +89,7 @@ inline constexpr auto half_radians = turn_table();
 
 /// cis δ − 1 = (−2 sin²(δ/2), sin δ), each to a few ε of itself when δ is small and of 1 otherwise.
 template <class T>
-[[gnu::always_inline]] inline Vec2<T> turn_minus_one(const T& angle) {
+[[gnu::always_inline]] inline Vec2<T> cis_minus_one(const T& angle) {
     if constexpr (std::is_same_v<T, double>) {
         if (std::fabs(angle) <= 0x1p-13) return detail::tiny_turn_minus_one(angle);
         if (std::fabs(angle) <= 0.25) return detail::small_turn_minus_one(angle);

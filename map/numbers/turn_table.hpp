@@ -49,13 +49,13 @@ template <class T>
             return {shifted - 0x1.8p46, {entry.value.x, entry.value.y}, {entry.rest.x, entry.rest.y}};
         }
     }
-    return {time, turn_minus_one(time), {T(0), T(0)}};
+    return {time, cis_minus_one(time), {T(0), T(0)}};
 }
 
 /// E(τ + d).
 template <class T>
 [[gnu::always_inline]] inline Vec2<T> turn_after(const TurnedMoment<T>& moment, const T& d) {
-    const Vec2<T> fine = turn_minus_one(d);
+    const Vec2<T> fine = cis_minus_one(d);
     return moment.turn + (fine + (moment.rest + times(moment.turn, fine)));
 }
 

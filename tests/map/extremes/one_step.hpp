@@ -40,8 +40,8 @@ FiveNumbers difference(const PostImpactState<T>& a, const PostImpactState<T>& b)
 
 /// z with one coordinate changed by `change`.
 inline PostImpactState<Quad> nudged(PostImpactState<Quad> z, int coordinate, const Quad& change) {
-    if (coordinate == 0) z.psi = turned(z.psi, turn_minus_one(change));
-    if (coordinate == 1) z.chi = turned(z.chi, turn_minus_one(change));
+    if (coordinate == 0) z.psi = turned(z.psi, cis_minus_one(change));
+    if (coordinate == 1) z.chi = turned(z.chi, cis_minus_one(change));
     if (coordinate == 2) z.vn += change;
     if (coordinate == 3) z.vt += change;
     if (coordinate == 4) z.spin += change;

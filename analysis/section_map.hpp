@@ -26,7 +26,8 @@ struct Advance {
     bool alive = true;        ///< false: the map ends here (no next impact, sustained contact, escape)
     double integral = 0;      ///< ∫ of the observable over the step's duration, for maps that have one
     double effort = 1;        ///< what it cost, in ordinary steps of this map: by count, the same on every machine
-    bool forgets = false;  ///< DF(z) = 0: z′ is the same whatever was before, so that the orbit repeats once it recurs
+    bool derivative_is_zero =
+        false;  ///< DF(z) = 0: z′ is the same whatever was before, so that the orbit repeats once it recurs
 };
 
 /// The same with the derivative DF(z), by the coordinates.

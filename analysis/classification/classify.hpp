@@ -200,7 +200,7 @@ inline void take_exponent(const LyapunovSpectrum& spectrum, const ClassifyOption
     result.largest_exponent_error = findings.exponent.standard_error;
 }
 
-/// The exponent of a tail of which a step forgets (DF = 0): −∞, without a derivative.
+/// The exponent of a tail in which DF = 0 at a step: −∞, without a derivative.
 inline void take_forgotten(Findings& findings, Classification& result) {
     findings.exponent.sign = ExponentSign::negative;
     findings.exponent.exponent = result.largest_exponent = -infinity;
@@ -266,7 +266,7 @@ Classification classify_tail(const M& map, const Tail<M>& tail, int observable, 
     detail::Findings findings;
     detail::take_cycle(map, find_period(map, tail, options.period), options, observable, findings, result);
     const auto steps = static_cast<std::int64_t>(tail.points.size());
-    if (tail.forgot)
+    if (tail.derivative_is_zero)
         detail::take_forgotten(findings, result);
     else
         detail::take_exponent(detail::exponent_from(map, tail.first, steps), options, findings, result);

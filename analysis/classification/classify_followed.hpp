@@ -125,7 +125,7 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, Clas
         cycle = find_period(map, tail, options.period, search);
         take_cycle(map, cycle, options, observable, findings, result);
     }
-    if (tail.forgot) {
+    if (tail.derivative_is_zero) {
         take_forgotten(findings, result);
     } else {
         const bool stands_for_all = cycle.period == 0 && !runs_away(series_of(map, tail, observable));

@@ -42,7 +42,7 @@ inline double most_effort_of_looks(std::int64_t steps) {
 template <SectionMap M>
 void forget_kept(Tail<M>& tail) {
     tail.effort = 0;
-    tail.forgot = false;
+    tail.derivative_is_zero = false;
     tail.states.clear();
     tail.durations.clear();
     tail.integrals.clear();
@@ -148,14 +148,14 @@ public:
 
     /// Others have taken them, for no more than they may cost: those that are kept are in the tail.
     ///   excess  what they cost beyond as many ordinary steps
-    ///   forgot  one of them forgets (Advance::forgets)
-    void taken(const State<M>& end, double excess, bool forgot) {
+    ///   derivative_is_zero  DF = 0 in one of them (Advance::derivative_is_zero)
+    void taken(const State<M>& end, double excess, bool derivative_is_zero) {
         z_ = end;
         whole_ = true;
         orbit_.tail.steps += wanted_.count;
         (wanted_.kept ? orbit_.tail.effort : effort_.spent) += static_cast<double>(wanted_.count) + excess;
         if (!wanted_.kept) return;
-        orbit_.tail.forgot |= forgot;
+        orbit_.tail.derivative_is_zero |= derivative_is_zero;
         orbit_.tail.last = orbit_.tail.states.back();
     }
 

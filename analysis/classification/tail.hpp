@@ -24,11 +24,11 @@ struct Tail {
     State<M> last{};                           ///< the state at points.back()
     std::int64_t steps = 0;                    ///< steps taken in all, the transient included
     double effort = 0;                         ///< what those that are kept cost (Advance::effort)
-    bool forgot = false;                       ///< one of those that are kept forgets (Advance::forgets)
-    bool cut = false;                          ///< fewer steps than were asked for: they cost too much
-    bool ended = false;                        ///< the map ended before all steps were taken
-    bool stopped = false;                      ///< it was stopped before: what is there is no tail
-    State<M> end{};                            ///< if it ended: the state that has no next one
+    bool derivative_is_zero = false;  ///< DF = 0 in one of the steps that are kept (Advance::derivative_is_zero)
+    bool cut = false;                 ///< fewer steps than were asked for: they cost too much
+    bool ended = false;               ///< the map ended before all steps were taken
+    bool stopped = false;             ///< it was stopped before: what is there is no tail
+    State<M> end{};                   ///< if it ended: the state that has no next one
 };
 
 /// What a tail keeps of each state: angles cost two arc tangents, which chaos need not know.
@@ -57,7 +57,7 @@ bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail
         }
         ++tail.steps;
         tail.effort += step.effort;
-        tail.forgot |= step.forgets;
+        tail.derivative_is_zero |= step.derivative_is_zero;
         if (keep == Keep::points)
             tail.points.push_back(coordinates(map, z));
         else

@@ -76,7 +76,7 @@ void take_together(const Together<D>& group) {
             ++group[i]->refusals;
             continue;
         }
-        group[i]->orbit.taken(lanes[i].z, lanes[i].excess, lanes[i].forgot);
+        group[i]->orbit.taken(lanes[i].z, lanes[i].excess, lanes[i].derivative_is_zero);
         group[i]->orbit.look(group[i]->map);
     }
 }

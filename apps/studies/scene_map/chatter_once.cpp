@@ -55,7 +55,7 @@ analysis::Advance<D, PostImpactState<double>> sum_of(const SceneMap<D>& map,
         const auto step = map.advance_by(steps[i]);
         whole.state = step.state;
         whole.alive = step.alive;
-        whole.forgets |= step.forgets;
+        whole.derivative_is_zero |= step.derivative_is_zero;
         whole.duration += step.duration;
         whole.integral += step.integral;
         whole.letter = number_of(joined(letter_from(whole.letter), letter_from(step.letter), map.body().sides));

@@ -22,11 +22,11 @@ struct LaneOrbit {
     const void* map = nullptr;    ///< of a SceneMap in double
     PostImpactState<double> z{};  ///< where they begin, and end if they are taken
     std::int64_t count = 0;
-    KeptSteps* kept = nullptr;  ///< none: they are not
-    bool taken = false;         ///< all of them; else nothing is changed
-    double most_excess = 0;     ///< what they may cost beyond as many ordinary ones; negative: not even that
-    double excess = 0;          ///< what they do
-    bool forgot = false;        ///< one of them led through a rest (`has_rested`)
+    KeptSteps* kept = nullptr;        ///< none: they are not
+    bool taken = false;               ///< all of them; else nothing is changed
+    double most_excess = 0;           ///< what they may cost beyond as many ordinary ones; negative: not even that
+    double excess = 0;                ///< what they do
+    bool derivative_is_zero = false;  ///< one of them led through a rest (`has_rested`)
 };
 
 /// Are there lanes in this build?

@@ -85,7 +85,7 @@ auto SceneMap<D>::advance_by(const ReturnStep<double>& known) const -> analysis:
     step.alive = goes_on(known);
     step.effort = effort_of(known);
     if (step.alive) fill(step, known);
-    step.forgets = has_rested(known);
+    step.derivative_is_zero = has_rested(known);
     return step;
 }
 

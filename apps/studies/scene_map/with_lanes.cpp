@@ -23,7 +23,7 @@ struct Keeper {
         LaneOrbit& steps = orbits[i];
         if (impact.alone != nullptr) {
             steps.excess += effort_of(*impact.alone) - 1;
-            steps.forgot |= has_rested(*impact.alone);
+            steps.derivative_is_zero |= has_rested(*impact.alone);
             if (steps.excess > steps.most_excess) orbit.wanted = orbit.done;  // it goes on alone
         }
         if (steps.kept == nullptr) return;

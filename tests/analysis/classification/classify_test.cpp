@@ -114,14 +114,14 @@ TEST(Classify, ASuperstableOrbitNeedsOneReturn) {
     EXPECT_EQ(verdict.period, period);
 }
 
-/// Chaos, the logistic map at r = 4, that forgets all on [0, width): from there it leads to 0.3.
+/// Chaos, the logistic map at r = 4, that maps all of [0, width): from there it leads to 0.3.
 struct ForgetfulChaos {
     static constexpr int dimension = 1;
     double width;
     double effort = 1;  ///< of a step; of a derivative twenty times that
     Advance<1> advance(const Vector<1>& z) const {
-        const bool forgets = z[0] < width;
-        return {Vector<1>{forgets ? 0.3 : 4 * z[0] * (1 - z[0])}, 1, 0, true, 0, effort, forgets};
+        const bool derivative_is_zero = z[0] < width;
+        return {Vector<1>{derivative_is_zero ? 0.3 : 4 * z[0] * (1 - z[0])}, 1, 0, true, 0, effort, derivative_is_zero};
     }
     Linearised<1> linearise(const Vector<1>& z) const {
         return {advance(z).state, 1, 0, true, Matrix<1>{z[0] < width ? 0.0 : 4 - 8 * z[0]}, 0, 20 * effort};
@@ -133,7 +133,7 @@ struct ForgetfulChaos {
         int count = 0;
         for (int i = 0; i < 20'000; ++i) {
             const auto step = advance(z);
-            count += i >= 10'000 && step.forgets;
+            count += i >= 10'000 && step.derivative_is_zero;
             z = step.state;
         }
         return count;

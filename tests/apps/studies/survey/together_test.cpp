@@ -107,7 +107,7 @@ struct KeptVectors {
 
 struct Taken {
     int through_contact = 0;  ///< steps
-    int forgetful = 0;        ///< orbits with a step that forgets
+    int forgetful = 0;        ///< orbits with a step whose derivative is zero
 };
 
 /// Orbits of a map, of which every other one keeps its steps, are taken, and are what steps alone give.
@@ -134,11 +134,11 @@ Taken expect_taken(const Map& map, double beta, std::size_t orbits, std::int64_t
         EXPECT_EQ(of_one.states.size(), keeps ? static_cast<std::size_t>(count) : 0);
         PostImpactState<double> z = before[i].z;
         double effort = 0;
-        bool forgot = false;
+        bool derivative_is_zero = false;
         for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
             const auto step = map.advance(z);
             effort += step.effort;
-            forgot |= step.forgets;
+            derivative_is_zero |= step.derivative_is_zero;
             taken.through_contact += step.letter < 0;
             if (keeps && k < of_one.states.size()) {
                 EXPECT_TRUE(same_bits(of_one.states[k], z)) << k;
@@ -150,8 +150,8 @@ Taken expect_taken(const Map& map, double beta, std::size_t orbits, std::int64_t
         }
         EXPECT_TRUE(same_bits(lanes[i].z, z)) << i;
         EXPECT_EQ(lanes[i].excess + static_cast<double>(count), effort);
-        EXPECT_EQ(lanes[i].forgot, forgot);
-        taken.forgetful += forgot;
+        EXPECT_EQ(lanes[i].derivative_is_zero, derivative_is_zero);
+        taken.forgetful += derivative_is_zero;
     }
     return taken;
 }

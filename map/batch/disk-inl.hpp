@@ -166,11 +166,12 @@ HWY_INLINE RoundResult look_at_disks(bool sums_chatter, LaneBlock& block, int i)
 
     const Mask struck = all(usual, converged, clear, stays_in_range(after, flight.beta, alpha));
     const Mask again = all(usual, no(converged));
-    const Mask vain = all(looked, either(no(leads_on), all(near_enough, converged, no(all(clear, time > Lane(0))))));
+    const Mask search_failed =
+        all(looked, either(no(leads_on), all(near_enough, converged, no(all(clear, time > Lane(0))))));
     keep_impact(struck, after, time, looks, impact, Lane(0), block, i);
     store(choose(again, time, Lane(0)), block.guess, i);
     store(choose(again, looks, Lane(0)), block.looks, i);
-    return {bits_of(struck), bits_of(no(either(struck, again))), bits_of(vain)};
+    return {bits_of(struck), bits_of(no(either(struck, again))), bits_of(search_failed)};
 }
 
 }  // namespace swirl::detail::HWY_NAMESPACE

@@ -53,7 +53,8 @@ struct LaneBlock {
 struct RoundResult {
     std::uint32_t struck = 0;  ///< went on to its next impact
     std::uint32_t left = 0;    ///< is unchanged: the scalar code decides its step …
-    std::uint32_t vain = 0;    ///< … and its searches from the circle's return would find nothing, as the lane's did
+    std::uint32_t search_failed =
+        0;  ///< … and its searches from the circle's return would find nothing, as the lane's did
 };
 
 /// Another search, another impact: which kernel is run, and its argument.

@@ -36,8 +36,9 @@ struct BatchedImpact {
 /// How a batch went.
 struct BatchUse {
     long long impacts = 0;
-    long long left = 0;    ///< steps that the lanes left to the scalar code …
-    long long vain = 0;    ///< … of these, without the searches from the circle's return, made in vain by the lane
+    long long left = 0;  ///< steps that the lanes left to the scalar code …
+    long long search_failed =
+        0;  ///< … of these, without the searches from the circle's return, made without success by the lane
     long long rounds = 0;  ///< looks at all lanes
     long long filled = 0;  ///< lanes with an orbit, summed over the rounds
 
@@ -125,7 +126,7 @@ public:
             ++use_.rounds;
             use_.filled += std::popcount(filled_);
             each(result.struck & filled_, [&](int lane) { strike(lane); });
-            each(result.left & filled_, [&](int lane) { leave(lane, (result.vain >> lane & 1u) != 0); });
+            each(result.left & filled_, [&](int lane) { leave(lane, (result.search_failed >> lane & 1u) != 0); });
             each(result.left & ~filled_ & ((1u << block_lanes) - 1), [&](int lane) { idle(lane); });
         }
         return use_;
@@ -202,22 +203,22 @@ private:
     }
 
     /// A step that the lanes did not decide.
-    ///   vain  nor would the scalar code's searches from the circle's return
-    void leave(int lane, bool vain) {
+    ///   search_failed  neither would the scalar code's searches from the circle's return
+    void leave(int lane, bool search_failed) {
         Orbit& orbit = orbit_in(lane);
         PostImpactState<double> from;
         take_state(block_, lane, from);
-        if (!step_alone(orbit, from, vain) || orbit.done >= orbit.wanted) return refill(lane);
+        if (!step_alone(orbit, from, search_failed) || orbit.done >= orbit.wanted) return refill(lane);
         fill_state(orbit.state, lane, block_);
     }
 
     /// By the scalar code. @return the orbit goes on
-    bool step_alone(Orbit& orbit, const PostImpactState<double>& from, bool vain) {
+    bool step_alone(Orbit& orbit, const PostImpactState<double>& from, bool search_failed) {
         ++use_.left;
-        use_.vain += vain ? 1 : 0;
+        use_.search_failed += search_failed ? 1 : 0;
         ReturnStep<double> step;
         copy_state(from, step.collision.after);
-        orbit.outcome = vain ? orbit.map->advance_undecided(step) : orbit.map->advance(step);
+        orbit.outcome = search_failed ? orbit.map->advance_undecided(step) : orbit.map->advance(step);
         copy_state(step.collision.after, orbit.state);
         if (orbit.outcome != Outcome::completed) return false;
         ++use_.impacts;

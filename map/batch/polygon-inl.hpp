@@ -72,7 +72,7 @@ HWY_INLINE LaneReturn return_near(const LanePath& path, Lane guess) {
 
 /// Lanes in which something is found, and those in which the scalar code does not find it either.
 struct Found {
-    Mask found, vain;
+    Mask found, search_failed;
 };
 
 /// instant_of_return; guesses between 7.99 and 16 leave.
@@ -82,12 +82,12 @@ HWY_INLINE Found instant_of_return(const LaneFlight& flight, const LanePath& pat
     LaneReturn back = return_near(path, guess);
     const Mask sampled =
         hn::AndNot(either(back.close, all(guess >= Lane(7.99), guess <= Lane(longest_guess))), Lane(0) < Lane(1));
-    Mask vain = Lane(1) < Lane(0);
+    Mask search_failed = Lane(1) < Lane(0);
     if (any(sampled)) {
         const Lane other_guess = sampled_guess(path, sampled);
         const LaneReturn other = return_near(path, other_guess);
         const Mask far = all(is_tabled_moment(other_guess), no(magnitude(other.closer) <= Lane(longest_step)));
-        vain = hn::And(sampled, either(other_guess <= Lane(0), far));
+        search_failed = hn::And(sampled, either(other_guess <= Lane(0), far));
         back.near = {choose(sampled, other.near.time, back.near.time), choose(sampled, other.near.turn, back.near.turn),
                      choose(sampled, other.near.rest, back.near.rest)};
         back.closer = choose(sampled, other.closer, back.closer);
@@ -96,7 +96,8 @@ HWY_INLINE Found instant_of_return(const LaneFlight& flight, const LanePath& pat
     const Lane spun = flight.spin * back.near.time;
     at = instant_after(flight, back.near, cis_minus_one(spun), back.closer);
     latest = larger(back.near.time, at.time);
-    return {all(back.close, magnitude(spun) < Lane(32), magnitude(flight.spin * back.closer) < Lane(32)), vain};
+    return {all(back.close, magnitude(spun) < Lane(32), magnitude(flight.spin * back.closer) < Lane(32)),
+            search_failed};
 }
 
 /// `CollisionMap::strike`: the state in the axes of the contact, before the impact.
@@ -156,11 +157,13 @@ HWY_INLINE RoundResult look_at_polygons(bool sums_chatter, LaneBlock& block, int
     const Lane fourth = fourth_bound(body, flight, task.speed);
     seek_vertex(task.vertices, body.half_slope, flight, fourth, all(leaves, back.found), search);
     Mask unfinished;
-    const Mask behind = find_behind(task, fourth, all(leaves, back.vain), all(leaves, search.recedes), unfinished);
+    const Mask behind =
+        find_behind(task, fourth, all(leaves, back.search_failed), all(leaves, search.recedes), unfinished);
     const Mask found = either(search.found, behind);
     const Mask late_enough = search.at.time + search.correction > Lane(nearest_share) * search.latest;
     // The scalar code's searches from the circle's return find nothing either; more of these below.
-    Mask vain = either(hn::AndNot(behind, either(back.vain, search.vain)), hn::AndNot(late_enough, found));
+    Mask search_failed =
+        either(hn::AndNot(behind, either(back.search_failed, search.search_failed)), hn::AndNot(late_enough, found));
     const Mask usual = all(found, late_enough, magnitude(flight.spin * search.correction) < Lane(32));
     const LaneInstant at = advanced(flight, search.at, search.correction);
     Mask clear = hn::AndNot(behind, hn::And(usual, clear_by_circumcircle(task)));
@@ -170,7 +173,8 @@ HWY_INLINE RoundResult look_at_polygons(bool sums_chatter, LaneBlock& block, int
         clear_by_derivatives(task, at, unproven, by_others);
         clear = either(clear, by_others);
         // Where the body has turned by less, every moment between is one that the proofs here can look at, too.
-        vain = either(vain, all(unproven, no(by_others), magnitude(flight.spin * at.time) < Lane(32)));
+        search_failed =
+            either(search_failed, all(unproven, no(by_others), magnitude(flight.spin * at.time) < Lane(32)));
     }
 
     LaneState after =
@@ -179,7 +183,7 @@ HWY_INLINE RoundResult look_at_polygons(bool sums_chatter, LaneBlock& block, int
 
     const Mask done = all(clear, stays_in_range(after, body.beta, body.alpha));
     keep_impact(done, after, at.time, search.looks, impact, search.nearest.number, block, i);
-    return {bits_of(done), bits_of(no(done)), bits_of(all(leaves, hn::AndNot(unfinished, vain)))};
+    return {bits_of(done), bits_of(no(done)), bits_of(all(leaves, hn::AndNot(unfinished, search_failed)))};
 }
 
 }  // namespace swirl::detail::HWY_NAMESPACE

@@ -24,7 +24,7 @@ HWY_INLINE RoundResult look_by(bool sums_chatter, LaneBlock& block) {
             some = look_at_polygons<rule>(sums_chatter, block, i);
         all_lanes.struck |= some.struck << i;
         all_lanes.left |= some.left << i;
-        all_lanes.vain |= some.vain << i;
+        all_lanes.search_failed |= some.search_failed << i;
     }
     return all_lanes;
 }

@@ -206,8 +206,8 @@ struct LaneSearch {
     Lane correction, looks;
     Lane latest;  ///< moment so far
     Mask found;
-    Mask vain;     ///< the scalar search gives up, too …
-    Mask recedes;  ///< … where the nearest vertex recedes, after `looks`
+    Mask search_failed;  ///< the scalar search gives up, too …
+    Mask recedes;        ///< … where the nearest vertex recedes, after `looks`
 };
 
 /// Lanes that need more looks than this leave: they are few, and all the others wait for them.
@@ -217,7 +217,7 @@ inline constexpr int most_looks = 4;
 HWY_INLINE void seek_vertex(const VertexRows& vertices, Lane half_slope, const LaneFlight& flight, Lane fourth,
                             Mask open, LaneSearch& search) {
     search.found = Lane(1) < Lane(0);
-    search.vain = search.recedes = search.found;
+    search.search_failed = search.recedes = search.found;
     search.looks = Lane(0);
     for (int look = 1;; ++look) {
         // Lanes that have found theirs see the same once more.
@@ -232,7 +232,7 @@ HWY_INLINE void seek_vertex(const VertexRows& vertices, Lane half_slope, const L
         open = all(open, nearest.known);
         const Mask leads_on = all(open, g.rate > Lane(0), magnitude(search.correction) <= Lane(longest_correction));
         const Mask fails = hn::AndNot(leads_on, open);
-        search.vain = either(search.vain, fails);
+        search.search_failed = either(search.search_failed, fails);
         search.recedes = either(search.recedes, hn::And(fails, g.rate <= Lane(0)));
         search.looks = choose(fails, Lane(look), search.looks);
         open = leads_on;

@@ -43,7 +43,7 @@ TEST(BatchTest, LanesKeepMostOfChaos) {
     const Compared result = compare(orbits_of<Hexagon>(scene_of(6, 0.3, 0.5, 0.5, 1), 32, 2000).orbits);
     EXPECT_EQ(result.different, 0);
     EXPECT_LT(result.use.share_left(), 0.15);  // 0.07 measured
-    EXPECT_GT(result.use.vain, result.use.left / 2);
+    EXPECT_GT(result.use.search_failed, result.use.left / 2);
 }
 
 /// An observer that wants nothing of every other orbit.

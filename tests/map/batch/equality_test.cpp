@@ -77,10 +77,11 @@ Compared compare_starts(int sides, double slowest, double fastest, double spin, 
 TEST(BatchEqualityOfStarts, HopsFarShorterThanTheCircumscribedCirclesReturn) {
     for (const int sides : {3, 6}) {
         const Compared hops = compare_starts(sides, 1e-7, 1e-2, 3, 20);
-        std::cout << sides << " sides: " << hops.use.vain << " of " << hops.use.left << " left after vain searches\n";
+        std::cout << sides << " sides: " << hops.use.search_failed << " of " << hops.use.left
+                  << " left after failed searches\n";
         EXPECT_EQ(hops.different, 0) << sides;
         EXPECT_GT(hops.by_lanes, hops.impacts / 2) << sides;
-        EXPECT_GT(hops.use.vain, 0) << sides;
+        EXPECT_GT(hops.use.search_failed, 0) << sides;
     }
 }
 

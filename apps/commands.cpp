@@ -8,6 +8,7 @@
 #include "apps/completion/completion_command.hpp"
 #include "apps/continue/continue_command.hpp"
 #include "apps/describe/describe_command.hpp"
+#include "apps/fit/fit_command.hpp"
 #include "apps/inspect/inspect_command.hpp"
 #include "apps/lyapunov/lyapunov_command.hpp"
 #include "apps/manual/manual_command.hpp"
@@ -64,6 +65,8 @@ void add_commands(Program& program) {
                                                    describe::describe_details, describe::describe);
     program.add_command<certify::CertifyOptions>("certify", "prove cycles by interval arithmetic",
                                                  certify::certify_details, certify::certify);
+    program.add_command<fit::FitOptions>("fit", "restitution, friction and the law of impact from measurements",
+                                         fit::fit_details, fit::fit);
     program.add_command<show::ShowOptions>("show", "what a record holds, as a table, JSON or CSV", show::show_details,
                                            show::show);
     program.add_command<plot::PlotOptions>("plot", "a figure of a record", plot::plot_details, plot::plot);

@@ -78,7 +78,8 @@ ScenesFile read_scenes(const std::string& file) {
             if (cells[k].empty()) refuse(file, lines[row].number, names[k] + " is empty");
             try {
                 const GridAxis axis{names[k], "", {}, true, false};
-                scenes.columns[k] += (row > 1 ? "," : "") + word_at(axis, axis_value(names[k], cells[k]));
+                if (row > 1) scenes.columns[k] += ',';
+                scenes.columns[k] += word_at(axis, axis_value(names[k], cells[k]));
             } catch (const BadInput& error) {
                 refuse(file, lines[row].number, error.what());
             }

@@ -6,6 +6,7 @@ import time
 import unittest
 
 from driving import InFolder, document, run
+from impact_tables import impacts, table
 
 SCENE = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 POINT = "-0.0829,0.028,-0.5552,0.8908,-0.9783"
@@ -23,6 +24,7 @@ NUMBERS = {
     f"spectrum {SCENE}": ["--bins", "--segments", "--overlap"],
     "spectrum --series m.csv": ["--resample"],
     f"lyapunov {SCENE}": ["--transient", "--collisions"],
+    "fit --impacts i.csv": ["--inertia", "--resamples", "--seed"],
     f"orbits {SCENE}": ["--period", "--max-period", "--starts", "--trajectories", "--collisions"],
     f"continue {SCENE} --from={POINT} --along beta=0.4:0.6": ["--period", "--switch", "--longest-step"],
     f"bifurcate {SCENE} --along beta=0.4:0.6:2": ["--starts", "--transient", "--collisions", "--longest-branch"],
@@ -37,6 +39,7 @@ class Arguments(InFolder):
     def setUp(self):
         super().setUp()
         self.series("m.csv", [0.1 * (i % 7) for i in range(100)])
+        self.file("i.csv", table(impacts(20, noise=0.01)))
         self.before = sorted(self.folder.iterdir())
 
     def refused(self, arguments, *mentions):

@@ -12,6 +12,7 @@ ROOT = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(Path(ROOT) / "notebooks-export"))
 
 import figure_records
+import impact_tables
 
 HEXAGON = "--sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95"
 CHAOTIC = "--sides 6 --alpha 0.3 --beta 0.5 --mu 0.5 --restitution 1"
@@ -40,7 +41,7 @@ KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "t
             "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
             "basins": ["basins", "modes", "means", "map"], "tracks": ["attractors", "modes", "means"], "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes", "means"], "tour": ["tour"],
-            "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}
+            "fit": ["fit"], "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}
 
 
 def measured_series():
@@ -66,6 +67,9 @@ class WithRecords(unittest.TestCase):
         measured = cls.folder / "measured.csv"
         measured.write_text(measured_series())
         cls.records.update(made_records({"measured": f"classify --series {measured} --rows samples"}, cls.folder))
+        impacts = cls.folder / "impacts.csv"
+        impacts.write_text(impact_tables.table(impact_tables.impacts(60, noise=0.02)))
+        cls.records.update(made_records({"fit": f"fit --impacts {impacts} --resamples 20"}, cls.folder))
         for name in ("diagram", "cycles", "curves"):
             cls.records[name] = cls.folder / f"{name}.h5"
         for count in (1, 2, 3):

@@ -4,6 +4,7 @@ import math
 from pathlib import Path
 
 from driving import run
+from impact_tables import impacts, table
 
 STEADY = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 SHORT = "--transient 1000 --collisions 1000"
@@ -27,6 +28,7 @@ RECORDS = {
     "camera": ("classify --series measured.csv --angle angle --swirl-rate 2", "verdict"),
     "cross": ("recurrence --series measured.csv --column S --cross-column angle", "recurrence"),
     "lyapunov": (f"lyapunov {STEADY} {SHORT}", "lyapunov"),
+    "fit": ("fit --impacts impacts.csv --resamples 20", "fit"),
     "orbits": (f"orbits {STEADY} --period 1", "multipliers"),
     "branch": (f"continue {STEADY} --from=-0.0839,0.028,-0.5542,0.8898,-0.9793 --along alpha=0.38:0.46", "bifurcation"),
     "attracting": (f"bifurcate {HEXAGON} --beta 0.5 --along alpha=0.35:0.45:11", "bifurcation"),
@@ -65,6 +67,7 @@ def records_in(folder):
     folder = Path(folder)
     (folder / "measured.csv").write_text(measured())
     (folder / "scenes.csv").write_text("sides,alpha,mu,law,speed\n6,0.4,0.5,poisson,0.1\ndisk,0.3,0.1,newton,0.2\n3,0.4,0.5,stronge,0.1\n")
+    (folder / "impacts.csv").write_text(table(impacts(40, noise=0.02)))
     for name, (command, kind) in RECORDS.items():
         result = run(f"{command} --quiet -o {name}.h5", cwd=folder)
         assert result.returncode == 0, (command, result.stderr)

@@ -1,0 +1,88 @@
+// From a table of measured impacts to e, μ, the law and how well all of it is known.
+#pragma once
+
+#include "analysis/fits/constancy.hpp"
+#include "analysis/fits/momentum_balance.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace swirl::analysis {
+
+struct ImpactFitSettings {
+    std::optional<double> inertia;  ///< k = I/m, else fitted
+    bool stated_errors = false;     ///< the impacts' errors are known; else they are fitted, see velocity_share
+    std::size_t resamples = 200;    ///< of the bootstrap over impacts
+    std::size_t parts = 10;         ///< of the cross-validation
+    std::uint64_t seed = 1;
+    int threads = 0;  ///< 0: all
+};
+
+enum class ImpactFitOutcome {
+    fitted,
+    no_inertia,  ///< the spin does not change, so that momentum does not tell k
+    receding     ///< at most of the impacts the contact moves away from the wall before, or into it after
+};
+std::string_view name_of(ImpactFitOutcome outcome);
+
+/// A value with its interval at 95 %.
+struct FittedNumber {
+    double value = nan, low = nan, high = nan;
+};
+
+/// One of the laws, fitted.
+struct FittedLaw {
+    std::string name;
+    LawParameters parameters;
+    double loss = nan;
+    /// How much worse it is than the best one, in standard errors of the sum of differences impact by impact (Vuong,
+    /// Econometrica 57 (1989) 307); 0 of the best one, and of one that predicts the same.
+    double worse_by = 0;
+};
+
+/// The loss over one parameter, the other one fitted: deviance 2 (loss − least loss), χ² with 1 degree of freedom.
+struct LossProfile {
+    std::vector<double> values, deviances;
+};
+
+struct ImpactFit {
+    ImpactFitOutcome outcome = ImpactFitOutcome::fitted;
+    MomentumSigns signs;
+    FittedNumber restitution, friction;
+    FittedNumber inertia;        ///< k that was used; of a given one all three are that
+    FittedNumber balance;        ///< k by momentum alone
+    bool friction_open = false;  ///< any μ above friction.low does: nothing slides to the end, value and high are NaN
+    std::size_t best = 0;        ///< of `laws`
+    std::vector<FittedLaw> laws;
+    bool law_decided = false;                       ///< every other law is worse by `sure_law`
+    double velocity_noise = nan, spin_noise = nan;  ///< standard errors that momentum shows, or that were stated
+    double scatter = nan;                           ///< of the misfits to the law, in units of that noise
+    double predicted = nan;                         ///< share of held-out impacts within the noise
+    LossProfile restitution_profile, friction_profile;
+    std::vector<ConstancyTest> constancy;
+    std::vector<MeasuredImpact> impacts;    ///< with the signs that momentum asks for, and with their errors
+    std::vector<ImpactResidual> residuals;  ///< of each
+    std::vector<double> held_out;  ///< of each: squared distance of the prediction by a fit without it, χ²(3)
+};
+
+/// Two comparisons at 5 % together.
+inline constexpr double sure_law = 2.241;
+/// 95 % of χ² with 1 and 3 degrees of freedom.
+inline constexpr double sure_square_of_one = 3.841459;
+inline constexpr double sure_square_of_three = 7.814728;
+/// Fewer impacts are not fitted.
+inline constexpr std::size_t fewest_impacts = 8;
+
+/// Momentum first: signs, k and noise; then each law by total least squares; then what the data can tell. Intervals are
+/// quantiles of a bootstrap over impacts, k and law (among those that are not clearly worse) chosen anew in each
+/// resample; that of a μ without an upper end, and of one given k, see analysis/fits/README.md. Parallel over
+/// resamples, equal bits whatever the number of threads. Cost: some 15 fits an impact and resample.
+/// @throws std::invalid_argument for fewer than `fewest_impacts` impacts or no law
+ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, std::span<const NamedImpactLaw> laws,
+                      const ImpactFitSettings& settings);
+
+}  // namespace swirl::analysis

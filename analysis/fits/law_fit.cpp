@@ -1,0 +1,153 @@
+#include "analysis/fits/law_fit.hpp"
+
+#include "analysis/fits/robust.hpp"
+
+#include <ceres/cost_function.h>
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swirl::analysis {
+
+namespace {
+
+/// (Ceres asks for a class.)
+class MisfitResidual final : public ceres::CostFunction {
+public:
+    MisfitResidual(const MeasuredImpact& impact, const LawProblem& problem) : impact_(impact), problem_(problem) {
+        set_num_residuals(3);
+        mutable_parameter_block_sizes()->assign(2, 1);
+    }
+    bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
+        const LawMisfit& misfit = misfit_at({blocks[0][0], blocks[1][0]});
+        Eigen::Map<Eigen::Vector3d> left(residuals);
+        left = misfit.residual;
+        for (int j = 0; jacobians != nullptr && j < 2; ++j)
+            if (jacobians[j] != nullptr) Eigen::Map<Eigen::Vector3d>(jacobians[j], 3) = misfit.slopes.col(j);
+        return left.allFinite();
+    }
+
+private:
+    /// Ceres asks for the residual alone where it may go, and for the Jacobian beside it where it went: the same
+    /// misfit.
+    const LawMisfit& misfit_at(const LawParameters& at) const {
+        if (at.restitution == at_.restitution && at.friction == at_.friction) return misfit_;
+        misfit_ = misfit_of(impact_, problem_.inertia, *problem_.law, at);
+        at_ = at;
+        return misfit_;
+    }
+
+    const MeasuredImpact& impact_;
+    const LawProblem& problem_;
+    mutable LawParameters at_{nan, nan};  // a problem is solved by one thread
+    mutable LawMisfit misfit_;
+};
+
+ceres::Solver::Options fit_solver_options() {
+    ceres::Solver::Options solver;
+    solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+    solver.max_num_iterations = 30;
+    solver.gradient_tolerance = 0;
+    solver.function_tolerance = 1e-6;    // of the loss: hundredths of a standard error
+    solver.parameter_tolerance = 1e-11;  // exact impacts end here
+    solver.num_threads = 1;
+    solver.logging_type = ceres::SILENT;
+    return solver;
+}
+
+std::vector<double> squares_of(const LawProblem& problem, const LawParameters& parameters) {
+    std::vector<double> squares;
+    squares.reserve(problem.impacts.size());
+    for (const MeasuredImpact& impact : problem.impacts)
+        squares.push_back(misfit_of(impact, problem.inertia, *problem.law, parameters).squared());
+    return squares;
+}
+
+/// Half Tukey's loss of a squared misfit in units of the scale.
+double half_loss(double square) {
+    constexpr double cut = biweight_of_three * biweight_of_three;
+    const double left = std::max(0.0, 1 - square / cut);
+    return cut / 6 * (1 - left * left * left);
+}
+
+/// Four in five misfits: gross errors are fewer than the others; the median alone does not see the few that slide among
+/// impacts that stick. χ² with 3 degrees of freedom is below this so often.
+constexpr double four_fifths = 0.8, four_fifths_of_three = 4.641628;
+
+/// 10⁻⁹ of the speeds in units of their errors: no scale is below it.
+double least_misfit_scale(const LawProblem& problem) {
+    double largest = 0;
+    for (const MeasuredImpact& impact : problem.impacts)
+        largest = std::max(largest, impact.before.cwiseQuotient(impact.error_before).cwiseAbs().maxCoeff());
+    return 1e-9 * largest;
+}
+
+}  // namespace
+
+LawFit fit_law(const LawProblem& problem, const LawParameters& start, const std::optional<double>& fixed_restitution,
+               const std::optional<double>& fixed_friction) {
+    double e = std::clamp(fixed_restitution.value_or(start.restitution), 0.0, 1.0);
+    double mu = std::clamp(fixed_friction.value_or(start.friction), 0.0, largest_friction);
+    ceres::Problem ceres_problem;
+    for (std::size_t i = 0; i < problem.impacts.size(); ++i) {
+        if (!(problem.weights[i] > 0)) continue;
+        auto* biweight_loss = new ceres::TukeyLoss(biweight_of_three * problem.scale);
+        ceres_problem.AddResidualBlock(new MisfitResidual(problem.impacts[i], problem),
+                                       new ceres::ScaledLoss(biweight_loss, problem.weights[i], ceres::TAKE_OWNERSHIP),
+                                       &e, &mu);
+    }
+    if (ceres_problem.NumResidualBlocks() == 0) return {{e, mu}, nan};
+    ceres_problem.SetParameterLowerBound(&e, 0, 0);
+    ceres_problem.SetParameterUpperBound(&e, 0, 1);
+    ceres_problem.SetParameterLowerBound(&mu, 0, 0);
+    ceres_problem.SetParameterUpperBound(&mu, 0, largest_friction);
+    if (fixed_restitution) ceres_problem.SetParameterBlockConstant(&e);
+    if (fixed_friction) ceres_problem.SetParameterBlockConstant(&mu);
+    ceres::Solver::Summary summary;
+    ceres::Solve(fit_solver_options(), &ceres_problem, &summary);
+    return {{e, mu}, summary.final_cost / (problem.scale * problem.scale)};
+}
+
+RobustStart first_parameters(const LawProblem& problem) {
+    constexpr int steps = 20;
+    struct Tried {
+        LawParameters parameters;
+        std::vector<double> squares;
+    };
+    std::vector<Tried> grid;
+    double least = infinity;
+    for (int i = 0; i <= steps; ++i)
+        for (int j = 0; j <= steps; ++j) {
+            // μ = 0, 0.01 … 3, evenly in its logarithm
+            const double friction = j == 0 ? 0 : 0.01 * std::pow(300.0, (j - 1.0) / (steps - 1));
+            const LawParameters parameters{static_cast<double>(i) / steps, friction};
+            grid.push_back({parameters, squares_of(problem, parameters)});
+            least = std::min(least, quantile(grid.back().squares, four_fifths));
+        }
+    RobustStart start;
+    start.scale = std::max(std::sqrt(least / four_fifths_of_three), least_misfit_scale(problem));
+    least = infinity;
+    for (const Tried& tried : grid) {
+        double sum = 0;
+        for (const double square : tried.squares) sum += half_loss(square / (start.scale * start.scale));
+        if (sum < least) least = sum, start.parameters = tried.parameters;
+    }
+    return start;
+}
+
+double misfit_scale(const LawProblem& problem, const LawParameters& parameters) {
+    const double median =
+        weighted_median(squares_of(problem, parameters), {problem.weights.begin(), problem.weights.end()});
+    return std::max(std::sqrt(median / median_square_of_three), least_misfit_scale(problem));
+}
+
+std::vector<double> losses_of(const LawProblem& problem, const LawParameters& parameters) {
+    std::vector<double> losses = squares_of(problem, parameters);
+    for (double& loss : losses) loss = half_loss(loss / (problem.scale * problem.scale));
+    return losses;
+}
+
+}  // namespace swirl::analysis

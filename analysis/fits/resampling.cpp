@@ -1,0 +1,39 @@
+#include "analysis/fits/resampling.hpp"
+
+#include <Random123/philox.h>
+#include <Random123/uniform.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace swirl::analysis {
+
+namespace {
+
+/// Uniform in (0, 1], number `i` of stream `stream`.
+double uniform_draw(std::uint64_t seed, std::uint64_t stream, std::size_t i) {
+    const r123::Philox4x64 generator;
+    return r123::u01<double>(generator({{i / 4, stream, 0, 0x666974}}, {{seed, 1}})[i % 4]);
+}
+
+/// A place among `count`.
+std::size_t drawn_place(double uniform, std::size_t count) {
+    return std::min(static_cast<std::size_t>(uniform * static_cast<double>(count)), count - 1);
+}
+
+}  // namespace
+
+std::vector<double> bootstrap_weights(std::size_t count, std::uint64_t seed, std::uint64_t index) {
+    std::vector<double> weights(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i) weights[drawn_place(uniform_draw(seed, index + 1, i), count)] += 1;
+    return weights;
+}
+
+std::vector<std::size_t> random_parts(std::size_t count, std::size_t parts, std::uint64_t seed) {
+    std::vector<std::size_t> part(count);
+    for (std::size_t i = 0; i < count; ++i) part[i] = i % parts;
+    for (std::size_t i = count; i > 1; --i) std::swap(part[i - 1], part[drawn_place(uniform_draw(seed, 0, i), i)]);
+    return part;
+}
+
+}  // namespace swirl::analysis

@@ -1,0 +1,17 @@
+// Random subsets of measurements: the same for a seed, whatever the number of threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace swirl::analysis {
+
+/// How often each of `count` measurements is drawn when `count` are drawn with replacement: resample number `index` of
+/// the bootstrap (Efron 1979). Random123's Philox, keyed by seed and index.
+std::vector<double> bootstrap_weights(std::size_t count, std::uint64_t seed, std::uint64_t index);
+
+/// The part, 0 … parts − 1, of each of `count` measurements: random, sizes equal to within one.
+std::vector<std::size_t> random_parts(std::size_t count, std::size_t parts, std::uint64_t seed);
+
+}  // namespace swirl::analysis

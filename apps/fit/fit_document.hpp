@@ -1,0 +1,25 @@
+// What `swirl fit` writes.
+#pragma once
+
+#include "analysis/fits/fit_impacts.hpp"
+#include "apps/command_line/documents.hpp"
+#include "apps/record/record_writer.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace swirl::apps::fit {
+
+struct FitReport {
+    analysis::ImpactFit fit;
+    std::size_t rows = 0, left_out = 0;  ///< of the table
+    std::vector<std::string> notes;
+    Settings settings;
+};
+
+void write_json(const FitReport& report);
+void write_record(const RecordGroup& root, const FitReport& report);
+void print_report(const FitReport& report);
+
+}  // namespace swirl::apps::fit

@@ -1,0 +1,16 @@
+// What a reader of a fit must know beside its numbers.
+#pragma once
+
+#include "analysis/fits/fit_impacts.hpp"
+#include "apps/fit/impact_table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace swirl::apps::fit {
+
+/// One sentence or two each: signs that momentum turns, k that it contradicts, μ without an upper end, laws that can't
+/// be told apart, scatter beyond the noise, parameters that depend on a speed, rows left out.
+std::vector<std::string> notes_of(const analysis::ImpactFit& fit, const ImpactTable& table);
+
+}  // namespace swirl::apps::fit

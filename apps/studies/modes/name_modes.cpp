@@ -57,12 +57,12 @@ std::vector<Together<D>> groups_of(std::vector<Naming<D>>& orbits) {
 template <int D>
 void take_together(const Together<D>& group) {
     std::vector<KeptSteps> kept;
-    std::vector<LaneOrbit> lanes;
+    std::vector<LaneOrbit<D>> lanes;
     kept.reserve(group.size());
     for (Naming<D>* naming : group) {
         const analysis::WantedSteps wanted = naming->orbit.wanted();
         lanes.push_back(naming->map.lane_orbit(naming->orbit.state(), wanted.count));
-        LaneOrbit& lane = lanes.back();
+        LaneOrbit<D>& lane = lanes.back();
         lane.most_excess = std::min(lane.most_excess, wanted.most - static_cast<double>(wanted.count));
         if (!wanted.kept) continue;
         auto& tail = naming->orbit.orbit().tail;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/collision_map.hpp"
+#include "map/derivative/linearised_collision.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -17,10 +18,14 @@ struct KeptSteps {
     std::vector<std::int64_t>& letters;
 };
 
+template <int D>
+class SceneDynamics;
+
 /// Steps that an orbit is to take.
+template <int D>
 struct LaneOrbit {
-    const void* map = nullptr;    ///< of a SceneMap in double
-    PostImpactState<double> z{};  ///< where they begin, and end if they are taken
+    const SceneDynamics<D>* dynamics = nullptr;  ///< in double
+    PostImpactState<double> z{};                 ///< where they begin, and end if they are taken
     std::int64_t count = 0;
     KeptSteps* kept = nullptr;        ///< none: they are not
     bool taken = false;               ///< all of them; else nothing is changed
@@ -45,9 +50,10 @@ inline constexpr std::size_t fewest_together = 5;
 /// alone. Not taken: steps that cost much more than ordinary ones, as through long contact (`most_excess`), or end
 /// the orbit; where there are no lanes (sanitizers), none.
 template <Shape shape, ImpactRule rule>
-void follow_together(std::span<LaneOrbit> orbits);
+void follow_together(std::span<LaneOrbit<section_dimension<shape>>> orbits);
 
 // For SWIRL_EVERY_MAP in with_lanes.cpp and without_lanes.cpp.
-#define SWIRL_COMPILE_LANES(T, SHAPE, RULE) template void follow_together<SHAPE, RULE>(std::span<LaneOrbit>);
+#define SWIRL_COMPILE_LANES(T, SHAPE, RULE) \
+    template void follow_together<SHAPE, RULE>(std::span<LaneOrbit<section_dimension<SHAPE>>>);
 
 }  // namespace swirl::studies

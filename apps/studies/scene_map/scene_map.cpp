@@ -1,51 +1,59 @@
 #include "apps/studies/scene_map/scene_map.hpp"
 
 #include "apps/studies/scene_map/effort.hpp"
-#include "apps/studies/scene_map/scene_functions.hpp"
+#include "apps/studies/scene_map/scene_dynamics.hpp"
+#include "map/baselines/baseline_map.hpp"
+#include "map/numbers/quad.hpp"
 
+#include <memory>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 namespace swirl::studies {
 
 namespace {
 
+/// Dynamics of dimension D, whose scenes go on with `with`.
+template <int D>
+using Dynamics = std::shared_ptr<const SceneDynamics<D>>;
+
 template <Shape shape, ImpactRule rule>
-const SceneFunctions<section_dimension<shape>>& functions_in(Accuracy accuracy) {
+Dynamics<section_dimension<shape>> dynamics_in(Accuracy accuracy, const Scene<double>& scene) {
     switch (accuracy) {
         case Accuracy::double_precision:
             break;
         case Accuracy::extended:
-            return extended_functions<shape, rule>();
+            return make_rounded_dynamics<CollisionMap<long double, shape, rule>>(scene, accuracy);
         case Accuracy::quad:
-            return quad_functions<shape, rule>();
+            return make_rounded_dynamics<CollisionMap<Quad, shape, rule>>(scene, accuracy);
         case Accuracy::paper:
         case Accuracy::brent:
         case Accuracy::fixed_step:
-            return baseline_functions<shape, rule>();
+            return make_rounded_dynamics<BaselineMap<shape, rule>>(scene, accuracy);
     }
-    return double_functions<shape, rule>();
+    return make_dynamics_in_double<shape, rule>(scene);
 }
 
 /// The choice of `with_collision_map`, made without a map.
-const SceneFunctions<disk_dimension>& functions_for(const Scene<double>& scene, Accuracy accuracy,
-                                                    std::integral_constant<int, disk_dimension>) {
-    return scene.mu == 0 ? functions_in<Shape::disk, ImpactRule::frictionless>(accuracy)
-                         : functions_in<Shape::disk, ImpactRule::poisson>(accuracy);
+Dynamics<disk_dimension> dynamics_for(const Scene<double>& scene, Accuracy accuracy,
+                                      std::integral_constant<int, disk_dimension>) {
+    return scene.mu == 0 ? dynamics_in<Shape::disk, ImpactRule::frictionless>(accuracy, scene)
+                         : dynamics_in<Shape::disk, ImpactRule::poisson>(accuracy, scene);
 }
 
-const SceneFunctions<polygon_dimension>& functions_for(const Scene<double>& scene, Accuracy accuracy,
-                                                       std::integral_constant<int, polygon_dimension>) {
-    if (scene.mu == 0) return functions_in<Shape::polygon, ImpactRule::frictionless>(accuracy);
+Dynamics<polygon_dimension> dynamics_for(const Scene<double>& scene, Accuracy accuracy,
+                                         std::integral_constant<int, polygon_dimension>) {
+    if (scene.mu == 0) return dynamics_in<Shape::polygon, ImpactRule::frictionless>(accuracy, scene);
     switch (scene.law) {
         case Law::newton:
-            return functions_in<Shape::polygon, ImpactRule::newton>(accuracy);
+            return dynamics_in<Shape::polygon, ImpactRule::newton>(accuracy, scene);
         case Law::stronge:
-            return functions_in<Shape::polygon, ImpactRule::stronge>(accuracy);
+            return dynamics_in<Shape::polygon, ImpactRule::stronge>(accuracy, scene);
         case Law::poisson:
             break;
     }
-    return functions_in<Shape::polygon, ImpactRule::poisson>(accuracy);
+    return dynamics_in<Shape::polygon, ImpactRule::poisson>(accuracy, scene);
 }
 
 /// What a step says of a return step from which an orbit goes on.
@@ -61,22 +69,23 @@ void fill(Step& step, const ReturnStep<double>& return_step) {
 
 template <int D>
 SceneMap<D>::SceneMap(const Scene<double>& scene, double horizon, Accuracy accuracy)
-    : SceneMap(&functions_for(scene, accuracy, std::integral_constant<int, D>()), scene, horizon, accuracy, nullptr) {}
-
-template <int D>
-SceneMap<D>::SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon, Accuracy accuracy,
-                      const Body<double>* similar)
-    : functions_(functions),
-      map_(functions->make(scene, accuracy, similar)),
-      body_(&functions->body(map_.get())),
-      horizon_(horizon),
-      accuracy_(accuracy) {
+    : SceneMap(dynamics_for(scene, accuracy, std::integral_constant<int, D>()), horizon) {
     if (scene.is_disk() != (D == disk_dimension)) throw std::logic_error("a map of the other shape's dimension");
 }
 
 template <int D>
+SceneMap<D>::SceneMap(std::shared_ptr<const SceneDynamics<D>> dynamics, double horizon)
+    : dynamics_(std::move(dynamics)), body_(&dynamics_->body()), horizon_(horizon) {}
+
+template <int D>
+auto SceneMap<D>::with(const Scene<double>& scene) const -> SceneMap {
+    if (scene.is_disk() != (D == disk_dimension)) throw std::logic_error("a map of the other shape's dimension");
+    return SceneMap(dynamics_->with(scene), horizon_);
+}
+
+template <int D>
 const ContactScene<double>& SceneMap<D>::contact() const {
-    return functions_->contact(map_.get());
+    return dynamics_->contact();
 }
 
 template <int D>
@@ -118,56 +127,55 @@ auto SceneMap<D>::linearise(const State& z, const analysis::KnownStep<State>& kn
     step.letter = known.letter;
     step.integral = z.spin * known.duration;
     step.effort = 1;
-    step.derivative =
-        functions_->through_kept_flight(map_.get(), z, {known.duration, letter.vertex_step, letter.mode, known.state});
+    step.derivative = dynamics_->through_kept_flight(z, {known.duration, letter.vertex_step, letter.mode, known.state});
     return step;
 }
 
 template <int D>
 std::int64_t SceneMap<D>::follow(State& z, std::int64_t steps, const analysis::Stop& stop,
                                  analysis::Effort& effort) const {
-    return functions_->follow(map_.get(), z, steps, horizon_, stop, effort);
+    return dynamics_->follow(z, steps, horizon_, stop, effort);
 }
 
 template <int D>
 bool SceneMap<D>::goes_together_with(const SceneMap& other) const {
-    return functions_ == other.functions_ && functions_->together != nullptr && horizon_ == contact_horizon &&
+    return dynamics_->goes_together_with(*other.dynamics_) && horizon_ == contact_horizon &&
            other.horizon_ == contact_horizon;
 }
 
 template <int D>
-void SceneMap<D>::follow_together(std::span<LaneOrbit> orbits) const {
-    functions_->together(orbits);
+void SceneMap<D>::follow_together(std::span<LaneOrbit<D>> orbits) const {
+    dynamics_->follow_together(orbits);
 }
 
 template <int D>
 ReturnStep<double> SceneMap<D>::return_step(const State& z, double horizon, const ContactSink& sink) const {
     ReturnStep<double> step;
     step.collision.after = z;
-    step.outcome = functions_->advance(map_.get(), step, horizon, sink);
+    step.outcome = dynamics_->advance(step, horizon, sink);
     return step;
 }
 
 template <int D>
 ReturnStep<double> SceneMap<D>::first_impact(const LabStart<double>& start) const {
-    return functions_->first_impact(map_.get(), start);
+    return dynamics_->first_impact(start);
 }
 
 template <int D>
 auto SceneMap<D>::through_flight(const State& z, const ReturnStep<double>& known) const -> Derivative {
-    return functions_->through_flight(map_.get(), z, known);
+    return dynamics_->through_flight(z, known);
 }
 
 template <int D>
 auto SceneMap<D>::along(const State& z, const ReturnStep<double>& known, Parameter parameter) const
     -> analysis::Vector<D> {
-    return functions_->along(map_.get(), z, known, parameter);
+    return dynamics_->along(z, known, parameter);
 }
 
 template <int D>
 auto SceneMap<D>::through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known, long& series) const
     -> Derivative {
-    return functions_->through_contact(map_.get(), z, known, series);
+    return dynamics_->through_contact(z, known, series);
 }
 
 template class SceneMap<disk_dimension>;

@@ -17,13 +17,13 @@
 namespace swirl::studies {
 
 template <int D>
-struct SceneFunctions;
+class SceneDynamics;
 
 /// F with sustained contact, of dimension 5 (polygons) or 4 (disks), whatever the impact rule: what differs is compiled
-/// once for each, behind plain function pointers (scene_functions.hpp), so that analyses are compiled once a dimension.
+/// once for each, behind an abstract class (scene_dynamics.hpp), so that analyses are compiled once a dimension.
 /// In double its states are those that `simulate` iterates, bit for bit; in another accuracy each step is computed
-/// there and rounded to double (rounded_scene.hpp). Coordinates are (ψ, χ, v_n, v_t, S), a disk's (ψ, v_n, v_t, S). It
-/// ends (`alive` false) where there is no next impact, and where speeds leave the numbers. The derivative, by the
+/// there and rounded to double (rounded_dynamics.hpp). Coordinates are (ψ, χ, v_n, v_t, S), a disk's (ψ, v_n, v_t, S).
+/// It ends (`alive` false) where there is no next impact, and where speeds leave the numbers. The derivative, by the
 /// coordinates, is exact, also through contact (map/orbit/return_derivative.hpp). Copies
 /// share what they are made of.
 template <int D>
@@ -41,9 +41,7 @@ public:
                       Accuracy accuracy = Accuracy::double_precision);
 
     /// The same shape and impact rule with other numbers: friction stays, where μ is 0 too (its limit μ → 0).
-    SceneMap with(const Scene<double>& scene) const {
-        return SceneMap(functions_, scene, horizon_, accuracy_, &body());
-    }
+    SceneMap with(const Scene<double>& scene) const;
 
     const Body<double>& body() const { return *body_; }
     /// What contact needs of the scene; only where ReturnMap has it.
@@ -61,11 +59,11 @@ public:
     /// May this scene's orbits take their steps together with those of the other's? (Of one shape and impact rule.)
     bool goes_together_with(const SceneMap& other) const;
     /// Steps that an orbit is to take together with others …
-    LaneOrbit lane_orbit(const State& z, std::int64_t count) const {
-        return {map_.get(), z, count, nullptr, false, most_excess(count)};
+    LaneOrbit<D> lane_orbit(const State& z, std::int64_t count) const {
+        return {dynamics_.get(), z, count, nullptr, false, most_excess(count)};
     }
     /// … and they do: scenes that go together, of which this is one.
-    void follow_together(std::span<LaneOrbit> orbits) const;
+    void follow_together(std::span<LaneOrbit<D>> orbits) const;
 
     static analysis::Vector<D> coordinates(const State& z) { return coordinates_of<D>(section_point(z)); }
     static double coordinate(const State& z, int i) {
@@ -99,14 +97,11 @@ public:
     Derivative through_contact(const SectionPoint<double>& z, const ReturnStep<double>& known, long& series) const;
 
 private:
-    SceneMap(const SceneFunctions<D>* functions, const Scene<double>& scene, double horizon, Accuracy accuracy,
-             const Body<double>* similar);
+    SceneMap(std::shared_ptr<const SceneDynamics<D>> dynamics, double horizon);
 
-    const SceneFunctions<D>* functions_;
-    std::shared_ptr<const void> map_;
-    const Body<double>* body_;  ///< of what map_ points to
+    std::shared_ptr<const SceneDynamics<D>> dynamics_;
+    const Body<double>* body_;  ///< its own
     double horizon_;
-    Accuracy accuracy_;
 };
 
 extern template class SceneMap<disk_dimension>;

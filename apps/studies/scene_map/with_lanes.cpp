@@ -1,5 +1,5 @@
+#include "apps/studies/scene_map/dynamics_in_double.hpp"
 #include "apps/studies/scene_map/lanes.hpp"
-#include "apps/studies/scene_map/scene_functions.hpp"
 #include "map/batch/orbit_batch.hpp"
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace {
 /// Where the steps of a batch go as they are made, orbit by orbit mixed.
 template <class Map>
 struct Keeper {
-    std::span<LaneOrbit> orbits;
+    std::span<LaneOrbit<section_dimension<Map::shape>>> orbits;
     const BatchedOrbit<Map>* first;
     std::vector<PostImpactState<double>>& before;
 
@@ -20,7 +20,7 @@ struct Keeper {
 
     void operator()(BatchedOrbit<Map>& orbit, const BatchedImpact& impact) const {
         const std::size_t i = place_of(orbit);
-        LaneOrbit& steps = orbits[i];
+        auto& steps = orbits[i];
         if (impact.alone != nullptr) {
             steps.excess += effort_of(*impact.alone) - 1;
             steps.derivative_is_zero |= has_rested(*impact.alone);
@@ -51,20 +51,21 @@ bool has_lanes() {
 }
 
 template <Shape shape, ImpactRule rule>
-void follow_together(std::span<LaneOrbit> orbits) {
-    using Scenes = ConcreteScene<shape, rule>;
-    using Map = typename Scenes::Map;
+void follow_together(std::span<LaneOrbit<section_dimension<shape>>> orbits) {
+    using Dynamics = DynamicsInDouble<shape, rule>;
+    using Map = typename Dynamics::Map;
     std::vector<BatchedOrbit<Map>> batch;
     std::vector<PostImpactState<double>> before;
     std::vector<std::size_t> sizes;
-    for (const LaneOrbit& orbit : orbits) {
-        batch.push_back({&Scenes::of(orbit.map).return_map, orbit.z, orbit.most_excess < 0 ? 0 : orbit.count});
+    for (const auto& orbit : orbits) {
+        const auto& dynamics = static_cast<const Dynamics&>(*orbit.dynamics);
+        batch.push_back({&dynamics.return_map(), orbit.z, orbit.most_excess < 0 ? 0 : orbit.count});
         before.push_back(orbit.z);
         sizes.push_back(orbit.kept ? orbit.kept->states.size() : 0);
     }
     follow_batch(std::span(batch), Keeper<Map>{orbits, batch.data(), before});
     for (std::size_t i = 0; i < batch.size(); ++i) {
-        LaneOrbit& orbit = orbits[i];
+        auto& orbit = orbits[i];
         orbit.taken =
             batch[i].outcome == Outcome::completed && batch[i].done == orbit.count && orbit.excess <= orbit.most_excess;
         if (orbit.taken)

@@ -7,7 +7,7 @@ bool has_lanes() {
 }
 
 template <Shape shape, ImpactRule rule>
-void follow_together(std::span<LaneOrbit>) {}
+void follow_together(std::span<LaneOrbit<section_dimension<shape>>>) {}
 
 SWIRL_EVERY_MAP(SWIRL_COMPILE_LANES, double)
 

@@ -115,7 +115,7 @@ template <class Map>
 Taken expect_taken(const Map& map, double beta, std::size_t orbits, std::int64_t count) {
     std::vector<KeptVectors> vectors(orbits);
     std::vector<KeptSteps> kept;
-    std::vector<LaneOrbit> lanes;
+    std::vector<LaneOrbit<Map::dimension>> lanes;
     kept.reserve(orbits);
     for (KeptVectors& of_one : vectors) kept.push_back(of_one.as_steps());
     for (std::size_t i = 0; i < orbits; ++i) {
@@ -124,7 +124,7 @@ Taken expect_taken(const Map& map, double beta, std::size_t orbits, std::int64_t
         lanes.push_back(map.lane_orbit(begin.state, count));
         if (i % 2 == 0) lanes.back().kept = &kept[i];
     }
-    const std::vector<LaneOrbit> before = lanes;
+    const std::vector<LaneOrbit<Map::dimension>> before = lanes;
     map.follow_together(lanes);
     Taken taken;
     for (std::size_t i = 0; i < orbits; ++i) {
@@ -181,7 +181,7 @@ void expect_left(const Map& map, double beta, std::int64_t count, std::optional<
     KeptVectors vectors;
     KeptSteps kept = vectors.as_steps();
     const OrbitBegin begin = begin_orbit(map, Start<double>(random_start(beta, paper_speed, 1, 0)));
-    LaneOrbit lane = map.lane_orbit(begin.state, count);
+    LaneOrbit<Map::dimension> lane = map.lane_orbit(begin.state, count);
     lane.kept = &kept;
     lane.most_excess = most_excess.value_or(lane.most_excess);
     map.follow_together(std::span(&lane, 1));

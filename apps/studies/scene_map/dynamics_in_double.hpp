@@ -1,0 +1,103 @@
+// A scene's dynamics in double: those of its map itself.
+#pragma once
+
+#include "apps/studies/scene_map/effort.hpp"
+#include "apps/studies/scene_map/exact_return.hpp"
+#include "apps/studies/scene_map/lanes.hpp"
+#include "apps/studies/scene_map/scene_dynamics.hpp"
+#include "map/orbit/return_derivative.hpp"
+
+namespace swirl::studies {
+
+/// Follows a map; what repeats itself to the bit (ExactReturn) is not followed again.
+///   advance  the step in place, ReturnMap's: ReturnStep → Outcome
+template <class AdvanceStep>
+std::int64_t follow_steps(const Body<double>& body, PostImpactState<double>& z, std::int64_t steps,
+                          const analysis::Stop& stop, analysis::Effort& effort, const AdvanceStep& advance) {
+    constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
+    ReturnStep<double> step;
+    step.collision.after = z;
+    ExactReturn exact;
+    bool repeats = false;
+    std::int64_t done = 0, look = 0;
+    while (done < steps && !effort.is_spent()) {
+        if (stop && done >= look) {
+            if (stop()) break;
+            look = done + between;
+        }
+        const Outcome outcome = advance(step);
+        effort.spent += effort_of(step);
+        if (outcome != Outcome::completed) break;
+        const PostImpactState<double>& after = step.collision.after;
+        if (has_come_to_rest(body, after) || has_diverged(body, after)) break;
+        z = after;
+        ++done;
+        if (repeats) continue;
+        const std::int64_t period = exact.after(z);
+        if (period == 0) continue;
+        repeats = true;
+        done += (steps - done) / period * period;
+    }
+    return done;
+}
+
+template <Shape shape, ImpactRule rule>
+class DynamicsInDouble final : public SceneDynamics<section_dimension<shape>> {
+public:
+    using Base = SceneDynamics<section_dimension<shape>>;
+    using State = typename Base::State;
+    using Step = typename Base::Step;
+    using Derivative = typename Base::Derivative;
+    using Map = CollisionMap<double, shape, rule>;
+
+    explicit DynamicsInDouble(const Scene<double>& scene, const Body<double>* similar = nullptr)
+        : collision_map_(scene, similar), return_map_(collision_map_) {}
+
+    const ReturnMap<Map>& return_map() const { return return_map_; }
+
+    std::shared_ptr<const Base> with(const Scene<double>& scene) const override {
+        return std::make_shared<const DynamicsInDouble>(scene, &body());
+    }
+    const Body<double>& body() const override { return collision_map_.body(); }
+    const ContactScene<double>& contact() const override { return return_map_.contact(); }
+
+    Step first_impact(const LabStart<double>& start) const override {
+        return return_map_.advance(flight_from(body(), start));
+    }
+    Outcome advance(Step& step, double horizon, const ContactSink& sink) const override {
+        return return_map_.advance(step, horizon, sink);
+    }
+    std::int64_t follow(State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
+                        analysis::Effort& effort) const override {
+        return follow_steps(body(), z, steps, stop, effort,
+                            [this, horizon](Step& step) { return return_map_.advance(step, horizon); });
+    }
+
+    bool goes_together_with(const Base& other) const override {
+        return dynamic_cast<const DynamicsInDouble*>(&other) != nullptr;
+    }
+    void follow_together(std::span<LaneOrbit<section_dimension<shape>>> orbits) const override {
+        studies::follow_together<shape, rule>(orbits);
+    }
+
+    Derivative through_flight(const State& z, const Step& known) const override {
+        return derivative_by_saltation(collision_map_, z, known.collision);
+    }
+    Derivative through_kept_flight(const State& z, const KeptFlight& kept) const override {
+        return derivative_by_saltation(collision_map_, z, kept);
+    }
+    analysis::Vector<section_dimension<shape>> along(const State& z, const Step& known,
+                                                     Parameter parameter) const override {
+        if (known.contacts.empty()) return derivative_along(collision_map_, parameter, z, known.collision);
+        return derivative_along_contact(return_map_, parameter, section_point(z), known);
+    }
+    Derivative through_contact(const SectionPoint<double>& z, const Step& known, long& series) const override {
+        return derivative_through_contact(return_map_, z, known, &series);
+    }
+
+private:
+    Map collision_map_;
+    ReturnMap<Map> return_map_;  ///< refers to it
+};
+
+}  // namespace swirl::studies

@@ -1,3 +1,0 @@
-#include "apps/studies/scene_map/scene_orbit_functions.hpp"
-
-template class swirl::studies::SceneOrbit<long double>;

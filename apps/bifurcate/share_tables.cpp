@@ -1,23 +1,18 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 #include "apps/modes/driven_fields.hpp"
-#include "apps/modes/mean_in_words.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <string>
 
 namespace swirl::apps::bifurcate {
 
 namespace {
 
-/// The mean of S; of starts that have none where they go.
-std::string spin_in_words(const ColumnShare& row) {
-    const std::string way =
-        std::isnan(row.mean_spin) ? way_in_words(row.attractor->growth, row.attractor->limit_spin) : "";
-    return way.empty() ? with_error(row.mean_spin, row.mean_spin_error) : way;
+std::string mean_in_words(const ColumnShare& row) {
+    return spin_in_words(row.mean_spin, row.mean_spin_error, row.attractor->growth, row.attractor->limit_spin);
 }
 
 }  // namespace
@@ -42,7 +37,7 @@ Table<ColumnShare> share_table(const Diagram& diagram) {
          period_field<Row>(of(&Attractor::period), "0: none").shown("period", dash_for_zero(" {:>7}")),
          F{"mean_S", &Row::mean_spin, "1", "mean of the starts' time means"},
          F{"mean_S_error", &Row::mean_spin_error, "1", "its standard error over them; of one its own"},
-         F{"mean_S_in_words", spin_in_words, no_column}.table_only().shown("mean S", " {:>19}")},
+         F{"mean_S_in_words", mean_in_words, no_column}.table_only().shown("mean S", " {:>19}")},
         {"parameter", "share", "column", "mode", "kind", "outcome", "period"}};
     const auto driven = driven_fields<Row>(of(&Attractor::growth), of(&Attractor::limit_spin));
     table.fields.insert(table.fields.end(), driven.begin(), driven.end());

@@ -8,6 +8,7 @@
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/input/each_body.hpp"
+#include "apps/modes/classify_flags.hpp"
 #include "apps/modes/verdict_document.hpp"
 #include "apps/output/points_in_words.hpp"
 
@@ -53,18 +54,7 @@ void ClassifyCommandOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
-    const auto counts = whole_number(0, 1'000'000'000);
-    command.add_option("--transient", settings.transient, "impacts before the tail, at most (default 10000)")
-        ->type_name("K")
-        ->transform(counts);
-    command.add_option("--collisions", settings.collisions, "impacts of the tail, at most; 64 or more (default 10000)")
-        ->type_name("K")
-        ->transform(whole_number(64, 100'000'000));
-    command.add_flag("--exhaustive", settings.exhaustive,
-                     "follow every orbit through all of these impacts, whatever its verdict needs");
-    command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
-        ->type_name("D")
-        ->check(finite_number_from(0));
+    add_classify_flags(command, settings);
     command
         .add_option("--max-period", settings.period.max_period,
                     "longest period looked for (default 4096, of a series 256)")

@@ -3,7 +3,6 @@
 #include "apps/branches/section_point.hpp"
 #include "apps/modes/driven_fields.hpp"
 #include "apps/modes/escape_document.hpp"
-#include "apps/modes/mean_in_words.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/steady_share_table.hpp"
 #include "apps/modes/verdict_document.hpp"
@@ -14,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 
 namespace swirl::apps::classify {
@@ -67,13 +65,6 @@ Table<RunVerdict> runs_table() {
     return table;
 }
 
-/// The mean of S of its runs; of runs that have none where they go.
-std::string spin_in_words(const SharedAttractor& attractor, const RunVerdict& first) {
-    if (!std::isnan(attractor.mean_spin)) return with_error(attractor.mean_spin, attractor.mean_spin_error);
-    const std::string way = way_in_words(first.growth, first.limit_spin);
-    return way.empty() ? with_error(attractor.mean_spin, attractor.mean_spin_error) : way;
-}
-
 const std::vector<double>& point_of(const SharedAttractor& a, const RunsFound& found) {
     return found.runs[a.runs.front()].point;
 }
@@ -107,7 +98,11 @@ Table<SharedAttractor> attractors_table(const RunsFound& found, std::size_t d) {
          F{"mean_S_error", &SharedAttractor::mean_spin_error, "1",
            "its standard error over the runs; of one run its own"},
          F{"mean_S_in_words",
-           [&found](const SharedAttractor& a) { return spin_in_words(a, found.runs[a.runs.front()]); }, no_column}
+           [&found](const SharedAttractor& a) {
+               const RunVerdict& run = found.runs[a.runs.front()];
+               return spin_in_words(a.mean_spin, a.mean_spin_error, run.growth, run.limit_spin);
+           },
+           no_column}
              .table_only()
              .shown("mean S", " {:>17}"),
          F{"largest_exponent", &SharedAttractor::largest_exponent, "1", "mean over the runs, per impact"}.shown(

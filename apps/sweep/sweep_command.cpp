@@ -6,6 +6,7 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
+#include "apps/modes/classify_flags.hpp"
 #include "apps/sweep/run_cells.hpp"
 #include "apps/sweep/scenes_file.hpp"
 #include "apps/sweep/start_settings.hpp"
@@ -85,17 +86,7 @@ void SweepOptions::add_to(Flags& command) {
     command.add_option("--runs", runs, "random starts in each cell (default 1)")
         ->type_name("R")
         ->transform(whole_number(1, 1'000'000));
-    command.add_option("--transient", settings.transient, "impacts before the tail, at most (default 10000)")
-        ->type_name("K")
-        ->transform(whole_number(0, 1'000'000'000));
-    command.add_option("--collisions", settings.collisions, "impacts of the tail, at most; 64 or more (default 10000)")
-        ->type_name("K")
-        ->transform(whole_number(64, 100'000'000));
-    command.add_flag("--exhaustive", settings.exhaustive,
-                     "follow every orbit through all of these impacts, whatever its verdict needs");
-    command.add_option("--threshold", settings.recurrence_threshold, "delta of the recurrence rate (default 1e-6)")
-        ->type_name("D")
-        ->check(finite_number_from(0));
+    add_classify_flags(command, settings);
 }
 
 namespace {

@@ -60,6 +60,7 @@ std::string sureness_in_words(const Classification& verdict, const std::optional
         return fmt::format("{}: no impact for {}{}",
                            verdict.kind == Kind::rolling ? "settled, at rest" : "as far as it was followed",
                            with_unit(contact->value, units, "1/omega_s"), units ? "" : "/omega_s");
+    if (verdict.kind == Kind::sliding) return "settled: nothing changes S";
     if (const Evidence* level = evidence_of(verdict, "white level of the angle in radians"); level != nullptr)
         return fmt::format("as far as it was measured: noise of {:.3g} radians or less in the angle", level->value);
     if (const Evidence* residual = evidence_of(verdict, "residual about the phase means");

@@ -9,10 +9,10 @@ namespace {
 
 using analysis::in_words;
 
-constexpr double rest = 1e-7;     // an angle and S that stay within this are at rest
-constexpr double regular = 1e-5;  // periods that agree to this make a motion periodic
-constexpr double nearly = 1e-2;   // so near must the limit of periods that still change be, relative
-constexpr double dying = 0.9;     // slip dies out if what it loses falls by this from first to last quarter
+constexpr double rest = rest_of_spin;  // an angle that stays within this is at rest, too
+constexpr double regular = 1e-5;       // periods that agree to this make a motion periodic
+constexpr double nearly = 1e-2;        // so near must the limit of periods that still change be, relative
+constexpr double dying = 0.9;          // slip dies out if what it loses falls by this from first to last quarter
 constexpr int enough_periods = 3;
 
 /// Where S is constant and psi turns all the same there is no swirl, or none that shows: the body rolls on evenly.

@@ -11,6 +11,9 @@
 
 namespace swirl::studies {
 
+/// S that stays within this is constant: a body at rest in the co-rotating frame, or one that nothing turns.
+constexpr double rest_of_spin = 1e-7;
+
 /// What was seen of a contact that lasts: the second half of the time that it was followed.
 class ContactTail {
 public:

@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swirl::studies {
 
@@ -101,8 +103,35 @@ void look_for_landings(const SceneMap<D>& map, const analysis::ClassifyOptions& 
     count_chatter_once(spins, settings, verdict);
 }
 
+/// The largest less the smallest S of the flights; no number if there are none.
+template <int D>
+double range_of_spin(const analysis::Tail<SceneMap<D>>& tail) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (std::size_t i = 0; i < tail.durations.size(); ++i) {
+        if (!(tail.durations[i] > 0)) continue;
+        const double spin = tail.integrals[i] / tail.durations[i];
+        least = std::min(least, spin);
+        most = std::max(most, spin);
+    }
+    return most >= least ? most - least : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Without friction nothing turns a disk: where its impacts fade it slides along the wall in the end, with the S that
+/// it has. @return false where S is seen to vary
+bool name_fading_disk(double range, analysis::Classification& verdict) {
+    if (!(range <= rest_of_spin)) return false;
+    verdict.mode = analysis::Mode::steady;
+    verdict.kind = analysis::Kind::sliding;
+    verdict.evidence = {
+        {"range of S", range, rest_of_spin,
+         "without friction nothing changes S of a disk, and with e < 1 every impact lowers J, so that no "
+         "attractor has impacts: in the end the disk slides along the wall",
+         "e = 1, or friction: period, exponent and rotation number decide"}};
+    return true;
+}
+
 /// Impacts that only lose must fade, whatever they look like so far.
-void name_dissipative_orbit(analysis::Classification& verdict) {
+void name_fading_orbit(analysis::Classification& verdict) {
     verdict.mode = analysis::Mode::undecided;
     verdict.kind = analysis::Kind::transient;
     verdict.evidence = {
@@ -179,7 +208,8 @@ NamedMode named_from(const SceneMap<D>& map, const Scene<double>& scene, const O
         named.outcome = ending_at(map, tail.end, named.impacts);
         name_end(map, tail.end, named);
     } else if (dissipative) {
-        name_dissipative_orbit(named.verdict);
+        const bool keeps_spin = scene.is_disk() && scene.mu == 0;
+        if (!keeps_spin || !name_fading_disk(range_of_spin<D>(tail), named.verdict)) name_fading_orbit(named.verdict);
     }
     look_for_landings(map, settings, named.verdict);
     if (named.outcome == Outcome::diverged) name_divergence(named);

@@ -248,6 +248,15 @@ class Classify(unittest.TestCase):
             self.assertEqual((verdict["mode"], verdict["kind"], verdict["outcome"]), (mode, kind, "in-contact"), scene)
             self.assertAlmostEqual(verdict["mean_S"], mean, delta=1e-6)
 
+    def test_a_frictionless_disk_whose_impacts_fade_is_named_before_their_end(self):
+        """Each lowers J, none changes S; a polygon's S is not known before."""
+        scene = "--alpha 0.127 --beta 0.809 --mu 0 --restitution 0.409 --x 0.3 --vx 0.2 --vy 0.1 --spin 0.25"
+        disk = document(f"classify --sides disk {scene} --transient 300 --collisions 300")
+        self.assertEqual((disk["mode"], disk["kind"], disk["outcome"]), ("steady", "sliding", "completed"))
+        self.assertAlmostEqual(disk["mean_S"], 0.25, delta=1e-14)
+        polygon = document(f"classify --sides 8 {scene} --transient 300 --collisions 300")
+        self.assertEqual((polygon["mode"], polygon["kind"], polygon["outcome"]), ("undecided", "transient", "completed"))
+
     def test_no_contact_is_no_mode(self):
         verdict = document("classify --sides 6 --alpha 0.4 --beta 0.1 --mu 0.5 --restitution 0.9 --x 0.1")
         self.assertEqual((verdict["mode"], verdict["outcome"]), ("undecided", "no-contact"))

@@ -56,11 +56,16 @@ struct Case {
 
     bool ended() const { return found.outcome != Outcome::completed; }
     bool undecided() const { return found.verdict.mode == Mode::undecided; }
-    bool fading() const { return is_dissipative_without_drive(scene) && !ended(); }
+    bool fading() const { return is_dissipative_without_drive(scene) && !ended() && undecided(); }
+    /// Nothing changes the S of a disk without friction; random starts have none.
+    bool slides_in_the_end() const {
+        const auto& v = found.verdict;
+        return scene.is_disk() && scene.mu == 0 && v.kind == Kind::sliding && v.mode == Mode::steady && v.mean == 0;
+    }
     bool wrong() const {
         if (driven != Driven::not_said) return driven == Driven::fails;
         if (ended() || undecided()) return false;
-        if (is_dissipative_without_drive(scene)) return true;
+        if (is_dissipative_without_drive(scene)) return !slides_in_the_end();
         return !left && truth.mode != Mode::undecided && !agrees(truth);
     }
     /// A cycle has the period that the truth has, a torus none. The truth counts every rebound of a landing's chatter.
@@ -72,18 +77,9 @@ struct Case {
     }
 };
 
-/// An orbit that only loses J spends its time in ever longer contact, which costs up to a hundred flights an impact,
-/// and shows nothing new by it.
-analysis::ClassifyOptions settings_for(const Case& c) {
-    analysis::ClassifyOptions settings;
-    if (is_dissipative_without_drive(c.scene) && c.scene.restitution < 0.9)
-        settings.transient = settings.collisions = 2'000;
-    return settings;
-}
-
 void look_at(Case& c) {
     const LabStart<double> start = random_start(c.scene.beta, paper_speed, c.number + 1, 0);
-    c.found = name_mode(c.scene, start, settings_for(c));
+    c.found = name_mode(c.scene, start, {});
     c.driven = driven_truth(c.scene, start, c.found);
     if (c.ended() || is_dissipative_without_drive(c.scene)) return;
     TruthOptions options;
@@ -234,8 +230,8 @@ Tally survey(int count, Drawn how) {
 TEST(ModeSurveyNightly, OfTwoThousandScenes) {
     const Tally tally = survey(2000, Drawn::widely);
     EXPECT_LE(tally.missed, 0.03 * tally.with_truth);
-    EXPECT_LE(tally.undecided - tally.fading, 0.05 * tally.scenes);  // that it fades is proven
-    EXPECT_GE(tally.driven.size(), 2U);                              // both kinds are met
+    EXPECT_LE(tally.undecided, 0.05 * tally.scenes);
+    EXPECT_GE(tally.driven.size(), 2U);  // both kinds are met
 }
 TEST(ModeSurveyNightly, OfFiveHundredScenesThatAreHardlySwirled) {
     survey(500, Drawn::slowly);

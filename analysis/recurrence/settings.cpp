@@ -16,7 +16,6 @@ Settings recurrence_analysis_jl() {
 Settings pyunicorn() {
     Settings s;
     s.strict = true;
-    s.theiler = 1;
     s.rate_pairs = RatePairs::all;
     s.window_on_rate = false;
     s.window_on_vertical = false;
@@ -38,7 +37,6 @@ Settings pyrqa() {
 Settings crp_toolbox() {
     Settings s;
     s.strict = true;
-    s.theiler = 1;
     s.recurrence_time = RecurrenceTime::white_lines;
     s.time_entropy_scale = TimeEntropyScale::log_longest;
     return s;

@@ -54,8 +54,9 @@ struct Settings {
 };
 
 /// Settings that reproduce a published package: "RecurrenceAnalysis.jl", "pyunicorn", "PyRQA", "CRP Toolbox"
-/// (upper and lower case alike). Norm, minimal lengths and threshold stay the caller's. What each does: README.md.
-/// Throws std::invalid_argument, listing the known names, for any other name.
+/// (upper and lower case alike). Norm, minimal lengths, Theiler window and threshold stay the caller's: without one it
+/// is 1, or 0 of a cross recurrence, whose main diagonal is a line like others. What each does: README.md. Throws
+/// std::invalid_argument, listing the known names, for any other name.
 Settings preset(std::string_view name);
 
 /// The names that preset() knows.

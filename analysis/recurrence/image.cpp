@@ -33,21 +33,22 @@ Image cross_recurrence_image(const Points& rows, const Points& columns, double t
     const double bound = key_bound(threshold, settings.norm, settings.strict, rows.dimension);
     const detail::SortedRows sorted = detail::sort_rows(rows, settings.norm);
     Image image{pixels, std::vector<double>(pixels * pixels, 0)};
-    const auto edge = [pixels](std::size_t n, std::size_t a) { return n * a / pixels; };
+    const auto edge = [pixels](const Points& points, std::size_t a) {
+        return a == pixels ? points.count : points.point_from(points.rows() * a / pixels);
+    };
     tbb::parallel_for(std::size_t{0}, pixels, [&](std::size_t b) {
         detail::ColumnScratch scratch = detail::make_scratch(sorted);
         std::vector<std::uint64_t> words(rows.count / 64 + 1);
         std::uint64_t* const frame = words.data();
         std::vector<std::size_t> points(pixels, 0);
-        const std::size_t first = edge(columns.count, b), last = edge(columns.count, b + 1);
+        const std::size_t first = edge(columns, b), last = edge(columns, b + 1);
         for (std::size_t c = first; c < last; ++c) {
             std::fill(words.begin(), words.end(), 0);
             detail::fill_column(sorted, columns, c, {&bound, 1}, 0, {&frame, 1}, scratch);
-            for (std::size_t a = 0; a < pixels; ++a)
-                points[a] += count_bits(words, edge(rows.count, a), edge(rows.count, a + 1));
+            for (std::size_t a = 0; a < pixels; ++a) points[a] += count_bits(words, edge(rows, a), edge(rows, a + 1));
         }
         for (std::size_t a = 0; a < pixels; ++a) {
-            const std::size_t pairs = (edge(rows.count, a + 1) - edge(rows.count, a)) * (last - first);
+            const std::size_t pairs = (edge(rows, a + 1) - edge(rows, a)) * (last - first);
             image.density[a * pixels + b] = static_cast<double>(points[a]) / static_cast<double>(pairs);
         }
     });

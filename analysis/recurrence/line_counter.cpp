@@ -1,8 +1,8 @@
 #include "analysis/recurrence/line_counter.hpp"
 
 #include "analysis/recurrence/block_join.hpp"
-#include "analysis/recurrence/line_frame.hpp"
-#include "analysis/recurrence/line_kernels.hpp"
+#include "analysis/recurrence/gaps.hpp"
+#include "analysis/recurrence/line_block.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -14,74 +14,38 @@
 namespace swirl::analysis::recurrence::detail {
 namespace {
 
-// What all blocks add to, atomically, for one threshold.
-struct Totals {
-    std::vector<std::uint64_t> diagonal, vertical, time, diagonal_points;
-    std::uint64_t points = 0, points_outside = 0;
-    bool main_diagonal = false;  // of a symmetric matrix: all of it is recurrent, or nothing
-
-    explicit Totals(const Shape& shape)
-        : diagonal(std::max(Tally::small, std::max(shape.rows, shape.columns) + 1)),
-          vertical(shape.vertical ? diagonal.size() : 0),
-          time(vertical.size()),
-          diagonal_points(std::min(shape.rows, shape.columns)) {}
-};
-
-struct Context {
-    Shape shape;
-    Settings settings;
-    Frame frame;
-    std::vector<Totals> totals;  // per threshold
-    bool discard_border() const { return settings.border_lines == BorderLines::discarded; }
-
-    bool touches_border(const DiagonalLine& line) const {
-        const std::size_t first_row = line.q + line.first - frame.origin, last_row = line.q + line.last - frame.origin;
-        return line.first == 0 || first_row == 0 || line.last + 1 == shape.columns || last_row + 1 == shape.rows;
+// Of rows with gaps between them: each run of rows alone. Returns the points.
+std::size_t vertical_lines_of_column(const Context& context, std::size_t c, const VerticalOptions& options,
+                                     BlockCounter& counter) {
+    const std::uint64_t* words = counter.column(c);
+    const std::size_t first = context.frame.offset(c);
+    const Presences* const presences = context.shape.presences;
+    if (presences == nullptr)
+        return vertical_lines(words, first, first + context.frame.rows, options, counter.vertical, counter.time);
+    if (!presences->columns.has(c)) return 0;
+    std::size_t points = 0;
+    for (const PointRun& run : presences->rows.runs) {
+        counter.stretch.assign(run.count / 64 + 2, 0);
+        copy_bits(words, first + run.place, run.count, counter.stretch.data(), 0);
+        points += vertical_lines(counter.stretch.data(), 0, run.count, options, counter.vertical, counter.time);
     }
-    bool counts(const DiagonalLine& line) const { return !discard_border() || !touches_border(line); }
-};
-
-// One threshold of one block.
-struct BlockCounter {
-    std::array<std::vector<std::uint64_t>, 4> ring;  // frames of four consecutive columns
-    std::vector<std::uint64_t> open, planes, none;   // planes: of the words from lines_begin on; none: as many, all 0
-    std::vector<std::uint32_t> begun, changes;
-    Tally diagonal, vertical, time;
-    ShortLines shorts;
-    std::vector<DiagonalLine> ended;
-    std::uint64_t points = 0, points_outside = 0;
-
-    BlockCounter(const Frame& frame, Totals& totals)
-        : open(frame.words, 0),
-          planes(plane_count * frame.line_words(), 0),
-          none(frame.line_words(), 0),
-          begun(frame.line_words() * 64),
-          changes(totals.vertical.empty() ? 0 : frame.rows + 72) {
-        for (auto& f : ring) f.assign(frame.words, 0);
-        diagonal.shared = totals.diagonal;
-        vertical.shared = totals.vertical;
-        time.shared = totals.time;
-    }
-    std::uint64_t* column(std::size_t c) { return ring[c & 3].data(); }
-};
+    return points;
+}
 
 void add_column(Context& context, std::size_t c, std::size_t k, BlockCounter& counter) {
     const Settings& settings = context.settings;
     const VerticalOptions options{settings.recurrence_time, settings.border_white_lines, context.discard_border(),
                                   counter.changes.data()};
     std::uint64_t* words = counter.column(c);
-    const std::size_t first = context.frame.offset(c), last = first + context.frame.rows;
     if (c == 0) context.totals[k].main_diagonal = (words[context.frame.origin >> 6] >> 63) != 0;
     if (!context.shape.vertical) {
         clear_window(context.frame, context.shape.theiler, words);
         return;
     }
     std::size_t points = 0;
-    if (!settings.window_on_vertical)
-        points = vertical_lines(words, first, last, options, counter.vertical, counter.time);
+    if (!settings.window_on_vertical) points = vertical_lines_of_column(context, c, options, counter);
     const std::size_t removed = clear_window(context.frame, context.shape.theiler, words);
-    if (settings.window_on_vertical)
-        points = vertical_lines(words, first, last, options, counter.vertical, counter.time) + removed;
+    if (settings.window_on_vertical) points = vertical_lines_of_column(context, c, options, counter) + removed;
     counter.points += points;
     counter.points_outside += points - removed;
 }
@@ -131,12 +95,18 @@ void take_back_border_lines(const Context& context, const DiagonalStep& step, Sh
 void follow_diagonals(const Context& context, std::size_t begin, std::size_t end, std::size_t c, BlockCounter& counter,
                       BlockBorder& border) {
     const Frame& frame = context.frame;
-    DiagonalStep step{counter.column(c + 3),      counter.column(c),
-                      counter.column(c + 1),      counter.column(c + 2),
-                      counter.open.data(),        counter.begun.data(),
-                      frame.lines_begin,          std::max(frame.first_word(c), frame.lines_begin >> 6),
-                      frame.last_word(c),         static_cast<std::uint32_t>(c),
-                      c == begin || c + 2 >= end, c + 1 == end};
+    DiagonalStep step{counter.column(c + 3),
+                      counter.column(c),
+                      counter.column(c + 1),
+                      counter.column(c + 2),
+                      counter.open.data(),
+                      counter.begun.data(),
+                      frame.lines_begin,
+                      std::max(frame.first_word(c), frame.lines_begin >> 6),
+                      frame.last_word(c),
+                      static_cast<std::uint32_t>(c),
+                      context.enter_all() || c == begin || c + 2 >= end,
+                      c + 1 == end};
     if (step.last_word < step.first_word) return;
     counter.ended.clear();
     diagonal_step(step, counter.shorts, counter.ended);
@@ -221,8 +191,12 @@ LineHistograms finish(const Context& context, Totals& totals) {
             for (std::uint64_t& count : totals.diagonal) count *= 2;
         for (std::uint64_t& count : totals.diagonal_points) count *= 2;
         if (shape.theiler == 0 && totals.main_diagonal) {
-            if (!context.discard_border()) ++totals.diagonal[shape.rows];
-            totals.diagonal_points[0] = shape.rows;
+            std::vector<PointRun> runs{{0, 0, shape.rows}};
+            if (shape.presences != nullptr) runs = shape.presences->rows.runs;
+            for (const PointRun& run : runs) {
+                if (!context.discard_border()) ++totals.diagonal[run.count];
+                totals.diagonal_points[0] += run.count;
+            }
         }
     }
     trim_zeros(totals.diagonal);
@@ -237,7 +211,10 @@ LineHistograms finish(const Context& context, Totals& totals) {
             std::move(totals.diagonal),
             std::move(totals.vertical),
             std::move(totals.time),
-            std::move(totals.diagonal_points)};
+            std::move(totals.diagonal_points),
+            0,
+            0,
+            {}};
 }
 
 }  // namespace

@@ -12,11 +12,16 @@
 
 namespace swirl::analysis::recurrence::detail {
 
+struct Presences;
+
 struct Shape {
     std::size_t rows, columns;
     bool symmetric;
     int theiler;
     bool vertical = true;  ///< count vertical lines, recurrence times and points as well
+    /// Rows and columns that have no point (gaps.hpp); none: all have one. A source leaves them empty, and to lines
+    /// they are what the border of the matrix is.
+    const Presences* presences = nullptr;
 };
 
 /// Sets bit r + offset of frames[k] for every recurrent row r of column c, one frame per threshold.

@@ -1,12 +1,14 @@
 #include "analysis/recurrence/lines.hpp"
 
 #include "analysis/recurrence/column_finder.hpp"
+#include "analysis/recurrence/gaps.hpp"
 #include "analysis/recurrence/line_counter.hpp"
 #include "analysis/recurrence/sliding_lines.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -31,6 +33,19 @@ void take_vertical(detail::VerticalCounts counts, LineHistograms& lines) {
     lines.points_outside_window = counts.points_outside;
 }
 
+void take_pairs(const detail::Presences& presences, int theiler, std::vector<LineHistograms>& histograms) {
+    std::uint64_t rows = 0, columns = 0;
+    for (const detail::PointRun& run : presences.rows.runs) rows += run.count;
+    for (const detail::PointRun& run : presences.columns.runs) columns += run.count;
+    const std::uint64_t inside = detail::pairs_within(presences, static_cast<std::size_t>(theiler));
+    const std::vector<std::uint64_t> by_distance = detail::pairs_by_distance(presences);
+    for (LineHistograms& lines : histograms) {
+        lines.pairs = rows * columns;
+        lines.pairs_outside_window = lines.pairs - inside;
+        lines.diagonal_pairs = by_distance;
+    }
+}
+
 std::vector<LineHistograms> count(const Points& rows, const Points& columns, bool symmetric,
                                   std::span<const double> thresholds, const Settings& settings) {
     validate(settings);
@@ -38,8 +53,12 @@ std::vector<LineHistograms> count(const Points& rows, const Points& columns, boo
     const detail::ColumnFinder finder = detail::find_columns(rows, columns, settings.norm, bounds);
     const detail::SortedRows& sorted = finder.sorted;
     const int theiler = theiler_window(settings, !symmetric);
-    const bool sliding = detail::can_slide(rows, theiler);
-    const detail::Shape shape{rows.count, columns.count, symmetric, theiler, !sliding};
+    std::optional<detail::Presences> presences;
+    if (!rows.places.empty() || !columns.places.empty())
+        presences = detail::Presences{detail::Presence(rows), detail::Presence(columns)};
+    const bool sliding = !presences && detail::can_slide(rows, theiler);
+    const detail::Shape shape{rows.rows(), columns.rows(), symmetric,
+                              theiler,     !sliding,       presences ? &*presences : nullptr};
     std::vector<LineHistograms> histograms;
     std::vector<detail::VerticalCounts> vertical(bounds.size());
     const auto slide = [&] {
@@ -51,9 +70,13 @@ std::vector<LineHistograms> count(const Points& rows, const Points& columns, boo
                                                          theiler, settings);
         });
     };
-    tbb::parallel_invoke(slide, [&] {
-        histograms = detail::count_all_lines(shape, bounds.size(), settings, [&] { return detail::source_of(finder); });
-    });
+    const auto make_source = [&] {
+        detail::ColumnSource source = detail::source_of(finder);
+        return presences ? detail::with_gaps(std::move(source), *presences, rows.count, bounds.size()) : source;
+    };
+    tbb::parallel_invoke(slide,
+                         [&] { histograms = detail::count_all_lines(shape, bounds.size(), settings, make_source); });
+    if (presences) take_pairs(*presences, theiler, histograms);
     if (sliding)
         for (std::size_t k = 0; k < bounds.size(); ++k) take_vertical(std::move(vertical[k]), histograms[k]);
     return histograms;

@@ -71,26 +71,35 @@ std::uint64_t pairs_outside_window(const LineHistograms& lines) {
 }
 
 double recurrence_rate(const LineHistograms& lines, const Settings& settings) {
-    const std::uint64_t pairs = settings.rate_pairs == RatePairs::all
-                                    ? static_cast<std::uint64_t>(lines.rows) * lines.columns
-                                    : pairs_outside_window(lines);
+    const bool has_gaps = !lines.diagonal_pairs.empty();
+    std::uint64_t pairs = has_gaps ? lines.pairs : static_cast<std::uint64_t>(lines.rows) * lines.columns;
+    if (settings.rate_pairs == RatePairs::outside_window)
+        pairs = has_gaps ? lines.pairs_outside_window : pairs_outside_window(lines);
     return share(settings.window_on_rate ? lines.points_outside_window : lines.points, pairs);
 }
 
 // As RecurrenceAnalysis.jl: diagonals d = 1 + W ... b, b = n - border (d = 1 is the main one), weights d - (W + b)/2.
+// Diagonals on which gaps leave no pair have no rate, and are left out.
 double trend(const LineHistograms& lines, const Settings& settings) {
     const auto n = static_cast<std::ptrdiff_t>(lines.diagonal_points.size());
     const std::ptrdiff_t first = 1 + lines.theiler, last = n - settings.trend_border;
     if (last < first) return nan;
-    const auto rate = [&](std::ptrdiff_t d) {
-        const double length = static_cast<double>(n - (d - 1)) * (d == 1 ? 1 : 2);
-        return static_cast<double>(lines.diagonal_points[static_cast<std::size_t>(d - 1)]) / length;
+    const bool has_gaps = !lines.diagonal_pairs.empty();
+    const auto length = [&](std::ptrdiff_t d) {
+        return has_gaps ? static_cast<double>(lines.diagonal_pairs[static_cast<std::size_t>(d - 1)])
+                        : static_cast<double>(n - (d - 1)) * (d == 1 ? 1 : 2);
     };
-    double mean = 0;
-    for (std::ptrdiff_t d = first; d <= last; ++d) mean += rate(d);
-    mean /= static_cast<double>(last - first + 1);
+    const auto rate = [&](std::ptrdiff_t d) {
+        return static_cast<double>(lines.diagonal_points[static_cast<std::size_t>(d - 1)]) / length(d);
+    };
+    double mean = 0, count = 0;
+    for (std::ptrdiff_t d = first; d <= last; ++d)
+        if (length(d) > 0) mean += rate(d), ++count;
+    if (count == 0) return nan;
+    mean /= count;
     double numerator = 0, denominator = 0;
     for (std::ptrdiff_t d = first; d <= last; ++d) {
+        if (!(length(d) > 0)) continue;
         const double weight = static_cast<double>(d) - static_cast<double>(lines.theiler + last) / 2;
         numerator += weight * (rate(d) - mean);
         denominator += weight * weight;

@@ -71,6 +71,25 @@ Points section_points(std::span<const double> row_major, int dimension, std::spa
     return points;
 }
 
+std::size_t Points::point_from(std::size_t distance) const {
+    if (places.empty()) return std::min(distance, count);
+    return static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), distance) - places.begin());
+}
+
+Points at_places(Points points, std::span<const std::size_t> places) {
+    if (places.size() != points.count)
+        throw std::invalid_argument("number of places = " + std::to_string(places.size()) +
+                                    ": must be the number of points, " + std::to_string(points.count));
+    for (std::size_t i = 1; i < places.size(); ++i)
+        if (!(places[i] > places[i - 1]))
+            refuse("places[" + std::to_string(i) + "]", static_cast<double>(places[i]), "above the one before");
+    require_count(places.back() - places.front());
+    points.places.clear();
+    if (places.back() - places.front() + 1 == points.count) return points;
+    for (const std::size_t place : places) points.places.push_back(static_cast<std::uint32_t>(place - places.front()));
+    return points;
+}
+
 double distance_of_key(double key, Norm norm, int dimension) {
     return norm == Norm::euclidean && dimension > 1 ? std::sqrt(key) : key;
 }

@@ -58,9 +58,9 @@ double select_scalar_key(const Points& points, std::size_t gap, std::uint64_t ra
     const std::vector<double> sorted = sorted_values(points);
     const auto count = [&](double bound) {  // unordered pairs with j - i >= gap
         std::uint64_t pairs = (detail::count_sorted_pairs(sorted, points.periods[0], bound) - points.count) / 2;
-        for (std::size_t k = 1; k < gap; ++k)
-            for (std::size_t i = 0; i + k < points.count; ++i)
-                pairs -= pair_key(points, i, points, i + k, Norm::maximum) <= bound;
+        for (std::size_t i = 0; i < points.count; ++i)
+            for (std::size_t j = i + 1; j < points.count && points.place(j) - points.place(i) < gap; ++j)
+                pairs -= pair_key(points, i, points, j, Norm::maximum) <= bound;
         return pairs;
     };
     std::uint64_t low = 0, high = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::max());
@@ -130,10 +130,11 @@ double threshold_of_rate(const Points& points, double rate, const Settings& sett
     const auto window = static_cast<std::size_t>(theiler_window(settings, false));
     const std::size_t gap = std::max<std::size_t>(window, 1);
     const bool with_diagonal = window == 0;
-    if (gap >= points.count && !with_diagonal)
+    if (gap >= points.rows() && !with_diagonal)
         throw std::invalid_argument("theiler = " + std::to_string(window) + ": must be < " +
-                                    std::to_string(points.count) + ", the number of points");
-    const std::uint64_t half = static_cast<std::uint64_t>(points.count - gap) * (points.count - gap + 1) / 2;
+                                    std::to_string(points.rows()) + ", the number of points");
+    std::uint64_t half = 0;
+    for (std::size_t i = 0; i < points.count; ++i) half += points.count - points.point_from(points.place(i) + gap);
     const std::uint64_t diagonal = with_diagonal ? points.count : 0;
     const std::uint64_t wanted = pairs_for_rate(rate, 2 * half + diagonal);
     double key = 0;  // the pairs (i, i) are at distance 0

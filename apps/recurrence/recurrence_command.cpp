@@ -22,7 +22,8 @@ const char* const recurrence_details =
     R"(
 Several thresholds (--threshold 0.1,0.2) are counted in one pass; RR ... RC are then lists, in the order of the list
 `thresholds`. --threshold is in SI units where the scene is and the observable has a unit (x, vn, ...; S has none). A cross
-recurrence (--cross, --cross-column) has the first series in its rows and no RC. An orbit that ends early is quantified as
+recurrence (--cross, --cross-column) has the first series in its rows and no RC. Gaps of a measured series are to lines and
+recurrence times what the border of the matrix is: they end there, unless --join-gaps. An orbit that ends early is quantified as
 far as it came: the outcome says why, and the exit code is 3.
 
 Examples:
@@ -32,8 +33,9 @@ Examples:
 namespace {
 
 /// Window and image against the numbers of points.
-void check_sizes(const RecurrenceOptions& options, int window, std::size_t rows, std::size_t columns) {
-    const std::size_t longest = std::max(rows, columns), shortest = std::min(rows, columns);
+void check_sizes(const RecurrenceOptions& options, int window, const recurrence::Points& rows,
+                 const recurrence::Points& columns) {
+    const std::size_t longest = std::max(rows.rows(), columns.rows()), shortest = std::min(rows.count, columns.count);
     if (window > 0 && static_cast<std::size_t>(window) >= longest)
         throw BadInput(
             fmt::format("theiler = {} leaves no pair of {} points; allowed: 0 to {}", window, longest, longest - 1));
@@ -48,8 +50,8 @@ Quantification quantify(const RecurrenceOptions& options, const RecurrencePoints
     result.conventions = options.conventions.settings();
     result.thresholds = thresholds_of(options, points, cross.has_value(), result.conventions);
     if (!points.enough || (cross && !cross->enough)) return result;
-    check_sizes(options, recurrence::theiler_window(result.conventions, cross.has_value()), points.points.count,
-                cross ? cross->points.count : points.points.count);
+    check_sizes(options, recurrence::theiler_window(result.conventions, cross.has_value()), points.points,
+                cross ? cross->points : points.points);
     const auto& deltas = result.thresholds.delta;
     result.lines = cross ? recurrence::count_cross_lines(points.points, cross->points, deltas, result.conventions)
                          : recurrence::count_lines(points.points, deltas, result.conventions);
@@ -118,6 +120,9 @@ void RecurrenceOptions::add_to(Flags& command) {
         ->group("Recurrence");
     command.add_option("--resample", resample, "make a measured series even: linear, this spacing; gaps stay")
         ->type_name("DT")
+        ->group("Recurrence");
+    command
+        .add_flag("--join-gaps", join_gaps, "lines of a measured series go on across its gaps, as if there were none")
         ->group("Recurrence");
     command.add_option("--cross", cross, "cross recurrence with another series, or another record")
         ->type_name("FILE")

@@ -35,7 +35,8 @@ struct RecurrenceOptions {
     int delay = 1;
     std::string period;    ///< of a measured angle
     std::string resample;  ///< spacing; empty: as measured
-    std::string cross;     ///< file of the second series
+    bool join_gaps = false;
+    std::string cross;  ///< file of the second series
     std::string cross_column;
     std::size_t image = 0;  ///< pixels; 0: none
 

@@ -86,6 +86,7 @@ Settings settings_of(const RecurrenceReport& report) {
         {"points_left_out", static_cast<std::int64_t>(report.points.left_out)}};
     settings.insert(settings.end(), rest.begin(), rest.end());
     if (cross) settings.emplace_back("cross_points", static_cast<std::int64_t>(report.cross->points.count));
+    if (report.points.series) settings.emplace_back("join_gaps", options.join_gaps);
     if (!options.period.empty()) settings.emplace_back("period", number_from<double>("period", options.period));
     return settings;
 }
@@ -95,7 +96,8 @@ std::vector<std::string> notes_of(const RecurrenceReport& report) {
     if (report.cross)
         for (const auto& note : report.cross->notes) notes.push_back("second series: " + note);
     if (report.result.thresholds.floored)
-        notes.push_back("the observable is constant to rounding: the threshold is 1e-12 of its size");
+        notes.push_back(
+            "the observable is constant to rounding: every pair recurs, the threshold is 1e-12 of its size");
     if (!report.points.enough) notes.push_back("the orbit ended before there was a pair of points");
     return notes;
 }

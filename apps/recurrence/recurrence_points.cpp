@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <utility>
 
 namespace swirl::apps::recurrence {
 
@@ -22,34 +24,38 @@ double positive(const char* option, const std::string& text) {
     return value;
 }
 
-/// Delay vectors of a series with gaps: those that touch one are left out.
+/// Delay vectors of a series with gaps: those that touch one are left out, and lines end there unless gaps are joined.
 recurrence::Points embed_around_gaps(const std::vector<double>& values, const RecurrenceOptions& options, double period,
                                      std::size_t& left_out) {
     const auto dimension = static_cast<std::size_t>(options.dimension);
     const std::size_t reach = (dimension - 1) * static_cast<std::size_t>(options.delay);
     std::vector<double> rows, row(dimension);
+    std::vector<std::size_t> places;
     for (std::size_t i = 0; i + reach < values.size(); ++i) {
         bool whole = true;
         for (std::size_t m = 0; m < dimension; ++m) {
             row[m] = values[i + m * static_cast<std::size_t>(options.delay)];
             whole = whole && !std::isnan(row[m]);
         }
-        if (whole)
-            rows.insert(rows.end(), row.begin(), row.end());
-        else
+        if (!whole) {
             ++left_out;
+            continue;
+        }
+        rows.insert(rows.end(), row.begin(), row.end());
+        places.push_back(i);
     }
     if (rows.empty())
         throw BadInput(fmt::format("series: no {} samples at delay {} lie free of gaps", dimension, options.delay));
-    if (dimension == 1) return recurrence::embed_series(rows, 1, 1, period);
-    return recurrence::section_points(rows, options.dimension, std::vector<double>(dimension, period));
+    recurrence::Points points =
+        dimension == 1 ? recurrence::embed_series(rows, 1, 1, period)
+                       : recurrence::section_points(rows, options.dimension, std::vector<double>(dimension, period));
+    return options.join_gaps ? points : recurrence::at_places(std::move(points), places);
 }
 
 RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& options) {
     if (options.observables != "S")
         throw BadInput(fmt::format("observable = '{}' is an orbit's; a series has --column", options.observables));
     RecurrencePoints result;
-    result.measured = true;
     std::vector<double> values = series.values;
     if (!options.resample.empty()) {
         analysis::ResampleOptions how;
@@ -72,10 +78,10 @@ RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& optio
     const bool gaps = std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
     if (gaps) {
         result.points = embed_around_gaps(values, options, period, result.left_out);
-        result.notes.push_back(
-            fmt::format("{} points touch a gap and are left out; lines count the points on either side "
-                        "of one as neighbours",
-                        result.left_out));
+        result.notes.push_back(fmt::format("{} points touch a gap and are left out; {}", result.left_out,
+                                           options.join_gaps
+                                               ? "lines count the points on either side of one as neighbours"
+                                               : "lines and recurrence times end there (--join-gaps: they go on)"));
     } else {
         result.points = recurrence::embed_series(values, options.dimension, options.delay, period);
     }
@@ -85,7 +91,8 @@ RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& optio
 
 RecurrencePoints points_of(OrbitColumns orbit, const RecurrenceOptions& options) {
     for (const auto& [given, flag] :
-         {std::pair(!options.resample.empty(), "resample"), std::pair(!options.period.empty(), "period")})
+         {std::pair(!options.resample.empty(), "resample"), std::pair(!options.period.empty(), "period"),
+          std::pair(options.join_gaps, "join-gaps")})
         if (given) throw BadInput(fmt::format("--{} is a measured series'; an orbit's points are its impacts", flag));
     const std::size_t names = orbit.names.size();
     if (names > 1 && options.dimension > 1)
@@ -123,11 +130,12 @@ std::vector<double> numbers_in(const char* option, const std::vector<std::string
     return numbers;
 }
 
-/// Distances below this are rounding: an orbit at a fixed point scatters by some units of ε times its own scale.
+/// Distances below this are rounding: an orbit at a fixed point scatters by some units of ε times its own scale. Of
+/// zeros alone it is not 0, which with < nothing is below.
 double rounding_floor(const recurrence::Points& points) {
     double largest = 0;
     for (const double v : points.values) largest = std::max(largest, std::abs(v));
-    return 1e-12 * largest;
+    return std::max(1e-12 * largest, std::numeric_limits<double>::min());
 }
 
 }  // namespace
@@ -172,6 +180,7 @@ std::optional<RecurrencePoints> cross_points(const RecurrenceOptions& options) {
     plain.dimension = options.dimension;
     plain.delay = options.delay;
     plain.period = options.period;
+    plain.join_gaps = options.join_gaps && options.input.kind() == InputKind::series;
     plain.resample = options.input.kind() == InputKind::series ? options.resample : "";
     return points_of(second.measured(), plain);
 }
@@ -203,11 +212,6 @@ Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoint
         const double floor = rounding_floor(points.points);
         const double deviation = recurrence::threshold_of_deviation(points.points, 1, options.conventions.deviation());
         thresholds.floored = deviation <= floor;
-        if (thresholds.floored && points.measured)
-            throw BadInput(
-                fmt::format("threshold-std: the series is constant (its standard deviation is {:g}); give "
-                            "--threshold D",
-                            deviation));
         for (const double factor : thresholds.given)
             thresholds.delta.push_back(
                 thresholds.floored

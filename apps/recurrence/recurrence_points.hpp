@@ -14,7 +14,6 @@ namespace swirl::apps::recurrence {
 struct RecurrencePoints {
     analysis::recurrence::Points points;
     bool enough = true;        ///< false: the orbit ended too early for a pair of points
-    bool measured = false;     ///< a series: nothing is known of its rounding
     std::size_t left_out = 0;  ///< points that embed across a gap
     std::vector<std::string> notes;
     std::optional<OrbitColumns> orbit;
@@ -33,7 +32,7 @@ RecurrencePoints main_points(RecurrenceOptions& options);
 /// The second trajectory, if --cross or --cross-column was given: a record's, if the file is one, or a series'.
 std::optional<RecurrencePoints> cross_points(const RecurrenceOptions& options);
 
-/// The thresholds that the flags ask for. @throws BadInput for two kinds, a value out of range, a constant series
+/// The thresholds that the flags ask for. @throws BadInput for two kinds, a value out of range
 struct Thresholds {
     std::string kind;  ///< threshold, threshold_std or recurrence_rate
     std::vector<double> given;

@@ -2,6 +2,7 @@
 
 #include "analysis/argument_error.hpp"
 #include "analysis/spectrum/fft.hpp"
+#include "analysis/spectrum/segments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +22,6 @@ using Complex = std::complex<double>;
 constexpr std::size_t least_samples = 8;
 constexpr std::size_t least_segments_for_spread = 4;
 
-bool missing(double x) {
-    return std::isnan(x);
-}
-bool missing(const Complex& x) {
-    return std::isnan(x.real()) || std::isnan(x.imag());
-}
-
 template <class Sample>
 void require_valid(std::span<const Sample> series, double spacing, const SpectrumOptions& options) {
     if (!(spacing > 0) || !std::isfinite(spacing)) refuse("spacing", spacing, "positive and finite");
@@ -39,7 +33,8 @@ void require_valid(std::span<const Sample> series, double spacing, const Spectru
         refuse("segment_length", static_cast<double>(options.segment_length), "0 (automatic) or at least 8");
     }
     for (const Sample& x : series) {
-        if (!missing(x) && !std::isfinite(std::abs(x))) refuse("series", std::abs(x), "finite, or NaN where missing");
+        if (!is_missing(x) && !std::isfinite(std::abs(x)))
+            refuse("series", std::abs(x), "finite, or NaN where missing");
     }
 }
 
@@ -51,7 +46,7 @@ double subtract_trend(std::vector<Sample>& series, Detrend detrend) {
     double index_mean = 0;
     Sample mean{};
     for (std::size_t j = 0; j < series.size(); ++j) {
-        if (missing(series[j])) continue;
+        if (is_missing(series[j])) continue;
         count += 1;
         mean += series[j];
         index_mean += static_cast<double>(j);
@@ -64,7 +59,7 @@ double subtract_trend(std::vector<Sample>& series, Detrend detrend) {
     Sample correction{};  // of the mean's own rounding, which grows with the length of the series
     double moment = 0;
     for (std::size_t j = 0; j < series.size(); ++j) {
-        if (missing(series[j])) continue;
+        if (is_missing(series[j])) continue;
         const double offset = static_cast<double>(j) - index_mean;
         correction += series[j] - mean;
         slope += offset * (series[j] - mean);
@@ -81,7 +76,7 @@ double mean_square(std::span<const Sample> series) {
     double sum = 0;
     double count = 0;
     for (const Sample& x : series) {
-        if (missing(x)) continue;
+        if (is_missing(x)) continue;
         sum += std::norm(x);
         count += 1;
     }
@@ -106,21 +101,17 @@ struct Periodograms {
     std::vector<double> mean;    ///< ⟨|X_k|²⟩
     std::vector<double> spread;  ///< standard deviation over mean
     std::size_t used = 0;
-    std::size_t skipped = 0;
 };
 
 template <class Sample>
-Periodograms average_segments(std::span<const Sample> series, const std::vector<double>& window, std::size_t hop) {
+Periodograms average_segments(std::span<const Sample> series, const std::vector<double>& window,
+                              const std::vector<std::size_t>& starts) {
     const std::size_t length = window.size();
     Fft<Sample> fft(length);
     Periodograms result;
     std::vector<double> scatter;  // running sum of squared deviations (Welford)
-    for (std::size_t start = 0; start + length <= series.size(); start += hop) {
+    for (const std::size_t start : starts) {
         const std::span<const Sample> segment = series.subspan(start, length);
-        if (std::any_of(segment.begin(), segment.end(), [](const Sample& x) { return missing(x); })) {
-            ++result.skipped;
-            continue;
-        }
         for (std::size_t j = 0; j < length; ++j) fft.input()[j] = window[j] * segment[j];
         const std::span<const Complex> bins = fft.transform();
         result.mean.resize(bins.size());
@@ -198,9 +189,12 @@ PowerSpectrum estimate(std::span<const Sample> given, double spacing, const Spec
     result.spacing = spacing;
     result.settings = options;
     result.segment_length = options.segment_length;
-    if (result.segment_length == 0) result.segment_length = automatic_segment_length(given.size());
+    const std::vector<Stretch> stretches = stretches_of(given);
+    if (result.segment_length == 0) result.segment_length = automatic_segment_length(stretches, options.overlap);
     result.settings.segment_length = result.segment_length;
     if (given.size() < std::max(least_samples, result.segment_length)) return result;
+    result.outcome = SpectrumOutcome::no_complete_segment;
+    if (result.segment_length < least_samples) return result;
 
     std::vector<Sample> series(given.begin(), given.end());
     const double scale = subtract_trend(series, options.detrend);
@@ -210,22 +204,18 @@ PowerSpectrum estimate(std::span<const Sample> given, double spacing, const Spec
     const std::vector<double> window = window_values(options.window, result.segment_length);
     const double length = static_cast<double>(result.segment_length);
     const auto hop = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(length * (1 - options.overlap))));
-    Periodograms periodograms = average_segments(all, window, hop);
+    const std::vector<std::size_t> starts =
+        segment_starts(stretches, result.segment_length, options.overlap, options.segments);
+    Periodograms periodograms = average_segments(all, window, starts);
     result.segments = periodograms.used;
-    result.segments_skipped = periodograms.skipped;
-    result.outcome = SpectrumOutcome::no_complete_segment;
     if (result.segments == 0) return result;
+    const Stretch whole{stretches.front().begin, stretches.back().end};
+    const std::size_t without_gaps = segments_within({&whole, 1}, result.segment_length, options.overlap);
+    result.segments_skipped = stretches.size() > 1 ? without_gaps - std::min(without_gaps, result.segments) : 0;
     result.outcome = constant ? SpectrumOutcome::constant : SpectrumOutcome::completed;
     result.effective_segments = independent_segments(window, hop, result.segments);
     finish(result, periodograms, std::inner_product(window.begin(), window.end(), window.begin(), 0.0));
     return result;
-}
-
-bool only_small_factors(std::size_t n) {
-    for (const std::size_t prime : {2, 3, 5, 7}) {
-        while (n % prime == 0) n /= prime;
-    }
-    return n == 1;
 }
 
 }  // namespace
@@ -266,14 +256,6 @@ std::string_view name_of(SpectrumOutcome outcome) {
 double bin_average_gain(double frequency) {
     const double x = std::numbers::pi * frequency;
     return x == 0 ? 1 : std::pow(std::sin(x) / x, 2);
-}
-
-std::size_t automatic_segment_length(std::size_t n) {
-    std::size_t length = 2 * n / 17;
-    if (length < 16) return n;
-    length -= length % 2;
-    while (!only_small_factors(length)) length -= 2;
-    return length;
 }
 
 PowerSpectrum power_spectrum(std::span<const double> series, double spacing, const SpectrumOptions& options) {

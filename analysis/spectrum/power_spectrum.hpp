@@ -22,7 +22,8 @@ Detrend detrend_from_name(std::string_view word);  ///< throws std::invalid_argu
 
 struct SpectrumOptions {
     Window window = Window::hann;
-    std::size_t segment_length = 0;  ///< samples; 0: automatic_segment_length(n); n: one segment, finest resolution
+    std::size_t segment_length = 0;  ///< samples; 0: automatic_segment_length; n: one segment, finest resolution
+    std::size_t segments = 0;        ///< used at most, spread evenly over those that fit; 0: all
     double overlap = 0.5;            ///< of neighbouring segments, in [0, 1)
     Detrend detrend = Detrend::mean;
     bool compensate_bin_average = false;  ///< divide power by sinc²(f · spacing): undoes the averaging over bins
@@ -34,7 +35,7 @@ enum class SpectrumOutcome {
     completed,
     constant,             ///< no variation beyond rounding: power is zero throughout
     too_short,            ///< fewer than 8 samples, or than one segment
-    no_complete_segment,  ///< every segment touches a gap
+    no_complete_segment,  ///< no stretch between gaps is as long as a segment
 };
 std::string_view name_of(SpectrumOutcome outcome);
 
@@ -52,7 +53,7 @@ struct PowerSpectrum {
     std::size_t samples = 0;
     std::size_t segment_length = 0;
     std::size_t segments = 0;          ///< used
-    std::size_t segments_skipped = 0;  ///< touch a gap
+    std::size_t segments_skipped = 0;  ///< fewer than without gaps
     double effective_segments = 0;     ///< independent ones, the overlap taken into account
     double spacing = 1;                ///< of the series, time units
     SpectrumOptions settings;          ///< with segment_length filled in
@@ -61,12 +62,10 @@ struct PowerSpectrum {
 /// sinc²(f) = (sin πf / πf)²: what averaging over bins leaves of the power at f cycles per bin.
 double bin_average_gain(double frequency);
 
-/// The largest even number ≤ 2n/17 without a prime factor above 7: about 16 half-overlapping segments (n below 136: n).
-std::size_t automatic_segment_length(std::size_t n);
-
 /// Welch's estimate P_k = c · ⟨|Σ_j w_j x_j e^{−2πi jk/L}|²⟩ Δ / (Σ w_j² · cycle_time), c = 2 except at 0 and Nyquist,
 /// scaled so that its integral is exactly the variance of the series (a window weighs the samples unequally; the factor
-/// is reported). The last samples that do not fill a segment enter only the variance.
+/// is reported). Segments lie within the stretches between gaps (segments.hpp); the last samples of each that do not
+/// fill a segment enter only the variance.
 ///   series    n equally spaced samples, NaN where missing
 ///   spacing   their distance in time, > 0
 /// Throws std::invalid_argument for spacing or options out of range or an infinite sample. Cost O(n log L).

@@ -37,18 +37,28 @@ struct Range {
     std::size_t first = 0, count = 0, bridged = 0;
 };
 
+/// What longest_stretch() bridges: from row `before` to row `row`, neither of which is lost.
+bool can_bridge(const MeasuredAngle& angle, const Turns& turns, std::size_t before, std::size_t row, std::size_t most) {
+    const std::size_t lost = row - before - 1;
+    const double rows = static_cast<double>(lost) + 1;
+    const bool known = lost == 0 || rows * turns.largest_deviation <= sure_turn * angle.period / 2;
+    return lost <= most && known && angle.times[row] - angle.times[before] <= (rows + 0.75) * turns.step;
+}
+
+/// Across `rows` steps: its class nearest to so many mean turns.
+double turn_across(const MeasuredAngle& angle, const Turns& turns, double turn, std::size_t rows) {
+    const double usual = rows == 1 ? 0 : turns.mean * static_cast<double>(rows);
+    return usual + analysis::within_period(turn - usual, angle.period);
+}
+
 /// The longest run of rows of which at most `most` at a time are lost.
 Range longest_range(const MeasuredAngle& angle, const Turns& turns, std::size_t most) {
     Range best, range;
     std::size_t last = 0;  // row that is not lost
     for (std::size_t i = 0; i < angle.values.size(); ++i) {
         if (std::isnan(angle.values[i])) continue;
-        const std::size_t lost = range.count == 0 ? 0 : i - last - 1;
-        const double rows = static_cast<double>(lost) + 1;
-        const bool known = lost == 0 || rows * turns.largest_deviation <= sure_turn * angle.period / 2;
-        const bool in_step = range.count == 0 || angle.times[i] - angle.times[last] <= (rows + 0.75) * turns.step;
-        if (range.count == 0 || lost > most || !known || !in_step) range = {i, 0, 0};
-        range.bridged += range.count == 0 ? 0 : lost;
+        if (range.count == 0 || !can_bridge(angle, turns, last, i, most)) range = {i, 0, 0};
+        range.bridged += range.count == 0 ? 0 : i - last - 1;
         range.count = i - range.first + 1;
         last = i;
         if (range.count > best.count) best = range;
@@ -63,8 +73,7 @@ std::vector<double> unwrapped(const MeasuredAngle& angle, const Turns& turns, co
         if (std::isnan(angle.values[i])) continue;
         const double before = result.back();
         const std::size_t rows = i - range.first - result.size() + 1;
-        const double usual = rows == 1 ? 0 : turns.mean * static_cast<double>(rows);
-        const double turn = usual + analysis::within_period(angle.values[i] - before - usual, angle.period);
+        const double turn = turn_across(angle, turns, angle.values[i] - before, rows);
         const double now =
             angle.values[i] + angle.period * std::round((before + turn - angle.values[i]) / angle.period);
         for (std::size_t k = 1; k < rows; ++k)
@@ -120,6 +129,28 @@ AngleStretch longest_stretch(const MeasuredAngle& angle) {
     stretch.angles = unwrapped(angle, turns, range);
     put_on_even_times(angle.times, stretch);
     return stretch;
+}
+
+BridgedSpin bridged_spin(const MeasuredSeries& series) {
+    const MeasuredAngle& angle = series.angle;
+    const Turns turns = turns_of(angle);
+    BridgedSpin spin{series.values, 0};
+    std::size_t last = angle.values.size();  // row that is not lost; none yet
+    for (std::size_t i = 0; i < angle.values.size(); ++i) {
+        if (std::isnan(angle.values[i])) continue;
+        const bool bridges = last < i && i > last + 1 && can_bridge(angle, turns, last, i, most_bridged);
+        if (bridges) {
+            const double turn = turn_across(angle, turns, angle.values[i] - angle.values[last], i - last);
+            const double mean = turn / (series.swirl_rate * (angle.times[i] - angle.times[last]));
+            std::fill(spin.values.begin() + static_cast<std::ptrdiff_t>(last),
+                      spin.values.begin() + static_cast<std::ptrdiff_t>(i), mean);
+            spin.bridged += i - last - 1;
+        }
+        last = i;
+    }
+    if (static_cast<double>(spin.bridged) > most_made_up * static_cast<double>(angle.values.size()))
+        return {series.values, 0};
+    return spin;
 }
 
 }  // namespace swirl::apps

@@ -34,4 +34,12 @@ struct AngleStretch {
 /// @throws BadInput if no two rows follow each other
 AngleStretch longest_stretch(const MeasuredAngle& angle);
 
+/// S of an angle, with what lies beside the gaps that longest_stretch() would bridge: the mean S across each of them.
+/// None, where more than most_made_up of the rows would be made up. `bridged`: so many rows. O(rows).
+struct BridgedSpin {
+    std::vector<double> values;
+    std::size_t bridged = 0;
+};
+BridgedSpin bridged_spin(const MeasuredSeries& series);
+
 }  // namespace swirl::apps

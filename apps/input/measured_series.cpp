@@ -28,6 +28,14 @@ void require_rising(const DelimitedFile& file, const std::vector<double>& times,
                                                times[i - 1], file.rows[i - 1].line, column)));
 }
 
+/// Even times that a clock with few digits rounded: none is further from them than its last digit.
+bool is_rounded_clock(const MeasuredSeries& series) {
+    constexpr double coarsest = 0.7;  // digit over spacing: whole numbers two of which are lost in a step are none
+    if (series.largest_deviation > 0.5) return false;
+    const double digit = decimal_resolution(series.times);
+    return digit <= coarsest * series.spacing && series.largest_deviation * series.spacing <= 1.01 * digit;
+}
+
 /// Counts what is missing and looks at the times. @throws BadInput with fewer than two values, none whose square can be
 /// held, or times that are equal after rounding (of an angle they lie halfway between those of the file)
 void describe(MeasuredSeries& series) {
@@ -60,7 +68,7 @@ void describe(MeasuredSeries& series) {
                 i, i + 1, series.column, t[i]));
         series.largest_step = std::max(series.largest_step, t[i] - t[i - 1]);
     }
-    series.even = series.largest_deviation <= even_within;
+    series.even = series.largest_deviation <= even_within || is_rounded_clock(series);
 }
 
 /// ω_s in radians per unit of the series' time.
@@ -96,9 +104,14 @@ void take_values(const SeriesChoice& choice, double swirl_rate, std::vector<std:
         if (!choice.angle.empty()) series.angle.resolution = decimal_resolution(series.values) * unit;
         for (double& angle : series.values) angle *= sense * unit;
         series.angle.period = 2 * pi<double>() / choice.symmetry;
-        series.angle.times = series.times;
         series.angle.values = series.values;
+        constexpr double worth_a_note = 0.01;  // of a step
+        if (choice.rows != "impacts" && even_out_times(series.times, series.values, series.angle.period) > worth_a_note)
+            series.notes.push_back(fmt::format("times are even but for their last digits: rows are taken {:.9g} apart",
+                                               series.times[1] - series.times[0]));
+        series.angle.times = series.times;
         AngleRates rates = rates_of_angle(series.times, series.values, series.angle.period, swirl_rate);
+        level_rounding(rates, series.angle.values, swirl_rate);
         series.times = std::move(rates.times);
         series.values = std::move(rates.values);
         series.largest_turn = rates.largest_turn;
@@ -116,6 +129,28 @@ void note_slow_camera(MeasuredSeries& series) {
         "that its turns are a guess; {:.3g} or more rows per unit of time are needed",
         turn / half, half > 3 ? "a turn" : fmt::format("1/{:.0f} of a turn", pi<double>() / half),
         series.swirl_rate / half));
+}
+
+/// Rows at either end of which a value is missing tell nothing, and no spectrum needs to reach around them.
+void cut_ends(std::vector<double>& times, std::vector<std::vector<double>>& columns, MeasuredSeries& series) {
+    const auto is_whole = [&](std::size_t i) {
+        return std::none_of(columns.begin(), columns.end(), [i](const auto& column) { return std::isnan(column[i]); });
+    };
+    std::size_t begin = 0, end = times.size();
+    while (begin < end && !is_whole(begin)) ++begin;
+    while (end > begin && !is_whole(end - 1)) --end;
+    const std::size_t after = times.size() - end;
+    if (begin == end || (begin == 0 && after == 0)) return;
+    const auto cut = [&](std::vector<double>& column) {
+        column.erase(column.begin() + static_cast<std::ptrdiff_t>(end), column.end());
+        column.erase(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(begin));
+    };
+    cut(times);
+    for (auto& column : columns) cut(column);
+    const auto rows = [](std::size_t count) { return fmt::format("{} row{}", count, count == 1 ? "" : "s"); };
+    series.notes.push_back(
+        fmt::format("cut off, for no value is there: {}{}{}", begin > 0 ? rows(begin) + " at the beginning" : "",
+                    begin > 0 && after > 0 ? ", " : "", after > 0 ? rows(after) + " at the end" : ""));
 }
 
 /// The table of the file, of which --where leaves some rows.
@@ -166,6 +201,7 @@ MeasuredSeries read_series(const SeriesChoice& choice) {
         require_rising(file, series.times, series.time);
     }
     series.rows = file.rows.size();
+    cut_ends(series.times, values, series);
     fill_lost_rows(series.times, values, meaning_of_long_steps(choice, columns.in_frames));
     take_values(choice, choice.is_angle() ? swirl_rate_of(choice, columns) : 1, values, series);
     describe(series);

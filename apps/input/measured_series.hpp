@@ -56,18 +56,19 @@ struct MeasuredSeries {
     double largest_deviation = 0;  ///< of a time from the even grid, in spacings; up to even_within counts as even
 };
 
-/// In spacings: 30 frames a second printed in whole milliseconds are up to 3 % off (half a millisecond of their own and
-/// half of the ends'). At the Nyquist frequency 4 % is a phase of 0.13.
+/// In spacings, beyond what the last digit of the times explains: 30 frames a second printed in whole milliseconds are
+/// up to 3 % off (half a millisecond of their own and half of the ends'). At the Nyquist frequency 4 % is a phase of
+/// 0.13.
 inline constexpr double even_within = 0.04;
 
 /// Reads a series. Which columns: series_columns.hpp; what is made of them: measured_motion.hpp. A missing value is
 /// kept as NaN. Values are 0 or within a scene's bounds (10⁻⁷⁵ … 10⁷⁵), so that their fourth powers can be held;
-/// smaller ones are allowed if at least one value is within them. Rows that were lost between even times are NaN
-/// (fill_lost_rows). Of
-/// an angle the values are S, half-way between the rows (rates_of_angle). Of `position` they are the distance from the
-/// origin of x and y, the swirl's centre in the laboratory or the container's in its own frame: either is a function of
-/// the state that rotates with the swirl, as S is; it swings along every flight, in a steady mode, too. A swirl that
-/// turns clockwise is seen from below: its rate and all turns change their sign, so that S > 0 is with the swirl.
+/// smaller ones are allowed if at least one value is within them. Rows without a value at either end are cut off. Rows
+/// that were lost between even times are NaN (fill_lost_rows). Of an angle the values are S, half-way between the rows
+/// (rates_of_angle). Of `position` they are the distance from the origin of x and y, the swirl's centre in the
+/// laboratory or the container's in its own frame: either is a function of the state that rotates with the swirl, as S
+/// is; it swings along every flight, in a steady mode, too. A swirl that turns clockwise is seen from below: its rate
+/// and all turns change their sign, so that S > 0 is with the swirl.
 /// @throws BadInput naming file, line, its text and what is allowed: see delimited_file.hpp; a missing, repeated or
 /// falling time; a value or time that is too large, values that are all too small; fewer than two values; several
 /// bodies

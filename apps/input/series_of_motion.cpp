@@ -11,11 +11,12 @@ namespace swirl::apps {
 namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-constexpr double near_median = 0.1;      // of it: an even step, with the jitter of a camera's clock
-constexpr double even_share = 0.9;       // of the steps
-constexpr double near_multiple = 0.25;   // of a step: times that are not a multiple of it are no lost rows
-constexpr double largest_digit = 0.4;    // of the median: coarser times do not tell one row from two
-constexpr double shortest_break = 1.75;  // steps: beyond it and no multiple, the clock has jumped
+constexpr double near_median = 0.1;         // of it: an even step, with the jitter of a camera's clock
+constexpr double even_share = 0.9;          // of the steps
+constexpr double near_multiple = 0.25;      // of a step: times that are not a multiple of it are no lost rows
+constexpr double largest_digit = 0.4;       // of the median: coarser times do not tell one row from two
+constexpr double shortest_break = 1.75;     // steps: beyond it and no multiple, the clock has jumped
+constexpr double rounding_of_times = 1e-9;  // steps: closer to even times is even
 constexpr double seldom = 0.01;
 constexpr std::size_t fewest_periods = 8;  // of an exact cycle, analysis/classification/repetition.hpp
 
@@ -101,6 +102,59 @@ std::size_t count_gaps(const std::vector<double>& values) {
     for (std::size_t i = 0; i < values.size(); ++i)
         gaps += std::isnan(values[i]) && (i == 0 || !std::isnan(values[i - 1])) ? 1 : 0;
     return gaps;
+}
+
+double even_out_times(std::vector<double>& times, const std::vector<double>& angles, double period) {
+    const double n = static_cast<double>(times.size()), middle = (n - 1) / 2;
+    if (times.size() < 3) return 0;
+    double mean = 0, products = 0, squares = 0;
+    for (const double t : times) mean += (t - times.front()) / n;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const double k = static_cast<double>(i) - middle;
+        products += k * (times[i] - times.front() - mean);
+        squares += k * k;
+    }
+    const double step = products / squares, start = times.front() + mean - middle * step;
+    const auto deviation = [&](std::size_t i) { return times[i] - (start + static_cast<double>(i) * step); };
+    double largest = 0, turns = 0, count = 0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        largest = std::max(largest, std::abs(deviation(i)) / step);
+        if (i == 0) continue;
+        const double turn = analysis::within_period(angles[i] - angles[i - 1], period);
+        if (!std::isnan(turn)) turns += turn, ++count;
+    }
+    if (!(largest > rounding_of_times && largest < 0.5) || count == 0) return 0;
+    const double rate = turns / count / step;
+    double as_even = 0, as_given = 0, before = missing, moved_before = missing;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const double turn = analysis::within_period(angles[i] - angles[i - 1], period);
+        const double moved = turn - rate * (deviation(i) - deviation(i - 1));
+        if (!std::isnan(turn - before)) {
+            as_even += (turn - before) * (turn - before);
+            as_given += (moved - moved_before) * (moved - moved_before);
+        }
+        before = turn;
+        moved_before = moved;
+    }
+    if (2 * as_given < as_even) return 0;
+    for (std::size_t i = 0; i < times.size(); ++i) times[i] = start + static_cast<double>(i) * step;
+    return largest;
+}
+
+void level_rounding(AngleRates& rates, const std::vector<double>& angles, double swirl_rate) {
+    double largest = 0, mean = 0, count = 0, shortest = std::numeric_limits<double>::infinity();
+    for (const double angle : angles) largest = std::max(largest, std::isnan(angle) ? 0 : std::abs(angle));
+    for (std::size_t i = 1; i < rates.times.size(); ++i)
+        shortest = std::min(shortest, rates.times[i] - rates.times[i - 1]);
+    for (const double rate : rates.values)
+        if (!std::isnan(rate)) mean += rate, ++count;
+    mean /= count;
+    // A unit in the last place of an angle in degrees, once more in radians, and of the turn, at either end.
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest / (shortest * swirl_rate);
+    for (const double rate : rates.values)
+        if (std::abs(rate - mean) > rounding) return;
+    for (double& rate : rates.values)
+        if (!std::isnan(rate)) rate = mean;
 }
 
 AngleRates rates_of_angle(const std::vector<double>& times, const std::vector<double>& angles, double period,

@@ -29,6 +29,13 @@ double decimal_resolution(const std::vector<double>& values);
 /// So many runs of missing values.
 std::size_t count_gaps(const std::vector<double>& values);
 
+/// Times of an angle's rows that are even but for their last digits: the angle may have been taken at even times, whose
+/// digits a clock rounded, or at the times as they stand. They are put on the even times that fit best (least squares)
+/// if none is half a step or more away, unless θ_i − S (t_i − even time), S the mean turn over the mean step, has less
+/// than half the sum of squared second differences that θ_i has. O(rows).
+/// @return by how much of a step at most; 0: they stayed as they were
+double even_out_times(std::vector<double>& times, const std::vector<double>& angles, double period);
+
 /// S = Δθ / (ω_s Δt) between neighbouring rows, at the times half-way; NaN beside a missing angle. An angle is known
 /// modulo `period`: Δθ is its representative in [−period/2, period/2), which is the true one if the body turns by less
 /// than half a period from row to row.
@@ -38,5 +45,9 @@ struct AngleRates {
 };
 AngleRates rates_of_angle(const std::vector<double>& times, const std::vector<double>& angles, double period,
                           double swirl_rate);
+
+/// Makes rates of an angle equal, to their mean, where what the angles were rounded to in double explains how they
+/// differ: a body that turns evenly has no spectrum. O(rates).
+void level_rounding(AngleRates& rates, const std::vector<double>& angles, double swirl_rate);
 
 }  // namespace swirl::apps

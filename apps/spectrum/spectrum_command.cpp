@@ -1,6 +1,7 @@
 #include "apps/spectrum/spectrum_command.hpp"
 
 #include "analysis/spectrum/power_spectrum.hpp"
+#include "analysis/spectrum/segments.hpp"
 #include "analysis/spectrum/spectral_entropy.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 
 namespace swirl::apps::spectrum {
 
@@ -20,8 +22,9 @@ const char* const spectrum_details =
 S(t) of an orbit is constant in flight and smooth in contact; it is averaged exactly over equal time bins. Frequencies are
 in units of the swirl's. The bins divide the period of a cycle, and its peaks are named by their harmonic k of the cycle's
 frequency; with --bins, harmonics above the highest frequency fold back below it and are marked as folded. Frequencies of a
-series are cycles per unit of its times. Uneven times are resampled, and the document says how; gaps stay open, and
-segments that touch one are left out. The integral of the power is the variance. An orbit that ends early is analysed as
+series are cycles per unit of its times. Uneven times are resampled, and the document says how. Gaps stay open: segments
+are so long that about as many lie between the gaps as there would be without; gaps of up to three rows in an angle are
+bridged, as classify does. The integral of the power is the variance. An orbit that ends early is analysed as
 far as it came, with exit code 3.
 
 Examples:
@@ -33,14 +36,15 @@ namespace {
 constexpr std::size_t fewest_samples = 8;                  // as analysis::power_spectrum
 constexpr std::int64_t most_bins = std::int64_t{1} << 24;  // some seconds and 1 GB, also of few impacts
 
-/// As many samples as make `segments` overlapping segments of n.
-std::size_t segment_length(std::size_t n, std::int64_t segments, double overlap) {
+/// The most samples of which `segments` overlapping segments lie between the gaps.
+std::size_t segment_length(std::span<const analysis::Stretch> stretches, std::size_t n, std::int64_t segments,
+                           double overlap) {
     if (segments == 0) return 0;
-    const auto length =
-        static_cast<std::size_t>(static_cast<double>(n) / (1 + static_cast<double>(segments - 1) * (1 - overlap)));
+    const std::size_t length =
+        analysis::fitted_segment_length(stretches, static_cast<std::size_t>(segments), overlap, n);
     if (length < fewest_samples)
-        throw BadInput(fmt::format("segments = {} leaves {} of {} samples for each; {} or more are needed", segments,
-                                   length, n, fewest_samples));
+        throw BadInput(fmt::format("segments = {} leaves {} of {} samples for each{}; {} or more are needed", segments,
+                                   length, n, stretches.size() > 1 ? " between the gaps" : "", fewest_samples));
     return length;
 }
 
@@ -60,7 +64,11 @@ analysis::SpectrumOptions settings_for(const SpectrumOptions& options, const Spe
     settings.overlap = options.overlap;
     settings.compensate_bin_average = options.compensate;
     settings.cycle_time = signal.cycle_time;
-    settings.segment_length = segment_length(n, options.segments, options.overlap);
+    settings.segments = static_cast<std::size_t>(options.segments);
+    settings.segment_length =
+        signal.positions.empty()
+            ? segment_length(analysis::stretches_of(signal.values), n, options.segments, options.overlap)
+            : segment_length(analysis::stretches_of(signal.positions), n, options.segments, options.overlap);
     if (signal.samples_of_period > 0 && options.segments != 1)
         settings.segment_length = whole_periods(signal, settings, n);
     return settings;
@@ -77,7 +85,18 @@ void check_flags(const SpectrumOptions& options) {
         throw BadInput(fmt::format("frame = '{}' is of an orbit's positions; a series has none", options.frame));
 }
 
-SpectrumReport report_of(const SpectrumOptions& options, const SpectrumSignal& signal) {
+/// Where gaps make segments shorter than they would be.
+void note_short_segments(const SpectrumOptions& options, const analysis::PowerSpectrum& spectrum,
+                         SpectrumSignal& signal) {
+    const auto stretches = analysis::stretches_of(signal.values);
+    if (stretches.size() < 2 || options.segments > 0 || spectrum.segments == 0) return;
+    const std::size_t without = analysis::automatic_segment_length(stretches.back().end - stretches.front().begin);
+    if (spectrum.segment_length < without)
+        signal.notes.push_back(fmt::format("segments lie between the gaps: {} samples long, {} without gaps",
+                                           spectrum.segment_length, without));
+}
+
+SpectrumReport report_of(const SpectrumOptions& options, SpectrumSignal& signal) {
     SpectrumReport report{options, signal, {}, {}, {}, std::nan("")};
     if (!signal.enough) return report;
     const bool complex = !signal.positions.empty();
@@ -87,6 +106,7 @@ SpectrumReport report_of(const SpectrumOptions& options, const SpectrumSignal& s
     const auto settings = settings_for(options, signal, n);
     report.spectrum = complex ? analysis::power_spectrum(signal.positions, signal.spacing, settings)
                               : analysis::power_spectrum(signal.values, signal.spacing, settings);
+    note_short_segments(options, report.spectrum, signal);
     report.peaks = analysis::find_peaks(report.spectrum);
     report.share = analysis::line_share(report.spectrum);
     report.entropy = analysis::spectral_entropy(report.spectrum);
@@ -132,7 +152,7 @@ int find_spectrum(SpectrumOptions& options) {
     if (!options.input.series.each.empty())
         return for_each_body(options.input.series, options.output, [&] { return find_spectrum(options); });
     std::optional<RecordWriter> record = open_record(options.output, "Power spectrum", options.input.files());
-    const SpectrumSignal signal = signal_of(options);
+    SpectrumSignal signal = signal_of(options);
     if (is_interrupted()) return exit_interrupted;
     warn_without_checksum(options.input.record, options.output.quiet);
     exit_when_interrupted();

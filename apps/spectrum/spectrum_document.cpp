@@ -78,6 +78,8 @@ Settings settings_of(const SpectrumReport& report) {
         settings.emplace_back("compensate", options.compensate);
         settings.emplace_back("accuracy", options.output.accuracy_name);
     }
+    if (report.signal.series)
+        settings.emplace_back("samples_bridged", static_cast<std::int64_t>(report.signal.bridged));
     const Settings rest = {
         {"window", options.window},         {"detrend", options.detrend},
         {"overlap", options.overlap},       {"segment_length", static_cast<std::int64_t>(s.segment_length)},

@@ -3,6 +3,7 @@
 #include "analysis/spectrum/bin_average.hpp"
 #include "analysis/spectrum/resample.hpp"
 #include "analysis/spectrum/uniform_motion.hpp"
+#include "apps/input/angle_stretch.hpp"
 
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace swirl::apps::spectrum {
 
@@ -222,6 +224,16 @@ SpectrumSignal signal_of_series(const SpectrumOptions& options) {
     signal.spacing = series.spacing;
     signal.values = series.values;
     signal.duration = series.times.back() - series.times.front();
+    if (series.quantity == spin_of_angle && series.gaps > 0) {
+        BridgedSpin spin = bridged_spin(series);
+        signal.values = std::move(spin.values);
+        signal.bridged = spin.bridged;
+        if (signal.bridged > 0)
+            signal.notes.push_back(
+                fmt::format("{} row{} of the angle that were lost are bridged: S beside them is its "
+                            "mean across",
+                            signal.bridged, signal.bridged == 1 ? "" : "s"));
+    }
     if (options.resample.empty() && series.even) return signal;
     analysis::ResampleOptions how;
     if (!options.resample.empty()) {
@@ -229,7 +241,7 @@ SpectrumSignal signal_of_series(const SpectrumOptions& options) {
         if (!(how.spacing > 0 && std::isfinite(how.spacing)))
             throw BadInput(fmt::format("resample = {} is outside its range: resample > 0, finite", options.resample));
     }
-    const auto even = analysis::resample(series.times, series.values, how);
+    const auto even = analysis::resample(series.times, signal.values, how);
     signal.spacing = even.series.spacing;
     signal.values = even.series.values;
     signal.resampled = {{"spacing", signal.spacing},

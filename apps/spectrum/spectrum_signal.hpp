@@ -19,6 +19,7 @@ struct SpectrumSignal {
     double cycle_time = 1;                        ///< time of frequency 1
     double period = 0;                            ///< of the cycle that S(t) is, in time; 0: none is known
     std::size_t samples_of_period = 0;            ///< where a period is a whole number of bins, else 0
+    std::size_t bridged = 0;                      ///< of a measured angle: lost rows that were
     std::vector<std::string> notes;
     std::optional<OrbitColumns> orbit;
     std::optional<MeasuredSeries> series;

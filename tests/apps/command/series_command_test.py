@@ -338,8 +338,6 @@ class BadInput(InFolder):
             self.check(f"--series {file} {flags}", *mentions, commands=["recurrence"])
         self.check(f"{STEADY} --observable zeta", "zeta", "psi", commands=["recurrence"])
         self.check(f"{CHATTER} --observable chi", "chi", commands=["recurrence"])
-        constant = self.series("constant.csv", [1.5] * 20)
-        self.check(f"--series {constant}", "constant", "--threshold", commands=["recurrence"])
 
     def test_spectrum_options(self):
         file = REFERENCES / "rossler_250.txt"

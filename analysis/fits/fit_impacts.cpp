@@ -1,6 +1,7 @@
 #include "analysis/fits/fit_impacts.hpp"
 
 #include "analysis/argument_error.hpp"
+#include "analysis/fits/natural_units.hpp"
 #include "analysis/fits/resampling.hpp"
 #include "analysis/fits/robust.hpp"
 #include "analysis/threads.hpp"
@@ -9,20 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swirl::analysis {
-
-std::string_view name_of(ImpactFitOutcome outcome) {
-    switch (outcome) {
-        case ImpactFitOutcome::fitted:
-            return "fitted";
-        case ImpactFitOutcome::no_inertia:
-            return "no-inertia";
-        case ImpactFitOutcome::receding:
-            return "receding";
-    }
-    return "";
-}
 
 namespace {
 
@@ -230,29 +220,42 @@ void profile_both(ImpactFit& fit, const LawProblem& problem) {
     fit.friction_profile = profile_of(problem, best, std::max(0.0, mu_low - mu_room), mu_high, true);
 }
 
-}  // namespace
+/// k is a moment of inertia per mass, so some tenths of the offsets' r², which are 1 in natural units.
+bool is_absurd(double inertia) {
+    constexpr double most = 1e6;
+    return !(inertia > 1 / most && inertia < most);
+}
 
-ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, Laws laws, const ImpactFitSettings& settings) {
-    if (impacts.size() < fewest_impacts)
-        refuse("impacts", static_cast<double>(impacts.size()), std::to_string(fewest_impacts) + " or more");
-    if (laws.empty()) refuse("laws", 0, "1 or more");
+bool is_known(const ImpactFit& fit) {
+    const bool law_known = std::isfinite(fit.laws[fit.best].loss) && std::isfinite(fit.scatter);
+    return law_known && std::isfinite(fit.velocity_noise) && std::isfinite(fit.spin_noise);
+}
+
+ImpactFit fit_in_natural_units(std::span<const MeasuredImpact> impacts, Laws laws, const ImpactFitSettings& settings) {
     ImpactFit fit;
     fit.signs = momentum_signs(impacts);
     for (const MeasuredImpact& impact : impacts) fit.impacts.push_back(with_signs(impact, fit.signs));
     fit.outcome = recede(fit.impacts) ? ImpactFitOutcome::receding : ImpactFitOutcome::fitted;
     if (fit.outcome != ImpactFitOutcome::fitted) return fit;
     const double start = settings.inertia.value_or(first_inertia(fit.impacts));
-    if (!(start > 0 && std::isfinite(start))) {
+    if (!(start > 0 && std::isfinite(start)))
         fit.outcome = ImpactFitOutcome::no_inertia;
-        return fit;
-    }
+    else if (is_absurd(start))
+        fit.outcome = ImpactFitOutcome::inertia_absurd;
+    fit.inertia.value = start;
+    if (fit.outcome != ImpactFitOutcome::fitted) return fit;
     const Weights once(fit.impacts.size(), 1.0);
     const InertiaFit balance = settle_inertia(fit.impacts, once, start, settings);
     fit.velocity_noise = fit.impacts.front().error_before[0];
     fit.spin_noise = fit.impacts.front().error_before[2];
+    fit.inertia.value = balance.inertia;
+    if (is_absurd(balance.inertia)) fit.outcome = ImpactFitOutcome::inertia_absurd;
+    if (fit.outcome != ImpactFitOutcome::fitted) return fit;
     LawProblem problem{fit.impacts, once, balance.inertia, nullptr, 1};
     fit_laws(fit, problem, laws);
     fit.scatter = problem.scale;
+    if (!is_known(fit)) fit.outcome = ImpactFitOutcome::not_fitted;
+    if (fit.outcome != ImpactFitOutcome::fitted) return fit;
     bootstrap(fit, problem, laws, settings);
     const LawFit best{fit.laws[fit.best].parameters, fit.laws[fit.best].loss};
     fit.friction_open = friction_deviance(problem, best, largest_friction) < sure_square_of_one;
@@ -261,6 +264,45 @@ ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, Laws laws, const 
     profile_both(fit, problem);
     fit.residuals = residuals_of(problem, best.parameters);
     fit.constancy = constancy_tests(fit.residuals);
+    return fit;
+}
+
+/// What has a unit goes back to the table's.
+void restore_units(ImpactFit& fit, const NaturalUnits& units) {
+    const double square = units.length * units.length;
+    for (std::size_t j = 0; j < 2; ++j) fit.signs.coefficients[j] /= square, fit.signs.errors[j] /= square;
+    for (FittedNumber* k : {&fit.inertia, &fit.balance}) k->value *= square, k->low *= square, k->high *= square;
+    fit.velocity_noise *= units.speed;
+    fit.spin_noise *= units.speed / units.length;
+    for (MeasuredImpact& impact : fit.impacts) impact = from_units(impact, units);
+    for (ImpactResidual& residual : fit.residuals)
+        residual.approach_speed *= units.speed, residual.slip_speed *= units.speed;
+    for (ConstancyTest& test : fit.constancy) test.slope /= units.speed, test.error /= units.speed;
+}
+
+}  // namespace
+
+ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, Laws laws, const ImpactFitSettings& settings) {
+    if (laws.empty()) refuse("laws", 0, "1 or more");
+    const NaturalUnits units = natural_units(impacts);
+    std::vector<MeasuredImpact> scaled;
+    for (const MeasuredImpact& impact : impacts)
+        if (const MeasuredImpact natural = in_units(impact, units); !is_gross(natural)) scaled.push_back(natural);
+    if (scaled.size() < fewest_impacts)
+        refuse("impacts", static_cast<double>(scaled.size()), std::to_string(fewest_impacts) + " or more");
+    std::vector<double> squares;
+    for (const MeasuredImpact& impact : scaled) squares.push_back(impact.offset.squaredNorm());
+    ImpactFit fit;
+    if (quantile(std::move(squares), 0.5) > 0) {
+        ImpactFitSettings natural = settings;
+        if (natural.inertia) *natural.inertia /= units.length * units.length;
+        fit = fit_in_natural_units(scaled, laws, natural);
+    } else {
+        fit.outcome = ImpactFitOutcome::no_offsets;
+    }
+    fit.left_out = impacts.size() - scaled.size();
+    fit.length = units.length;
+    restore_units(fit, units);
     return fit;
 }
 

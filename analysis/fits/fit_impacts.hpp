@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace swirl::analysis {
@@ -24,10 +23,12 @@ struct ImpactFitSettings {
 
 enum class ImpactFitOutcome {
     fitted,
-    no_inertia,  ///< the spin does not change, so that momentum does not tell k
-    receding     ///< at most of the impacts the contact moves away from the wall before, or into it after
+    no_offsets,      ///< r = 0 at most of the impacts: an impulse turns nothing, and friction shows nowhere
+    no_inertia,      ///< the spin does not change, so that momentum does not tell k
+    receding,        ///< at most of the impacts the contact moves away from the wall before, or into it after
+    inertia_absurd,  ///< the given k, or that of momentum, is not within 10^±6 of the offsets' median r²
+    not_fitted       ///< noise, scale or loss is no number
 };
-std::string_view name_of(ImpactFitOutcome outcome);
 
 /// A value with its interval at 95 %.
 struct FittedNumber {
@@ -50,7 +51,9 @@ struct LossProfile {
 };
 
 struct ImpactFit {
-    ImpactFitOutcome outcome = ImpactFitOutcome::fitted;
+    ImpactFitOutcome outcome = ImpactFitOutcome::fitted;  ///< any other: nothing but `length` and `inertia` below
+    std::size_t left_out = 0;  ///< impacts with a number a million times the others' (natural_units.hpp)
+    double length = nan;       ///< a length of the offsets: the power of two next to their median
     MomentumSigns signs;
     FittedNumber restitution, friction;
     FittedNumber inertia;        ///< k that was used; of a given one all three are that
@@ -77,10 +80,11 @@ inline constexpr double sure_square_of_three = 7.814728;
 /// Fewer impacts are not fitted.
 inline constexpr std::size_t fewest_impacts = 8;
 
-/// Momentum first: signs, k and noise; then each law by total least squares; then what the data can tell. Intervals are
-/// quantiles of a bootstrap over impacts, k and law (among those that are not clearly worse) chosen anew in each
-/// resample; that of a μ without an upper end, and of one given k, see analysis/fits/README.md. Parallel over
-/// resamples, equal bits whatever the number of threads. Cost: some 15 fits an impact and resample.
+/// Momentum first: signs, k and noise, in natural units, so that all that follows is the same in any; then each law by
+/// total least squares; then what the data can tell. Intervals are quantiles of a bootstrap over impacts, k and law
+/// (among those that are not clearly worse) chosen anew in each resample; that of a μ without an upper end, and of one
+/// given k, see analysis/fits/README.md. Parallel over resamples, equal bits whatever the number of threads. Cost: some
+/// 15 fits an impact and resample.
 /// @throws std::invalid_argument for fewer than `fewest_impacts` impacts or no law
 ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, std::span<const NamedImpactLaw> laws,
                       const ImpactFitSettings& settings);

@@ -9,10 +9,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swirl::analysis {
 
 namespace {
+
+/// The misfit of an impact whose distance from the law is beyond the numbers: an outlier for every loss.
+constexpr double far_off = 1e20;
 
 /// (Ceres asks for a class.)
 class MisfitResidual final : public ceres::CostFunction {
@@ -22,12 +26,15 @@ public:
         mutable_parameter_block_sizes()->assign(2, 1);
     }
     bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
-        const LawMisfit& misfit = misfit_at({blocks[0][0], blocks[1][0]});
-        Eigen::Map<Eigen::Vector3d> left(residuals);
-        left = misfit.residual;
+        LawMisfit misfit = misfit_at({blocks[0][0], blocks[1][0]});
+        if (!misfit.residual.allFinite() || !misfit.slopes.allFinite()) {
+            misfit.residual.setConstant(far_off);
+            misfit.slopes.setZero();
+        }
+        Eigen::Map<Eigen::Vector3d>{residuals} = misfit.residual;
         for (int j = 0; jacobians != nullptr && j < 2; ++j)
             if (jacobians[j] != nullptr) Eigen::Map<Eigen::Vector3d>(jacobians[j], 3) = misfit.slopes.col(j);
-        return left.allFinite();
+        return true;
     }
 
 private:
@@ -61,8 +68,10 @@ ceres::Solver::Options fit_solver_options() {
 std::vector<double> squares_of(const LawProblem& problem, const LawParameters& parameters) {
     std::vector<double> squares;
     squares.reserve(problem.impacts.size());
-    for (const MeasuredImpact& impact : problem.impacts)
-        squares.push_back(misfit_of(impact, problem.inertia, *problem.law, parameters).squared());
+    for (const MeasuredImpact& impact : problem.impacts) {
+        const double square = misfit_of(impact, problem.inertia, *problem.law, parameters).squared();
+        squares.push_back(std::isfinite(square) ? square : far_off * far_off);
+    }
     return squares;
 }
 
@@ -77,12 +86,12 @@ double half_loss(double square) {
 /// impacts that stick. χ² with 3 degrees of freedom is below this so often.
 constexpr double four_fifths = 0.8, four_fifths_of_three = 4.641628;
 
-/// 10⁻⁹ of the speeds in units of their errors: no scale is below it.
+/// 10⁻⁹ of the speeds (their median) in units of their errors: no scale is below it.
 double least_misfit_scale(const LawProblem& problem) {
-    double largest = 0;
+    std::vector<double> sizes;
     for (const MeasuredImpact& impact : problem.impacts)
-        largest = std::max(largest, impact.before.cwiseQuotient(impact.error_before).cwiseAbs().maxCoeff());
-    return 1e-9 * largest;
+        sizes.push_back(impact.before.cwiseQuotient(impact.error_before).cwiseAbs().maxCoeff());
+    return 1e-9 * quantile(std::move(sizes), 0.5);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swirl::analysis {
 
@@ -83,12 +84,12 @@ double balance_scale(std::span<const MeasuredImpact> impacts, std::span<const do
 
 /// No scale is below it: tables have some nine digits, and solvers end there.
 double least_scale(std::span<const MeasuredImpact> impacts, double inertia) {
-    double largest = 0;
+    std::vector<double> sizes;
     for (const MeasuredImpact& impact : impacts) {
         const double variance = torque_variance(impact) + inertia * inertia * variance_of_change(impact)[2];
-        largest = std::max(largest, std::abs(torque_of(impact)) / std::sqrt(variance));
+        sizes.push_back(std::abs(torque_of(impact)) / std::sqrt(variance));
     }
-    return 1e-7 * largest + 1e-100;
+    return 1e-7 * quantile(std::move(sizes), 0.5) + 1e-100;
 }
 
 /// Weighted sums over impacts: x², xy, y², xs, ys, s², r_x², r_y² and 1 (x = r_x Δv_y, y = −r_y Δv_x, s = ΔS).
@@ -132,13 +133,28 @@ Regression weighted_regression(const Eigen::MatrixX2d& products, const Eigen::Ve
     return {coefficients, (inverse * meat * inverse).diagonal().cwiseSqrt()};
 }
 
+/// Mallows' weights, 1 for most: a row of which a product is larger than the others' has less of a say, or one gross
+/// product alone would draw the regression to itself (Maronna, Martin & Yohai 2006, section 5.11).
+Eigen::VectorXd leverage_weights(const Eigen::MatrixX2d& products) {
+    constexpr double usual = 3;  // quartiles: one product of two hundred that are normal is larger
+    Eigen::VectorXd size = Eigen::VectorXd::Zero(products.rows());
+    for (Eigen::Index j = 0; j < 2; ++j) {
+        const Eigen::VectorXd sizes = products.col(j).cwiseAbs();
+        const double quartile = quantile({sizes.begin(), sizes.end()}, 0.75);
+        if (quartile > 0) size = size.cwiseMax(sizes / quartile);
+    }
+    return size.unaryExpr([](double of_row) { return of_row > usual ? std::pow(usual / of_row, 2) : 1; });
+}
+
 Regression robust_regression(const Eigen::MatrixX2d& products, const Eigen::VectorXd& spin) {
     constexpr int rounds = 30;  // both iterations settle within ten on data with one in three gross errors
-    const double least = 1e-9 * spin.cwiseAbs().maxCoeff() + 1e-300;
-    Regression fit = weighted_regression(products, spin, Eigen::VectorXd::Ones(spin.size()));
+    const Eigen::VectorXd sizes = spin.cwiseAbs();
+    const double least = 1e-9 * quantile({sizes.begin(), sizes.end()}, 0.75) + 1e-300;
+    const Eigen::VectorXd leverage = leverage_weights(products);
+    Regression fit = weighted_regression(products, spin, leverage);
     for (int round = 0; round < rounds; ++round) {
         const Eigen::VectorXd left = (spin - products * fit.coefficients).cwiseAbs();
-        fit = weighted_regression(products, spin, left.cwiseMax(least).cwiseInverse());
+        fit = weighted_regression(products, spin, leverage.cwiseQuotient(left.cwiseMax(least)));
     }
     for (int round = 0; round < rounds; ++round) {
         const Eigen::VectorXd squares = (spin - products * fit.coefficients).cwiseAbs2();
@@ -146,7 +162,7 @@ Regression robust_regression(const Eigen::MatrixX2d& products, const Eigen::Vect
         const double scale = std::max(std::sqrt(quantile(sorted, 0.5) / median_square_of_one), least);
         const Eigen::VectorXd weights =
             squares.unaryExpr([&](double square) { return biweight(square / (scale * scale), biweight_of_one); });
-        fit = weighted_regression(products, spin, weights);
+        fit = weighted_regression(products, spin, weights.cwiseProduct(leverage));
     }
     return fit;
 }
@@ -209,6 +225,7 @@ InertiaFit fit_inertia(std::span<const MeasuredImpact> impacts, std::span<const 
         ceres::Solver::Options solver;
         solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
         solver.function_tolerance = 1e-10;
+        solver.gradient_tolerance = 0;  // it has a unit
         solver.logging_type = ceres::SILENT;
         ceres::Solver::Summary summary;
         ceres::Solve(solver, &problem, &summary);
@@ -250,8 +267,12 @@ double velocity_share(std::span<const MeasuredImpact> impacts, std::span<const d
 }
 
 std::vector<MeasuredImpact> with_shared_errors(std::span<const MeasuredImpact> impacts, double inertia, double share) {
+    constexpr double longest = 16;  // medians of r²: beyond lies no body's contact
+    std::vector<double> squares;
+    for (const MeasuredImpact& impact : impacts) squares.push_back(impact.offset.squaredNorm());
+    const double most = longest * quantile(squares, 0.5);
     double arm = 0;
-    for (const MeasuredImpact& impact : impacts) arm += impact.offset.squaredNorm();
+    for (const double square : squares) arm += std::min(square, most);
     arm /= static_cast<double>(impacts.size());
     const Eigen::Vector3d error(1, 1, std::sqrt((1 - share) / share * arm) / inertia);
     std::vector<MeasuredImpact> same(impacts.begin(), impacts.end());

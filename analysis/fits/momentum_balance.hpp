@@ -24,8 +24,8 @@ struct MomentumSigns {
 /// A coefficient counts as negative if it is below −`sure_sign` standard errors.
 inline constexpr double sure_sign = 4;
 
-/// By iteratively reweighted least squares, Tukey's biweight, from least absolute deviations. A coefficient that is
-/// not known (a disk has r_x = 0) asks for no change. O(impacts).
+/// By iteratively reweighted least squares, Tukey's biweight, from least absolute deviations, with Mallows' weights
+/// against gross products. A coefficient that is not known (a disk has r_x = 0) asks for no change. O(impacts).
 /// @throws std::invalid_argument for fewer than 3 impacts
 MomentumSigns momentum_signs(std::span<const MeasuredImpact> impacts);
 

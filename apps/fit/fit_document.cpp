@@ -105,9 +105,17 @@ Settings result_of(const FitReport& report) {
             {"scatter", fit.scatter}};
 }
 
+/// What momentum alone says.
+Settings momentum_of(const ImpactFit& fit) {
+    return {{"coefficients", std::vector<double>(fit.signs.coefficients.begin(), fit.signs.coefficients.end())},
+            {"errors", std::vector<double>(fit.signs.errors.begin(), fit.signs.errors.end())},
+            {"inertia", fit.balance.value},
+            {"low", fit.balance.low},
+            {"high", fit.balance.high}};
+}
+
 std::string interval_in_words(const FittedNumber& number) {
     if (std::isnan(number.value)) return fmt::format("above {:.4g}", number.low);
-    if (number.low == number.high) return fmt::format("{:<12.6g} given", number.value);
     return fmt::format("{:<12.5g} [{:.5g}, {:.5g}]", number.value, number.low, number.high);
 }
 
@@ -120,12 +128,7 @@ void write_json(const FitReport& report) {
         write_json(json, "friction", number_of(fit.friction));
         write_json(json, "inertia", number_of(fit.inertia));
         write_members(json, result_of(report));
-        write_json(json, "momentum",
-                   {{"coefficients", std::vector<double>(fit.signs.coefficients.begin(), fit.signs.coefficients.end())},
-                    {"errors", std::vector<double>(fit.signs.errors.begin(), fit.signs.errors.end())},
-                    {"inertia", fit.balance.value},
-                    {"low", fit.balance.low},
-                    {"high", fit.balance.high}});
+        write_json(json, "momentum", momentum_of(fit));
         write_json(json, "laws", law_table(), fit.laws);
         write_json(json, "constancy", constancy_table(), fit.constancy);
         json.list("notes", report.notes, JsonLayout::rows);
@@ -140,6 +143,8 @@ void write_record(const RecordGroup& root, const FitReport& report) {
     write_attributes(group.group("restitution"), number_of(fit.restitution));
     write_attributes(group.group("friction"), number_of(fit.friction));
     write_attributes(group.group("inertia"), number_of(fit.inertia));
+    write_attributes(group.group("momentum"), momentum_of(fit));
+    if (!report.notes.empty()) write_attributes(group, {{"notes", report.notes}});
     write_attributes(root.group("settings"), report.settings);
     write_record(root.group("laws"), law_table(), fit.laws);
     write_record(root.group("constancy"), constancy_table(), fit.constancy);
@@ -153,8 +158,10 @@ void print_report(const FitReport& report) {
     const std::string left_out =
         report.left_out > 0 ? fmt::format(" of {}, {} left out", report.rows, report.left_out) : "";
     fmt::print("{} impacts{}\n", fit.impacts.size(), left_out);
-    fmt::print("  restitution e   {}\n  friction mu     {}\n  inertia I/m     {}\n", interval_in_words(fit.restitution),
-               interval_in_words(fit.friction), interval_in_words(fit.inertia));
+    fmt::print(
+        "  restitution e   {}\n  friction mu     {}\n  inertia I/m     {}\n", interval_in_words(fit.restitution),
+        interval_in_words(fit.friction),
+        report.inertia_given ? fmt::format("{:<12.6g} given", fit.inertia.value) : interval_in_words(fit.inertia));
     fmt::print("  law             {}{}\n", fit.laws[fit.best].name, fit.law_decided ? "" : ", not decided");
     fmt::print("  noise           {:.3g} of a velocity, {:.3g} of a spin; scatter about the law {:.3g} times that\n",
                fit.velocity_noise, fit.spin_noise, fit.scatter);

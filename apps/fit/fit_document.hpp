@@ -14,6 +14,7 @@ namespace swirl::apps::fit {
 struct FitReport {
     analysis::ImpactFit fit;
     std::size_t rows = 0, left_out = 0;  ///< of the table
+    bool inertia_given = false;
     std::vector<std::string> notes;
     Settings settings;
 };

@@ -14,15 +14,20 @@ constexpr double wide_scatter = 1.5;
 
 std::string sign_note(const analysis::MomentumSigns& signs, bool by_rows) {
     const char* const spin = "the spin's sign is turned (it was measured clockwise, or y points down)";
-    const std::string tangent = fmt::format("v_x is mirrored, or, the same to the impacts, {}",
-                                            by_rows ? "d3 has the other sign" : "S and r_x are");
+    const std::string tangent =
+        fmt::format("v_x is mirrored, or, the same to the impacts, {}",
+                    by_rows ? "d3 has the other sign" : "r_y has the other sign, or S and r_x have");
     const std::string cure = signs.spin > 0      ? tangent
                              : signs.tangent > 0 ? spin
                                                  : fmt::format("{}, and {}", spin, tangent);
+    const auto coefficient = [&signs](std::size_t j) {
+        if (std::isnan(signs.coefficients[j])) return std::string("none (0 in all rows)");
+        return fmt::format("{:.4g} +- {:.2g}", signs.coefficients[j], signs.errors[j]);
+    };
     return fmt::format(
-        "momentum contradicts the signs as given: k dS = r_x dv_y - r_y dv_x has the coefficients {:.4g} +- {:.2g} and "
-        "{:.4g} +- {:.2g}, and both are 1/k. What cures it, and what the fit goes on with: {}",
-        signs.coefficients[0], signs.errors[0], signs.coefficients[1], signs.errors[1], cure);
+        "momentum contradicts the signs as given: k dS = r_x dv_y - r_y dv_x has the coefficients {} and {}, and both "
+        "are 1/k. What cures it, and what the fit goes on with: {}",
+        coefficient(0), coefficient(1), cure);
 }
 
 void note_law(std::vector<std::string>& notes, const analysis::ImpactFit& fit) {
@@ -61,6 +66,9 @@ std::vector<std::string> notes_of(const analysis::ImpactFit& fit, const ImpactTa
             "the impacts scatter about the law {:.2g} times as widely as momentum says that they were measured",
             fit.scatter));
     note_constancy(notes, fit);
+    if (fit.left_out > 0)
+        notes.push_back(fmt::format("{} with a number a million times the others' left out",
+                                    fit.left_out == 1 ? "1 row is" : fmt::format("{} rows are", fit.left_out)));
     if (table.missing > 0) notes.push_back(fmt::format("{} rows lack a value and are left out", table.missing));
     return notes;
 }

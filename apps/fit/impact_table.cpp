@@ -51,7 +51,8 @@ ImpactTable read_impacts(const std::string& name) {
         impact.before << at(0), at(1), at(2);
         impact.after << at(3), at(4), at(5);
         impact.offset << at(6), table.by_rows ? -at(7) : at(7);
-        if (impact.before.allFinite() && impact.after.allFinite() && impact.offset.allFinite())
+        if (!(wanted.size() > 8 && std::isnan(at(8))) && impact.before.allFinite() && impact.after.allFinite() &&
+            impact.offset.allFinite())
             table.impacts.push_back(impact);
         else
             ++table.missing;

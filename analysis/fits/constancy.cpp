@@ -2,6 +2,8 @@
 
 #include "analysis/fits/robust.hpp"
 
+#include <boost/math/distributions/students_t.hpp>
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -32,19 +34,27 @@ ConstancyTest slope_test(const std::string& parameter, const std::string& speed,
         product += p.weight * (p.speed - mean_speed) * (p.value - mean_value);
     }
     const double slope = product / spread;
-    double variance = 0;
+    double variance = 0, squares = 0;
     for (const SpeedPoint& p : points) {
         const double away = p.speed - mean_speed;
         const double leverage = p.weight * (1 / sum + away * away / spread);
         const double pull = p.weight * away * (p.value - mean_value - slope * away) / (1 - leverage);
         variance += pull * pull;
+        squares += std::pow(p.weight * away * away, 2);
     }
     const double error = std::sqrt(variance) / spread;
-    if (points.size() < 3 || !std::isfinite(error)) return {parameter, speed, nan, nan, true};
-    return {parameter, speed, slope, error, std::abs(slope) <= sure_slope * error};
+    // As many impacts of one weight as these tell the slope by, less the two numbers of the line.
+    const double freedom = spread * spread / squares - 2;
+    if (!(freedom >= 1) || !std::isfinite(error)) return {parameter, speed, nan, nan, true};
+    return {parameter, speed, slope, error, std::abs(slope) <= sure_slope(freedom) * error};
 }
 
 }  // namespace
+
+double sure_slope(double freedom) {
+    constexpr double each_side = 0.05 / 4 / 2;
+    return boost::math::quantile(boost::math::complement(boost::math::students_t(freedom), each_side));
+}
 
 std::vector<ImpactResidual> residuals_of(const LawProblem& problem, const LawParameters& parameters) {
     std::vector<ImpactResidual> residuals;

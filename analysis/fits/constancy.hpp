@@ -28,11 +28,14 @@ struct ConstancyTest {
     std::string parameter;  ///< "restitution" or "friction"
     std::string speed;      ///< "approach" or "slip"
     double slope, error;    ///< change of the parameter per unit of speed; NaN where no impact tells
-    bool constant;          ///< |slope| ≤ `sure_slope` errors
+    bool constant;          ///< |slope| ≤ `sure_slope` errors; true, too, where fewer than 3 impacts tell
 };
 
-/// Four tests at 5 % together (Bonferroni).
-inline constexpr double sure_slope = 2.498;
+/// Four tests at 5 % together (Bonferroni), by Student's t: as many errors as a slope of 0 stays within.
+///   freedom  (Σ w x²)²/Σ (w x²)² − 2 with weights w and speeds x from their mean: the few impacts by which the slope
+///   is
+///            known (after Satterthwaite)
+double sure_slope(double freedom);
 
 std::vector<ConstancyTest> constancy_tests(std::span<const ImpactResidual> residuals);
 

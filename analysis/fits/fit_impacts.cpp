@@ -289,7 +289,7 @@ ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, Laws laws, const 
     for (const MeasuredImpact& impact : impacts)
         if (const MeasuredImpact natural = in_units(impact, units); !is_gross(natural)) scaled.push_back(natural);
     if (scaled.size() < fewest_impacts)
-        refuse("impacts", static_cast<double>(scaled.size()), std::to_string(fewest_impacts) + " or more");
+        refuse("usable impacts", static_cast<double>(scaled.size()), std::to_string(fewest_impacts) + " or more");
     std::vector<double> squares;
     for (const MeasuredImpact& impact : scaled) squares.push_back(impact.offset.squaredNorm());
     ImpactFit fit;

@@ -67,8 +67,9 @@ std::vector<std::string> notes_of(const analysis::ImpactFit& fit, const ImpactTa
             fit.scatter));
     note_constancy(notes, fit);
     if (fit.left_out > 0)
-        notes.push_back(fmt::format("{} with a number a million times the others' left out",
-                                    fit.left_out == 1 ? "1 row is" : fmt::format("{} rows are", fit.left_out)));
+        notes.push_back(fmt::format("{} a number a million times the others', and {} left out",
+                                    fit.left_out == 1 ? "1 row has" : fmt::format("{} rows have", fit.left_out),
+                                    fit.left_out == 1 ? "is" : "are"));
     if (table.missing > 0) notes.push_back(fmt::format("{} rows lack a value and are left out", table.missing));
     return notes;
 }

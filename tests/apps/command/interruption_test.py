@@ -9,6 +9,7 @@ import signal
 import subprocess
 import time
 import unittest
+from pathlib import Path
 
 import h5py
 
@@ -17,6 +18,7 @@ from driving import SWIRL, InFolder, run, start
 CHAOS = "--sides 6 --alpha 0.3 --beta 0.1 --mu 0.1 --restitution 1"
 HEXAGON = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
 LONG = "--transient 1000000 --collisions 100000000"
+IMPACTS = Path(__file__).resolve().parents[2] / "behaviour" / "inputs" / "impacts.csv"
 POINT = "-0.0829,0.028,-0.5552,0.8908,-0.9783"
 
 #: They take minutes.
@@ -37,6 +39,7 @@ COMMANDS = [
     f"sweep {CHAOS} --grid mu=0.1:0.2:1000 {LONG}",
     f"tradeoff {CHAOS} --budget 1000",
     f"certify {HEXAGON} --all --period 1 --max-time 1000",
+    f"fit --impacts {IMPACTS} --resamples 100000",
 ]
 
 

@@ -149,8 +149,10 @@ void level_rounding(AngleRates& rates, const std::vector<double>& angles, double
     for (const double rate : rates.values)
         if (!std::isnan(rate)) mean += rate, ++count;
     mean /= count;
-    // A unit in the last place of an angle in degrees, once more in radians, and of the turn, at either end.
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest / (shortest * swirl_rate);
+    // Units in the last place of an angle (in degrees, once more in radians, of the turn) and of a time, at either end.
+    const double last_time = std::max(std::abs(rates.times.front()), std::abs(rates.times.back()));
+    const double rounding =
+        4 * std::numeric_limits<double>::epsilon() * (largest / swirl_rate + last_time * std::abs(mean)) / shortest;
     for (const double rate : rates.values)
         if (std::abs(rate - mean) > rounding) return;
     for (double& rate : rates.values)

@@ -1,6 +1,6 @@
 #include "apps/recurrence/recurrence_points.hpp"
 
-#include "analysis/spectrum/resample.hpp"
+#include "apps/input/resampled_series.hpp"
 #include "apps/record/record_reader.hpp"
 
 #include <fmt/format.h>
@@ -58,16 +58,9 @@ RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& optio
     RecurrencePoints result;
     std::vector<double> values = series.values;
     if (!options.resample.empty()) {
-        analysis::ResampleOptions how;
-        how.spacing = positive("resample", options.resample);
-        const auto even = analysis::resample(series.times, values, how);
+        const analysis::Resampled even = resampled(options.resample, series.times, values, result.resampled);
         values = even.series.values;
-        result.resampled = {{"spacing", how.spacing},
-                            {"interpolation", std::string(name_of(how.interpolation))},
-                            {"gap_factor", how.gap_factor},
-                            {"gaps", static_cast<std::int64_t>(even.gaps)},
-                            {"missing_fraction", even.missing_fraction},
-                            {"samples", static_cast<std::int64_t>(values.size())}};
+        if (even.low_pass > 0) result.notes.push_back(resampling_in_words(even));
     } else if (!series.even) {
         result.notes.push_back(
             fmt::format("the times are uneven (steps up to {:g}, mean {:g}): points follow each other "

@@ -1,5 +1,6 @@
 #include "apps/spectrum/spectrum_command.hpp"
 
+#include "analysis/spectrum/lomb_scargle.hpp"
 #include "analysis/spectrum/power_spectrum.hpp"
 #include "analysis/spectrum/segments.hpp"
 #include "analysis/spectrum/spectral_entropy.hpp"
@@ -14,6 +15,7 @@
 
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace swirl::apps::spectrum {
 
@@ -22,8 +24,8 @@ const char* const spectrum_details =
 S(t) of an orbit is constant in flight and smooth in contact; it is averaged exactly over equal time bins. Frequencies are
 in units of the swirl's. The bins divide the period of a cycle, and its peaks are named by their harmonic k of the cycle's
 frequency; with --bins, harmonics above the highest frequency fold back below it and are marked as folded. Frequencies of a
-series are cycles per unit of its times. Uneven times are resampled, and the document says how. Gaps stay open: segments
-are so long that about as many lie between the gaps as there would be without; gaps of up to three rows in an angle are
+series are cycles per unit of its times. Uneven times have Lomb and Scargle's periodogram, up to half the mean rate of the
+rows, and lines by least squares. Gaps stay open: segments are so long that about as many lie between the gaps as there would be without; gaps of up to three rows in an angle are
 bridged, as classify does. The integral of the power is the variance. An orbit that ends early is analysed as
 far as it came, with exit code 3.
 
@@ -85,6 +87,16 @@ void check_flags(const SpectrumOptions& options) {
         throw BadInput(fmt::format("frame = '{}' is of an orbit's positions; a series has none", options.frame));
 }
 
+/// So many rows are missing that segments between the gaps tell little of what all rows know together.
+bool is_riddled(const SpectrumOptions& options, const SpectrumSignal& signal) {
+    constexpr std::size_t short_segment = 64, fewer = 4;
+    const auto stretches = analysis::stretches_of(signal.values);
+    if (!signal.series || !signal.resampled.empty() || stretches.size() < 2 || options.segments > 0) return false;
+    const std::size_t length = analysis::automatic_segment_length(stretches, options.overlap);
+    const std::size_t without = analysis::automatic_segment_length(stretches.back().end - stretches.front().begin);
+    return length < fewest_samples || (length < short_segment && fewer * length < without);
+}
+
 /// Where gaps make segments shorter than they would be.
 void note_short_segments(const SpectrumOptions& options, const analysis::PowerSpectrum& spectrum,
                          SpectrumSignal& signal) {
@@ -96,19 +108,60 @@ void note_short_segments(const SpectrumOptions& options, const analysis::PowerSp
                                            spectrum.segment_length, without));
 }
 
-SpectrumReport report_of(const SpectrumOptions& options, SpectrumSignal& signal) {
-    SpectrumReport report{options, signal, {}, {}, {}, std::nan("")};
-    if (!signal.enough) return report;
-    const bool complex = !signal.positions.empty();
-    const std::size_t n = complex ? signal.positions.size() : signal.values.size();
-    if (n < fewest_samples)
-        throw BadInput(fmt::format("series of {} samples: a spectrum needs {} or more", n, fewest_samples));
+/// Of rows that lie on no even times, or so many of which are missing that no segment lies between the gaps.
+void take_uneven(const SpectrumOptions& options, const SpectrumSignal& signal, SpectrumReport& report) {
+    analysis::SpectrumOptions settings;
+    settings.detrend = analysis::detrend_from_name(options.detrend);
+    settings.cycle_time = signal.cycle_time;
+    analysis::UnevenSpectrum found = analysis::uneven_spectrum(signal.series->times, signal.values, settings);
+    report.uneven = true;
+    report.spectrum = std::move(found.spectrum);
+    report.peaks = std::move(found.peaks);
+    report.share = found.share;
+}
+
+void refuse_segments_of_uneven(const SpectrumOptions& options) {
+    const SpectrumOptions as_usual;
+    const char* const flag = options.segments > 1                  ? "segments"
+                             : options.overlap != as_usual.overlap ? "overlap"
+                             : options.window != as_usual.window   ? "window"
+                                                                   : nullptr;
+    if (flag != nullptr)
+        throw BadInput(
+            fmt::format("--{} is of even times; those of this series are uneven, and all of its rows make one "
+                        "periodogram (--resample DT makes them even)",
+                        flag));
+}
+
+void take_even(const SpectrumOptions& options, SpectrumSignal& signal, std::size_t n, SpectrumReport& report) {
     const auto settings = settings_for(options, signal, n);
-    report.spectrum = complex ? analysis::power_spectrum(signal.positions, signal.spacing, settings)
-                              : analysis::power_spectrum(signal.values, signal.spacing, settings);
+    report.spectrum = signal.positions.empty() ? analysis::power_spectrum(signal.values, signal.spacing, settings)
+                                               : analysis::power_spectrum(signal.positions, signal.spacing, settings);
     note_short_segments(options, report.spectrum, signal);
     report.peaks = analysis::find_peaks(report.spectrum);
     report.share = analysis::line_share(report.spectrum);
+    if (signal.highest > 0)
+        std::erase_if(report.peaks, [&](const auto& peak) { return peak.frequency > signal.highest; });
+}
+
+SpectrumReport report_of(const SpectrumOptions& options, SpectrumSignal& signal) {
+    SpectrumReport report{options, signal, {}, {}, {}, std::nan("")};
+    if (!signal.enough) return report;
+    const std::size_t n = std::max(signal.positions.size(), signal.values.size());
+    if (n < fewest_samples)
+        throw BadInput(fmt::format("series of {} samples: a spectrum needs {} or more", n, fewest_samples));
+    if (signal.uneven) {
+        refuse_segments_of_uneven(options);
+        take_uneven(options, signal, report);
+        signal.notes.emplace_back("the times are uneven: Lomb and Scargle's periodogram, lines by least squares");
+    } else if (is_riddled(options, signal)) {
+        take_uneven(options, signal, report);
+        signal.notes.emplace_back(
+            "stretches between the gaps are short: Lomb and Scargle's periodogram of all rows, lines "
+            "by least squares");
+    } else {
+        take_even(options, signal, n, report);
+    }
     report.entropy = analysis::spectral_entropy(report.spectrum);
     return report;
 }
@@ -143,7 +196,7 @@ void SpectrumOptions::add_to(Flags& command) {
     command.add_flag("--compensate", compensate, "undo what averaging over bins takes from the power")
         ->group("Spectrum");
     text("--resample", resample, "DT",
-         "make a measured series even with this spacing (default, if uneven: the median)");
+         "put a measured series on even times, this far apart: straight lines, then a low-pass");
 }
 
 int find_spectrum(SpectrumOptions& options) {
@@ -167,7 +220,9 @@ int find_spectrum(SpectrumOptions& options) {
     else if (!options.output.quiet)
         print_table(report);
     const bool cut = options.input.kind() == InputKind::scene && signal.orbit->outcome != "completed";
-    const bool none = report.spectrum.outcome == analysis::SpectrumOutcome::no_complete_segment;
+    using analysis::SpectrumOutcome;
+    const bool none = report.spectrum.outcome == SpectrumOutcome::no_complete_segment ||
+                      (report.uneven && report.spectrum.outcome == SpectrumOutcome::too_short);
     return cut || none ? exit_numerical_ending : exit_done;
 }
 

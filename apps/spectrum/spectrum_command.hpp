@@ -19,7 +19,7 @@ struct SpectrumOptions {
     std::int64_t segments = 0;  ///< of Welch's method; 0: automatic, about 16
     double overlap = 0.5;
     bool compensate = false;
-    std::string resample;  ///< spacing of a measured series; empty: only when its times are uneven
+    std::string resample;  ///< spacing of a measured series; empty: its times are as they are
 
     void add_to(Flags& command);
 };

@@ -92,6 +92,7 @@ Settings result_of(const SpectrumReport& report) {
     const auto& s = report.spectrum;
     const std::string state = report.signal.enough ? std::string(name_of(s.outcome)) : "too-short";
     return {{"spectrum_outcome", state},
+            {"method", std::string(report.uneven ? "lomb-scargle" : "welch")},
             {"two_sided", s.two_sided},
             {"frequency_step", s.frequency_step},
             {"fundamental", fundamental_of(report)},
@@ -150,8 +151,12 @@ void print_table(const SpectrumReport& report) {
     const auto& s = report.spectrum;
     const auto units = report.signal.orbit ? units_of(*report.signal.orbit) : std::nullopt;
     fmt::print("{}", units_in_words(units));
-    fmt::print("{} samples every {}, {} segments of {}; variance {}, entropy {:.4f}\n{} ({:.1f} % in lines)\n",
-               s.samples, with_unit(report.signal.spacing, units, "1/omega_s"), s.segments, s.segment_length,
+    if (report.uneven)
+        fmt::print("{} samples at uneven times, {:.6g} apart; ", s.samples, s.spacing);
+    else
+        fmt::print("{} samples every {}, {} segments of {}; ", s.samples,
+                   with_unit(report.signal.spacing, units, "1/omega_s"), s.segments, s.segment_length);
+    fmt::print("variance {}, entropy {:.4f}\n{} ({:.1f} % in lines)\n",
                with_unit(s.variance, units, units_of(report).variance), report.entropy, name_of(report.share.verdict),
                100 * report.share.line_fraction);
     constexpr std::size_t most = 20;

@@ -13,6 +13,7 @@ struct SpectrumReport {
     std::vector<analysis::SpectralPeak> peaks;
     analysis::LineShare share;
     double entropy;
+    bool uneven = false;  ///< of samples at uneven times: Lomb and Scargle's, else Welch's
 };
 
 void write_json(const SpectrumReport& report);

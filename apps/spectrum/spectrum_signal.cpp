@@ -1,9 +1,9 @@
 #include "apps/spectrum/spectrum_signal.hpp"
 
 #include "analysis/spectrum/bin_average.hpp"
-#include "analysis/spectrum/resample.hpp"
 #include "analysis/spectrum/uniform_motion.hpp"
 #include "apps/input/angle_stretch.hpp"
+#include "apps/input/resampled_series.hpp"
 
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
@@ -234,24 +234,13 @@ SpectrumSignal signal_of_series(const SpectrumOptions& options) {
                             "mean across",
                             signal.bridged, signal.bridged == 1 ? "" : "s"));
     }
-    if (options.resample.empty() && series.even) return signal;
-    analysis::ResampleOptions how;
-    if (!options.resample.empty()) {
-        how.spacing = number_from<double>("resample", options.resample);
-        if (!(how.spacing > 0 && std::isfinite(how.spacing)))
-            throw BadInput(fmt::format("resample = {} is outside its range: resample > 0, finite", options.resample));
-    }
-    const auto even = analysis::resample(series.times, signal.values, how);
+    signal.uneven = options.resample.empty() && !series.even;
+    if (options.resample.empty()) return signal;
+    const analysis::Resampled even = resampled(options.resample, series.times, signal.values, signal.resampled);
     signal.spacing = even.series.spacing;
     signal.values = even.series.values;
-    signal.resampled = {{"spacing", signal.spacing},
-                        {"interpolation", std::string(name_of(how.interpolation))},
-                        {"gap_factor", how.gap_factor},
-                        {"gaps", static_cast<std::int64_t>(even.gaps)},
-                        {"missing_fraction", even.missing_fraction},
-                        {"samples", static_cast<std::int64_t>(signal.values.size())}};
-    signal.notes.push_back(fmt::format("resampled by straight lines to a spacing of {:g}{}; {} gaps are left open",
-                                       signal.spacing, series.even ? "" : " (the times are uneven)", even.gaps));
+    signal.highest = even.own_nyquist;
+    signal.notes.push_back(resampling_in_words(even));
     return signal;
 }
 

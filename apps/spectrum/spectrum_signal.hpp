@@ -23,13 +23,15 @@ struct SpectrumSignal {
     std::vector<std::string> notes;
     std::optional<OrbitColumns> orbit;
     std::optional<MeasuredSeries> series;
-    Settings resampled;  ///< empty: the samples are as measured
+    Settings resampled;   ///< empty: the samples are as measured
+    bool uneven = false;  ///< the values are at the times of `series`
+    double highest = 0;   ///< frequency that the samples of a series can show; 0: all of its spectrum
 };
 
 /// An orbit: S(t), constant in flight and smooth in contact, or the body's positions, averaged exactly over equal bins,
 /// from the first impact kept to the last; S of a cycle over bins that divide its period, as many periods as there are,
-/// so that the jumps of S fold onto the cycle's own frequencies and nowhere else. A series: its samples, resampled
-/// where their times are uneven. @throws BadInput
+/// so that the jumps of S fold onto the cycle's own frequencies and nowhere else. A series: its samples, as they are
+/// or, with --resample, on another grid. @throws BadInput
 SpectrumSignal signal_of(SpectrumOptions& options);
 
 }  // namespace swirl::apps::spectrum

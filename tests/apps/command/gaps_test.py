@@ -27,6 +27,10 @@ class Gaps(Refusing):
             found = document(f"spectrum --series {self.holed('h.csv', n, lost)}")
             self.tone(found, 0.3 / TURN)
             self.assertGreaterEqual(found["segments"], 15)
+        for n, lost in ((5000, 0.1), (3000, 0.5)):  # stretches of some rows
+            found = document(f"spectrum --series {self.holed('h.csv', n, lost)}")
+            self.assertEqual(found["method"], "lomb-scargle")
+            self.tone(found, 0.3 / TURN, off=1e-6)
 
     def test_so_many_segments_are_made_as_are_asked_for(self):
         for n, lost in ((1000, 0.0), (1000, 0.02), (20000, 0.002)):
@@ -98,10 +102,74 @@ class Gaps(Refusing):
         self.tone(found, 1.5, swing, 1e-3)
 
 
+class Uneven(Refusing):
+    def rows(self, n, jitter, signal):
+        noise = random.Random(2)
+        times = [i + noise.uniform(-jitter, jitter) for i in range(n)]
+        return self.series("uneven.csv", [signal(t) for t in times], times)
+
+    def test_a_tone_has_its_amplitude_and_its_variance(self):
+        for jitter, frequency in ((0.2, 0.4), (0.45, 0.03), (0.3, 0.25)):
+            file = self.rows(1000, jitter, lambda t: math.sin(TURN * frequency * t))
+            found = document(f"spectrum --series {file}")
+            self.assertEqual((found["verdict"], found["method"], found["spectrum_outcome"]), ("lines", "lomb-scargle", "completed"))
+            self.assertAlmostEqual(found["peaks"][0]["frequency"], frequency, delta=1e-6)
+            self.assertAlmostEqual(found["peaks"][0]["amplitude"], 1, delta=1e-4)
+            values = [float(line.split(",")[1]) for line in file.read_text().splitlines()[1:]]
+            mean = math.fsum(values) / 1000
+            self.assertAlmostEqual(found["variance"], math.fsum((v - mean) ** 2 for v in values) / 1000, delta=1e-12)
+            self.assertAlmostEqual(found["variance"], 0.5, delta=0.02)  # 0.5 but for what 1000 rows scatter
+            integral = math.fsum(found["power"]) * found["frequency_step"]
+            self.assertAlmostEqual(integral / found["variance"], 1, delta=1e-12)
+
+    def test_the_power_is_lomb_and_scargles(self):
+        """power = variance_scale 2 P / (n frequency_step), with P by its formula, term by term."""
+        noise = random.Random(4)
+        times = sorted(noise.uniform(0, 200) for _ in range(150))
+        values = [noise.gauss(0, 1) for _ in times]
+        found = document(f"spectrum --series {self.series('p.csv', values, times)}")
+        mean = math.fsum(values) / 150
+        for k in range(0, len(found["power"]), 7):
+            w = TURN * found["frequency"][k]
+            tau = math.atan2(math.fsum(math.sin(2 * w * t) for t in times), math.fsum(math.cos(2 * w * t) for t in times)) / (2 * w)
+            c, s = [math.cos(w * (t - tau)) for t in times], [math.sin(w * (t - tau)) for t in times]
+            x = [v - mean for v in values]
+            power = (math.fsum(a * b for a, b in zip(x, c)) ** 2 / math.fsum(a * a for a in c) +
+                     math.fsum(a * b for a, b in zip(x, s)) ** 2 / math.fsum(b * b for b in s)) / 2
+            scale = found["variance_scale"] * 2 / (150 * found["frequency_step"])
+            self.assertAlmostEqual(found["power"][k] / scale, power, delta=1e-9 * (1 + power))
+
+    def test_noise_has_no_lines(self):
+        noise = random.Random(6)
+        self.assertEqual(document(f"spectrum --series {self.rows(1500, 0.3, lambda t: noise.gauss(0, 1))}")["verdict"], "continuum")
+
+    def test_resampling_neither_folds_nor_repeats(self):
+        file = self.rows(6000, 0.2, lambda t: math.sin(TURN * 0.05 * t) + math.sin(TURN * 0.31 * t))
+        coarse = document(f"spectrum --series {file} --resample 2.5")  # up to 0.2: 0.31 would fold to 0.09
+        self.assertAlmostEqual(coarse["resampled"]["low_pass"], 0.2, delta=1e-12)
+        self.assertEqual([round(peak["frequency"], 3) for peak in coarse["peaks"] if peak["amplitude"] > 2e-3], [0.05])
+        self.assertTrue(any("low-pass took out what is above 0.2" in note for note in coarse["notes"]))
+        fine = document(f"spectrum --series {file} --resample 0.25")
+        self.assertLess(max(peak["frequency"] for peak in fine["peaks"]), 0.5)
+        self.assertAlmostEqual(fine["resampled"]["own_nyquist"], 0.5, delta=1e-3)
+        same = document(f"spectrum --series {file} --resample 1")
+        self.assertEqual((same["resampled"]["low_pass"], same["method"]), (0, "welch"))
+        points = document(f"recurrence --series {file} --resample 2.5")
+        self.assertTrue(any("low-pass" in note for note in points["notes"]))
+
+    def test_what_is_of_even_times_is_refused(self):
+        file = self.rows(300, 0.3, math.sin)
+        for flags in ("--segments 4", "--overlap 0.3", "--window hamming"):
+            result = run(f"spectrum --series {file} {flags}")
+            self.assertEqual((result.returncode, result.stdout), (2, ""))
+            self.assertIn("--resample DT", result.stderr)
+            self.assertEqual(run(f"spectrum --series {file} --resample 1 {flags}").returncode, 0)
+
+
 class Clock(Refusing):
     def test_a_body_that_turns_evenly_is_constant_whatever_the_digits_of_the_clock(self):
         for digits in (2, 3, 4, 7):
-            rows = [f"{i / 30:.{digits}f},{4.2 * i:.3f}" for i in range(900)]
+            rows = [f"{i / 30:.{digits}f},{4.2 * i % (360 if digits % 2 else 1e9):.3f}" for i in range(900)]
             file = self.file("even.csv", "t,th\n" + "\n".join(rows) + "\n")
             choice = f"--series {file} --angle th --degrees"
             self.assertEqual(document(f"spectrum {choice}")["spectrum_outcome"], "constant", digits)

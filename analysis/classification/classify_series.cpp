@@ -2,6 +2,8 @@
 
 #include "analysis/argument_error.hpp"
 #include "analysis/classification/repetition.hpp"
+#include "analysis/classification/series_exponent.hpp"
+#include "analysis/classification/surrogates.hpp"
 #include "analysis/spectrum/lines.hpp"
 
 #include <gsl/gsl_statistics_double.h>
@@ -104,28 +106,53 @@ void name_lines(std::span<const double> x, bool sampled_flow, Classification& re
     result.kind = sampled_flow ? Kind::none : Kind::quasi_periodic;
 }
 
-void name_irregular(std::span<const double> x, Classification& result) {
+Evidence divergence_evidence(const SeriesExponent& found, const std::string& otherwise) {
+    const bool above = found.exponent > 2 * found.error;
+    return {"divergence of neighbours per sample", found.exponent, 2 * found.error,
+            found.dimensions < 2 ? "neighbours part along no straight stretch in two embedding dimensions"
+            : !above             ? "the rate at which neighbours part is not told from 0"
+            : found.resolved     ? "neighbours part at one rate (threshold: two of its errors)"
+                                 : "neighbours part, but are too far apart from the first for an exponent",
+            above ? "at or below the threshold: undecided" : "above two errors: " + otherwise};
+}
+
+Evidence typical_evidence(const SeriesExponent& found, const std::string& otherwise) {
+    const bool typical = found.typical >= smallest_typical;
+    return {"rate of the median pair of neighbours over the mean one", found.typical, smallest_typical,
+            typical ? "most pairs part, not a few" : "a few pairs jump apart while most stay, as in a random telegraph",
+            (typical ? "below " : "at or above ") + in_words(smallest_typical) +
+                (typical ? ": undecided" : ": " + otherwise)};
+}
+
+Evidence prediction_evidence(const SurrogateTest& surrogates, bool deterministic) {
+    const std::string least = in_words(surrogates.limit());
+    return {"prediction error", surrogates.error, surrogates.limit(),
+            deterministic ? "every surrogate errs more by a twentieth (39 a kind): the series is no such noise"
+                          : surrogates.kind + " is predicted as well (the best of 39 surrogates)",
+            deterministic ? "at or above " + least + ": undecided, since " + surrogates.kind + " does as well"
+                          : "below " + least + ": deterministic, chaotic if neighbours part at one rate"};
+}
+
+/// What speaks against chaos is said last.
+void name_irregular(std::span<const double> x, bool sampled_flow, Classification& result) {
     const SurrogateTest surrogates = test_surrogates(x);
-    const bool deterministic = surrogates.error < surrogates.smallest_of_surrogates;
-    result.evidence.push_back({"prediction error", surrogates.error, surrogates.smallest_of_surrogates,
-                               deterministic
-                                   ? "each of 39 surrogates errs more: the series is deterministic, not linear noise"
-                                   : "linear noise is predicted as well (the best of 39 surrogates)",
-                               deterministic ? "at or above " + in_words(surrogates.smallest_of_surrogates) +
-                                                   ": undecided, since linear noise does as well"
-                                             : "below " + in_words(surrogates.smallest_of_surrogates) +
-                                                   ": deterministic, chaotic if neighbours part at one rate"});
-    const SeriesExponent exponent = exponent_of_series(x);
-    result.evidence.push_back(
-        {"divergence of neighbours per sample", exponent.exponent, exponent.spread,
-         exponent.trusted ? "neighbours part at one rate in dimensions 2, 3 and 4 (threshold: their spread)"
-                          : "embedding dimensions 2, 3 and 4 agree on no straight rise",
-         exponent.trusted ? "at or below 0, or a spread above " + in_words(largest_spread) + ": undecided"
-                          : "positive with a spread of at most " + in_words(largest_spread) +
-                                (deterministic ? ": chaotic" : ": still undecided, since it is not predictable")});
-    if (!exponent.trusted) return;
-    result.largest_exponent = exponent.exponent;
-    result.largest_exponent_error = exponent.spread * exponent.exponent / 2;
+    const bool deterministic = surrogates.error < surrogates.limit();
+    const SeriesExponent found = exponent_of_series(x, sampled_flow);
+    const std::string otherwise = deterministic ? "chaotic" : "still undecided, since noise is predicted as well";
+    const auto add = [&](bool wanted) {
+        if (deterministic == wanted) result.evidence.push_back(prediction_evidence(surrogates, deterministic));
+        if (found.dimensions >= 2 && (found.typical >= smallest_typical) == wanted)
+            result.evidence.push_back(typical_evidence(found, otherwise));
+        if ((found.exponent > 2 * found.error) == wanted)
+            result.evidence.push_back(divergence_evidence(found, otherwise));
+    };
+    add(true);
+    add(false);
+    if (!found.is_positive()) return;
+    if (found.resolved) {
+        result.largest_exponent = found.exponent;
+        result.largest_exponent_error = found.error;
+    }
     if (!deterministic) return;
     result.mode = Mode::chaotic;
     result.kind = Kind::chaotic;
@@ -172,7 +199,7 @@ Classification classify_series(std::span<const double> x, const ClassifySeriesOp
         if (share.steadiness_tested) name_lines(x, options.sampled_flow, result);
         return result;
     }
-    name_irregular(x, result);
+    name_irregular(x, options.sampled_flow, result);
     return result;
 }
 

@@ -11,11 +11,10 @@
 //   3. Is the spectrum all lines, and do neighbours stay neighbours (their distance less than doubles, on the
 //      mean, over a quarter of the series)? Then the series is quasi-periodic; of a flow, periodic or quasi-periodic.
 //      Lines with neighbours that part are chaos on narrow bands, or noise: undecided.
-//   4. Is it deterministic and does it diverge? Its nonlinear prediction error is smaller than that of all of 39
-//      amplitude-adjusted surrogates (Theiler et al., Physica D 58 (1992) 77), which share its linear correlations and
-//      its distribution; and the mean logarithmic distance of nearest neighbours grows along a straight line
-//      (Rosenstein et al., Physica D 65 (1993) 117), whose slope agrees in embedding dimensions 2, 3 and 4 within 20 %.
-//      Both: chaotic.
+//   4. Is it deterministic and does it diverge? It is predicted better than all of its surrogates (surrogates.hpp): 39
+//      with its linear correlations and its distribution, and, where its values come again and again, as many with its
+//      transitions and its times of stay. And nearest neighbours part at one rate in two of three embedding dimensions
+//      (series_exponent.hpp), above two of its errors, and typical ones do, not a few that jump. Both: chaotic.
 #pragma once
 
 #include "analysis/classification/classify.hpp"
@@ -32,32 +31,6 @@ struct ClassifySeriesOptions {
     double recurrence_threshold = 1e-6;
     bool sampled_flow = false;  ///< even samples of a signal in time; else one sample a step of a map
 };
-
-/// The embedding dimensions' rates of divergence may differ by so much of their median.
-inline constexpr double largest_spread = 0.2;
-
-/// The largest exponent of a series by the divergence of nearest neighbours.
-struct SeriesExponent {
-    bool trusted = false;  ///< a straight rise of a factor 4.5 or more, the same in dimensions 2, 3 and 4
-    double exponent = 0;   ///< per sample: median over the dimensions; NaN if no dimension shows a rise
-    double spread = 0;     ///< largest minus smallest of the dimensions, over their median
-    int dimensions = 0;    ///< that show a straight rise
-};
-/// Uses the last 4000 samples at most. O(n²).
-SeriesExponent exponent_of_series(std::span<const double> series);
-
-/// ln of the factor by which the distance of nearest neighbours (embedding dimension 3, the last 4000 samples at most)
-/// has grown, on the mean, in the last quarter of n/4 samples: 0 on a torus. NaN if no two points differ. O(n²).
-double separation_of_neighbours(std::span<const double> series);
-
-/// Nonlinear prediction error of the series (last 1000 samples at most) and the smallest of its surrogates'. The
-/// surrogates come from a generator of fixed seed: equal series, equal numbers. O(surrogates n²).
-struct SurrogateTest {
-    double error = 0;
-    double smallest_of_surrogates = 0;
-    int surrogates = 39;
-};
-SurrogateTest test_surrogates(std::span<const double> series);
 
 /// Fewer do not show eight repetitions of anything.
 inline constexpr std::size_t fewest_samples = 64;

@@ -4,6 +4,7 @@
 #include "analysis/classification/classify_series.hpp"
 #include "analysis/special_values.hpp"
 #include "apps/classify/series_means.hpp"
+#include "apps/command_line/printable.hpp"
 #include "apps/command_line/record_input.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/input/angle_stretch.hpp"
@@ -27,8 +28,10 @@ const char* const classify_series_details =
 unless --transient and --collisions say which impacts count.
 
 A measured series (--series, or a record without a scene) is judged without the map by four questions. Does it repeat
-within its noise? Does its spectrum have lines? Is it predicted better than noise? Do neighbours part at a rate on which
-all embeddings agree? Where the evidence is little or disagrees, the mode is undecided. --noise SIGMA lets a constant with
+within its noise? Does its spectrum have lines? Is it predicted better than noise with the same spectrum, values and
+transitions? Do neighbours part at one rate? Where the evidence is little or disagrees, the mode is undecided. The rate
+is the largest exponent, with an error that covers what biases it; chaos in which neighbours are too far apart for it,
+as in short or noisy series, has none. --noise SIGMA lets a constant with
 noise count as steady. The longest segment without a gap counts; gaps of up to three rows in an angle are bridged. A
 position is never called steady or quasi-steady, since its distance from a centre swings along every flight.)";
 
@@ -122,13 +125,20 @@ void write_to_record(const RecordGroup& root, const SeriesVerdict& v) {
     write_evidence(group, v.verdict.evidence);
 }
 
+/// Of samples in time per unit of their times, or per sample if they have none.
+ExponentUnit exponent_unit(const SeriesVerdict& v) {
+    if (!v.options.sampled_flow) return {1, "per impact", "measured"};
+    if (v.whole.time.empty()) return {1, "per sample", "measured"};
+    return {v.used.spacing, fmt::format("per unit of {}", printable(v.whole.time)), "measured"};
+}
+
 void print_verdict(const SeriesVerdict& v, bool verbose) {
     const std::string bridged = v.rows_bridged > 0 ? fmt::format(", {} of them bridged", v.rows_bridged) : "";
     fmt::print("{}\n{}  {}\n{}",
                wrapped(fmt::format("series: {}; rows are {}, {} used{}", series_in_words(v.whole), rows_of(v),
                                    v.rows_used, bridged),
                        2),
-               notes_in_lines(v.whole), mode_in_words(v.verdict), verdict_in_lines(v.verdict));
+               notes_in_lines(v.whole), mode_in_words(v.verdict), verdict_in_lines(v.verdict, {}, exponent_unit(v)));
     if (verbose) fmt::print("{}{}", lines_of(verdict_table(v), v), table_of(v.verdict.evidence));
 }
 

@@ -30,11 +30,12 @@ std::string sureness_of_cycle(const Classification& verdict) {
                        verdict.kind == Kind::family ? "a member of a family, which " : "the cycle ", multiplier->value);
 }
 
-std::string sureness_of_exponent(const Classification& verdict) {
-    const double value = verdict.largest_exponent, error = verdict.largest_exponent_error;
-    if (std::isnan(value)) return "as far as it was followed";
-    return fmt::format("as far as it was followed: largest exponent {:.4g}{} per impact", value,
-                       std::isnan(error) ? "" : fmt::format(" +- {:.2g}", error));
+std::string sureness_of_exponent(const Classification& verdict, const ExponentUnit& unit) {
+    const double value = verdict.largest_exponent / unit.steps, error = verdict.largest_exponent_error / unit.steps;
+    const std::string seen = "as far as it was " + unit.seen;
+    if (std::isnan(value)) return seen;
+    return fmt::format("{}: largest exponent {:.4g}{} {}", seen, value,
+                       std::isnan(error) ? "" : fmt::format(" +- {:.2g}", error), unit.words);
 }
 
 }  // namespace
@@ -49,7 +50,8 @@ std::string no_cycle_in_words(const Classification& verdict) {
     return fmt::format("swirl: the start settles on no cycle to go on from: {}", mode_in_words(verdict));
 }
 
-std::string sureness_in_words(const Classification& verdict, const std::optional<Units>& units) {
+std::string sureness_in_words(const Classification& verdict, const std::optional<Units>& units,
+                              const ExponentUnit& exponent) {
     if (const Evidence* chord = evidence_of(verdict, "slowest multiplier of the chord"); chord != nullptr)
         return fmt::format("settled: the chord attracts, slowest multiplier {:.6g}", chord->value);
     if (verdict.kind == Kind::accelerated) return "as far as it was followed: energy is created without bound";
@@ -67,7 +69,7 @@ std::string sureness_in_words(const Classification& verdict, const std::optional
         residual != nullptr && verdict.period > 0)
         return fmt::format("as far as it was measured: residual {:.3g}, at most {:.3g} is noise", residual->value,
                            residual->threshold);
-    return sureness_of_exponent(verdict);
+    return sureness_of_exponent(verdict, exponent);
 }
 
 namespace {
@@ -120,8 +122,9 @@ std::string reason_in_words(const Classification& verdict) {
     return fmt::format("{} {:.4g}: {}", e.name, e.value, e.says);
 }
 
-std::string verdict_in_lines(const Classification& verdict, const std::optional<Units>& units) {
-    const std::string sureness = sureness_in_words(verdict, units);
+std::string verdict_in_lines(const Classification& verdict, const std::optional<Units>& units,
+                             const ExponentUnit& exponent) {
+    const std::string sureness = sureness_in_words(verdict, units, exponent);
     std::string lines = fmt::format("  {}\n", sureness);
     if (verdict.mode != Mode::undecided) lines += fmt::format("  because: {}\n", reason_in_words(verdict));
     if (!verdict.evidence.empty() && !sureness.starts_with("settled"))

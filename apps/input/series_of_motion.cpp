@@ -142,6 +142,7 @@ double even_out_times(std::vector<double>& times, const std::vector<double>& ang
 }
 
 void level_rounding(AngleRates& rates, const std::vector<double>& angles, double swirl_rate) {
+    if (rates.times.size() < 2) return;
     double largest = 0, mean = 0, count = 0, shortest = std::numeric_limits<double>::infinity();
     for (const double angle : angles) largest = std::max(largest, std::isnan(angle) ? 0 : std::abs(angle));
     for (std::size_t i = 1; i < rates.times.size(); ++i)
@@ -151,8 +152,8 @@ void level_rounding(AngleRates& rates, const std::vector<double>& angles, double
     mean /= count;
     // Units in the last place of an angle (in degrees, once more in radians, of the turn) and of a time, at either end.
     const double last_time = std::max(std::abs(rates.times.front()), std::abs(rates.times.back()));
-    const double rounding =
-        4 * std::numeric_limits<double>::epsilon() * (largest / swirl_rate + last_time * std::abs(mean)) / shortest;
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() *
+                            (largest / std::abs(swirl_rate) + last_time * std::abs(mean)) / shortest;
     for (const double rate : rates.values)
         if (std::abs(rate - mean) > rounding) return;
     for (double& rate : rates.values)

@@ -172,7 +172,8 @@ class Clock(Refusing):
             rows = [f"{i / 30:.{digits}f},{4.2 * i % (360 if digits % 2 else 1e9):.3f}" for i in range(900)]
             file = self.file("even.csv", "t,th\n" + "\n".join(rows) + "\n")
             choice = f"--series {file} --angle th --degrees"
-            self.assertEqual(document(f"spectrum {choice}")["spectrum_outcome"], "constant", digits)
+            for way in ("", "--swirl-rate=-2.5"):
+                self.assertEqual(document(f"spectrum {choice} {way}")["spectrum_outcome"], "constant", (digits, way))
             found = document(f"recurrence {choice}")
             self.assertEqual((found["RR"], found["settings"]["threshold_is_rounding_floor"]), (1, True))
             verdict = document(f"classify {choice}")

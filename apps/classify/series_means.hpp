@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/means/mean_error.hpp"
+#include "apps/command_line/plain_names.hpp"
 #include "apps/input/measured_series.hpp"
 #include "apps/studies/modes/means.hpp"
 
@@ -41,7 +42,7 @@ inline MeanErrors errors_of_series(const analysis::Classification& verdict, cons
         durations.push_back(sampled_flow ? 1 : used.times[i + 1] - used.times[i]);
         integrals.push_back(used.values[i] * durations.back());
     }
-    MeanErrors errors = apps::errors_of_means(verdict, used.values, integrals, durations);
+    MeanErrors errors = studies::errors_of_means(verdict, used.values, integrals, durations);
     if (sampled_flow) errors.per_impact = analysis::nan;
     return errors;
 }

@@ -5,6 +5,7 @@
 #include "apps/command_line/errors.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

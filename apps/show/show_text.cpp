@@ -4,6 +4,7 @@
 #include "apps/command_line/errors.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>

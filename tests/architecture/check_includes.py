@@ -9,6 +9,7 @@ What is checked, in every .hpp and .cpp of map/, analysis/ and apps/:
   - the project's headers are included in quotes, by their path from the root, and exist;
   - a number type's header is included by the header that holds its traits alone (TRAITS): without these a file would
     compute with the traits of plain numbers;
+  - what a newer release of a library declares in a header of its own comes with that header (DECLARED);
   - headers do not include each other in a circle.
 """
 
@@ -39,6 +40,11 @@ LIBRARIES = {
 TRAITS = {
     "ceres/jet.h": "map/numbers/jets.hpp",
     "boost/multiprecision/float128.hpp": "map/numbers/quad.hpp",
+}
+
+# name -> the header that declares it in every release; a release that is older declares it in another, too
+DECLARED = {
+    "fmt::join(": "fmt/ranges.h",  # fmt 11 took it out of fmt/format.h
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -76,6 +82,12 @@ def violation(root, folder, file, bracket, name):
     if not (root / name).is_file():
         return f'"{name}": no such file'
     return None
+
+
+def undeclared(file, included):
+    """(name, header) of DECLARED that a file uses and does not include, of the headers that it includes."""
+    text = file.read_text(encoding="utf-8")
+    return [(name, header) for name, header in DECLARED.items() if name in text and header not in included]
 
 
 def join(name, included):
@@ -130,6 +142,8 @@ def check(root):
                 found.append(f"{name}:{number}: {message}")
             elif bracket == '"':
                 graph.setdefault(name, []).append((number, included))
+        for used, header in undeclared(file, {included for _, _, included in includes_of(file)}):
+            found.append(f"{name}:0: {used}) is declared by <{header}>, which is not included")
         joined = join(name, graph.get(name, []))
         if joined:
             found.append(joined)

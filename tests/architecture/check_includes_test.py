@@ -72,6 +72,11 @@ class CheckIncludes(unittest.TestCase):
         self.assert_found("apps/bad.cpp", 1, "#include <boost/multiprecision/float128.hpp>\n", "map/numbers/quad.hpp")
         self.assertEqual(check_tree({"analysis/fit.cpp": "#include <ceres/jet.h>\n"}), [])  # knows no such traits
 
+    def test_a_name_comes_with_the_header_that_declares_it_in_every_release(self):
+        text = "#include <fmt/format.h>\n{}std::string text = fmt::join(names, \", \");\n"
+        self.assert_found("apps/bad.cpp", 0, text.format(""), "fmt/ranges.h")
+        self.assertEqual(check_tree({"apps/good.cpp": text.format("#include <fmt/ranges.h>\n")}), [])
+
     def test_own_header_in_angle_brackets(self):
         self.assert_found("analysis/bad.hpp", 1, "#include <map/map.hpp>\n", "in quotes")
 

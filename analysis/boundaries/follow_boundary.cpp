@@ -233,11 +233,15 @@ bool is_beside(const AugmentedSystem& like, const CurvePoint& on_curve, const Ei
     return problem.length(at.y - y) < same;
 }
 
+/// The end of a curve that was followed to the plane's edge lies on it up to what roundings leave: in the plane's
+/// widths.
+constexpr double on_edge = 1e-12;
+
 /// The point of the curve near a rough cycle, and its equations; false if there is none within the plane.
 bool begin(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, const Eigen::Vector2d& p,
            std::complex<double> multiplier, const BoundaryOptions& options, AugmentedSystem& system,
            CurvePoint& start) {
-    if (outside_plane(options.low, options.high, p) > 0) return false;
+    if (outside_plane(options.low, options.high, p) > on_edge) return false;
     system = {kind, map, points.size(), options.high - options.low, {}};
     const Eigen::VectorXd y = system.unknowns(points, p, multiplier);
     const ShootingResidual shooting = system.shooting(y);
@@ -247,7 +251,7 @@ bool begin(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, co
     along[system.coordinates()] = 1;   // the first parameter grows
     constexpr double farthest = 0.02;  // a rough cycle
     if (!find_point(problem_of(system), y, along, farthest, start) ||
-        outside_plane(options.low, options.high, start.y.segment<2>(system.coordinates())) > 0)
+        outside_plane(options.low, options.high, start.y.segment<2>(system.coordinates())) > on_edge)
         return false;
     return kind != BoundaryKind::neimark_sacker || std::abs(start.y[system.coordinates() + 2]) < 1;
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -18,22 +19,47 @@ namespace {
 
 constexpr const char* options_heading = "Options";
 
-/// CLI11 from 2.5 on fills the lines of descriptions and footers anew, those of examples, too.
-template <class Formatter>
-void keep_lines(Formatter& formatter) {
-    if constexpr (requires { formatter.enable_footer_formatting(false); }) {
-        formatter.enable_description_formatting(false);
-        formatter.enable_footer_formatting(false);
+/// Every release of CLI11 lays help out in its own way: ours is the same on all.
+class HelpFormatter final : public CLI::Formatter {
+public:
+    HelpFormatter() { label("POSITIONALS", "Positionals"); }  // in capitals from 2.5 on
+
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+        return app->get_description() + "\nUsage: " + name + arguments_of(*app) + "\n" + make_positionals(app) +
+               make_groups(app, mode) + make_subcommands(app, mode) + "\n" + app->get_footer() + "\n";
     }
-}
+
+    std::string make_subcommand(const CLI::App* command) const override {
+        return row(command->get_name(), command->get_description());
+    }
+
+    std::string make_option(const CLI::Option* option, bool is_positional) const override {
+        return row(make_option_name(option, is_positional) + make_option_opts(option), option->get_description());
+    }
+
+private:
+    static constexpr std::size_t left = 30;  ///< columns of the names
+
+    /// "  name   what it does", which begins a line of its own below a name that is longer than its columns.
+    static std::string row(const std::string& name, const std::string& does) {
+        const std::string head = "  " + name, indent(left, ' ');
+        const std::string gap = head.size() < left ? indent.substr(head.size()) : "\n" + indent;
+        return head + (does.empty() ? "" : gap + does) + "\n";
+    }
+
+    std::string arguments_of(const CLI::App& app) const {
+        std::string text = " [OPTIONS]";
+        for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return o->get_positional(); }))
+            text += " " + make_option_usage(option);
+        return app.get_subcommands(nullptr).empty() ? text : text + " [SUBCOMMAND]";
+    }
+};
 
 }  // namespace
 
 Program::Program(const std::string& description, const std::string& version, const std::string& footer)
     : app_(std::make_unique<CLI::App>(description, "swirl")) {
-    keep_lines(*app_->get_formatter());
-    // CLI11 from 2.5 on has its headings in capitals.
-    app_->get_formatter()->label("POSITIONALS", "Positionals");
+    app_->formatter(std::make_shared<HelpFormatter>());
     app_->get_help_ptr()->group(options_heading);
     app_->option_defaults()->group(options_heading);
     app_->set_version_flag("--version", version);
@@ -55,12 +81,12 @@ Flags Program::new_command(const std::string& name, const std::string& does, con
 
 namespace {
 
-/// "record: At Most 1 required but received 2", as sentences here are written.
+/// "record: At Most 1 required but received 2" (CLI11 2.6: "At most"), as sentences here are written.
 std::string in_lower_case(std::string text) {
-    for (const std::string_view capital : {"At Most", "At Least"})
-        if (const auto at = text.find(capital); at != std::string::npos) {
-            text[at] = 'a';
-            text[at + 3] = capital[3] == 'M' ? 'm' : 'l';
+    for (const std::string_view limit : {"at most", "at least"})
+        for (const char letter : {limit[3], static_cast<char>(limit[3] - 'a' + 'A')}) {
+            const std::string capital = std::string("At ") + letter + std::string(limit.substr(4));
+            if (const auto at = text.find(capital); at != std::string::npos) text.replace(at, limit.size(), limit);
         }
     return text;
 }

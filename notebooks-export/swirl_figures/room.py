@@ -23,11 +23,20 @@ _LEAST_PANEL = 5.0, 3.5
 _SLACK = 2.0
 
 
+class _NoRoom(Exception):
+    """A panel whose shape is given has no side left that is longer than zero."""
+
+
 def _lay_out(figure):
     """False where matplotlib says that it cannot."""
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
-        figure.draw_without_rendering()
+        try:
+            figure.draw_without_rendering()
+        except ValueError as error:
+            if "aspect" not in str(error):
+                raise
+            raise _NoRoom from error
     return not told
 
 
@@ -142,19 +151,27 @@ def _has_slivers(figure, letters):
                if axes.axison and axes.get_label() != "<colorbar>")
 
 
-def make_room(figure, look, what):
-    """Numbers of any figure are thinned out; one that is as wide, or has letters as large, as was asked for may be refused."""
-    figure.swirl_letters = look.letters
+def _has_room(figure, look):
     renderer = FigureCanvasAgg(figure).get_renderer()
     done = _lay_out(figure)
     _thin_numbers(figure, renderer, look.letters)
     if look.width is None and look.font_size is None:
-        return
+        return True
     if _break_labels(figure, renderer):
         done = _lay_out(figure)
         _thin_numbers(figure, renderer, look.letters)
-    if (not done or _is_cut(figure, renderer) or _has_words_on_words(figure, renderer)
-            or _has_slivers(figure, look.letters)):
+    return (done and not _is_cut(figure, renderer) and not _has_words_on_words(figure, renderer)
+            and not _has_slivers(figure, look.letters))
+
+
+def make_room(figure, look, what):
+    """Numbers of any figure are thinned out; one that is as wide, or has letters as large, as was asked for may be refused."""
+    figure.swirl_letters = look.letters
+    try:
+        fits = _has_room(figure, look)
+    except _NoRoom:
+        fits = False
+    if not fits:
         page = " on a page" if figure.get_size_inches()[1] >= PAGE else ""
         raise RecordError(f"width = {25.4 * width_of(figure):.4g} mm with letters of {look.letters:g} points: {what} would have "
                           f"words cut off or on one another, or panels too small to read{page}")

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace swirl::analysis {
 namespace {
 
@@ -74,6 +76,21 @@ TEST(Ends, AClosedCurveEndsWhereItBegan) {
     EXPECT_EQ(fold.points.front().at.y, fold.points.back().at.y);
     EXPECT_NEAR(std::abs(turned_through(fold)), 2 * std::acos(-1.0), 1e-12);
     for (const auto& point : fold.points) EXPECT_NEAR(parameters_of(fold, point.at.y).norm(), radius, 1e-12);
+}
+
+TEST(Ends, ACurveBeginsOnThePlanesEdgeThoughRoundedBeyondIt) {
+    constexpr double edge = 0.18;  // the circle is there at 0.24
+    const BoundaryOptions options = planes::options_of<1>(Circle{}, {-1, -1}, {1, edge});
+    const auto begins = [&](double second, Boundary& fold) {
+        return follow_boundary(planes::plane_map<1>(Circle{}), BoundaryKind::fold, at({0}),
+                               {std::sqrt(radius * radius - second * second), second}, 1, options, fold);
+    };
+    Boundary fold;
+    ASSERT_TRUE(begins(edge + 4 * std::numeric_limits<double>::epsilon() * edge, fold));
+    EXPECT_EQ(fold.begin.why, CurveEnd::plane);
+    EXPECT_EQ(fold.end.why, CurveEnd::plane);
+    EXPECT_NEAR(std::abs(turned_through(fold)), std::acos(-1.0) + 2 * std::asin(edge / radius), 1e-12);
+    EXPECT_FALSE(begins(edge + 1e-9, fold));
 }
 
 TEST(Ends, ACurveThatPassesNearItsStartIsNotClosed) {

@@ -33,6 +33,8 @@ COMMANDS = {
     "basins": f"sweep {CHAOTIC.replace('restitution 1', 'restitution 0.95')} --grid vx=-0.4:0.4:5 --grid spin=-1:1:4 --transient 100 "
               "--collisions 100",
     "tracks": "sweep --sides 6 --alpha 0.5 --mu 0.5 --restitution 0.95 --grid beta=0.48:0.54:4 --runs 3 --track",
+    "three-axes": "sweep --mu 0.5 --beta 0.5 --grid alpha=0.2:0.6:3 --grid restitution=0.8:1:2 --grid sides=3:10:8 --transient 100 "
+            "--collisions 100",
     "sweep": f"sweep --sides 6 --beta 0.5 --restitution 0.9 --alpha 0.4 --grid mu=0.1:0.9:3 --transient 100 --collisions 100",
 }
 #: Of seconds each: with --all alone.
@@ -40,8 +42,8 @@ SLOW = {"tour": "tour", "tradeoff": f"tradeoff {HEXAGON} --budget 2"}
 KINDS_OF = {"points1": ["modes"], "points2": ["modes"], "points3": ["modes"], "tradeoff": ["tradeoff"], "wall": ["orbit", "spin", "path", "section", "balance", "energy", "contacts"], "verdict": ["verdict"], "measured": ["verdict"], "settled": ["verdict"], "chaos": ["verdict"],
             "runs": ["shares"],
             "recurrence": ["recurrence"], "thresholds": ["recurrence"], "spectrum": ["spectrum"], "lyapunov": ["lyapunov"],
-            "basins": ["basins", "modes", "means", "map"], "tracks": ["attractors", "modes", "means"], "describe": ["steady-modes"], "families": ["steady-modes"], "sweep": ["modes", "means"], "tour": ["tour"],
-            "fit": ["fit"], "diagram": ["bifurcation"], "cycles": ["multipliers"], "curves": ["boundaries"]}
+            "basins": ["basins", "modes", "means", "map"], "tracks": ["attractors", "modes", "means"], "describe": ["steady-modes"], "families": ["steady-modes"], "three-axes": ["modes", "means", "map"], "sweep": ["modes", "means"], "tour": ["tour"],
+            "fit": ["fit"], "diagram": ["bifurcation"], "cycles": ["multipliers"], "few-cycles": ["multipliers"], "ladders": ["tradeoff"], "curves": ["boundaries"]}
 
 
 def measured_series():
@@ -70,11 +72,13 @@ class WithRecords(unittest.TestCase):
         impacts = cls.folder / "impacts.csv"
         impacts.write_text(impact_tables.table(impact_tables.impacts(60, noise=0.02)))
         cls.records.update(made_records({"fit": f"fit --impacts {impacts} --resamples 20"}, cls.folder))
-        for name in ("diagram", "cycles", "curves"):
+        for name in ("diagram", "cycles", "few-cycles", "curves", "ladders"):
             cls.records[name] = cls.folder / f"{name}.h5"
         for count in (1, 2, 3):
             cls.records[f"points{count}"] = cls.folder / f"points{count}.h5"
             figure_records.write_sampled_sweep(cls.records[f"points{count}"], ["alpha", "beta", "mu"][:count], 150)
         figure_records.write_bifurcation(cls.records["diagram"])
         figure_records.write_orbits(cls.records["cycles"], 30, 100.0)
+        figure_records.write_orbits(cls.records["few-cycles"], 4, 1.3)
+        figure_records.write_tradeoff(cls.records["ladders"])
         figure_records.write_boundaries(cls.records["curves"])

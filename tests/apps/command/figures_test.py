@@ -3,11 +3,13 @@
 The package draws in this process (one for each figure takes seconds to begin). --all: every kind in every format, and a
 million points; with SWIRL_CONTACT_SHEET=FILE.png all of them on one sheet, to be looked at."""
 
+import itertools
 import json
 import os
 import re
 import time
 import unittest
+import warnings
 from types import SimpleNamespace
 
 import numpy
@@ -17,14 +19,15 @@ from matplotlib.image import imread
 from driving import InFolder, run
 from drawn_records import ALL, CHAOTIC, HEXAGON, KINDS_OF, WithRecords, labels_of
 import figure_records
+from figure_faults import faults
 from chosen import length_of
 from swirl_figures import boundaries
 from swirl_figures import KINDS, Look, RecordError, draw, kinds_of, open_record, save
 from swirl_figures.thinning import apart, thinned
 from swirl_figures.words import ordinal
 
-#: Drawn by plot_test.py, on a screen; here with --all alone.
-DRAWN_ELSEWHERE = {"orbit", "spin", "path", "modes", "bifurcation", "multipliers"}
+#: Millimetres: a column, what is just wider, two columns; None: a screen.
+WIDTHS = (86, 127, 140, 160, 178, 183, 190, None)
 HEADS = {".png": b"\x89PNG\r\n", ".svg": b"<?xml", ".pdf": b"%PDF-"}
 MOST_BYTES = 5_000_000
 
@@ -66,32 +69,35 @@ class EveryRecord(WithRecords):
                 self.assertEqual(kinds_of(self.records[name]), kinds, name)
         self.assertEqual({kind for kinds in KINDS_OF.values() for kind in kinds}, set(KINDS))
 
-    def test_is_drawn_in_every_kind_in_a_column_and_on_a_screen(self):
-        """By turns on a screen or in a column and in one of the formats; with --all in each."""
-        number = 0
+    def test_is_drawn_in_every_kind_with_room_in_columns_and_on_a_screen(self):
+        """Each in one of the widths and in one of the formats, by turns; with --all in each."""
+        widths, suffixes = itertools.cycle(WIDTHS), itertools.cycle(HEADS)
         for name, kinds in KINDS_OF.items():
             for kind in kinds if name in self.records else []:
-                if kind in DRAWN_ELSEWHERE and not name.startswith("points") and not ALL:
-                    continue
-                number += 1
-                looks = [Look(width=length_of("aps"), titles=False), Look()]
-                for look in looks if ALL else looks[number % 2:][:1]:
-                    self.check(name, kind, look, HEADS if ALL else [list(HEADS)[number % 3]])
+                for width in WIDTHS if ALL else [next(widths)]:
+                    self.check(name, kind, width, HEADS if ALL else [next(suffixes)])
         if ALL and "SWIRL_CONTACT_SHEET" in os.environ:
-            contact_sheet(sorted(self.folder.glob("*.png")), os.environ["SWIRL_CONTACT_SHEET"])
+            contact_sheet(sorted(self.folder.glob("*-screen.png")), os.environ["SWIRL_CONTACT_SHEET"])
 
-    def check(self, name, kind, look, suffixes):
-        figure = draw(self.records[name], kind, look)
-        width, height = 25.4 * figure.get_size_inches()
-        if look.width:
-            self.assertAlmostEqual(width, 86)
-            self.assertLess(height, 297, (name, kind))  # a page
+    def check(self, name, kind, width, suffixes):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # matplotlib's "constrained_layout not applied"
+            figure = draw(self.records[name], kind, Look(width=width and width / 25.4, titles=width != 86))
+        self.assertEqual(faults(figure), [], (name, kind, width))
+        if width:
+            across, down = 25.4 * figure.get_size_inches()
+            self.assertAlmostEqual(across, width)
+            self.assertLess(down, 297, (name, kind, width))  # a page
         for suffix in suffixes:
-            file = self.folder / f"{name}-{kind}{suffix}"
+            file = self.folder / f"{name}-{kind}-{width or 'screen'}{suffix}"
             save(figure, file)
             content = file.read_bytes()
             self.assertTrue(content.startswith(HEADS[suffix]), file)
             self.assertTrue(5_000 < len(content) < MOST_BYTES, (file, len(content)))
+            if suffix == ".png":
+                pixels = (imread(file)[..., :3] * 255).astype(int)
+                colours = numpy.unique(pixels @ [1 << 16, 1 << 8, 1])  # as one number: rows take seconds to sort
+                self.assertGreater(len(colours), 20, file)
 
 
 class WhatIsDrawn(WithRecords):
@@ -212,8 +218,8 @@ class VectorFiles(WithRecords):
         figure_records.write_sampled_sweep(points, ["alpha", "beta", "mu"], 20_000)
         run(f"simulate {CHAOTIC} --collisions 19999 --quiet -o {orbit}")
         self.bytes_of(draw(points), "points")
-        self.bytes_of(draw([orbit] * 4, "spin"), "spins")
         if ALL:
+            self.bytes_of(draw([orbit] * 4, "spin"), "spins")
             self.bytes_of(draw([orbit] * 8), "orbits")
 
     def test_of_few_marks_have_no_image(self):

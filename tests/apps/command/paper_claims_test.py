@@ -89,7 +89,7 @@ class Runs(unittest.TestCase):
 class Script(unittest.TestCase):
     def test_every_claim_has_a_verdict_and_a_figure(self):
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([sys.executable, ROOT / "notebooks-export/paper_claims.py", SWIRL, "-o", folder, "--runs", "16"],
+            done = subprocess.run([sys.executable, ROOT / "notebooks-export/paper_claims.py", SWIRL, "-o", folder, "--runs", "12"],
                                   capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             told = json.loads((Path(folder) / "claims.json").read_text())["claims"]

@@ -34,7 +34,6 @@ RECORDS = {
     "single": f"simulate {STEADY} --collisions 1",
     "sweep1": "sweep --sides 6 --alpha 0.4 --beta 0.5 --restitution 0.9 --grid mu=0.8:0.1:4 --runs 2",
     "sweep2": "sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:5 --grid beta=0.1:0.9:4 --runs 2",
-    "sweep3": "sweep --mu 0.5 --beta 0.5 --grid alpha=0.2:0.6:3 --grid restitution=0.8:1:2 --grid sides=3:10:8",
     "point": "sweep --sides 6 --beta 0.5 --restitution 0.9 --grid mu=0.5:0.5:1 --grid alpha=0.4:0.4:1",
 }
 SHORT = " --transient 100 --collisions 100"
@@ -53,15 +52,11 @@ class WithRecords(unittest.TestCase):
         WithRecords.folder = folder_of_module()
         commands = {name: command + (SHORT if command.startswith("sweep") else "") for name, command in RECORDS.items()}
         cls.records.update(made_records(commands, cls.folder, (0, 3)))
-        for name, groups in (("bifurcate", ["samples"]), ("continue", ["branches", "special"]),
-                             ("both", ["samples", "branches", "special"])):
+        for name, groups in (("continue", ["branches", "special"]), ("both", ["samples", "branches", "special"])):
             cls.records[name] = cls.folder / f"{name}.h5"
             figure_records.write_bifurcation(cls.records[name], groups)
-        for name, count, largest in (("orbits", 4, 1.3), ("many-orbits", 40, 5000.0)):
-            cls.records[name] = cls.folder / f"{name}.h5"
-            figure_records.write_orbits(cls.records[name], count, largest)
-        cls.records["tradeoff"] = cls.folder / "tradeoff.h5"
-        figure_records.write_tradeoff(cls.records["tradeoff"])
+        cls.records["orbits"] = cls.folder / "orbits.h5"
+        figure_records.write_orbits(cls.records["orbits"], 4, 1.3)
 
 
 class Figures(WithRecords):
@@ -72,13 +67,6 @@ class Figures(WithRecords):
         self.assertTrue(content.startswith(HEADS[suffix]), figure)
         self.assertGreater(len(content), 8_000, figure)
         return figure
-
-    def test_every_record_is_drawn(self):
-        from matplotlib.image import imread
-        for name in set(self.records) - {"steps", "sweep1"}:  # "chaotic" and "sweep2" are more of them
-            pixels = (imread(self.draw(name, "png"))[..., :3] * 255).astype(int)
-            colours = numpy.unique(pixels @ [1 << 16, 1 << 8, 1])  # as one number: rows take seconds to sort
-            self.assertGreater(len(colours), 20, name)
 
     def test_every_kind_of_a_record_is_drawn(self):
         for name, kinds in (("chaotic", ["orbit", "spin", "path", "section", "balance", "energy"]), ("sweep2", ["modes", "means", "map"]), ("both", ["bifurcation"]),
@@ -167,7 +155,8 @@ class Orbits(WithRecords):
         longest = (end - start).argmax()
         inside = (t >= start[longest]) & (t <= end[longest])
         between = 0.05  # the trapezium rule over whole samples: the ends are missing
-        self.assertAlmostEqual(numpy.trapz(spin[inside], t[inside]) / numpy.ptp(t[inside]), mean[longest],
+        area = ((spin[1:] + spin[:-1]) / 2 * numpy.diff(t))[inside[1:] & inside[:-1]].sum()
+        self.assertAlmostEqual(area / numpy.ptp(t[inside]), mean[longest],
                                delta=2 * between * numpy.ptp(spin[inside]) / (end - start)[longest])
         curves, shown = spin_on_wall(open_record(self.records["contact"]))  # without samples: means of the pieces
         self.assertEqual((curves, shown.any()), ([], False))

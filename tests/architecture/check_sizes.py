@@ -1,7 +1,7 @@
 """Checks that files and functions stay small: check_sizes.py ROOT
 
 Prints one line per violation, `file:line: what is too long`, and exits 1 if there is any; 2 if ROOT holds no sources.
-No .hpp, .cpp or .py file of map/, analysis/, apps/ and notebooks-export/ has more than 300 lines, no function of the C++
+No .hpp, .cpp or .py file of map/, analysis/, apps/ and notebooks-export/ has more than 500 lines, no function of the C++
 files more than 60, from the line of its opening brace to that of its closing one. The files are as clang-format leaves
 them: the brace that opens a function ends its line, and the one that closes it stands alone at the same indentation.
 """
@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 FOLDERS = ("map", "analysis", "apps", "notebooks-export")
-LONGEST_FILE = 300
+LONGEST_FILE = 500
 LONGEST_FUNCTION = 60
 
 NO_FUNCTION = re.compile(r"^\s*(inline |export )?(namespace|extern|struct|class|union|enum|concept)\b")

@@ -22,7 +22,7 @@ HERE = Path(__file__).resolve().parent
 LINKED = re.compile(r'(<(?:a|img)\b[^>]*?\b(?:href|src)=")([^"]*)(")')
 #: The pages that a reader wants first, in this order; the others follow by name.
 FIRST = [Path(name) for name in ("README.md", "docs/install.md", "docs/tutorial.md", "docs/film-to-verdict.md", "docs/examples.md",
-                                 "docs/against-the-swirl.md", "docs/performance.md", "docs/command-line.md", "manual/swirl.md")]
+                                 "docs/against-the-swirl.md", "docs/performance.md", "docs/library.md", "docs/command-line.md", "manual/swirl.md")]
 #: What browsers show by themselves; other files are shown as text.
 SHOWN = {".svg", ".png", ".gif", ".html"}
 
@@ -75,8 +75,8 @@ class Site:
                     name = "Overview"
                 current = ' aria-current="page"' if other == source else ""
                 text += f'<li><a href="{self.way(source, self.places[other])}"{current}>{html.escape(name)}</a></li>'
-            if group == "Mathematics" and (self.out / "api/files.html").exists():
-                text += f'<li><a href="{self.way(source, Path("api/files.html"))}">Headers (API)</a></li>'
+            if group == "Mathematics" and (self.out / "api/index.html").exists():
+                text += f'<li><a href="{self.way(source, Path("api/index.html"))}">Headers (API)</a></li>'
             text += "</ul>"
         return text
 

@@ -1,6 +1,7 @@
 """The C++ that documents show compiles: snippets_test.py COMPILE_COMMANDS ROOT
 
-Each block is the inside of a function, with the flags of this build; what its document takes for granted is given below."""
+Each block is the inside of a function, or a type, with the flags of this build; what its document takes for granted is given
+below."""
 
 import json
 import re
@@ -18,7 +19,7 @@ TAKEN_FOR_GRANTED = {
                             "const std::vector<swirl::PostImpactState<double>>& starts"),
     "map/proof/README.md": ("#include <iostream>\n", ""),
     "map/steady/README.md": ("#include <iostream>\n", ""),
-    "apps/studies/README.md": ("", ""),
+    "docs/library.md": ("", ""),
     "apps/record/README.md": ('#include "apps/record/record_writer.hpp"\nusing namespace swirl::apps;\n',
                               "const std::string& version, const std::string& instruction_set"),
     "analysis/recurrence/README.md": ("#include <vector>\n", "const std::vector<double>& series"),
@@ -52,7 +53,9 @@ class Snippets(unittest.TestCase):
             before, arguments = TAKEN_FOR_GRANTED[document]
             included = re.findall(r"^#include .*$", block, re.M)
             inside = re.sub(r"^#include .*$", "", block, flags=re.M)
-            source = "\n".join([*included, before, f"void shown({arguments});", f"void shown({arguments}) {{", inside, "}"])
+            is_type = re.search(r"^struct ", inside, re.M)
+            function = [inside] if is_type else [f"void shown({arguments});", f"void shown({arguments}) {{", inside, "}"]
+            source = "\n".join([*included, before, *function])
             with self.subTest(document=document):
                 result = subprocess.run([*flags(), "-fsyntax-only", "-x", "c++", "-"], input=source, capture_output=True, text=True,
                                         cwd=ROOT, timeout=300)

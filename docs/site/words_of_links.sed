@@ -1,0 +1,2 @@
+# [words](address) becomes words.
+s/\[([^]]*)\]\([^)]*\)/\1/g

@@ -163,7 +163,9 @@ def dead_links(out):
 
 def write_api(root, out, doxygen):
     settings = (HERE / "Doxyfile").read_text(encoding="utf-8") + (
-        f'\nOUTPUT_DIRECTORY = "{out}"\nLAYOUT_FILE = "{HERE / "DoxygenLayout.xml"}"\n')
+        f'\nOUTPUT_DIRECTORY = "{out}"\nLAYOUT_FILE = "{HERE / "DoxygenLayout.xml"}"\n'
+        # The first page has the site's links by their words: its documents are no pages of Doxygen's.
+        f'FILTER_PATTERNS = */library.md="sed -E -f {HERE / "words_of_links.sed"}"\n')
     return subprocess.run([doxygen, "-"], input=settings, text=True, cwd=root, check=False).returncode == 0
 
 

@@ -52,10 +52,15 @@ class Site(unittest.TestCase):
             for loaded in re.findall(r'<(?:img|link|script)\b[^>]*?(?:src|href)="([^"]*)"', page.read_text(errors="replace")):
                 self.assertNotRegex(loaded, r"^(https?:)?//", page.name)
 
+    def made_up(self, name):
+        root = self.folder / name
+        for folder in ("map", "analysis", "apps/studies", "docs"):
+            (root / folder).mkdir(parents=True)
+        (root / "docs/library.md").write_text("# A library\n")
+        return root
+
     def test_a_link_that_leads_nowhere_ends_it(self):
-        root = self.folder / "small"
-        (root / "map").mkdir(parents=True)
-        (root / "analysis").mkdir()
+        root = self.made_up("small")
         (root / "map/a.hpp").write_text("/// One. @return nothing\nint a();\n")
         (root / "README.md").write_text("# Small\n\n[here](map/a.hpp)\n")
         self.assertEqual(build(root, self.pages, self.folder / "s", DOXYGEN).returncode, 0)
@@ -63,9 +68,7 @@ class Site(unittest.TestCase):
         self.assertEqual(build(root, self.pages, self.folder / "s", DOXYGEN).returncode, 1)
 
     def test_a_wrong_comment_of_a_header_ends_it(self):
-        root = self.folder / "wrong"
-        (root / "map").mkdir(parents=True)
-        (root / "analysis").mkdir()
+        root = self.made_up("wrong")
         (root / "README.md").write_text("# Wrong\n")
         (root / "map/a.hpp").write_text("/// One. @param none there is no such argument\nint a(int b);\n")
         self.assertEqual(build(root, self.pages, self.folder / "w", DOXYGEN).returncode, 1)

@@ -233,10 +233,6 @@ bool is_beside(const AugmentedSystem& like, const CurvePoint& on_curve, const Ei
     return problem.length(at.y - y) < same;
 }
 
-/// The end of a curve that was followed to the plane's edge lies on it up to what roundings leave: in the plane's
-/// widths.
-constexpr double on_edge = 1e-12;
-
 /// The point of the curve near a rough cycle, and its equations; false if there is none within the plane.
 bool begin(const PlaneMap& map, BoundaryKind kind, const CyclePoints& points, const Eigen::Vector2d& p,
            std::complex<double> multiplier, const BoundaryOptions& options, AugmentedSystem& system,

@@ -8,6 +8,10 @@
 
 namespace swirl::analysis {
 
+/// What counts as on the plane's edge, in its widths: the end of a curve that was followed to it lies there up to what
+/// roundings leave.
+inline constexpr double on_edge = 1e-12;
+
 /// How far p is outside the plane low … high, in its widths; negative inside, infinite where p is no number.
 double outside_plane(const Eigen::Vector2d& low, const Eigen::Vector2d& high, const Eigen::Vector2d& p);
 

@@ -165,10 +165,7 @@ std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string&
     if (curve.size() != all.size() || first.size() != all.size() || second.size() != all.size() ||
         angles.size() != all.size() || !std::all_of(curve.begin(), curve.end(), is_one))
         refuse_damaged(file, "/curves");
-    const auto lies_in = [&](std::size_t row) {
-        return plane.axes[0].low <= first[row] && first[row] <= plane.axes[0].high &&
-               plane.axes[1].low <= second[row] && second[row] <= plane.axes[1].high;
-    };
+    const auto lies_in = [&](std::size_t row) { return is_in(plane, {first[row], second[row]}); };
     std::optional<BorderRows> borders;
     std::vector<Seed> seeds;
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {

@@ -72,8 +72,7 @@ bool begin(const WordMap& map, const Plane& plane, const BorderCycle& cycle, con
     Eigen::VectorXd along = Eigen::VectorXd::Zero(y.size());
     along[layout_of(map, cycle).parameters()] = 1;
     if (!analysis::find_point(problem, y, along, farthest, start)) return false;
-    const Eigen::Vector2d p = start.y.segment<2>(layout_of(map, cycle).parameters());
-    if ((p.array() < plane.low().array()).any() || (p.array() > plane.high().array()).any()) return false;
+    if (!is_in(plane, start.y.segment<2>(layout_of(map, cycle).parameters()))) return false;
     return refusal_of(map, cycle, start.y).empty();
 }
 

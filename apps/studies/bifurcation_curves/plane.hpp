@@ -18,6 +18,9 @@ struct Plane {
     Eigen::Vector2d high() const { return {axes[0].high, axes[1].high}; }
 };
 
+/// Inside, or on the edge up to roundings (analysis::on_edge).
+bool is_in(const Plane& plane, const Eigen::Vector2d& p);
+
 /// The scene with the plane's two parameters at p.
 Scene<double> scene_at(const Scene<double>& scene, const Plane& plane, const Eigen::Vector2d& p);
 

@@ -74,9 +74,16 @@ class Records(Searched):
                 self.assertTrue(json.loads(result.stdout)["curves"])
 
     def test_a_record_leads_to_its_curves_in_a_smaller_plane(self):
+        """The flip curve's end on the edge, beta = 0.3, alone lies in it, also where roundings put it a bit beyond."""
         part = BORDERS.replace("alpha=0.5:0.7", "alpha=0.5:0.55")
         inside = [c for c in self.borders["curves"] if any(p["parameters"]["alpha"] <= 0.55 for p in c["points"])]
-        again = document(f"boundaries {part} --from {self.borders_record}")["curves"]
+        path = self.copied(self.borders_record)
+        with h5py.File(path, "r+") as record:
+            second = record["curves/second"][...]
+            self.assertGreater((abs(second - 0.3) < 1e-15).sum(), 3)
+            second[abs(second - 0.3) < 1e-15] = math.nextafter(0.3, 1)
+            record["curves/second"][...] = second
+        again = json.loads(run(f"boundaries {part} --from {path} --json --quiet").stdout)["curves"]
         kind = lambda c: (c["kind"], c["period"])
         self.assertGreaterEqual(len(inside), 3)
         for curve in inside:

@@ -29,8 +29,9 @@ std::optional<std::vector<std::string>> ids_in(const DelimitedFile& file, std::s
                                                const std::vector<double>& times) {
     std::unordered_map<std::string, Seen> seen;
     std::vector<std::string> ids;
+    CellReader reader(file);
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        const std::string id = file.cells(row)[column];
+        const std::string id(reader.at(row)[column]);
         if (is_missing(id)) continue;
         Seen& body = seen[id];
         if (body.rows++ == 0) ids.push_back(printable(id));
@@ -77,8 +78,9 @@ Bodies bodies_in(const DelimitedFile& file, std::optional<std::size_t> time, con
 std::vector<std::string> values_of(const DelimitedFile& file, std::size_t column) {
     std::vector<std::string> values;
     std::unordered_map<std::string, bool> seen;
+    CellReader reader(file);
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        const std::string value = file.cells(row)[column];
+        const std::string value(reader.at(row)[column]);
         if (!is_missing(value) && !std::exchange(seen[value], true)) values.push_back(value);
     }
     return values;
@@ -95,8 +97,9 @@ void keep_rows(DelimitedFile& file, const Condition& condition) {
     const char decimal = file.layout.decimal;
     const auto wanted = number_in(condition.value, decimal);
     std::vector<TextRow> kept;
+    CellReader reader(file);
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        const std::string cell = file.cells(row)[condition.column];
+        const std::string_view cell = reader.at(row)[condition.column];
         if (cell == condition.value || (wanted && number_in(cell, decimal) == wanted)) kept.push_back(file.rows[row]);
     }
     if (kept.empty())

@@ -66,7 +66,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-char separator_of(const std::string& line) {
+char separator_of(std::string_view line) {
     bool quoted = false;
     bool tab = false, semicolon = false, comma = false;
     for (const char c : line) {
@@ -79,9 +79,29 @@ char separator_of(const std::string& line) {
     return tab ? '\t' : semicolon ? ';' : comma ? ',' : ' ';
 }
 
-std::vector<std::string> cells_of(const std::string& line, char separator) {
+void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+    cells.clear();
+    const std::string_view text = separator == '\t' ? line : trimmed(line);
+    const auto is_separator = [&](char c) { return separator == ' ' ? is_blank(c) : c == separator; };
+    for (std::size_t begin = 0;;) {
+        std::size_t end = begin;
+        while (end < text.size() && !is_separator(text[end])) ++end;
+        cells.push_back(trimmed(text.substr(begin, end - begin)));
+        if (end == text.size()) return;
+        begin = end + 1;
+        if (separator == ' ')
+            while (begin < text.size() && is_blank(text[begin])) ++begin;
+    }
+}
+
+std::vector<std::string> cells_of(std::string_view line, char separator) {
+    if (line.find('"') == std::string_view::npos) {
+        std::vector<std::string_view> parts;
+        split_cells(line, separator, parts);
+        return {parts.begin(), parts.end()};
+    }
     std::vector<std::string> cells;
-    const std::string_view text = separator == '\t' ? std::string_view(line) : trimmed(line);
+    const std::string_view text = separator == '\t' ? line : trimmed(line);
     std::size_t i = 0;
     const auto at_separator = [&] { return separator == ' ' ? is_blank(text[i]) : text[i] == separator; };
     while (true) {
@@ -118,27 +138,36 @@ std::vector<std::string> cells_of(const std::string& line, char separator) {
     }
 }
 
-bool is_missing(const std::string& cell) {
+bool is_missing(std::string_view cell) {
     if (cell.empty()) return true;
     if (cell.size() > 9) return false;
-    std::string lower = cell;
+    std::string lower(cell);
     std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
     static constexpr std::array words = {"nan",  "-nan", "+nan", "na",   "n/a",      "#n/a",      "null",
                                          "none", "inf",  "-inf", "+inf", "infinity", "-infinity", "-nan(ind)"};
     return std::find(words.begin(), words.end(), lower) != words.end();
 }
 
-std::optional<double> number_in(const std::string& cell, char decimal) {
-    if (cell.empty() || cell.find_first_not_of("0123456789+-.,eE") != std::string::npos) return std::nullopt;
-    std::string text = cell;
-    if (decimal == ',' && has_decimal_comma(text)) text[text.find(',')] = '.';
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (*end != '\0' || !std::isfinite(value)) return std::nullopt;
+std::optional<double> number_in(std::string_view cell, char decimal) {
+    if (cell.empty()) return std::nullopt;
+    if (decimal == ',' && has_decimal_comma(cell)) {
+        std::string text(cell);
+        text[text.find(',')] = '.';
+        return number_in(text);
+    }
+    const char first = cell[cell.front() == '-' || cell.front() == '+' ? 1 % cell.size() : 0];
+    if (first != '.' && (first < '0' || first > '9')) return std::nullopt;  // inf, nan; "+-1"
+    double value = 0;
+    const char* const stop = cell.data() + cell.size();
+    const auto [end, error] = std::from_chars(cell.data() + (cell.front() == '+' ? 1 : 0), stop, value);
+    if (end != stop || error == std::errc::invalid_argument) return std::nullopt;
+    if (error == std::errc::result_out_of_range)  // which too small ones are, too
+        value = std::strtod(std::string(cell).c_str(), nullptr);
+    if (!std::isfinite(value)) return std::nullopt;
     return value;
 }
 
-bool has_decimal_comma(const std::string& cell) {
+bool has_decimal_comma(std::string_view cell) {
     const std::size_t comma = cell.find(',');
     if (comma == std::string::npos || comma + 1 == cell.size()) return false;
     if (cell.find_first_of(".,", comma + 1) != std::string::npos || cell.find('.') < comma) return false;
@@ -153,7 +182,7 @@ bool looks_like_a_number(const std::string& cell) {
     return !cell.empty() && *end == '\0' && !std::isnan(value);
 }
 
-std::optional<ClockTime> clock_time_in(const std::string& cell) {
+std::optional<ClockTime> clock_time_in(std::string_view cell) {
     if (cell.size() < 7 || cell.find(':') == std::string::npos) return std::nullopt;
     std::string_view text = cell;
     std::int64_t days = 0;
@@ -180,7 +209,7 @@ std::optional<ClockTime> clock_time_in(const std::string& cell) {
     return time;
 }
 
-bool is_value(const std::string& cell, char decimal) {
+bool is_value(std::string_view cell, char decimal) {
     return is_missing(cell) || number_in(cell, decimal) || clock_time_in(cell);
 }
 

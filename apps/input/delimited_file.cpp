@@ -22,7 +22,7 @@ namespace {
 // Ten million rows of a hundred bytes; above it a file is taken for one that never ends.
 constexpr std::size_t longest_series = std::size_t{1} << 30;
 
-std::string shown(const std::string& line) {
+std::string shown(std::string_view line) {
     constexpr std::size_t longest = 100;  // of a message of one line
     if (line.size() <= longest) return printable(line);
     return printable(line.substr(0, longest)) + "...";
@@ -34,28 +34,29 @@ std::string list_of(const DelimitedFile& file) {
 }
 
 /// The lines of a text, without their ends and a byte order mark.
-std::vector<TextRow> lines_of(const std::string& content) {
+std::vector<TextRow> lines_of(std::string_view content) {
     const char end = content.find('\n') == std::string::npos ? '\r' : '\n';
     std::vector<TextRow> lines;
-    std::size_t begin = content.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0;
+    std::size_t begin = content.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     for (std::size_t line = 1; begin < content.size(); ++line) {
         const std::size_t stop = std::min(content.find(end, begin), content.size());
-        std::string text = content.substr(begin, stop - begin);
+        std::string_view text = content.substr(begin, stop - begin);
         begin = stop + 1;
-        if (!text.empty() && text.back() == '\r') text.pop_back();
-        lines.push_back({line, std::move(text)});
+        if (text.ends_with('\r')) text.remove_suffix(1);
+        lines.push_back({line, text});
     }
     return lines;
 }
 
 /// The separator that a line "sep=;" names, else 0.
-char separator_in(std::string text) {
+char separator_in(std::string_view line) {
+    std::string text(line.substr(0, 20));
     text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
     return text.size() == 5 && text.rfind("sep=", 0) == 0 ? text[4] : '\0';
 }
 
-bool is_comment(const std::string& text) {
+bool is_comment(std::string_view text) {
     const std::string_view core = trimmed(text);
     return !core.empty() && (core.front() == '#' || core.front() == '%');
 }
@@ -74,7 +75,7 @@ TableLines lines_of_table(std::vector<TextRow> lines, const LayoutChoice& choice
         if (table.separator == '\0' && line.line == 1 && (table.separator = separator_in(line.text)) != '\0')
             return true;
         if (line.line == header && is_comment(line.text))  // "# t S": the sign is none of its names
-            line.text = std::string(trimmed(trimmed(line.text).substr(1)));
+            line.text = trimmed(trimmed(line.text).substr(1));
         if (line.line <= header) return line.line != header;
         const bool blank = trimmed(line.text).empty();
         if (blank) table.blank.push_back(line.line);
@@ -129,20 +130,36 @@ std::optional<std::size_t> similar_column(const DelimitedFile& file, const std::
 }  // namespace
 
 std::vector<std::string> DelimitedFile::cells(std::size_t row) const {
-    auto found = cells_in(rows[row].text, layout);
-    if (found.size() != columns)
-        throw BadInput(at_line(*this, row, fmt::format("{} cells, where {} are needed", found.size(), columns)));
-    return found;
+    CellReader reader(*this);
+    const auto& found = reader.at(row);
+    return {found.begin(), found.end()};
+}
+
+const std::vector<std::string_view>& CellReader::at(std::size_t row) {
+    const std::string_view text = file_.rows[row].text;
+    const TableLayout& layout = file_.layout;
+    if (layout.comma_in_pairs || text.find('"') != std::string_view::npos) {
+        copies_ = cells_in(text, layout);
+        cells_.assign(copies_.begin(), copies_.end());
+    } else {
+        split_cells(text, layout.separator, cells_);
+        if (layout.ends_in_separator && cells_.size() == layout.columns + 1 && cells_.back().empty()) cells_.pop_back();
+    }
+    if (cells_.size() != file_.columns)
+        throw BadInput(at_line(file_, row, fmt::format("{} cells, where {} are needed", cells_.size(), file_.columns)));
+    return cells_;
 }
 
 DelimitedFile read_delimited(const std::string& name, const LayoutChoice& choice) {
-    std::vector<TextRow> lines = lines_of(valid_utf8(read_text("series", name, longest_series)));
+    const auto content = std::make_shared<const std::string>(valid_utf8(read_text("series", name, longest_series)));
+    std::vector<TextRow> lines = lines_of(*content);
     if (choice.header_line && (*choice.header_line < 1 || *choice.header_line >= lines.size()))
         throw BadInput(fmt::format("header-line = {} is outside its range: 1 to {}, the lines of '{}' but the last",
                                    *choice.header_line, std::max<std::size_t>(lines.size(), 2) - 1, name));
     TableLines table = lines_of_table(std::move(lines), choice);
     DelimitedFile file;
     file.name = name;
+    file.content = content;
     file.layout = layout_of(name, table.lines, choice, table.separator);
     file.separator = file.layout.separator;
     file.header = file.layout.header;
@@ -187,10 +204,11 @@ std::vector<std::vector<double>> numbers_of(const DelimitedFile& file, const std
                                             const std::vector<bool>& gaps) {
     std::vector<std::vector<double>> columns(wanted.size());
     for (auto& column : columns) column.reserve(file.rows.size());
+    CellReader reader(file);
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        const auto cells = file.cells(row);
+        const auto& cells = reader.at(row);
         for (std::size_t k = 0; k < wanted.size(); ++k) {
-            const std::string& cell = cells[wanted[k]];
+            const std::string_view cell = cells[wanted[k]];
             const auto number = number_in(cell, file.layout.decimal);
             if (!number && !(gaps[k] && is_missing(cell)))
                 throw BadInput(at_line(
@@ -208,8 +226,9 @@ ReadTimes times_of(const DelimitedFile& file, std::size_t column) {
     if (!first) return {numbers_of(file, {column}, {false})[0], false};
     ReadTimes times{{}, true};
     times.values.reserve(file.rows.size());
+    CellReader reader(file);
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        const std::string cell = file.cells(row)[column];
+        const std::string_view cell = reader.at(row)[column];
         const auto time = clock_time_in(cell);
         if (!time)
             throw BadInput(at_line(file, row,

@@ -9,7 +9,9 @@
 #include "apps/input/table_layout.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace swirl::apps {
@@ -21,10 +23,25 @@ struct DelimitedFile {
     char separator = ' ';             ///< the layout's
     std::vector<std::string> header;  ///< the layout's; empty: none
     std::size_t columns = 0;
-    std::vector<TextRow> rows;  ///< without the header
+    std::shared_ptr<const std::string> content;
+    std::vector<TextRow> rows;  ///< without the header; of the content
 
     /// @throws BadInput naming the line: too few or too many cells
     std::vector<std::string> cells(std::size_t row) const;
+};
+
+/// The cells of row after row: without a copy where no quotes and no commas in pairs need one.
+class CellReader {
+public:
+    explicit CellReader(const DelimitedFile& file) : file_(file) {}
+
+    /// Until the next call. @throws BadInput naming the line: too few or too many cells
+    const std::vector<std::string_view>& at(std::size_t row);
+
+private:
+    const DelimitedFile& file_;
+    std::vector<std::string_view> cells_;
+    std::vector<std::string> copies_;
 };
 
 /// Reads a file; "-" reads standard input.

@@ -17,8 +17,9 @@ namespace {
 
 /// A column of numbers without gaps, or of times of the clock. The first rows tell most others apart.
 bool has_only_times(const DelimitedFile& file, std::size_t column) {
+    CellReader reader(file);
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        const std::string cell = file.cells(row)[column];
+        const std::string_view cell = reader.at(row)[column];
         if (!number_in(cell, file.layout.decimal) && !clock_time_in(cell)) return false;
     }
     return true;
@@ -162,8 +163,9 @@ std::vector<std::size_t> rising_columns(const DelimitedFile& file) {
     std::vector<std::size_t> rising;
     for (std::size_t k = 0; k < file.columns; ++k) rising.push_back(k);
     std::vector<double> last(file.columns, -std::numeric_limits<double>::infinity());
+    CellReader reader(file);
     for (std::size_t row = 0; row < file.rows.size() && !rising.empty(); ++row) {
-        const auto cells = file.cells(row);
+        const auto& cells = reader.at(row);
         std::erase_if(rising, [&](std::size_t k) {
             const auto number = number_in(cells[k], file.layout.decimal);
             if (!number || !(*number > last[k])) return true;

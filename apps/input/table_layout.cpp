@@ -172,7 +172,7 @@ void settle_commas(const std::string& file, const std::vector<TextRow>& lines, c
 
 }  // namespace
 
-std::vector<std::string> cells_in(const std::string& line, const TableLayout& layout) {
+std::vector<std::string> cells_in(std::string_view line, const TableLayout& layout) {
     Cells cells = cells_of(line, layout.separator);
     if (layout.ends_in_separator && cells.size() == layout.columns + 1 && cells.back().empty()) cells.pop_back();
     if (!layout.comma_in_pairs || cells.size() != 2 * layout.columns) return cells;

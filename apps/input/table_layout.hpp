@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace swirl::apps {
@@ -11,10 +12,10 @@ namespace swirl::apps {
 /// So many lines tell how a table lies.
 inline constexpr std::size_t lines_looked_at = 400;
 
-/// A line of a file.
+/// A line of a file, whose content lives elsewhere.
 struct TextRow {
     std::size_t line = 0;  ///< number in the file, from 1
-    std::string text;
+    std::string_view text;
 };
 
 /// What the user says of a file's form, in place of what is found.
@@ -47,7 +48,7 @@ TableLayout layout_of(const std::string& file, const std::vector<TextRow>& lines
                       char separator);
 
 /// The cells of a row by a layout.
-std::vector<std::string> cells_in(const std::string& line, const TableLayout& layout);
+std::vector<std::string> cells_in(std::string_view line, const TableLayout& layout);
 
 /// The unit that stands in a name's brackets or after its last underscore ("Time (ms)", "t [s]", "t_ms"), or "".
 std::string unit_in_name(const std::string& name);

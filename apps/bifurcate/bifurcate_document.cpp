@@ -2,6 +2,7 @@
 #include "apps/studies/diagrams/column_shares.hpp"
 
 #include "apps/modes/driven_fields.hpp"
+#include "apps/modes/mean_error_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/steady_share_table.hpp"
 #include "apps/output/wrapped.hpp"
@@ -72,7 +73,8 @@ Table<AttractorRow> attractor_table(const BifurcateOptions& options, const Diagr
     using Row = AttractorRow;
     using F = Field<Row>;
     const auto of = [](auto member) { return [member](const Row& row) { return row.attractor->*member; }; };
-    const auto error_of = [](auto m) { return [m](const Row& row) { return row.attractor->mean_errors.*m; }; };
+    const auto errors =
+        mean_error_fields<Row>(of(&Attractor::mean_errors), "its standard error along the orbit", "its standard error");
     const auto samples = [](const std::string& name) {
         return [name](JsonWriter& json, const Row& row) { write_samples(json, *row.attractor, name); };
     };
@@ -84,10 +86,10 @@ Table<AttractorRow> attractor_table(const BifurcateOptions& options, const Diagr
                   kind_field<Row>(of(&Attractor::kind)),
                   period_field<Row>(of(&Attractor::period), "0: none"),
                   {"mean_S", of(&Attractor::mean_spin), "1", "time mean of S"},
-                  {"mean_S_error", error_of(&MeanErrors::per_time), "1", "its standard error along the orbit"},
+                  errors.per_time,
                   {"mean_S_per_impact", of(&Attractor::mean_spin_per_impact), "1", "mean of S over impacts"},
-                  {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "its standard error"},
-                  {"mean_S_kind", error_of(&MeanErrors::kind), "", "exact, sampled, bounded, too-short or none"},
+                  errors.per_impact,
+                  errors.kind,
                   F{"samples", count, "1", "how many follow in the group samples, in this order"}.record_only(),
                   {"S", samples("S")},
                   F{"values", samples(options.observable)}.when(options.observable != "S")},

@@ -9,6 +9,7 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/input/angle_stretch.hpp"
 #include "apps/input/input_options.hpp"
+#include "apps/modes/mean_error_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/verdict_document.hpp"
 #include "apps/output/wrapped.hpp"
@@ -61,9 +62,7 @@ Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
     const double spacing = v.used.spacing;
     const bool flow = v.options.sampled_flow;
     const auto of = [](auto member) { return [member](const SeriesVerdict& row) { return row.verdict.*member; }; };
-    const auto error_of = [](auto member) {
-        return [member](const SeriesVerdict& row) { return row.mean_errors.*member; };
-    };
+    const auto errors = mean_error_fields<SeriesVerdict>(&SeriesVerdict::mean_errors);
     const auto per_time = [&](double Verdict::*member) {
         return [=](const SeriesVerdict& row) { return flow ? row.verdict.*member / spacing : analysis::nan; };
     };
@@ -81,10 +80,10 @@ Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
               },
               no_column},
              {"mean_S_per_impact", per_impact(&Verdict::mean_per_step), no_column},
-             {"mean_S_error", error_of(&MeanErrors::per_time), "1", "standard error of mean_S"},
-             {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "that of mean_S_per_impact"},
-             {"mean_S_bound", error_of(&MeanErrors::bound), "1", "of a torus: mean_S is off by this at most"},
-             {"mean_S_kind", error_of(&MeanErrors::kind), no_column},
+             errors.per_time,
+             errors.per_impact,
+             errors.bound,
+             errors.kind,
              {"recurrence_rate", of(&Verdict::recurrence_rate), no_column},
              {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal), no_column},
              {"largest_exponent", per_impact(&Verdict::largest_exponent), no_column},

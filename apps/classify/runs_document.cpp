@@ -3,6 +3,7 @@
 #include "apps/branches/section_point.hpp"
 #include "apps/modes/driven_fields.hpp"
 #include "apps/modes/escape_document.hpp"
+#include "apps/modes/mean_error_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/steady_share_table.hpp"
 #include "apps/modes/verdict_document.hpp"
@@ -41,7 +42,7 @@ void write_shares(JsonWriter& json, std::string_view key, const RunsFound& found
 
 Table<RunVerdict> runs_table() {
     using Run = RunVerdict;
-    const auto error_of = [](auto member) { return [member](const Run& run) { return run.mean_errors.*member; }; };
+    const auto errors = mean_error_fields<Run>(&Run::mean_errors, "standard error of mean_S along the run");
     Table<Run> table{
         {"run"},
         {Field<Run>{"seed", &Run::seed, "", "seed of the random start"}.stored_as(ElementType::string),
@@ -53,9 +54,9 @@ Table<RunVerdict> runs_table() {
          Field<Run>{"impacts", &Run::impacts, "1", "impacts followed"}.record_only(),
          {"mean_S", &Run::mean_spin, "1", "time mean of S"},
          {"mean_S_per_impact", &Run::mean_spin_per_impact, "1", "mean of S over impacts"},
-         {"mean_S_error", error_of(&MeanErrors::per_time), "1", "standard error of mean_S along the run"},
-         {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "that of mean_S_per_impact"},
-         {"mean_S_kind", error_of(&MeanErrors::kind), "", "exact, sampled, bounded, too-short or none"},
+         errors.per_time,
+         errors.per_impact,
+         errors.kind,
          {"recurrence_rate", &Run::recurrence_rate, "1", "RC of S"},
          {"ln_multiplier", &Run::ln_multiplier, "1", "of a cycle: ln of its largest |multiplier|, DF^period"},
          {"largest_exponent", &Run::largest_exponent, "1", "largest Lyapunov exponent per impact"},

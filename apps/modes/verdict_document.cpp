@@ -2,6 +2,7 @@
 
 #include "apps/branches/section_point.hpp"
 #include "apps/modes/driven_fields.hpp"
+#include "apps/modes/mean_error_fields.hpp"
 #include "apps/modes/mean_in_words.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/wrapped.hpp"
@@ -33,9 +34,7 @@ Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s)
 Table<NamedMode> verdict_table() {
     using Verdict = analysis::Classification;
     const auto of = [](auto member) { return [member](const NamedMode& named) { return named.verdict.*member; }; };
-    const auto error_of = [](auto member) {
-        return [member](const NamedMode& named) { return named.mean_errors.*member; };
-    };
+    const auto errors = mean_error_fields<NamedMode>(&NamedMode::mean_errors);
     Table<NamedMode> table{
         {},
         {{"mode", of(&Verdict::mode), no_column},
@@ -43,10 +42,10 @@ Table<NamedMode> verdict_table() {
          period_field<NamedMode>(of(&Verdict::period)),
          {"mean_S", of(&Verdict::mean), "1", "time mean of S"},
          {"mean_S_per_impact", of(&Verdict::mean_per_step), "1", "mean of S over impacts"},
-         {"mean_S_error", error_of(&MeanErrors::per_time), "1", "standard error of mean_S"},
-         {"mean_S_per_impact_error", error_of(&MeanErrors::per_impact), "1", "that of mean_S_per_impact"},
-         {"mean_S_bound", error_of(&MeanErrors::bound), "1", "of a torus: mean_S is off by this at most"},
-         {"mean_S_kind", error_of(&MeanErrors::kind), no_column},
+         errors.per_time,
+         errors.per_impact,
+         errors.bound,
+         errors.kind,
          {"recurrence_rate", of(&Verdict::recurrence_rate), no_column},
          {"recurrence_rate_without_diagonal", of(&Verdict::recurrence_rate_without_diagonal), no_column},
          {"largest_exponent", of(&Verdict::largest_exponent), no_column},

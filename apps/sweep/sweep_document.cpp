@@ -1,5 +1,6 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/modes/driven_fields.hpp"
+#include "apps/modes/mean_error_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/steady_share_table.hpp"
 #include "apps/output/write_table.hpp"
@@ -24,6 +25,7 @@ struct Cell {
 /// The runs of a cell, as JSON has them.
 Table<RunResult> run_table() {
     const auto period = [](const RunResult& run) { return static_cast<std::int64_t>(run.period); };
+    const auto errors = mean_error_fields<RunResult>(mean_errors_of);
     Table<RunResult> table{
         {"run"},
         {{"mode", mode_of, no_column},
@@ -33,9 +35,9 @@ Table<RunResult> run_table() {
          period_field<RunResult>(period),
          {"mean_S", &RunResult::mean_spin, no_column},
          {"mean_S_per_impact", &RunResult::mean_spin_per_impact, no_column},
-         {"mean_S_error", &RunResult::mean_spin_error, no_column},
-         {"mean_S_per_impact_error", &RunResult::mean_spin_per_impact_error, no_column},
-         {"mean_S_kind", mean_kind_of, no_column},
+         errors.per_time,
+         errors.per_impact,
+         errors.kind,
          {"largest_exponent", &RunResult::largest_exponent, no_column},
          {"impacts", [](const RunResult& run) { return static_cast<std::int64_t>(run.impacts); }, no_column}}};
     const auto driven = driven_fields<RunResult>(growth_of, &RunResult::limit_spin);

@@ -29,8 +29,9 @@ inline analysis::Mode mode_of(const RunResult& run) {
 inline analysis::GrowthExponent growth_of(const RunResult& run) {
     return {run.growth, run.growth_low, run.growth_high};
 }
-inline MeanKind mean_kind_of(const RunResult& run) {
-    return static_cast<MeanKind>(static_cast<int>(run.mean_kind));
+inline MeanErrors mean_errors_of(const RunResult& run) {
+    return {static_cast<MeanKind>(static_cast<int>(run.mean_kind)), run.mean_spin_error,
+            run.mean_spin_per_impact_error};
 }
 inline analysis::Kind kind_of(const RunResult& run) {
     return static_cast<analysis::Kind>(static_cast<int>(run.kind));

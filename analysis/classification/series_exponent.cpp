@@ -1,8 +1,7 @@
 #include "analysis/classification/series_exponent.hpp"
 
 #include "analysis/classification/delay_vectors.hpp"
-
-#include <Random123/philox.h>
+#include "analysis/random_draws.hpp"
 
 #include <algorithm>
 #include <array>
@@ -152,12 +151,11 @@ double bend_of(std::span<const double> curve, Stretch stretch) {
 
 /// Standard deviation of the slope over resampled segments.
 double bootstrap(const SegmentSums& sums, const Slope& slope_of_curve) {
-    const r123::Philox4x64 generator;
     double sum = 0, squares = 0;
     for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
         std::array<double, segments> times{};
         for (std::uint64_t k = 0; k < segments; k += 4)
-            for (const std::uint64_t bits : generator({{replicate, k, 0, 0}}, {{1, 0x736567}}))
+            for (const std::uint64_t bits : random_bits({replicate, k, 0, 0}, {1, 0x736567}))
                 times[(bits >> 32) * segments >> 32] += 1;
         const double slope = slope_of_curve(sums.mean(times));
         sum += slope, squares += slope * slope;

@@ -1,11 +1,9 @@
 #include "analysis/classification/surrogates.hpp"
 
 #include "analysis/classification/delay_vectors.hpp"
+#include "analysis/random_draws.hpp"
 #include "analysis/special_values.hpp"
 #include "analysis/spectrum/fft.hpp"
-
-#include <Random123/philox.h>
-#include <Random123/uniform.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +23,9 @@ constexpr std::size_t most_for_surrogates = 1000;
 /// Uniform numbers of one surrogate, the same whatever came before.
 class Draws {
 public:
-    Draws(std::uint64_t kind, std::uint64_t draw) : key_{{kind, 0x737572726f67}}, draw_(draw) {}
+    Draws(std::uint64_t kind, std::uint64_t draw) : kind_(kind), draw_(draw) {}
     double uniform() {  ///< in (0, 1]
-        const r123::Philox4x64 generator;
-        return r123::u01<double>(generator({{draw_, place_++, 0, 0}}, key_)[0]);
+        return uniform_draws({draw_, number_++, 0, 0}, {kind_, 0x737572726f67})[0];
     }
     std::size_t below(std::size_t n) {
         return std::min(n - 1, static_cast<std::size_t>((1 - uniform()) * static_cast<double>(n)));
@@ -39,8 +36,7 @@ public:
     }
 
 private:
-    r123::Philox4x64::key_type key_;
-    std::uint64_t draw_, place_ = 0;
+    std::uint64_t kind_, draw_, number_ = 0;
 };
 
 std::vector<std::size_t> ranks_of(std::span<const double> x) {

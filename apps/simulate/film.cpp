@@ -1,18 +1,17 @@
 #include "apps/simulate/film.hpp"
 
+#include "analysis/random_draws.hpp"
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/record/record_error.hpp"
-#include "map/model/scene.hpp"
 
-#include <Random123/philox.h>
 #include <fmt/format.h>
-#include <Random123/uniform.hpp>
 
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <numbers>
 #include <system_error>
 #include <vector>
 
@@ -30,17 +29,16 @@ struct FrameNoise {
 };
 
 FrameNoise noise_of(std::uint64_t seed, std::int64_t frame) {
-    const r123::Philox4x64 generator;
     FrameNoise noise{};
     const auto counter = static_cast<std::uint64_t>(frame);
-    const auto bits = generator({{counter, 0, 0, 0}}, {{seed, stream_of_films}});
+    const auto u = analysis::uniform_draws({counter, 0, 0, 0}, {seed, stream_of_films});
     for (std::size_t pair = 0; pair < 2; ++pair) {
-        const double length = std::sqrt(-2 * std::log(r123::u01<double>(bits[2 * pair])));
-        const double turn = 2 * pi<double>() * r123::u01<double>(bits[2 * pair + 1]);
+        const double length = std::sqrt(-2 * std::log(u[2 * pair]));
+        const double turn = 2 * std::numbers::pi * u[2 * pair + 1];
         noise.normal[2 * pair] = length * std::cos(turn);
         noise.normal[2 * pair + 1] = length * std::sin(turn);
     }
-    noise.share = r123::u01<double>(generator({{counter, 1, 0, 0}}, {{seed, stream_of_films}})[0]);
+    noise.share = analysis::uniform_draws({counter, 1, 0, 0}, {seed, stream_of_films})[0];
     return noise;
 }
 

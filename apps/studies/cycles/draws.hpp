@@ -1,9 +1,9 @@
 // Uniform numbers of one candidate, by a generator that is keyed by its place: the same whatever came before.
 #pragma once
 
-#include <Random123/philox.h>
-#include <Random123/uniform.hpp>
+#include "analysis/random_draws.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,10 +14,9 @@ struct Draws {
     std::array<double, 8> u;  ///< in (0, 1]
 
     Draws(std::uint64_t seed, std::uint64_t period, std::uint64_t index) {
-        const r123::Philox4x64 generator;
         for (std::uint64_t half = 0; half < 2; ++half) {
-            const auto bits = generator({{index, period, half, 0x6f72626974}}, {{seed, 1}});
-            for (std::size_t i = 0; i < 4; ++i) u[4 * half + i] = r123::u01<double>(bits[i]);
+            const auto four = analysis::uniform_draws({index, period, half, 0x6f72626974}, {seed, 1});
+            std::copy(four.begin(), four.end(), u.begin() + 4 * static_cast<std::ptrdiff_t>(half));
         }
     }
     double between(std::size_t i, double low, double high) const { return low + (high - low) * u[i]; }

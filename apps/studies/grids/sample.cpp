@@ -1,8 +1,8 @@
 #include "apps/studies/grids/sample.hpp"
 
-#include <Random123/philox.h>
+#include "analysis/random_draws.hpp"
+
 #include <gsl/gsl_qrng.h>
-#include <Random123/uniform.hpp>
 
 #include <memory>
 #include <new>
@@ -29,15 +29,14 @@ std::vector<std::vector<double>> sobol_points(std::size_t count, std::size_t axe
 }
 
 std::vector<std::vector<double>> latin_points(std::size_t count, std::size_t axes, std::uint64_t seed) {
-    const r123::Philox4x64 generator;
     std::vector<std::vector<double>> points(axes, std::vector<double>(count));
     for (std::size_t k = 0; k < axes; ++k) {
         std::vector<std::size_t> slice(count);
         std::iota(slice.begin(), slice.end(), std::size_t{0});
         for (std::size_t i = count; i-- > 0;) {
-            const auto bits = generator({{i, k, 0, latin_hypercube}}, {{seed, 0}});
-            std::swap(slice[i], slice[bits[0] % (i + 1)]);  // not even by 10⁶/2⁶⁴
-            points[k][i] = 1 - r123::u01<double>(bits[1]);  // (0, 1] to [0, 1)
+            const auto bits = analysis::random_bits({i, k, 0, latin_hypercube}, {seed, 0});
+            std::swap(slice[i], slice[bits[0] % (i + 1)]);     // not even by 10⁶/2⁶⁴
+            points[k][i] = 1 - analysis::uniform_of(bits[1]);  // (0, 1] to [0, 1)
         }
         for (std::size_t i = 0; i < count; ++i)
             points[k][i] = (static_cast<double>(slice[i]) + points[k][i]) / static_cast<double>(count);

@@ -6,6 +6,7 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
+#include "apps/modes/classify_flags.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +33,6 @@ Examples:
   swirl bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.36:0.4:9 --branches -o diagram.h5)";
 
 void BifurcateOptions::add_to(Flags& command) {
-    constexpr std::int64_t most = 1'000'000'000;
     scene.add_to(command);
     start.add_to(command);
     output.add_to(command);
@@ -47,14 +47,9 @@ void BifurcateOptions::add_to(Flags& command) {
     command.add_option("--starts", starts, "random starts per column (default 4)")
         ->type_name("R")
         ->transform(whole_number(0, 1'000'000));
-    command.add_option("--transient", settings.transient, "impacts before those that are kept, at most (default 2500)")
-        ->type_name("K")
-        ->transform(whole_number(0, most));
-    command.add_option("--collisions", settings.collisions, "impacts that are kept, at most; 64 or more (default 500)")
-        ->type_name("K")
-        ->transform(whole_number(64, most));
-    command.add_flag("--exhaustive", settings.exhaustive,
-                     "follow every orbit through all of these impacts, whatever its verdict needs");
+    add_tail_flags(command, settings,
+                   {"impacts before those that are kept, at most (default 2500)",
+                    "impacts that are kept, at most; 64 or more (default 500)", 1'000'000'000});
     command.add_flag("--follow", follow, "follow the attractor upwards and downwards too");
     command.add_flag("--branches", branches, "continue every cycle that was found");
     command.add_option("--longest-branch", longest_branch, "longest period that --branches continues (default 12)")

@@ -70,7 +70,7 @@ CLI::App& Flags::program() const {
 
 template <class Target>
 Flag Flags::add_option(const std::string& name, Target& target, const std::string& help) {
-    return Flag(command_.add_option(name, target, help));
+    return added(command_.add_option(name, target, help));
 }
 
 template Flag Flags::add_option(const std::string&, std::string&, const std::string&);
@@ -85,11 +85,23 @@ template Flag Flags::add_option(const std::string&, std::optional<double>&, cons
 template Flag Flags::add_option(const std::string&, std::vector<std::string>&, const std::string&);
 
 Flag Flags::add_flag(const std::string& name, bool& target, const std::string& help) {
-    return Flag(command_.add_flag(name, target, help));
+    return added(command_.add_flag(name, target, help));
 }
 
 Flag Flags::add_text(const std::string& name, std::function<void(const std::string&)> take, const std::string& help) {
-    return Flag(command_.add_option_function<std::string>(name, std::move(take), help));
+    return added(command_.add_option_function<std::string>(name, std::move(take), help));
+}
+
+Flags Flags::under(const std::string& heading) const {
+    Flags flags = *this;
+    flags.heading_ = heading;
+    return flags;
+}
+
+Flag Flags::added(CLI::Option* option) const {
+    Flag flag(option);
+    if (!heading_.empty()) flag.group(heading_);
+    return flag;
 }
 
 Flag Flags::get_option(const std::string& name) const {

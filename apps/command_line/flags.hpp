@@ -71,11 +71,16 @@ public:
     Flag add_flag(const std::string& name, bool& target, const std::string& help);
     /// Calls `take` with the text.
     Flag add_text(const std::string& name, std::function<void(const std::string&)> take, const std::string& help);
+    /// These flags, where --help lists each that is added from here on under a heading.
+    Flags under(const std::string& heading) const;
     /// One that was added before.
     Flag get_option(const std::string& name) const;
 
 private:
+    Flag added(CLI::Option* option) const;
+
     CLI::App& command_;
+    std::string heading_;  // empty: that of CLI11
 };
 
 }  // namespace swirl::apps

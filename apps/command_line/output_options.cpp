@@ -15,21 +15,17 @@ Flag add_file(Flags& command, const std::string& flag, std::string& file, const 
 
 void OutputOptions::add_to(Flags& app, bool with_record) {
     command = app.command_name();
-    app.add_flag("--json", json, "one JSON document on standard output, and nothing else")->group("Output");
+    Flags output = app.under("Output");
+    output.add_flag("--json", json, "one JSON document on standard output, and nothing else");
     if (with_record) {
-        add_file(app, "-o,--output", record, "write a record (HDF5)")->type_name("FILE.h5")->group("Output");
-        app.add_flag("--force", force, "replace an existing file that is not a record of this command")
-            ->group("Output");
+        add_file(output, "-o,--output", record, "write a record (HDF5)")->type_name("FILE.h5");
+        output.add_flag("--force", force, "replace an existing file that is not a record of this command");
     }
-    app.add_flag("--quiet", quiet, "no progress, no messages and no table")->group("Output");
-    app.add_option("--threads", threads, "threads (default all); results do not depend on it")
+    output.add_flag("--quiet", quiet, "no progress, no messages and no table");
+    output.add_option("--threads", threads, "threads (default all); results do not depend on it")
         ->type_name("T")
-        ->transform(whole_number(0, 4096))
-        ->group("Output");
-    app.add_option("--accuracy", accuracy_name, accuracy_help())
-        ->type_name("NAME")
-        ->offer(accuracy_names())
-        ->group("Output");
+        ->transform(whole_number(0, 4096));
+    output.add_option("--accuracy", accuracy_name, accuracy_help())->type_name("NAME")->offer(accuracy_names());
 }
 
 void OutputOptions::require_double(const std::string& why) const {

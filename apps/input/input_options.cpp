@@ -24,19 +24,16 @@ NA, inf or null is a gap, and so is a missing row between times that are otherwi
 void InputOptions::add_to(Flags& command) {
     scene.add_to(command);
     start.add_to(command);
+    Flags input = command.under("Input");
     const auto counts = whole_number(0, 1'000'000'000);
-    command.add_option("RECORD,--record", record, "a record that swirl simulate -o wrote")
-        ->type_name("FILE.h5")
-        ->group("Input");
+    input.add_option("RECORD,--record", record, "a record that swirl simulate -o wrote")->type_name("FILE.h5");
     series.add_to(command, true);
-    command.add_option("--transient", transient, "impacts (samples) left out first (scene: 10000, else 0)")
+    input.add_option("--transient", transient, "impacts (samples) left out first (scene: 10000, else 0)")
         ->type_name("K")
-        ->transform(counts)
-        ->group("Input");
-    command.add_option("--collisions", collisions, "impacts (samples) taken then (scene: 10000, else all)")
+        ->transform(counts);
+    input.add_option("--collisions", collisions, "impacts (samples) taken then (scene: 10000, else all)")
         ->type_name("K")
-        ->transform(whole_number(1, 1'000'000'000))
-        ->group("Input");
+        ->transform(whole_number(1, 1'000'000'000));
 }
 
 InputKind InputOptions::kind() const {

@@ -37,57 +37,46 @@ std::string in_one_word(const std::string& text) {
 }
 
 void SeriesChoice::add_to(Flags& command, bool with_spacing, const std::string& file_flag) {
+    Flags input = command.under("Input");
     const auto text = [&](const char* name, std::string& target, const char* type, const char* help) {
-        return command.add_option(name, target, help)->type_name(type).group("Input");
+        return input.add_option(name, target, help)->type_name(type);
     };
     const auto columns = [&](const char* name, std::vector<std::string>& target, const char* type, int count,
                              const char* help) {
-        command.add_option(name, target, help)->type_name(type).expected(count).group("Input");
+        input.add_option(name, target, help)->type_name(type).expected(count);
     };
-    command.add_option(file_flag, file, "a measured series, text; - reads standard input")
-        ->type_name("FILE.csv")
-        ->group("Input");
+    input.add_option(file_flag, file, "a measured series, text; - reads standard input")->type_name("FILE.csv");
     text("--column", column, "NAME", "the series' values: name or number of the column");
     text("--time", time, "NAME", "the series' times: name or number of the column, or none");
     if (with_spacing)
-        command.add_option("--spacing", spacing, "time between samples where there is no column of times (default 1)")
-            ->type_name("DT")
-            ->group("Input");
-    command.add_option("--fps", fps, "frames a second: times are the column of frames, or the row's number, over F")
-        ->type_name("F")
-        ->group("Input");
-    command.add_flag("--degrees", degrees, "of --angle COLUMN, whose rate over --swirl-rate is S: it is in degrees")
-        ->group("Input");
-    command.add_option("--symmetry", symmetry, "of an angle: it is known modulo 1/N of a turn (default 1)")
+        input.add_option("--spacing", spacing, "time between samples where there is no column of times (default 1)")
+            ->type_name("DT");
+    input.add_option("--fps", fps, "frames a second: times are the column of frames, or the row's number, over F")
+        ->type_name("F");
+    input.add_flag("--degrees", degrees, "of --angle COLUMN, whose rate over --swirl-rate is S: it is in degrees");
+    input.add_option("--symmetry", symmetry, "of an angle: it is known modulo 1/N of a turn (default 1)")
         ->type_name("N")
-        ->transform(whole_number(1, 1'000'000))
-        ->group("Input");
+        ->transform(whole_number(1, 1'000'000));
     columns("--marks", marks, "X1 Y1 X2 Y2", 4, "in place of --angle: four columns, two points of the body");
     columns("--mark", mark, "X Y", 2, "in place of --angle: two columns, a point that turns about the origin");
     columns("--position", position, "X Y", 2,
             "in place of --column: two columns, of which the distance from the origin is analysed: the swirl's "
             "centre in the laboratory, or the container's in its own frame");
     columns("--origin", origin, "X Y", 2, "of --position and --mark, in the units of the columns (default 0 0)");
-    command.add_flag("--fit-origin", fits_origin, "it is the centre of the circle fitted to the points")
-        ->group("Input");
-    command.add_option("--scale", scale, "what lengths, or the values of --column, are multiplied by (default 1)")
-        ->type_name("F")
-        ->group("Input");
-    command.add_flag("--y-down", y_down, "y points down, as in images: turns are seen the other way round, -S")
-        ->group("Input");
-    command.add_option("--likelihood", likelihood, "a point of less than this (its tracker's column) is a gap")
-        ->type_name("P")
-        ->group("Input");
-    command.add_option("--where", where, "only the rows in which a column has a value: one body of several")
+    input.add_flag("--fit-origin", fits_origin, "it is the centre of the circle fitted to the points");
+    input.add_option("--scale", scale, "what lengths, or the values of --column, are multiplied by (default 1)")
+        ->type_name("F");
+    input.add_flag("--y-down", y_down, "y points down, as in images: turns are seen the other way round, -S");
+    input.add_option("--likelihood", likelihood, "a point of less than this (its tracker's column) is a gap")
+        ->type_name("P");
+    input.add_option("--where", where, "only the rows in which a column has a value: one body of several")
         ->type_name("COLUMN=VALUE")
-        ->allow_extra_args(false)
-        ->group("Input");
+        ->allow_extra_args(false);
     text("--each", each, "COLUMN", "each value of this column is a body: one answer for each");
-    command.add_option("--header-line", header_line, "the line of the file that has the columns' names")
+    input.add_option("--header-line", header_line, "the line of the file that has the columns' names")
         ->type_name("N")
-        ->transform(whole_number(1, 1'000'000'000))
-        ->group("Input");
-    command.add_flag("--decimal-comma", decimal_comma, "1,5 is one and a half")->group("Input");
+        ->transform(whole_number(1, 1'000'000'000));
+    input.add_flag("--decimal-comma", decimal_comma, "1,5 is one and a half");
     text("--rows", rows, "NAME", "of a series: impacts, or samples in time (default: samples if times are even)")
         .offer({"impacts", "samples"});
 }

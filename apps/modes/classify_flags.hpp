@@ -3,8 +3,32 @@
 
 #include "analysis/classification/classify.hpp"
 #include "apps/command_line/flags.hpp"
+#include "apps/command_line/number_checks.hpp"
+
+#include <cstdint>
 
 namespace swirl::apps {
+
+/// What --help says of the flags that tell how far an orbit is followed, and the most impacts that may be kept.
+struct TailHelp {
+    const char* transient;
+    const char* collisions;
+    std::int64_t most_collisions;
+};
+
+/// --transient, --collisions and --exhaustive; `settings` (`transient`, `collisions`, `exhaustive`) keeps what is not
+/// given.
+template <class Settings>
+void add_tail_flags(Flags& command, Settings& settings, const TailHelp& help) {
+    command.add_option("--transient", settings.transient, help.transient)
+        ->type_name("K")
+        ->transform(whole_number(0, 1'000'000'000));
+    command.add_option("--collisions", settings.collisions, help.collisions)
+        ->type_name("K")
+        ->transform(whole_number(64, help.most_collisions));
+    command.add_flag("--exhaustive", settings.exhaustive,
+                     "follow every orbit through all of these impacts, whatever its verdict needs");
+}
 
 /// --transient, --collisions, --exhaustive and --threshold; `settings` keeps what is not given.
 void add_classify_flags(Flags& command, analysis::ClassifyOptions& settings);

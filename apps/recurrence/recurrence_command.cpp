@@ -94,46 +94,38 @@ void RecurrenceOptions::add_to(Flags& command) {
     input.add_to(command);
     conventions.add_to(command);
     output.add_to(command);
+    Flags recurrence = command.under("Recurrence");
     const auto list = [&](const char* flag, std::vector<std::string>& target, const char* type, const char* help) {
-        command.add_option(flag, target, help)->type_name(type)->allow_extra_args(false)->group("Recurrence");
+        recurrence.add_option(flag, target, help)->type_name(type)->allow_extra_args(false);
     };
     list("--threshold", thresholds, "D", "delta; several, separated by commas: one pass");
     list("--threshold-std", thresholds_std, "F", "delta in standard deviations of the observable (default 0.1)");
     list("--recurrence-rate", rates, "R", "the smallest delta that gives this recurrence rate");
-    command
+    recurrence
         .add_option("--observable", observables,
                     "of an orbit: S (default), psi, chi, vn, vt, x, y, ..., or a comma list of coordinates")
         ->type_name("NAME")
-        ->offer({"S", "psi", "chi", "vn", "vt", "x", "y"})
-        ->group("Recurrence");
+        ->offer({"S", "psi", "chi", "vn", "vt", "x", "y"});
     const auto whole = whole_number(1, 1'000'000);
-    command.add_option("--dimension", dimension, "of the delay embedding (default 1)")
+    recurrence.add_option("--dimension", dimension, "of the delay embedding (default 1)")
         ->type_name("M")
-        ->transform(whole)
-        ->group("Recurrence");
-    command.add_option("--delay", delay, "of the embedding, in points (default 1)")
+        ->transform(whole);
+    recurrence.add_option("--delay", delay, "of the embedding, in points (default 1)")
         ->type_name("L")
-        ->transform(whole_number(1, 1'000'000'000))
-        ->group("Recurrence");
-    command.add_option("--period", period, "the measured series is an angle of this period (360, say)")
-        ->type_name("P")
-        ->group("Recurrence");
-    command.add_option("--resample", resample, "make a measured series even: linear, this spacing; gaps stay")
-        ->type_name("DT")
-        ->group("Recurrence");
-    command
-        .add_flag("--join-gaps", join_gaps, "lines of a measured series go on across its gaps, as if there were none")
-        ->group("Recurrence");
-    command.add_option("--cross", cross, "cross recurrence with another series, or another record")
-        ->type_name("FILE")
-        ->group("Recurrence");
-    command.add_option("--cross-column", cross_column, "the second series' column (of --cross, or of --series)")
-        ->type_name("NAME")
-        ->group("Recurrence");
-    command.add_option("--image", image, "the recurrence plot, down-sampled, into the record or the document")
+        ->transform(whole_number(1, 1'000'000'000));
+    recurrence.add_option("--period", period, "the measured series is an angle of this period (360, say)")
+        ->type_name("P");
+    recurrence.add_option("--resample", resample, "make a measured series even: linear, this spacing; gaps stay")
+        ->type_name("DT");
+    recurrence.add_flag("--join-gaps", join_gaps,
+                        "lines of a measured series go on across its gaps, as if there were none");
+    recurrence.add_option("--cross", cross, "cross recurrence with another series, or another record")
+        ->type_name("FILE");
+    recurrence.add_option("--cross-column", cross_column, "the second series' column (of --cross, or of --series)")
+        ->type_name("NAME");
+    recurrence.add_option("--image", image, "the recurrence plot, down-sampled, into the record or the document")
         ->type_name("PIXELS")
-        ->transform(whole_number(1, 20'000))
-        ->group("Recurrence");
+        ->transform(whole_number(1, 20'000));
 }
 
 int quantify_recurrence(RecurrenceOptions& options) {

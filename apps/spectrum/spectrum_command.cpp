@@ -67,10 +67,9 @@ analysis::SpectrumOptions settings_for(const SpectrumOptions& options, const Spe
     settings.compensate_bin_average = options.compensate;
     settings.cycle_time = signal.cycle_time;
     settings.segments = static_cast<std::size_t>(options.segments);
-    settings.segment_length =
-        signal.positions.empty()
-            ? segment_length(analysis::stretches_of(signal.values), n, options.segments, options.overlap)
-            : segment_length(analysis::stretches_of(signal.positions), n, options.segments, options.overlap);
+    const auto stretches =
+        signal.positions.empty() ? analysis::stretches_of(signal.values) : analysis::stretches_of(signal.positions);
+    settings.segment_length = segment_length(stretches, n, options.segments, options.overlap);
     if (signal.samples_of_period > 0 && options.segments != 1)
         settings.segment_length = whole_periods(signal, settings, n);
     return settings;
@@ -171,30 +170,27 @@ SpectrumReport report_of(const SpectrumOptions& options, SpectrumSignal& signal)
 void SpectrumOptions::add_to(Flags& command) {
     input.add_to(command);
     output.add_to(command);
+    Flags spectrum = command.under("Spectrum");
     const auto text = [&](const char* flag, std::string& target, const char* type, const char* help) {
-        return command.add_option(flag, target, help)->type_name(type).group("Spectrum");
+        return spectrum.add_option(flag, target, help)->type_name(type);
     };
     text("--observable", observable, "NAME", "of an orbit: S (default), x, y, or position (x + iy, two-sided)")
         ->offer({"S", "x", "y", "position"});
     text("--frame", frame, "NAME", "of positions: laboratory (default), container or corotating")
         ->offer({"laboratory", "container", "corotating"});
-    command.add_option("--bins", bins, "equal time bins of an orbit (default 4 or more an impact, a power of 2)")
+    spectrum.add_option("--bins", bins, "equal time bins of an orbit (default 4 or more an impact, a power of 2)")
         ->type_name("B")
-        ->transform(whole_number(fewest_samples, most_bins))
-        ->group("Spectrum");
+        ->transform(whole_number(fewest_samples, most_bins));
     text("--window", window, "NAME", "rectangular, hann (default), hamming, blackman-harris or flat-top")
         ->offer({"rectangular", "hann", "hamming", "blackman-harris", "flat-top"});
     text("--detrend", detrend, "NAME", "what is subtracted: none, mean (default) or linear")
         ->offer({"none", "mean", "linear"});
-    command.add_option("--segments", segments, "of Welch's method (default about 16; 1: the finest resolution)")
+    spectrum.add_option("--segments", segments, "of Welch's method (default about 16; 1: the finest resolution)")
         ->type_name("K")
-        ->transform(whole_number(1, 1'000'000))
-        ->group("Spectrum");
-    command.add_option("--overlap", overlap, "of neighbouring segments, 0 <= overlap < 1 (default 0.5)")
-        ->type_name("F")
-        ->group("Spectrum");
-    command.add_flag("--compensate", compensate, "undo what averaging over bins takes from the power")
-        ->group("Spectrum");
+        ->transform(whole_number(1, 1'000'000));
+    spectrum.add_option("--overlap", overlap, "of neighbouring segments, 0 <= overlap < 1 (default 0.5)")
+        ->type_name("F");
+    spectrum.add_flag("--compensate", compensate, "undo what averaging over bins takes from the power");
     text("--resample", resample, "DT",
          "put a measured series on even times, this far apart: straight lines, then a low-pass");
 }

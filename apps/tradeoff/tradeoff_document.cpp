@@ -36,8 +36,8 @@ Settings flights_of(const Tradeoff& found) {
             {"impacts", found.drawn.impacts}};
 }
 
-std::string_view name_or_nothing(const Rung* rung) {
-    return rung != nullptr ? rung->name : "";
+std::string_view name_or_nothing(const Arithmetic* arithmetic) {
+    return arithmetic != nullptr ? arithmetic->name : "";
 }
 
 /// Empty texts and 0 stand for what there is not.
@@ -85,8 +85,8 @@ void write_document(const TradeoffOptions& options, const Scene<double>& scene, 
                     const Tradeoff& found) {
     print_document([&](JsonWriter& json) {
         write_scene(json, scene, options.scene, &options.start);
-        write_json(json, "rungs", rungs_table(), found.rungs);
-        write_json(json, "evidence", evidence_table(), found.evidence.rungs);
+        write_json(json, "rungs", arithmetic_table(), found.arithmetics);
+        write_json(json, "evidence", evidence_table(), found.evidence.rows);
         json.key("escape");
         write_escape(json, found.evidence.escape);
         write_json(json, "model", model_table(), found.model);
@@ -108,9 +108,8 @@ void write_record(const RecordGroup& root, const TradeoffOptions& options, const
     write_attributes(root.group("settings"), settings_of(options, amounts));
     write_attributes(root.group("flights"), flights_of(found));
     write_attributes(root.group("result"), result_of(found));
-    apps::write_record(root.group("rungs"), rungs_table(), found.rungs);
-    if (!found.evidence.rungs.empty())
-        apps::write_record(root.group("evidence"), evidence_table(), found.evidence.rungs);
+    apps::write_record(root.group("rungs"), arithmetic_table(), found.arithmetics);
+    if (!found.evidence.rows.empty()) apps::write_record(root.group("evidence"), evidence_table(), found.evidence.rows);
     if (found.evidence.escape) write_escape(root.group("escape"), *found.evidence.escape);
     if (!found.model.empty()) apps::write_record(root.group("model"), model_table(), found.model);
 }
@@ -119,14 +118,14 @@ void print_tables(const TradeoffOptions& options, const Scene<double>& scene, co
     const auto units = options.scene.units();
     fmt::print("{}\n{}", scene_in_words(scene), units_in_words(units));
     print_flights(found);
-    print_table(errors_table(), found.rungs);
-    print_table(contacts_table(), found.rungs);
+    print_table(errors_table(), found.arithmetics);
+    print_table(contacts_table(), found.arithmetics);
     fmt::print("orbits: one in each accuracy, judged by its own map\n");
-    print_table(in_units(orbits_table(), units), found.rungs);
-    if (!found.evidence.rungs.empty()) {
+    print_table(in_units(orbits_table(), units), found.arithmetics);
+    if (!found.evidence.rows.empty()) {
         fmt::print("evidence: the verdict on so many impacts after as many, of the first start and of all\n");
-        print_table(in_units(evidence_table(), units), found.evidence.rungs);
-        print_table(starts_table(), found.evidence.rungs);
+        print_table(in_units(evidence_table(), units), found.evidence.rows);
+        print_table(starts_table(), found.evidence.rows);
     }
     if (found.evidence.escape)
         fmt::print("{}", all_wrapped("  " + in_words(*found.evidence.escape, chaos_judged_after), 4));

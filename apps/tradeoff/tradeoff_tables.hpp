@@ -10,16 +10,16 @@ namespace swirl::apps::tradeoff {
 using namespace studies::tradeoff;
 
 /// Time and errors of an arithmetic …
-Table<ArithmeticRung> errors_table();
+Table<ArithmeticRow> errors_table();
 /// … contacts that it missed …
-Table<ArithmeticRung> contacts_table();
+Table<ArithmeticRow> contacts_table();
 /// … what its own orbit is …
-Table<ArithmeticRung> orbits_table();
+Table<ArithmeticRow> orbits_table();
 /// … and all of these.
-Table<ArithmeticRung> rungs_table();
-Table<EvidenceRung> evidence_table();
+Table<ArithmeticRow> arithmetic_table();
+Table<EvidenceRow> evidence_table();
 /// What of the evidence is of all starts; evidence_table() has it in records and JSON.
-Table<EvidenceRung> starts_table();
-Table<ModelRung> model_table();
+Table<EvidenceRow> starts_table();
+Table<ModelRow> model_table();
 
 }  // namespace swirl::apps::tradeoff

@@ -15,12 +15,12 @@ namespace swirl::studies::tradeoff {
 
 namespace {
 
-constexpr std::size_t in_a_piece = 50;  // flights: some milliseconds of the top rung
+constexpr std::size_t in_a_piece = 50;  // flights: some milliseconds of the top arithmetic
 
-/// The contact that a rung found, beside the top rung's.
+/// The contact that an arithmetic found, beside the top arithmetic's.
 enum class FoundContact { first, missed, misordered };
 
-/// What one rung did on one flight.
+/// What one arithmetic did on one flight.
 struct FlightError {
     bool compared = false;
     FoundContact contact = FoundContact::first;
@@ -45,15 +45,15 @@ double error_of(const PostImpactState<Quad>& a, const PostImpactState<Quad>& exa
                      relative_difference(a.spin, exact.spin)});
 }
 
-bool is_flight(const RungStep& step) {
+bool is_flight(const ArithmeticStep& step) {
     return step.outcome == Outcome::completed && step.rounded.contacts.empty();
 }
 
-bool is_of_same_vertex(const RungStep& step, const RungStep& exact) {
+bool is_of_same_vertex(const ArithmeticStep& step, const ArithmeticStep& exact) {
     return step.rounded.collision.vertex_step == exact.rounded.collision.vertex_step;
 }
 
-FoundContact contact_of(const RungStep& step, const RungStep& exact) {
+FoundContact contact_of(const ArithmeticStep& step, const ArithmeticStep& exact) {
     if (!is_flight(step)) return FoundContact::missed;
     const Collision<double>&a = step.rounded.collision, &b = exact.rounded.collision;
     const double late = a.flight_time - b.flight_time;
@@ -64,11 +64,11 @@ FoundContact contact_of(const RungStep& step, const RungStep& exact) {
     return is_another ? FoundContact::misordered : FoundContact::first;
 }
 
-/// The steps of a rung from a drawn state: as many as asked for, fewer where it leaves flights, or is over.
-std::vector<RungStep> steps_of(
-    const RungMap& map, PostImpactState<Quad> z, int count,
+/// The steps of an arithmetic from a drawn state: as many as asked for, fewer where it leaves flights, or is over.
+std::vector<ArithmeticStep> steps_of(
+    const ArithmeticMap& map, PostImpactState<Quad> z, int count,
     const std::function<bool()>& is_over = [] { return false; }) {
-    std::vector<RungStep> steps;
+    std::vector<ArithmeticStep> steps;
     for (int k = 0; k < count; ++k) {
         steps.push_back(map.advance(z));
         if (is_over() || !is_flight(steps.back())) break;
@@ -78,7 +78,7 @@ std::vector<RungStep> steps_of(
 }
 
 /// Of a flight as short as rounding itself a contact half the flight later is the same one.
-bool is_off_by_rounding(const RungStep& step, const RungStep& exact, double rounding) {
+bool is_off_by_rounding(const ArithmeticStep& step, const ArithmeticStep& exact, double rounding) {
     const Collision<double>&a = step.rounded.collision, &b = exact.rounded.collision;
     const double most = most_roundings * rounding;
     return is_flight(step) && is_of_same_vertex(step, exact) &&
@@ -86,9 +86,9 @@ bool is_off_by_rounding(const RungStep& step, const RungStep& exact, double roun
            error_of(step.after, exact.after) <= most;
 }
 
-///   epsilon  of the rung
-FlightError compare(const std::vector<RungStep>& steps, const std::vector<RungStep>& exact, double condition,
-                    double epsilon) {
+///   epsilon  of the arithmetic
+FlightError compare(const std::vector<ArithmeticStep>& steps, const std::vector<ArithmeticStep>& exact,
+                    double condition, double epsilon) {
     FlightError error;
     error.condition = condition;
     error.compared = is_flight(exact.front());
@@ -114,10 +114,10 @@ ErrorSpread spread_of(std::vector<double> errors) {
     return {errors[errors.size() / 2], errors[(errors.size() * 99 + 99) / 100 - 1], errors.back()};
 }
 
-/// All errors of one rung: a list a piece, empty where the piece is missing.
-using RungErrors = std::vector<std::vector<FlightError>>;
+/// All errors of one arithmetic: a list a piece, empty where the piece is missing.
+using ArithmeticErrors = std::vector<std::vector<FlightError>>;
 
-FlightComparison summary_of(const RungErrors& pieces, double epsilon) {
+FlightComparison summary_of(const ArithmeticErrors& pieces, double epsilon) {
     FlightComparison found;
     std::vector<double> one, after_ten;
     for (const auto& piece : pieces) {
@@ -140,7 +140,7 @@ FlightComparison summary_of(const RungErrors& pieces, double epsilon) {
     return found;
 }
 
-/// Of what is left of the flights' share of the budget, what a rung that is only compared with may take of it.
+/// Of what is left of the flights' share of the budget, what an arithmetic that is only compared with may take of it.
 constexpr double share_of_one = 0.3;
 
 /// What the pieces of work need: it outlives the call, as they may.
@@ -149,38 +149,39 @@ struct Work {
 
     Scene<double> scene;
     std::vector<DrawnFlight> flights;
-    std::span<const Rung> rungs;
-    std::vector<RungMap> maps;
-    std::vector<RungErrors> errors;  ///< [rung][piece]
+    std::span<const Arithmetic> arithmetics;
+    std::vector<ArithmeticMap> maps;
+    std::vector<ArithmeticErrors> errors;  ///< [arithmetic][piece]
     const Budget* budget;
-    double most_of_one = 0;                              ///< seconds that one rung may take
-    mutable std::vector<std::atomic<Clock::rep>> taken;  ///< by each rung so far
+    double most_of_one = 0;                              ///< seconds that one arithmetic may take
+    mutable std::vector<std::atomic<Clock::rep>> taken;  ///< by each arithmetic so far
 
-    /// A rung that none is recommended of, and that took so long that the others would not be done.
+    /// An arithmetic that none is recommended of, and that took so long that the others would not be done.
     bool is_left_out(std::size_t r) const {
-        return !rungs[r].is_exact && std::chrono::duration<double>(Clock::duration(taken[r])).count() > most_of_one;
+        return !arithmetics[r].is_exact &&
+               std::chrono::duration<double>(Clock::duration(taken[r])).count() > most_of_one;
     }
 
     FlightError compare_one(std::size_t r, const DrawnFlight& flight, int count,
-                            const std::vector<RungStep>& exact) const {
+                            const std::vector<ArithmeticStep>& exact) const {
         if (is_left_out(r)) return {};
         auto last = Clock::now();
-        const auto steps = steps_of(maps[r], rungs[r].begin(scene, flight.state), count, [&] {
+        const auto steps = steps_of(maps[r], arithmetics[r].begin(scene, flight.state), count, [&] {
             const auto now = Clock::now();
             taken[r] += (now - std::exchange(last, now)).count();
             return is_left_out(r);
         });
-        return is_left_out(r) ? FlightError{} : compare(steps, exact, flight.condition, rungs[r].epsilon);
+        return is_left_out(r) ? FlightError{} : compare(steps, exact, flight.condition, arithmetics[r].epsilon);
     }
 
-    /// The errors of each rung on a piece's flights; nothing once the budget is spent.
+    /// The errors of each arithmetic on a piece's flights; nothing once the budget is spent.
     std::vector<std::vector<FlightError>> piece(std::size_t number) const {
         std::vector<std::vector<FlightError>> found(errors.size());
         for (std::size_t i = number * in_a_piece; i < std::min(flights.size(), (number + 1) * in_a_piece); ++i) {
             if (budget->is_spent(counted_share)) return {};
             const DrawnFlight& flight = flights[i];
             const int count = flight.begins_ten ? ten : 1;
-            const auto exact = steps_of(maps.back(), rungs.back().begin(scene, flight.state), count);
+            const auto exact = steps_of(maps.back(), arithmetics.back().begin(scene, flight.state), count);
             for (std::size_t r = 0; r < found.size(); ++r) found[r].push_back(compare_one(r, flight, count, exact));
         }
         return found;
@@ -190,18 +191,20 @@ struct Work {
 }  // namespace
 
 ComparedFlights compare_flights(const Scene<double>& scene, const std::vector<DrawnFlight>& flights,
-                                std::span<const Rung> rungs, const Budget& budget, const RunControl& control) {
+                                std::span<const Arithmetic> arithmetics, const Budget& budget,
+                                const RunControl& control) {
     const std::size_t pieces = (flights.size() + in_a_piece - 1) / in_a_piece;
     const double left = counted_share * budget.seconds() - budget.spent();
-    const auto work = std::make_shared<Work>(Work{scene,
-                                                  flights,
-                                                  rungs,
-                                                  {},
-                                                  std::vector<RungErrors>(rungs.size() - 1, RungErrors(pieces)),
-                                                  &budget,
-                                                  share_of_one * left,
-                                                  std::vector<std::atomic<Work::Clock::rep>>(rungs.size())});
-    for (const Rung& rung : rungs) work->maps.push_back(rung.make(scene, {}));
+    const auto work =
+        std::make_shared<Work>(Work{scene,
+                                    flights,
+                                    arithmetics,
+                                    {},
+                                    std::vector<ArithmeticErrors>(arithmetics.size() - 1, ArithmeticErrors(pieces)),
+                                    &budget,
+                                    share_of_one * left,
+                                    std::vector<std::atomic<Work::Clock::rep>>(arithmetics.size())});
+    for (const Arithmetic& arithmetic : arithmetics) work->maps.push_back(arithmetic.make(scene, {}));
     ComparedFlights compared;
     compared.whole = run_pieces(pieces, "tradeoff: errors", control, [work](std::size_t number) -> KeepResult {
         auto found = work->piece(number);
@@ -210,13 +213,13 @@ ComparedFlights compare_flights(const Scene<double>& scene, const std::vector<Dr
             for (std::size_t r = 0; r < found.size(); ++r) work->errors[r][number] = std::move(found[r]);
         };
     });
-    for (std::size_t r = 0; r + 1 < rungs.size(); ++r) {
-        compared.rungs.emplace_back();
+    for (std::size_t r = 0; r + 1 < arithmetics.size(); ++r) {
+        compared.arithmetics.emplace_back();
         if (work->is_left_out(r))
             compared.whole = false;
         else
-            compared.rungs.back() = summary_of(work->errors[r], rungs[r].epsilon);
-        if (compared.rungs.back()) compared.flights = compared.rungs.back()->flights;
+            compared.arithmetics.back() = summary_of(work->errors[r], arithmetics[r].epsilon);
+        if (compared.arithmetics.back()) compared.flights = compared.arithmetics.back()->flights;
     }
     return compared;
 }

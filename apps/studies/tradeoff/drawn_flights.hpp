@@ -1,4 +1,4 @@
-// The flights on which rungs are compared: those of the scene's own orbits.
+// The flights on which arithmetics are compared: those of the scene's own orbits.
 #pragma once
 
 #include "apps/studies/scene_map/scene_map.hpp"
@@ -32,7 +32,7 @@ struct DrawnFlights {
     std::int64_t through_contact = 0;      ///< of these, on which sustained contact came between: left out
     Outcome outcome = Outcome::completed;  ///< how the first orbit ended within its transient and the steps after it
     std::int64_t impacts = 0;              ///< it then had
-    /// Where rungs and models follow the orbit from: after the transient, or its first impact if it ends before.
+    /// Where arithmetics and models follow the orbit from: after the transient, or its first impact if it ends before.
     std::optional<PostImpactState<double>> begin;
     std::int64_t stretch = 0;                    ///< impacts that follow there, 4,096 at most
     std::vector<PostImpactState<double>> timed;  ///< starts of chains that are timed, of the orbit from `begin` on

@@ -126,26 +126,26 @@ double mean_spin_differs(const Level& level, const Level& most) {
     return count > 0 ? std::sqrt(squares / count) : std::nan("");
 }
 
-std::vector<EvidenceRung> rungs_of(const std::vector<std::int64_t>& ladder, const std::vector<Level>& levels) {
-    std::vector<EvidenceRung> rungs;
+std::vector<EvidenceRow> rows_of(const std::vector<std::int64_t>& ladder, const std::vector<Level>& levels) {
+    std::vector<EvidenceRow> rows;
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const Level &level = levels[k], &last = levels.back();
-        EvidenceRung rung;
-        rung.collisions = ladder[k];
-        rung.verdict = level.front()->verdict;
-        rung.seconds = level.front()->seconds;
+        EvidenceRow row;
+        row.collisions = ladder[k];
+        row.verdict = level.front()->verdict;
+        row.seconds = level.front()->seconds;
         const RunVerdict& most = last.front()->verdict;
-        rung.mean_spin_off = rung.verdict.mean_spin - most.mean_spin;
-        rung.exponent_off = rung.verdict.largest_exponent - most.largest_exponent;
-        rung.mean_spin_error = rung.verdict.mean_errors.per_time;
-        rung.mean_spin_differs = mean_spin_differs(level, last);
-        rung.runs = static_cast<std::int64_t>(level.size());
+        row.mean_spin_off = row.verdict.mean_spin - most.mean_spin;
+        row.exponent_off = row.verdict.largest_exponent - most.largest_exponent;
+        row.mean_spin_error = row.verdict.mean_errors.per_time;
+        row.mean_spin_differs = mean_spin_differs(level, last);
+        row.runs = static_cast<std::int64_t>(level.size());
         for (std::size_t run = 0; run < level.size(); ++run)
-            rung.changed += level[run]->verdict.mode != last[run]->verdict.mode ? 1 : 0;
-        rung.changed_rate = analysis::rate_interval(rung.changed, rung.runs);
-        rungs.push_back(rung);
+            row.changed += level[run]->verdict.mode != last[run]->verdict.mode ? 1 : 0;
+        row.changed_rate = analysis::rate_interval(row.changed, row.runs);
+        rows.push_back(row);
     }
-    return rungs;
+    return rows;
 }
 
 }  // namespace
@@ -168,7 +168,7 @@ Evidence gather_evidence(const Scene<double>& scene, const OrbitStarts& starts, 
     if (levels.empty()) return evidence;
     const auto reached = std::span(ladder).first(levels.size());
     add_starts(scene, starts, reached, budget.spent() - begin, budget, control, levels);
-    evidence.rungs = rungs_of(ladder, levels);
+    evidence.rows = rows_of(ladder, levels);
     if (!starts.is_random) return evidence;
     std::vector<RunVerdict> last;
     for (const auto& judged : levels.back()) last.push_back(judged->verdict);

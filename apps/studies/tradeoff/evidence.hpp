@@ -14,7 +14,7 @@
 namespace swirl::studies::tradeoff {
 
 /// The verdict on so many impacts after as many that are left out. NaN where not measured.
-struct EvidenceRung {
+struct EvidenceRow {
     std::int64_t collisions = 0;
     RunVerdict verdict;                       ///< of the first start (name_mode)
     double mean_spin_error = std::nan("");    ///< standard error of mean S along that orbit (MeanErrors); 0: exact
@@ -32,7 +32,7 @@ struct EvidenceRung {
 inline constexpr std::int64_t chaos_judged_after = 100;
 
 struct Evidence {
-    std::vector<EvidenceRung> rungs;             ///< by rising number of impacts
+    std::vector<EvidenceRow> rows;               ///< by rising number of impacts
     std::optional<analysis::EscapeRate> escape;  ///< of the verdicts on the most; none where no run was in chaos
     bool whole = true;                           ///< false: the budget was spent before
     bool judged_most = true;                     ///< false: … before the most impacts were judged

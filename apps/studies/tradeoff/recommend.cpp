@@ -10,8 +10,8 @@ namespace swirl::studies::tradeoff {
 
 namespace {
 
-/// Why a rung that was measured is not to be used; empty: it is.
-std::string objection_to(const ArithmeticRung& row) {
+/// Why an arithmetic that was measured is not to be used; empty: it is.
+std::string objection_to(const ArithmeticRow& row) {
     if (row.flights && row.flights->missed + row.flights->misordered > 0)
         return fmt::format("missed {} and misordered {} of {} contacts", row.flights->missed, row.flights->misordered,
                            row.flights->flights);
@@ -21,16 +21,15 @@ std::string objection_to(const ArithmeticRung& row) {
 
 /// Are so many impacts enough? At 95 % less than `may_change` of the starts have another mode on the most, and their
 /// mean S differs by less than `mean_may_differ`.
-bool is_enough(const EvidenceRung& rung) {
-    return rung.changed_rate.most < may_change && !(rung.mean_spin_differs >= mean_may_differ);
+bool is_enough(const EvidenceRow& row) {
+    return row.changed_rate.most < may_change && !(row.mean_spin_differs >= mean_may_differ);
 }
 
 /// The fewest impacts that are enough, as all larger numbers are; 0: there are none below the most. Modes need not
 /// settle one after another: what a number shows, a larger one may not.
-std::int64_t enough(const std::vector<EvidenceRung>& rungs) {
+std::int64_t enough(const std::vector<EvidenceRow>& rows) {
     std::int64_t least = 0;
-    for (std::size_t k = rungs.empty() ? 0 : rungs.size() - 1; k-- > 0 && is_enough(rungs[k]);)
-        least = rungs[k].collisions;
+    for (std::size_t k = rows.empty() ? 0 : rows.size() - 1; k-- > 0 && is_enough(rows[k]);) least = rows[k].collisions;
     return least;
 }
 
@@ -40,31 +39,30 @@ std::string in_percent(double share) {
 }
 
 /// "2 of 64 starts have another mode, 11 % at most at 95 %"
-std::string changed_in_words(const EvidenceRung& rung) {
+std::string changed_in_words(const EvidenceRow& row) {
     return fmt::format("{} of {} start{} {} another mode, {} % at most at 95 %",
-                       rung.changed > 0 ? fmt::format("{}", rung.changed) : "none", rung.runs,
-                       rung.runs == 1 ? "" : "s", rung.changed > 1 ? "have" : "has",
-                       in_percent(rung.changed_rate.most));
+                       row.changed > 0 ? fmt::format("{}", row.changed) : "none", row.runs, row.runs == 1 ? "" : "s",
+                       row.changed > 1 ? "have" : "has", in_percent(row.changed_rate.most));
 }
 
 /// What there is to say of the number of impacts.
 std::string evidence_in_words(const Tradeoff& found) {
-    const auto& rungs = found.evidence.rungs;
-    if (rungs.empty()) return "";
-    const auto used = std::find_if(rungs.begin(), rungs.end(), [&](const EvidenceRung& rung) {
-        return rung.collisions == (found.enough_collisions > 0 ? found.enough_collisions : rungs.back().collisions);
+    const auto& rows = found.evidence.rows;
+    if (rows.empty()) return "";
+    const auto used = std::find_if(rows.begin(), rows.end(), [&](const EvidenceRow& row) {
+        return row.collisions == (found.enough_collisions > 0 ? found.enough_collisions : rows.back().collisions);
     });
-    const bool more_are_unknown = used + 1 == rungs.end() && !found.evidence.judged_most;
+    const bool more_are_unknown = used + 1 == rows.end() && !found.evidence.judged_most;
     std::string words = fmt::format(" with {2}{0} + {0} impacts: {1:.2g} s an orbit", used->collisions, used->seconds,
                                     more_are_unknown ? "at least " : "");
     if (used->mean_spin_error > 0) words += fmt::format(", mean S is known to {:.1g}", used->mean_spin_error);
     words += ". ";
-    if (used + 1 != rungs.end())
+    if (used + 1 != rows.end())
         return words + fmt::format("Compared with {0} + {0} impacts {1}; on every number between it is below {2:g} %",
-                                   rungs.back().collisions, changed_in_words(*used), 100 * may_change);
+                                   rows.back().collisions, changed_in_words(*used), 100 * may_change);
     if (more_are_unknown) return words + "The budget ended before more were judged: give a larger --budget";
-    if (rungs.size() < 2) return words + "Fewer were not tried";
-    const EvidenceRung& fewer = rungs[rungs.size() - 2];
+    if (rows.size() < 2) return words + "Fewer were not tried";
+    const EvidenceRow& fewer = rows[rows.size() - 2];
     if (fewer.changed_rate.most < may_change)
         return words + fmt::format("After {0} + {0} impacts mean S differs by {1:.1g}; below {2:g} would do",
                                    fewer.collisions, fewer.mean_spin_differs, mean_may_differ);
@@ -73,8 +71,8 @@ std::string evidence_in_words(const Tradeoff& found) {
 }
 
 /// What a cycle's points can be trusted to, and what more digits are good for.
-std::string digits_in_words(const Tradeoff& found, const ArithmeticRung& row) {
-    const ArithmeticRung& last = found.rungs.back();
+std::string digits_in_words(const Tradeoff& found, const ArithmeticRow& row) {
+    const ArithmeticRow& last = found.arithmetics.back();
     std::string words;
     const double one = row.flights ? row.flights->one.largest : 0, of_ten = row.flights ? row.flights->ten.largest : 0;
     if (one > 0)
@@ -84,37 +82,37 @@ std::string digits_in_words(const Tradeoff& found, const ArithmeticRung& row) {
     words += ". orbits and continue round every step to double, so that more digits do not sharpen their cycles";
     if (&row == &last) return words + ".";
     return words + fmt::format("; simulate, recurrence and spectrum keep those of {}, at {:.3g} times the time.",
-                               last.rung->name, last.time.median / row.time.median);
+                               last.arithmetic->name, last.time.median / row.time.median);
 }
 
-/// Is a step's error within `roundings_at_knee`? The last rung, with which others are compared, is.
-bool is_within_rounding(const ArithmeticRung& row) {
+/// Is a step's error within `roundings_at_knee`? The last arithmetic, with which others are compared, is.
+bool is_within_rounding(const ArithmeticRow& row) {
     if (!row.flights) return true;
     const double in_double =
-        row.flights->largest_in_condition * row.rung->epsilon / std::numeric_limits<double>::epsilon();
+        row.flights->largest_in_condition * row.arithmetic->epsilon / std::numeric_limits<double>::epsilon();
     return row.flights->missed + row.flights->misordered == 0 && in_double <= roundings_at_knee;
 }
 
-const Rung* knee_of(const Tradeoff& found) {
-    const ArithmeticRung* knee = nullptr;
-    for (const ArithmeticRung& row : found.rungs)
+const Arithmetic* knee_of(const Tradeoff& found) {
+    const ArithmeticRow* knee = nullptr;
+    for (const ArithmeticRow& row : found.arithmetics)
         if (is_within_rounding(row) && row.time.median < (knee ? knee->time.median : INFINITY)) knee = &row;
-    return knee ? knee->rung : nullptr;
+    return knee ? knee->arithmetic : nullptr;
 }
 
-/// What is known of the verdict of a rung that is recommended.
-std::string verdict_in_words(const Tradeoff& found, const ArithmeticRung& row) {
-    const std::string_view last = found.rungs.back().rung->name;
+/// What is known of the verdict of an arithmetic that is recommended.
+std::string verdict_in_words(const Tradeoff& found, const ArithmeticRow& row) {
+    const std::string_view last = found.arithmetics.back().arithmetic->name;
     if (row.verdict_differs) return fmt::format("its verdict is that of {}", last);
-    if (row.orbit && found.rungs.back().orbit)
+    if (row.orbit && found.arithmetics.back().orbit)
         return fmt::format("its orbit or that of {} is too short to compare verdicts", last);
     return fmt::format("the budget was spent before its verdict was compared with that of {}", last);
 }
 
-const ArithmeticRung* cheapest(const Tradeoff& found) {
-    const ArithmeticRung* best = nullptr;
-    for (const ArithmeticRung& row : found.rungs)
-        if (row.rung->is_exact && objection_to(row).empty() && (!best || row.time.median < best->time.median))
+const ArithmeticRow* cheapest(const Tradeoff& found) {
+    const ArithmeticRow* best = nullptr;
+    for (const ArithmeticRow& row : found.arithmetics)
+        if (row.arithmetic->is_exact && objection_to(row).empty() && (!best || row.time.median < best->time.median))
             best = &row;
     return best;
 }
@@ -135,23 +133,23 @@ std::string obstacle(const Tradeoff& found) {
 }  // namespace
 
 void recommend(Tradeoff& found) {
-    found.enough_collisions = enough(found.evidence.rungs);
+    found.enough_collisions = enough(found.evidence.rows);
     found.reason = obstacle(found);
     if (!found.reason.empty()) return;
-    const ArithmeticRung* best = cheapest(found);  // the last one at least
-    found.recommended = best->rung;
+    const ArithmeticRow* best = cheapest(found);  // the last one at least
+    found.recommended = best->arithmetic;
     found.knee = knee_of(found);
-    for (const ArithmeticRung& row : found.rungs)
-        if (row.rung->is_exact && !objection_to(row).empty())
-            found.reason += fmt::format("{}: {}; ", row.rung->name, objection_to(row));
+    for (const ArithmeticRow& row : found.arithmetics)
+        if (row.arithmetic->is_exact && !objection_to(row).empty())
+            found.reason += fmt::format("{}: {}; ", row.arithmetic->name, objection_to(row));
     if (best->flights)
-        found.reason +=
-            fmt::format("{} missed or misordered 0 of {} contacts (below {:.1e} at 95 %), and {}", best->rung->name,
-                        best->flights->flights, best->flights->missed_rate.most, verdict_in_words(found, *best));
+        found.reason += fmt::format("{} missed or misordered 0 of {} contacts (below {:.1e} at 95 %), and {}",
+                                    best->arithmetic->name, best->flights->flights, best->flights->missed_rate.most,
+                                    verdict_in_words(found, *best));
     else
-        found.reason += fmt::format("{} is what the others are compared with", best->rung->name);
-    found.advice = fmt::format("For a map over parameters use {}{}. For a cycle use {}{}", best->rung->name,
-                               evidence_in_words(found), best->rung->name, digits_in_words(found, *best));
+        found.reason += fmt::format("{} is what the others are compared with", best->arithmetic->name);
+    found.advice = fmt::format("For a map over parameters use {}{}. For a cycle use {}{}", best->arithmetic->name,
+                               evidence_in_words(found), best->arithmetic->name, digits_in_words(found, *best));
 }
 
 }  // namespace swirl::studies::tradeoff

@@ -19,40 +19,40 @@ Amounts::Amounts(double budget)
 
 namespace {
 
-/// Each rung's own orbit; none of those that the budget was spent on.
+/// Each arithmetic's own orbit; none of those that the budget was spent on.
 void follow_orbits(const Scene<double>& scene, const PostImpactState<double>& begin, std::int64_t count,
                    const Budget& budget, const RunControl& control, Tradeoff& found) {
-    const auto orbits = std::make_shared<std::vector<std::optional<RungOrbit>>>(found.rungs.size());
-    std::vector<const Rung*> rungs;
-    for (const auto& row : found.rungs) rungs.push_back(row.rung);
-    // The last rung takes longest, and so comes first.
-    run_pieces(rungs.size(), "tradeoff: orbits", control, [=, &budget](std::size_t i) -> KeepResult {
-        const std::size_t r = rungs.size() - 1 - i;
-        const auto orbit = orbit_by(*rungs[r], scene, begin, count, budget);
+    const auto orbits = std::make_shared<std::vector<std::optional<ArithmeticOrbit>>>(found.arithmetics.size());
+    std::vector<const Arithmetic*> arithmetics;
+    for (const auto& row : found.arithmetics) arithmetics.push_back(row.arithmetic);
+    // The last arithmetic takes longest, and so comes first.
+    run_pieces(arithmetics.size(), "tradeoff: orbits", control, [=, &budget](std::size_t i) -> KeepResult {
+        const std::size_t r = arithmetics.size() - 1 - i;
+        const auto orbit = orbit_by(*arithmetics[r], scene, begin, count, budget);
         return [orbits, r, orbit] { (*orbits)[r] = orbit; };
     });
-    for (std::size_t r = 0; r < found.rungs.size(); ++r) {
-        found.rungs[r].orbit = (*orbits)[r];
-        if (!found.rungs[r].orbit) found.cut_short = true;
+    for (std::size_t r = 0; r < found.arithmetics.size(); ++r) {
+        found.arithmetics[r].orbit = (*orbits)[r];
+        if (!found.arithmetics[r].orbit) found.cut_short = true;
     }
 }
 
 /// Whether an orbit was long enough for a verdict.
-bool names_a_mode(const RungOrbit& orbit) {
+bool names_a_mode(const ArithmeticOrbit& orbit) {
     return orbit.mode != analysis::Mode::undecided || orbit.outcome != Outcome::completed;
 }
 
-bool is_same_verdict(const RungOrbit& a, const RungOrbit& b) {
+bool is_same_verdict(const ArithmeticOrbit& a, const ArithmeticOrbit& b) {
     return a.mode == b.mode && a.period == b.period && a.outcome == b.outcome;
 }
 
 /// Of two orbits of which one stays in contact the other has to go on for a turn of the swirl longer: in more digits
 /// chatter takes more impacts to the same end.
-bool has_gone_as_far(const RungOrbit& a, const RungOrbit& b) {
-    const auto stays = [](const RungOrbit& orbit) {
+bool has_gone_as_far(const ArithmeticOrbit& a, const ArithmeticOrbit& b) {
+    const auto stays = [](const ArithmeticOrbit& orbit) {
         return orbit.outcome == Outcome::in_contact || orbit.outcome == Outcome::contact_cut;
     };
-    const auto goes_on = [](const RungOrbit& orbit) { return orbit.outcome == Outcome::completed; };
+    const auto goes_on = [](const ArithmeticOrbit& orbit) { return orbit.outcome == Outcome::completed; };
     const double turn = 2 * std::numbers::pi;
     if (stays(a) && goes_on(b)) return b.duration > a.duration + turn;
     if (stays(b) && goes_on(a)) return a.duration > b.duration + turn;
@@ -60,9 +60,9 @@ bool has_gone_as_far(const RungOrbit& a, const RungOrbit& b) {
 }
 
 void compare_orbits(Tradeoff& found) {
-    const auto& last = found.rungs.back().orbit;
-    for (auto& row : found.rungs) {
-        if (&row == &found.rungs.back() || !row.orbit || !last) continue;
+    const auto& last = found.arithmetics.back().orbit;
+    for (auto& row : found.arithmetics) {
+        if (&row == &found.arithmetics.back() || !row.orbit || !last) continue;
         row.mean_spin_off = row.orbit->mean_spin - last->mean_spin;
         row.exponent_off = row.orbit->largest_exponent - last->largest_exponent;
         if (names_a_mode(*row.orbit) && names_a_mode(*last) && has_gone_as_far(*row.orbit, *last))
@@ -70,12 +70,12 @@ void compare_orbits(Tradeoff& found) {
     }
 }
 
-/// Times of the rungs and of the pieces of the model, all in turn.
+/// Times of the arithmetics and of the pieces of the model, all in turn.
 void time_all(const Scene<double>& scene, const Budget& budget, const RunControl& control, Tradeoff& found) {
     if (found.drawn.timed.empty()) return;
     std::vector<TimedWork> works;
-    for (const auto& row : found.rungs) {
-        const RungMap map = row.rung->make(scene, found.drawn.timed);
+    for (const auto& row : found.arithmetics) {
+        const ArithmeticMap map = row.arithmetic->make(scene, found.drawn.timed);
         works.push_back(
             [run = map.run, steps = found.drawn.timed_steps, first = std::size_t{0}](std::size_t n) mutable {
                 const std::int64_t impacts = run(first, n, steps);
@@ -91,9 +91,9 @@ void time_all(const Scene<double>& scene, const Budget& budget, const RunControl
     const ReportDone report = control.begin("tradeoff: times", budget.seconds());
     const std::vector<Timing> times = time_in_turn(works, budget, report);
     auto next = times.begin();
-    for (auto& row : found.rungs) row.time = *next++;
+    for (auto& row : found.arithmetics) row.time = *next++;
     for (const ModelPiece& piece : pieces) {
-        ModelRung row{piece.name, piece.paid_by, *next++, {}};
+        ModelRow row{piece.name, piece.paid_by, *next++, {}};
         if (piece.without) row.without = *next++;
         found.model.push_back(row);
     }
@@ -104,16 +104,17 @@ void time_all(const Scene<double>& scene, const Budget& budget, const RunControl
 Tradeoff measure(const Scene<double>& scene, const OrbitStarts& starts, const Amounts& amounts, const Budget& budget,
                  const RunControl& control) {
     Tradeoff found;
-    for (const Rung& rung : all_rungs()) found.rungs.emplace_back().rung = &rung;
+    for (const Arithmetic& arithmetic : all_arithmetics()) found.arithmetics.emplace_back().arithmetic = &arithmetic;
     found.evidence = gather_evidence(scene, starts, evidence_ladder(amounts.most_collisions), budget, control);
     OrbitStarts many = starts;
     if (many.is_random) many.count = most_starts;  // beginnings of orbits, where one orbit has too few flights
     found.drawn = draw_flights(scene, many, amounts.transient, amounts.flights, budget);
     if (found.drawn.begin) follow_orbits(scene, *found.drawn.begin, amounts.orbit, budget, control, found);
     compare_orbits(found);
-    const ComparedFlights compared = compare_flights(scene, found.drawn.flights, all_rungs(), budget, control);
+    const ComparedFlights compared = compare_flights(scene, found.drawn.flights, all_arithmetics(), budget, control);
     found.compared = compared.flights;
-    for (std::size_t r = 0; r < compared.rungs.size(); ++r) found.rungs[r].flights = compared.rungs[r];
+    for (std::size_t r = 0; r < compared.arithmetics.size(); ++r)
+        found.arithmetics[r].flights = compared.arithmetics[r];
     if (!found.evidence.whole || !compared.whole) found.cut_short = true;
     time_all(scene, budget, control, found);
     recommend(found);

@@ -1,4 +1,4 @@
-// Contacts that are passed over and contacts that are out of order, told apart on rungs that are made up.
+// Contacts that are passed over and contacts that are out of order, told apart on arithmetics that are made up.
 #include "apps/studies/tradeoff/compare_flights.hpp"
 #include "apps/studies/scene_map/in_digits.hpp"
 #include "map/numbers/quad.hpp"
@@ -16,10 +16,10 @@ namespace {
 
 /// Every step ends like this: at time 1 with vertex 1 is where the first contact is.
 template <Outcome outcome, int hundredths, int vertex, bool simultaneous>
-RungMap ending(const Scene<double>&, std::span<const PostImpactState<double>>) {
-    RungMap map;
+ArithmeticMap ending(const Scene<double>&, std::span<const PostImpactState<double>>) {
+    ArithmeticMap map;
     map.advance = [](const PostImpactState<Quad>& from) {
-        RungStep step;
+        ArithmeticStep step;
         step.outcome = outcome;
         step.after = from;
         step.rounded.collision.flight_time = 0.01 * hundredths;
@@ -35,10 +35,10 @@ PostImpactState<Quad> begin(const Scene<double>&, const PostImpactState<double>&
 }
 
 /// The same vertex at half the flight later, and S off by 1.
-RungMap off_in_spin(const Scene<double>& scene, std::span<const PostImpactState<double>> states) {
-    RungMap map = ending<Outcome::completed, 2, 1, false>(scene, states);
+ArithmeticMap off_in_spin(const Scene<double>& scene, std::span<const PostImpactState<double>> states) {
+    ArithmeticMap map = ending<Outcome::completed, 2, 1, false>(scene, states);
     map.advance = [advance = map.advance](const PostImpactState<Quad>& from) {
-        RungStep step = advance(from);
+        ArithmeticStep step = advance(from);
         step.after.spin += 1;
         return step;
     };
@@ -46,28 +46,28 @@ RungMap off_in_spin(const Scene<double>& scene, std::span<const PostImpactState<
 }
 
 template <Outcome outcome, int hundredths, int vertex, bool simultaneous = false>
-Rung rung() {
+Arithmetic arithmetic() {
     return {"", "", false, 0x1p-52, &ending<outcome, hundredths, vertex, simultaneous>, &begin};
 }
 
-ComparedFlights compared(std::span<const Rung> rungs, double budget, double condition = 1) {
+ComparedFlights compared(std::span<const Arithmetic> arithmetics, double budget, double condition = 1) {
     DrawnFlight flight;
     flight.condition = condition;
     flight.state = {{1, 0}, {1, 0}, -1, 0, 0};
-    return compare_flights(Scene<double>{}, std::vector(3, flight), rungs, Budget(budget), {});
+    return compare_flights(Scene<double>{}, std::vector(3, flight), arithmetics, Budget(budget), {});
 }
 
 TEST(CompareFlights, AContactThatIsPassedOverIsMissedAndOneInAnothersPlaceIsOutOfOrder) {
     constexpr Outcome hit = Outcome::completed;
-    const std::array rungs = {rung<Outcome::no_contact, 100, 1>(),  // none
-                              rung<hit, 103, 1>(),                  // the same vertex later
-                              rung<hit, 150, 2>(),                  // another vertex, much later
-                              rung<hit, 101, 2>(),                  // another vertex at nearly the same time
-                              rung<hit, 97, 1>(),                   // where there is none yet
-                              rung<hit, 101, 1>(),                  // the first, not well
-                              rung<hit, 100, 2, true>(),            // two at once
-                              rung<hit, 100, 1>()};
-    const auto found = compared(rungs, 60).rungs;
+    const std::array arithmetics = {arithmetic<Outcome::no_contact, 100, 1>(),  // none
+                                    arithmetic<hit, 103, 1>(),                  // the same vertex later
+                                    arithmetic<hit, 150, 2>(),                  // another vertex, much later
+                                    arithmetic<hit, 101, 2>(),        // another vertex at nearly the same time
+                                    arithmetic<hit, 97, 1>(),         // where there is none yet
+                                    arithmetic<hit, 101, 1>(),        // the first, not well
+                                    arithmetic<hit, 100, 2, true>(),  // two at once
+                                    arithmetic<hit, 100, 1>()};
+    const auto found = compared(arithmetics, 60).arithmetics;
     ASSERT_EQ(found.size(), 7u);
     const std::array<std::int64_t, 7> missed = {3, 3, 3, 0, 0, 0, 0}, misordered = {0, 0, 0, 3, 3, 0, 0};
     for (std::size_t r = 0; r < found.size(); ++r) {
@@ -83,26 +83,26 @@ TEST(CompareFlights, AContactThatIsPassedOverIsMissedAndOneInAnothersPlaceIsOutO
 /// A flight of 0.01 whose contact is found 0.01 later: nothing is within half of it.
 TEST(CompareFlights, OfAShortFlightAContactHalfAFlightLaterIsAnother) {
     constexpr Outcome hit = Outcome::completed;
-    const std::array rungs = {rung<hit, 2, 1>(), rung<hit, 1, 1>()};
-    EXPECT_EQ(compared(rungs, 60).rungs.front()->missed, 3);
+    const std::array arithmetics = {arithmetic<hit, 2, 1>(), arithmetic<hit, 1, 1>()};
+    EXPECT_EQ(compared(arithmetics, 60).arithmetics.front()->missed, 3);
 }
 
 /// Unless rounding, 50 ε c, is as long: at c = 10¹³ that is 0.1 beside the 0.01 of the flight, at 10¹¹ 0.001.
 TEST(CompareFlights, OfAFlightAsShortAsRoundingAContactHalfAFlightLaterIsTheSame) {
     constexpr Outcome hit = Outcome::completed;
-    const std::array rungs = {rung<hit, 2, 1>(), rung<hit, 2, 2>(), Rung{"", "", false, 0x1p-52, &off_in_spin, &begin},
-                              rung<hit, 1, 1>()};
-    const auto well = compared(rungs, 60, 1e13).rungs;
+    const std::array arithmetics = {arithmetic<hit, 2, 1>(), arithmetic<hit, 2, 2>(),
+                                    Arithmetic{"", "", false, 0x1p-52, &off_in_spin, &begin}, arithmetic<hit, 1, 1>()};
+    const auto well = compared(arithmetics, 60, 1e13).arithmetics;
     EXPECT_EQ(well[0]->missed + well[0]->misordered, 0);
     EXPECT_EQ(well[0]->one.largest, 0);
     EXPECT_EQ(well[1]->missed, 3);  // another vertex
     EXPECT_EQ(well[2]->missed, 3);  // another impact
-    EXPECT_EQ(compared(rungs, 60, 1e11).rungs[0]->missed, 3);
+    EXPECT_EQ(compared(arithmetics, 60, 1e11).arithmetics[0]->missed, 3);
 }
 
 /// Takes a fifth of a second for a step.
-RungMap slow(const Scene<double>& scene, std::span<const PostImpactState<double>> states) {
-    RungMap map = ending<Outcome::completed, 100, 1, false>(scene, states);
+ArithmeticMap slow(const Scene<double>& scene, std::span<const PostImpactState<double>> states) {
+    ArithmeticMap map = ending<Outcome::completed, 100, 1, false>(scene, states);
     map.advance = [advance = map.advance](const PostImpactState<Quad>& z) {
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
         return advance(z);
@@ -110,14 +110,14 @@ RungMap slow(const Scene<double>& scene, std::span<const PostImpactState<double>
     return map;
 }
 
-TEST(CompareFlights, ARungThatTakesTheTimeOfAllIsLeftOutAlone) {
-    const std::array rungs = {Rung{"", "", false, 0x1p-52, &slow, &begin}, rung<Outcome::completed, 100, 1>(),
-                              rung<Outcome::completed, 100, 1>()};
-    const ComparedFlights found = compared(rungs, 0.5);
-    EXPECT_FALSE(found.rungs[0].has_value());
+TEST(CompareFlights, AnArithmeticThatTakesTheTimeOfAllIsLeftOutAlone) {
+    const std::array arithmetics = {Arithmetic{"", "", false, 0x1p-52, &slow, &begin},
+                                    arithmetic<Outcome::completed, 100, 1>(), arithmetic<Outcome::completed, 100, 1>()};
+    const ComparedFlights found = compared(arithmetics, 0.5);
+    EXPECT_FALSE(found.arithmetics[0].has_value());
     EXPECT_FALSE(found.whole);
-    ASSERT_TRUE(found.rungs[1].has_value());
-    EXPECT_EQ(found.rungs[1]->flights, 3);
+    ASSERT_TRUE(found.arithmetics[1].has_value());
+    EXPECT_EQ(found.arithmetics[1]->flights, 3);
     EXPECT_EQ(found.flights, 3);
 }
 

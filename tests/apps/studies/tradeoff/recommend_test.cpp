@@ -1,4 +1,5 @@
-// What is recommended from ladders that are made up: how few impacts are enough, which rung is the knee, what is said.
+// What is recommended from ladders that are made up: how few impacts are enough, which arithmetic is the knee, what is
+// said.
 #include "apps/studies/tradeoff/tradeoff.hpp"
 
 #include <gtest/gtest.h>
@@ -9,22 +10,22 @@
 namespace swirl::studies::tradeoff {
 namespace {
 
-EvidenceRung verdicts(std::int64_t collisions, std::int64_t changed, std::int64_t runs) {
-    EvidenceRung rung;
-    rung.collisions = collisions;
-    rung.changed = changed;
-    rung.runs = runs;
-    rung.changed_rate = analysis::rate_interval(changed, runs);
-    rung.seconds = 0.01;
-    return rung;
+EvidenceRow verdicts(std::int64_t collisions, std::int64_t changed, std::int64_t runs) {
+    EvidenceRow row;
+    row.collisions = collisions;
+    row.changed = changed;
+    row.runs = runs;
+    row.changed_rate = analysis::rate_interval(changed, runs);
+    row.seconds = 0.01;
+    return row;
 }
 
 /// Ten thousand flights, none missed, errors up to so many times ε c.
-ArithmeticRung measured(const Rung& rung, double seconds, double in_condition) {
-    ArithmeticRung row;
-    row.rung = &rung;
+ArithmeticRow measured(const Arithmetic& arithmetic, double seconds, double in_condition) {
+    ArithmeticRow row;
+    row.arithmetic = &arithmetic;
     row.time.median = seconds;
-    row.orbit = RungOrbit{};
+    row.orbit = ArithmeticOrbit{};
     row.verdict_differs = false;
     row.flights = FlightComparison{};
     row.flights->flights = 10'000;
@@ -34,7 +35,7 @@ ArithmeticRung measured(const Rung& rung, double seconds, double in_condition) {
     return row;
 }
 
-void set_missed(ArithmeticRung& row, std::int64_t missed, std::int64_t misordered) {
+void set_missed(ArithmeticRow& row, std::int64_t missed, std::int64_t misordered) {
     row.flights->missed = missed;
     row.flights->misordered = misordered;
     row.flights->missed_rate = analysis::rate_interval(missed, row.flights->flights);
@@ -45,15 +46,15 @@ void set_missed(ArithmeticRung& row, std::int64_t missed, std::int64_t misordere
 class Recommendation : public testing::Test {
 protected:
     static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    Rung in_double{"double", "", true, epsilon, nullptr, nullptr}, other{"other", "", false, epsilon, nullptr, nullptr},
-        quad{"quad", "", true, 0x1p-112, nullptr, nullptr};
+    Arithmetic in_double{"double", "", true, epsilon, nullptr, nullptr},
+        other{"other", "", false, epsilon, nullptr, nullptr}, quad{"quad", "", true, 0x1p-112, nullptr, nullptr};
 
-    Tradeoff of(std::vector<EvidenceRung> evidence) {
+    Tradeoff of(std::vector<EvidenceRow> evidence) {
         Tradeoff found;
-        found.rungs = {measured(in_double, 2e-7, 2), measured(other, 1e-6, 2), measured(quad, 5e-5, 2)};
-        found.rungs.back().flights.reset();
-        found.rungs.back().verdict_differs.reset();
-        found.evidence.rungs = std::move(evidence);
+        found.arithmetics = {measured(in_double, 2e-7, 2), measured(other, 1e-6, 2), measured(quad, 5e-5, 2)};
+        found.arithmetics.back().flights.reset();
+        found.arithmetics.back().verdict_differs.reset();
+        found.evidence.rows = std::move(evidence);
         found.drawn.flights.resize(1);
         found.compared = 10'000;
         return found;
@@ -112,9 +113,9 @@ TEST_F(Recommendation, NoFlightsOfAnOrbitThatGoesOnAreForWantOfABudget) {
 }
 
 TEST_F(Recommendation, WhatALargerNumberDoesNotShowASmallerOneDoesNotEither) {
-    const auto rungs = {verdicts(100, 0, 64), verdicts(300, 12, 64), verdicts(1000, 0, 64), verdicts(3000, 9, 64),
-                        verdicts(10000, 0, 64)};
-    EXPECT_EQ(enough_of(of(rungs)), 0);
+    const auto rows = {verdicts(100, 0, 64), verdicts(300, 12, 64), verdicts(1000, 0, 64), verdicts(3000, 9, 64),
+                       verdicts(10000, 0, 64)};
+    EXPECT_EQ(enough_of(of(rows)), 0);
 }
 
 TEST_F(Recommendation, NumbersThatWereNotMeasuredAreNotEnough) {
@@ -125,7 +126,7 @@ TEST_F(Recommendation, NumbersThatWereNotMeasuredAreNotEnough) {
 TEST_F(Recommendation, AContactOutOfOrderIsAnObjectionAsAMissedOneIs) {
     for (const auto& [missed, misordered] : {std::pair(1, 0), std::pair(0, 1)}) {
         Tradeoff found = of({});
-        set_missed(found.rungs[0], missed, misordered);
+        set_missed(found.arithmetics[0], missed, misordered);
         recommend(found);
         EXPECT_EQ(found.recommended, &quad);
         EXPECT_NE(
@@ -136,10 +137,10 @@ TEST_F(Recommendation, AContactOutOfOrderIsAnObjectionAsAMissedOneIs) {
     }
 }
 
-TEST_F(Recommendation, TheKneeIsTheCheapestOfAllRungsThatIsRightToFiftyRoundings) {
+TEST_F(Recommendation, TheKneeIsTheCheapestArithmeticThatIsRightToFiftyRoundings) {
     const auto knee_of = [this](double time, double in_condition) {
         Tradeoff found = of({});
-        found.rungs[1] = measured(other, time, in_condition);
+        found.arithmetics[1] = measured(other, time, in_condition);
         recommend(found);
         EXPECT_EQ(found.recommended, &in_double) << "searches to compare with are not recommended";
         return found.knee;
@@ -156,15 +157,15 @@ TEST_F(Recommendation, ThereIsNoKneeWhereNothingWasComparedOrTimed) {
     EXPECT_EQ(none.knee, nullptr);
     EXPECT_EQ(none.recommended, nullptr);
     Tradeoff untimed = of({});
-    for (ArithmeticRung& row : untimed.rungs) row.time.median = std::nan("");
+    for (ArithmeticRow& row : untimed.arithmetics) row.time.median = std::nan("");
     recommend(untimed);
     EXPECT_EQ(untimed.knee, nullptr);
 }
 
 TEST_F(Recommendation, AVerdictThatWasNotComparedIsNoObjectionAndIsSaid) {
     Tradeoff found = of({});
-    found.rungs.back().orbit.reset();
-    for (ArithmeticRung& row : found.rungs) row.verdict_differs.reset();
+    found.arithmetics.back().orbit.reset();
+    for (ArithmeticRow& row : found.arithmetics) row.verdict_differs.reset();
     recommend(found);
     EXPECT_EQ(found.recommended, &in_double);
     EXPECT_NE(found.reason.find("the budget was spent before its verdict was compared with that of quad"),

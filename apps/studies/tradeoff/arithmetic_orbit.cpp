@@ -1,9 +1,9 @@
-#include "apps/studies/tradeoff/rung_orbit.hpp"
+#include "apps/studies/tradeoff/arithmetic_orbit.hpp"
 
 #include "analysis/classification/classify.hpp"
 #include "analysis/means/mean_error.hpp"
 #include "apps/studies/scene_map/scene_map.hpp"
-#include "apps/studies/tradeoff/rung_in.hpp"
+#include "apps/studies/tradeoff/arithmetic_in.hpp"
 #include "map/numbers/quad.hpp"
 
 #include <numeric>
@@ -12,15 +12,15 @@ namespace swirl::studies::tradeoff {
 
 namespace {
 
-/// A rung as analysis/ wants a map. It ends where the budget does, too.
+/// An arithmetic as analysis/ wants a map. It ends where the budget does, too.
 template <int D>
-class RungSectionMap {
+class ArithmeticSectionMap {
 public:
     static constexpr int dimension = D;
     static constexpr int integrated = D - 1;
     using State = PostImpactState<Quad>;
 
-    RungSectionMap(const RungMap& map, const SceneMap<D>& exact, const Budget& budget)
+    ArithmeticSectionMap(const ArithmeticMap& map, const SceneMap<D>& exact, const Budget& budget)
         : map_(map), exact_(exact), budget_(budget) {}
 
     analysis::Advance<D, State> advance(const State& z) const {
@@ -30,7 +30,7 @@ public:
     }
     analysis::Linearised<D, State> linearise(const State& z) const {
         analysis::Linearised<D, State> step;
-        const RungStep found = map_.advance(z);
+        const ArithmeticStep found = map_.advance(z);
         fill(step, found);
         if (!step.alive) return step;
         const auto rounded = state_in<double>(z);
@@ -51,7 +51,7 @@ public:
 
 private:
     template <class Step>
-    void fill(Step& step, const RungStep& found) const {
+    void fill(Step& step, const ArithmeticStep& found) const {
         step.alive = found.outcome == Outcome::completed && !budget_.is_spent(orbits_share);
         step.state = found.after;
         step.duration = found.rounded.collision.flight_time;
@@ -59,20 +59,20 @@ private:
         step.letter = number_of(letter_of(found.rounded));
     }
 
-    const RungMap& map_;
+    const ArithmeticMap& map_;
     const SceneMap<D>& exact_;
     const Budget& budget_;
 };
 
 /// Follows the orbit, and keeps of it what a verdict asks for.
 template <int D>
-analysis::Tail<RungSectionMap<D>> follow(const RungMap& map, PostImpactState<Quad> z, std::int64_t count,
-                                         const Budget& budget, RungOrbit& orbit) {
-    analysis::Tail<RungSectionMap<D>> tail;
+analysis::Tail<ArithmeticSectionMap<D>> follow(const ArithmeticMap& map, PostImpactState<Quad> z, std::int64_t count,
+                                               const Budget& budget, ArithmeticOrbit& orbit) {
+    analysis::Tail<ArithmeticSectionMap<D>> tail;
     tail.first = z;
     double drift = 0;
     while (tail.steps < count && !budget.is_spent(orbits_share)) {
-        const RungStep step = map.advance(z);
+        const ArithmeticStep step = map.advance(z);
         orbit.outcome = step.outcome;
         if (step.outcome != Outcome::completed) {
             tail.ended = true;
@@ -80,7 +80,7 @@ analysis::Tail<RungSectionMap<D>> follow(const RungMap& map, PostImpactState<Qua
             break;
         }
         ++tail.steps;
-        tail.points.push_back(RungSectionMap<D>::coordinates(z));
+        tail.points.push_back(ArithmeticSectionMap<D>::coordinates(z));
         tail.durations.push_back(step.rounded.collision.flight_time);
         orbit.duration += tail.durations.back();
         tail.integrals.push_back(step.rounded.turned);
@@ -102,12 +102,13 @@ analysis::ClassifyOptions settings_for(const Scene<double>& scene) {
 }
 
 template <int D>
-std::optional<RungOrbit> orbit_in(const SceneMap<D>& exact, const Rung& rung, const Scene<double>& scene,
-                                  const PostImpactState<double>& begin, std::int64_t count, const Budget& budget) {
-    RungOrbit orbit;
-    const RungMap rung_map = rung.make(scene, {});
-    const RungSectionMap<D> map(rung_map, exact, budget);
-    const auto tail = follow<D>(rung_map, rung.begin(scene, begin), count, budget, orbit);
+std::optional<ArithmeticOrbit> orbit_in(const SceneMap<D>& exact, const Arithmetic& arithmetic,
+                                        const Scene<double>& scene, const PostImpactState<double>& begin,
+                                        std::int64_t count, const Budget& budget) {
+    ArithmeticOrbit orbit;
+    const ArithmeticMap arithmetic_map = arithmetic.make(scene, {});
+    const ArithmeticSectionMap<D> map(arithmetic_map, exact, budget);
+    const auto tail = follow<D>(arithmetic_map, arithmetic.begin(scene, begin), count, budget, orbit);
     if (tail.steps > 0) {
         const double turned = std::accumulate(tail.integrals.begin(), tail.integrals.end(), 0.0);
         orbit.mean_spin = turned / std::accumulate(tail.durations.begin(), tail.durations.end(), 0.0);
@@ -130,9 +131,11 @@ std::optional<RungOrbit> orbit_in(const SceneMap<D>& exact, const Rung& rung, co
 
 }  // namespace
 
-std::optional<RungOrbit> orbit_by(const Rung& rung, const Scene<double>& scene, const PostImpactState<double>& begin,
-                                  std::int64_t count, const Budget& budget) {
-    return with_scene_map(scene, [&](const auto& map) { return orbit_in(map, rung, scene, begin, count, budget); });
+std::optional<ArithmeticOrbit> orbit_by(const Arithmetic& arithmetic, const Scene<double>& scene,
+                                        const PostImpactState<double>& begin, std::int64_t count,
+                                        const Budget& budget) {
+    return with_scene_map(scene,
+                          [&](const auto& map) { return orbit_in(map, arithmetic, scene, begin, count, budget); });
 }
 
 }  // namespace swirl::studies::tradeoff

@@ -1,7 +1,7 @@
-// Rungs that differ in the search for the contact alone (map/baselines): there to be compared with.
+// Arithmetics that differ in the search for the contact alone (map/baselines): there to be compared with.
 #pragma once
 
-#include "apps/studies/tradeoff/rung_in.hpp"
+#include "apps/studies/tradeoff/arithmetic_in.hpp"
 #include "map/baselines/baseline_map.hpp"
 
 namespace swirl::studies::tradeoff {

@@ -1,8 +1,8 @@
-// A rung of a map's own type, for the files that compile them.
+// An arithmetic of a map's own type, for the files that compile them.
 #pragma once
 
 #include "apps/studies/scene_map/in_digits.hpp"
-#include "apps/studies/tradeoff/rung.hpp"
+#include "apps/studies/tradeoff/arithmetic.hpp"
 #include "map/derivative/parameter.hpp"
 #include "map/numbers/quad.hpp"
 #include "map/orbit/speed_limits.hpp"
@@ -33,7 +33,7 @@ struct InNumbers {
     };
 };
 
-namespace rung_detail {
+namespace arithmetic_detail {
 
 /// A map with what follows it, and the starts in its type.
 template <class Family, class Map>
@@ -46,11 +46,11 @@ struct Followed {
     Followed(const Followed&) = delete;
     Followed& operator=(const Followed&) = delete;
 
-    RungStep advance(const PostImpactState<Quad>& from) const {
+    ArithmeticStep advance(const PostImpactState<Quad>& from) const {
         ReturnStep<T> step;
         step.collision.after = state_in<T>(from);
         const T before = jacobi_of(map.body(), step.collision.after);
-        RungStep result;
+        ArithmeticStep result;
         result.outcome = follower.advance(step);
         const Collision<T>& c = step.collision;
         result.rounded = rounded_from(step);
@@ -82,11 +82,11 @@ struct Followed {
 };
 
 template <class Family>
-RungMap make(const Scene<double>& scene, std::span<const PostImpactState<double>> starts) {
+ArithmeticMap make(const Scene<double>& scene, std::span<const PostImpactState<double>> starts) {
     return Family::with_map(scene, [&](const auto& map) {
         using Its = Followed<Family, std::decay_t<decltype(map)>>;
         const auto its = std::make_shared<const Its>(map, starts);
-        return RungMap{
+        return ArithmeticMap{
             [its](const PostImpactState<Quad>& z) { return its->advance(z); },
             [its](std::size_t first, std::size_t chains, int steps) { return its->run(first, chains, steps); }};
     });
@@ -98,17 +98,17 @@ PostImpactState<Quad> begin(const Scene<double>& scene, const PostImpactState<do
     return state_in<Quad>(begin_in<T>(make_body(scene_in<T>(scene)), state));
 }
 
-}  // namespace rung_detail
+}  // namespace arithmetic_detail
 
-/// A line of the table of rungs.
+/// A line of the table of arithmetics.
 template <class Family>
-Rung rung(std::string_view name, std::string_view what, bool is_exact) {
+Arithmetic arithmetic(std::string_view name, std::string_view what, bool is_exact) {
     return {name,
             what,
             is_exact,
             static_cast<double>(epsilon<typename Family::Number>()),
-            &rung_detail::make<Family>,
-            &rung_detail::begin<Family>};
+            &arithmetic_detail::make<Family>,
+            &arithmetic_detail::begin<Family>};
 }
 
 }  // namespace swirl::studies::tradeoff

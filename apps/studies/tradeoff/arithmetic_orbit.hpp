@@ -1,9 +1,9 @@
-// What a rung makes of the scene's orbit: its verdict, mean S, largest exponent, and what it loses of J.
+// What an arithmetic makes of the scene's orbit: its verdict, mean S, largest exponent, and what it loses of J.
 #pragma once
 
 #include "analysis/classification/mode.hpp"
+#include "apps/studies/tradeoff/arithmetic.hpp"
 #include "apps/studies/tradeoff/budget.hpp"
-#include "apps/studies/tradeoff/rung.hpp"
 
 #include <cmath>
 #include <optional>
@@ -11,7 +11,7 @@
 namespace swirl::studies::tradeoff {
 
 /// NaN where not measured: the orbit ended before.
-struct RungOrbit {
+struct ArithmeticOrbit {
     analysis::Mode mode = analysis::Mode::undecided;
     analysis::Kind kind = analysis::Kind::none;
     std::int64_t period = 0;  ///< 0: none
@@ -25,10 +25,10 @@ struct RungOrbit {
     double jacobi_drift = std::nan("");
 };
 
-/// Follows `count` impacts of a rung's own from a state, and judges them by the rung's own map; derivatives are
-/// double's, at the rung's states. Periods are looked for up to 256. Where impacts only lose (is_dissipative_without_
-/// drive) the verdict is known beforehand. Nothing if the budget is spent before.
-std::optional<RungOrbit> orbit_by(const Rung& rung, const Scene<double>& scene, const PostImpactState<double>& begin,
-                                  std::int64_t count, const Budget& budget);
+/// Follows `count` impacts of an arithmetic's own from a state, and judges them by the arithmetic's own map;
+/// derivatives are double's, at the arithmetic's states. Periods are looked for up to 256. Where impacts only lose
+/// (is_dissipative_without_ drive) the verdict is known beforehand. Nothing if the budget is spent before.
+std::optional<ArithmeticOrbit> orbit_by(const Arithmetic& arithmetic, const Scene<double>& scene,
+                                        const PostImpactState<double>& begin, std::int64_t count, const Budget& budget);
 
 }  // namespace swirl::studies::tradeoff

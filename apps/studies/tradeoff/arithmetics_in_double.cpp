@@ -1,0 +1,7 @@
+#include "apps/studies/tradeoff/arithmetic_in.hpp"
+
+namespace swirl::studies::tradeoff {
+
+template Arithmetic arithmetic<InNumbers<double>>(std::string_view, std::string_view, bool);
+
+}  // namespace swirl::studies::tradeoff

@@ -1,0 +1,8 @@
+#include "apps/studies/tradeoff/arithmetic_in.hpp"
+#include "map/numbers/quad.hpp"
+
+namespace swirl::studies::tradeoff {
+
+template Arithmetic arithmetic<InNumbers<Quad>>(std::string_view, std::string_view, bool);
+
+}  // namespace swirl::studies::tradeoff

@@ -1,7 +1,0 @@
-#include "apps/studies/tradeoff/rung_in.hpp"
-
-namespace swirl::studies::tradeoff {
-
-template Rung rung<InNumbers<double>>(std::string_view, std::string_view, bool);
-
-}  // namespace swirl::studies::tradeoff

@@ -123,7 +123,7 @@ double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, const P
     };
     NewtonRule rule = until_rounding(0.01 * options.residual);
     rule.most_iterations = 20;  // 6 are usual; 20 allow a poor start
-    rule.patience = 3;
+    rule.may_rise_until = 3;
     if (!options.poor_starts && k > longest_with_poor_start) rule.most_rise = most_rise;
     Eigen::VectorXd z = point;
     const double residual = newton_of_least_norm(equations, z, rule);

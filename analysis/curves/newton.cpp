@@ -10,7 +10,7 @@ namespace swirl::analysis {
 NewtonRule until_rounding(double goal) {
     NewtonRule rule;
     rule.goal = goal;
-    rule.patience = 2;
+    rule.may_rise_until = 2;
     rule.keeps_best = true;
     return rule;
 }
@@ -43,7 +43,7 @@ NewtonResult newton(const Equations& equations,
             result.outcome = Correction::converged;
             break;
         }
-        if (!falls && i > rule.patience) break;
+        if (!falls && i > rule.may_rise_until) break;
         // Below 100 times the goal what rises is rounding.
         if (rule.most_rise > 0 && size > rule.most_rise * std::max(result.least, 100 * rule.goal)) break;
         last = size;
@@ -70,7 +70,7 @@ std::optional<Eigen::VectorXd> solve_square_system(const Equations& equations, c
     rule.weights = Eigen::VectorXd::Ones(start.size());
     rule.goal = 1e-12;
     rule.accept = 1e-9;
-    rule.most_iterations = rule.patience = 20;
+    rule.most_iterations = rule.may_rise_until = 20;
     const auto nearby = [&](const Eigen::VectorXd& y) {
         return (y - start).norm() < farthest ? equations(y) : ShootingResidual{};
     };

@@ -21,7 +21,7 @@ struct NewtonRule {
     double goal = 0;          ///< it has converged as soon as the size is that small …
     double accept = 0;  ///< … and where the size no longer halves and is that small (|H|: or as rounding leaves it)
     int most_iterations = 12;  ///< quadratic: 3 or 4 are usual
-    int patience = 4;          ///< after this iteration it fails where the size does not fall
+    int may_rise_until = 4;    ///< after this iteration it fails where the size does not fall
     /// Until rounding stops it: what is kept is the best y, what does not fall is one no better than that, and
     /// `accept` is not asked.
     bool keeps_best = false;

@@ -62,7 +62,7 @@ private:
 
 constexpr double same_time = 1e-6;  // another contact lies farther away, or the two can't be told apart
 
-constexpr std::size_t patience = 8;  // iterations, of ShootingOptions::one_of_many
+constexpr std::size_t stall_window = 8;  // iterations, of ShootingOptions::one_of_many
 
 /// Ends the solver where the polishing can take over, and one of many where it gets nowhere.
 class StopWhenNear final : public ceres::IterationCallback {
@@ -72,7 +72,7 @@ public:
     ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
         least_.push_back(least_.empty() ? summary.cost : std::min(least_.back(), summary.cost));
         const bool stalls =
-            gives_up_ && least_.size() > patience && least_.back() > 0.8 * least_[least_.size() - 1 - patience];
+            gives_up_ && least_.size() > stall_window && least_.back() > 0.8 * least_[least_.size() - 1 - stall_window];
         return stalls || least_.back() <= near_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
     }
 

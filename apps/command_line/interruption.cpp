@@ -15,30 +15,30 @@ namespace swirl::apps {
 namespace {
 
 // Half a second less what it takes to start, to write and to leave on a machine that is busy.
-constexpr long patience_ns = 300'000'000;
+constexpr long grace_ns = 300'000'000;
 
 // Written by a handler, on whichever thread the signal comes to, and read by all of them.
 std::atomic<bool> interrupted = false;
 std::atomic<bool> finishing = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "handlers may use these alone");
-timer_t patience;
-bool has_patience = false;
+timer_t grace_timer;
+bool has_grace_timer = false;
 
 void leave(int) {
     remove_unfinished_files();
     _exit(exit_interrupted);
 }
 
-void set_patience(long nanoseconds) {
+void set_grace_timer(long nanoseconds) {
     itimerspec time{};
     time.it_value.tv_nsec = nanoseconds;
-    timer_settime(patience, 0, &time, nullptr);
+    timer_settime(grace_timer, 0, &time, nullptr);
 }
 
 void note(int) {
     const int error = errno;  // of the call that the signal has come into
     interrupted = true;
-    if (!finishing) set_patience(patience_ns);
+    if (!finishing) set_grace_timer(grace_ns);
     errno = error;
 }
 
@@ -71,14 +71,14 @@ void exit_when_interrupted() {
 
 void note_interruptions() {
     finishing = false;
-    if (!has_patience) {
+    if (!has_grace_timer) {
         sigevent event{};
         event.sigev_notify = SIGEV_SIGNAL;
         event.sigev_signo = SIGALRM;
-        has_patience = timer_create(CLOCK_MONOTONIC, &event, &patience) == 0;
+        has_grace_timer = timer_create(CLOCK_MONOTONIC, &event, &grace_timer) == 0;
     }
     std::signal(SIGALRM, leave);
-    handle(has_patience ? note : leave);  // without a timer nothing would end work that does not look
+    handle(has_grace_timer ? note : leave);  // without a timer nothing would end work that does not look
 }
 
 bool is_interrupted() {
@@ -87,7 +87,7 @@ bool is_interrupted() {
 
 void finish_up() {
     finishing = true;
-    if (has_patience) set_patience(0);
+    if (has_grace_timer) set_grace_timer(0);
 }
 
 }  // namespace swirl::apps

@@ -17,29 +17,29 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Between two looks for messages and results. Work is asked for while there still is some, so that nobody waits for a
-// look; a look of MPI itself takes some 30 µs.
-constexpr auto glance = 2ms;
-constexpr auto patience = 30s;  // a rank says once a second that it is there
+// Between two polls for messages and results. Work is asked for while there still is some, so that nobody waits for a
+// poll; a poll of MPI itself takes some 30 µs.
+constexpr auto poll_interval = 2ms;
+constexpr auto silence_limit = 30s;  // a rank says once a second that it is there
 constexpr auto heartbeat = 1s;
-constexpr auto farewell = 10s;
+constexpr auto shutdown_grace = 10s;
 constexpr std::size_t most_at_once = 1024;
 constexpr std::size_t longest_result = std::size_t{1} << 30;  // a message of MPI has up to 2³¹ − 1 bytes
 constexpr std::size_t most_bytes_at_once = std::size_t{1} << 20;
 
 /// Answers rank 0's end, and leaves MPI with the others only if none of them was lost.
-void take_leave(Ranks& ranks) {
+void shut_down(Ranks& ranks) {
     ranks.send(0, message_of(MessageKind::gone));
-    const auto limit = std::chrono::steady_clock::now() + 2 * farewell;
+    const auto limit = std::chrono::steady_clock::now() + 2 * shutdown_grace;
     while (!is_interrupted()) {
-        const bool too_late = std::chrono::steady_clock::now() >= limit;  // a suspended process looks once more
+        const bool too_late = std::chrono::steady_clock::now() >= limit;  // a suspended process polls once more
         if (const auto message = ranks.receive()) {
             if (kind_of(message->bytes) == MessageKind::all_gone) return;
             if (kind_of(message->bytes) == MessageKind::some_lost) break;
         } else if (too_late) {
             break;
         } else {
-            std::this_thread::sleep_for(glance);
+            std::this_thread::sleep_for(poll_interval);
         }
     }
     ranks.lose();
@@ -51,8 +51,8 @@ void refuse_to_serve(Ranks& ranks, const std::string& why) {
     ranks.send(0, message_of(MessageKind::refused, why.substr(0, longest)));
     while (!is_interrupted()) {
         if (const auto message = ranks.receive(); message && kind_of(message->bytes) == MessageKind::end)
-            return take_leave(ranks);
-        std::this_thread::sleep_for(glance);
+            return shut_down(ranks);
+        std::this_thread::sleep_for(poll_interval);
     }
 }
 
@@ -60,10 +60,10 @@ void refuse_to_serve(Ranks& ranks, const std::string& why) {
 void serve(Ranks& ranks, int threads, const NamedWork& work) {
     Workers workers(threads, work.most_together, work.work);
     bool asked = false;
-    auto told = std::chrono::steady_clock::now() - heartbeat;
+    auto last_message = std::chrono::steady_clock::now() - heartbeat;
     const auto say = [&](const std::vector<std::byte>& message) {
         ranks.send(0, message);
-        told = std::chrono::steady_clock::now();
+        last_message = std::chrono::steady_clock::now();
     };
     while (!is_interrupted()) {
         std::vector<PieceResult> some;
@@ -80,7 +80,7 @@ void serve(Ranks& ranks, int threads, const NamedWork& work) {
         }
         if (!some.empty()) say(message_of(some));
         while (const auto message = ranks.receive()) {
-            if (kind_of(message->bytes) == MessageKind::end) return take_leave(ranks);
+            if (kind_of(message->bytes) == MessageKind::end) return shut_down(ranks);
             workers.add(pieces_in(message->bytes));
             asked = false;
         }
@@ -88,8 +88,8 @@ void serve(Ranks& ranks, int threads, const NamedWork& work) {
             say(message_of(MessageKind::wants_work, work.name));
             asked = true;
         }
-        if (std::chrono::steady_clock::now() - told >= heartbeat) say(message_of(MessageKind::alive));
-        std::this_thread::sleep_for(glance);
+        if (std::chrono::steady_clock::now() - last_message >= heartbeat) say(message_of(MessageKind::alive));
+        std::this_thread::sleep_for(poll_interval);
     }
 }
 
@@ -107,7 +107,7 @@ int take_part(Ranks& ranks, int threads, const std::function<NamedWork()>& plan)
 
 HandOut::~HandOut() {
     for (int to = 1; to < ranks_.count(); ++to) ranks_.send(to, message_of(MessageKind::end));
-    const auto limit = Clock::now() + farewell;
+    const auto limit = Clock::now() + shutdown_grace;
     const auto stays = [](const Other& other) { return !other.lost && !other.has_gone; };
     while (std::any_of(others_.begin() + 1, others_.end(), stays) && Clock::now() < limit && !is_interrupted()) {
         while (const auto message = ranks_.receive()) {
@@ -115,7 +115,7 @@ HandOut::~HandOut() {
             other.lost = false;
             if (kind_of(message->bytes) == MessageKind::gone) other.has_gone = true;
         }
-        std::this_thread::sleep_for(glance);
+        std::this_thread::sleep_for(poll_interval);
     }
     const auto went = [](const Other& other) { return other.has_gone; };
     const bool all_went = std::all_of(others_.begin() + 1, others_.end(), went);
@@ -186,10 +186,10 @@ void HandOut::read(const Message& message, std::string_view name) {
 /// What it has not done is done by others.
 void HandOut::leave_out(int rank, std::string_view why) {
     Other& other = others_[static_cast<std::size_t>(rank)];
-    if (!quiet_ && !other.told_of)
+    if (!quiet_ && !other.is_reported)
         tell(fmt::format("swirl: rank {} takes no part, and its {} unfinished runs are done by others: {}", rank,
                          other.has.size(), why));
-    other.told_of = true;
+    other.is_reported = true;
     left_.insert(left_.end(), other.has.begin(), other.has.end());
     other.has.clear();
 }
@@ -197,8 +197,8 @@ void HandOut::leave_out(int rank, std::string_view why) {
 void HandOut::look_for_lost_ranks() {
     for (int from = 1; from < ranks_.count(); ++from) {
         Other& other = others_[static_cast<std::size_t>(from)];
-        if (other.lost || other.has.empty() || Clock::now() - other.heard < patience) continue;
-        leave_out(from, fmt::format("nothing was heard of it for {} s", std::chrono::seconds(patience).count()));
+        if (other.lost || other.has.empty() || Clock::now() - other.heard < silence_limit) continue;
+        leave_out(from, fmt::format("nothing was heard of it for {} s", std::chrono::seconds(silence_limit).count()));
         other.lost = true;
     }
 }
@@ -223,7 +223,7 @@ bool HandOut::run(std::span<const std::size_t> pieces, int threads, const NamedW
             progress.at(static_cast<double>(++finished));
         }
         hand_to_those_who_want(own, work.most_together);
-        std::this_thread::sleep_for(glance);
+        std::this_thread::sleep_for(poll_interval);
     }
     return true;
 }

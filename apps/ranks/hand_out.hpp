@@ -37,7 +37,7 @@ public:
 
     /// Has these pieces done, by the other ranks, which serve() with the same `work`, and on so many threads of this
     /// one (0: all); keeps each result once, in the order in which they come. A rank of which nothing is heard for half
-    /// a minute is told of, and its pieces are done by others; so is one whose work has another name. May be called
+    /// a minute is reported, and its pieces are done by others; so is one whose work has another name. May be called
     /// again.
     /// @return false if it was interrupted. Exceptions of a piece on this rank are passed on.
     bool run(std::span<const std::size_t> pieces, int threads, const NamedWork& work, Progress& progress,
@@ -48,7 +48,7 @@ private:
     struct Other {
         bool wants_work = false;
         bool lost = false;  ///< and not heard of since
-        bool told_of = false;
+        bool is_reported = false;
         bool has_gone = false;
         std::set<std::size_t> has;  ///< pieces that it was given and has not done
         Clock::time_point heard = Clock::now();
@@ -71,7 +71,7 @@ private:
 std::string name_of_work(const Settings& settings);
 
 /// A command on all ranks: rank 0 does what `lead` does, every other the work that `plan` gives, until rank 0 says that
-/// it is the end. (Where rank 0 dies, its launcher ends all.) Where `plan` throws, rank 0 is told why that rank can't
+/// it is the end. (Where rank 0 dies, its launcher ends all.) Where `plan` throws, rank 0 learns why that rank can't
 /// work.
 ///   threads  of this rank; 0: all
 /// @return the exit code

@@ -142,7 +142,7 @@ std::optional<Stretch> stretch_of(std::span<const double> curve, std::size_t beg
 }
 
 /// Half the difference between the first and the second half of the stretch.
-double bend_of(std::span<const double> curve, Stretch stretch) {
+double curvature_of(std::span<const double> curve, Stretch stretch) {
     const std::size_t half = std::max<std::size_t>(1, (stretch.end - stretch.begin) / 2);
     return std::abs(slope_of(curve, {stretch.begin, stretch.begin + half}) -
                     slope_of(curve, {stretch.end - half, stretch.end})) /
@@ -184,7 +184,7 @@ double jump_of(std::span<const double> curve) {
 }
 
 struct Rate {
-    double slope, scatter, bend, noise, typical;
+    double slope, scatter, curvature, noise, typical;
     bool clear;  // the stretch stays well below the attractor's size, and above the noise
 };
 
@@ -212,7 +212,7 @@ std::optional<Rate> rate_in(std::span<const double> x, std::size_t dimension, bo
     const double jump = flow ? jump_of(raw) : 0;
     return Rate{slope,
                 bootstrap(sums, slope_of_curve),
-                bend_of(curve, *stretch),
+                curvature_of(curve, *stretch),
                 2 * slope * jump,
                 typical_slope(divergence, slope_of_curve) / slope,
                 well_below && jump <= largest_jump};
@@ -247,12 +247,12 @@ SeriesExponent exponent_of_series(std::span<const double> series, bool sampled_f
         std::minmax_element(rates.begin(), rates.end(), [](const Rate& a, const Rate& b) { return a.slope < b.slope; });
     const double scatter = median_of(rates, &Rate::scatter);
     result.exponent = median_of(rates, &Rate::slope);
-    result.bend = median_of(rates, &Rate::bend);
+    result.curvature = median_of(rates, &Rate::curvature);
     result.spread = (most->slope - least->slope) / 2;
     result.typical = median_of(rates, &Rate::typical);
     result.noise = median_of(rates, &Rate::noise);
-    result.error = std::sqrt(2 * scatter * scatter + result.bend * result.bend + result.spread * result.spread +
-                             result.noise * result.noise);
+    result.error = std::sqrt(2 * scatter * scatter + result.curvature * result.curvature +
+                             result.spread * result.spread + result.noise * result.noise);
     return result;
 }
 

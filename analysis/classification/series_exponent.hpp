@@ -21,14 +21,14 @@ namespace swirl::analysis {
 /// far apart for that (short series, noise with a jump above 0.15, many dimensions), stretches that stay 1.2 below are
 /// taken: they show whether neighbours part, but too slowly.
 struct SeriesExponent {
-    bool resolved = false;  ///< the stretches stay 2.3 below, without a jump: exponent and error are λ's
-    double exponent = nan;  ///< per sample; NaN with fewer than two dimensions
-    double error = nan;     ///< its standard error, with what bias there may be
-    double bend = nan;      ///< half the difference of the slopes of the stretch's halves
-    double spread = nan;    ///< half the range of the dimensions' slopes
-    double noise = nan;     ///< of a flow, twice the exponent times the jump of the first step
-    double typical = nan;   ///< the median of the references' own slopes over their mean: 0 if a few pairs only part
-    int dimensions = 0;     ///< that have a stretch to fit
+    bool resolved = false;   ///< the stretches stay 2.3 below, without a jump: exponent and error are λ's
+    double exponent = nan;   ///< per sample; NaN with fewer than two dimensions
+    double error = nan;      ///< its standard error, with what bias there may be
+    double curvature = nan;  ///< half the difference of the slopes of the stretch's halves
+    double spread = nan;     ///< half the range of the dimensions' slopes
+    double noise = nan;      ///< of a flow, twice the exponent times the jump of the first step
+    double typical = nan;    ///< the median of the references' own slopes over their mean: 0 if a few pairs only part
+    int dimensions = 0;      ///< that have a stretch to fit
 
     /// Neighbours part: above two errors, and the typical pair does, not a few that jump as a random telegraph's do.
     bool is_positive() const;

@@ -230,7 +230,7 @@ T derivative_at(const Series<T>& series, const T& t) {
 }
 
 template <class T>
-T bend_of(const Series<T>& series, const T& t) {
+T second_derivative_bound(const Series<T>& series, const T& t) {
     T sum(0);
     for (int k = series_order<T>; k >= 2; --k) sum = Plain<T>(k * (k - 1)) * abs(series[k]) + t * sum;
     return sum;
@@ -263,7 +263,7 @@ Plain<T> step_of(const ContactSeries<T>& z, const Plain<T>& tolerance) {
     template T change_at<T>(const Series<T>&, const T&);                                                             \
     template T value_at<T>(const Series<T>&, const T&);                                                              \
     template T derivative_at<T>(const Series<T>&, const T&);                                                         \
-    template T bend_of<T>(const Series<T>&, const T&);                                                               \
+    template T second_derivative_bound<T>(const Series<T>&, const T&);                                               \
     template T reach_of<T>(const Series<T>&, const T&);                                                              \
     template Plain<T> step_of(const ContactSeries<T>&, const Plain<T>&);
 SWIRL_EVERY_NUMBER(SWIRL_COMPILE_CONTACT_SERIES)

@@ -62,7 +62,7 @@ T derivative_at(const Series<T>& series, const T& t);
 
 /// Bounds the second derivative within t: Σ k(k − 1)|cₖ| tᵏ⁻².
 template <class T>
-T bend_of(const Series<T>& series, const T& t);
+T second_derivative_bound(const Series<T>& series, const T& t);
 
 /// The largest step whose last terms are below `tolerance` of max(1, |value|) in each of ψ, χ, u_t, S and the sums;
 /// infinite for a motion whose last terms vanish.

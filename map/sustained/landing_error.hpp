@@ -68,14 +68,14 @@ T velocities_removed(const ContactScene<T>& scene, const PostImpactState<T>& bef
 /// For how long a neighbour's strike may come too early or too late, its distance to the wall being known to `unsure`
 /// only; 0 where it does not come within a time `lasts`.
 ///   room            χ_m − |χ|
-///   closing, bends  rate at which the neighbour comes to the wall, and that of the rate
+///   closing, acceleration  rate at which the neighbour comes to the wall, and that of the rate
 template <class T>
-T moment_unsure(const T& room, const T& closing, const T& bends, const T& lasts, const T& unsure) {
+T moment_unsure(const T& room, const T& closing, const T& acceleration, const T& lasts, const T& unsure) {
     using std::abs, std::sqrt;
-    const T most = unsure + closing * lasts + T(0.5) * std::max(T(0), bends) * lasts * lasts;
-    if (room > most || !(closing > T(0) || bends > T(0))) return T(0);
-    const T bent = bends > T(0) ? T(sqrt(T(2) * unsure / bends)) : T(closing / abs(bends));
-    return closing > T(0) ? std::min(T(unsure / closing), bent) : bent;
+    const T most = unsure + closing * lasts + T(0.5) * std::max(T(0), acceleration) * lasts * lasts;
+    if (room > most || !(closing > T(0) || acceleration > T(0))) return T(0);
+    const T late = acceleration > T(0) ? T(sqrt(T(2) * unsure / acceleration)) : T(closing / abs(acceleration));
+    return closing > T(0) ? std::min(T(unsure / closing), late) : late;
 }
 
 /// The same of a vertex whose neighbour comes to the wall before the rest of chatter is over: it strikes while the

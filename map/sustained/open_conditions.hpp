@@ -105,8 +105,8 @@ struct OpenConditions {
         if (held - condition.border > reach) return;
         condition.rounding = tolerance<T>(1e-9) * (abs(held) + reach);
         condition.dips_below = room ? T(8 * epsilon<T>() * abs(condition.border)) : T(-1e-4 * condition.rounding);
-        condition.curvature = abs(condition.factor) * bend_of(*condition.falls, h) +
-                              (condition.against ? bend_of(*condition.against, h) : T(0));
+        condition.curvature = abs(condition.factor) * second_derivative_bound(*condition.falls, h) +
+                              (condition.against ? second_derivative_bound(*condition.against, h) : T(0));
         list[count++] = condition;
     }
 

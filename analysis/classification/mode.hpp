@@ -1,6 +1,8 @@
 // The three modes of Sun 2019 (docs/references.md) and the finer kinds behind them.
 #pragma once
 
+#include "analysis/enum_name.hpp"
+
 #include <string_view>
 
 namespace swirl::analysis {
@@ -29,53 +31,29 @@ enum class Kind {
 };
 
 inline std::string_view name_of(Mode mode) {
-    switch (mode) {
-        case Mode::steady:
-            return "steady";
-        case Mode::quasi_steady:
-            return "quasi-steady";
-        case Mode::chaotic:
-            return "chaotic";
-        case Mode::undecided:
-            return "undecided";
-    }
-    return "";
+    using enum Mode;
+    return name_in<Mode>(
+        {{steady, "steady"}, {quasi_steady, "quasi-steady"}, {chaotic, "chaotic"}, {undecided, "undecided"}}, mode);
 }
 
 inline std::string_view name_of(Kind kind) {
-    switch (kind) {
-        case Kind::none:
-            return "none";
-        case Kind::fixed_point:
-            return "fixed-point";
-        case Kind::family:
-            return "family";
-        case Kind::cycle:
-            return "cycle";
-        case Kind::quasi_periodic:
-            return "quasi-periodic";
-        case Kind::landing:
-            return "landing";
-        case Kind::rolling:
-            return "rolling";
-        case Kind::rolling_librating:
-            return "rolling-librating";
-        case Kind::rolling_circulating:
-            return "rolling-circulating";
-        case Kind::sliding:
-            return "sliding";
-        case Kind::two_vertex:
-            return "two-vertex";
-        case Kind::chaotic:
-            return "chaotic";
-        case Kind::transient:
-            return "transient";
-        case Kind::accelerated:
-            return "accelerated";
-        case Kind::chord:
-            return "chord";
-    }
-    return "";
+    using enum Kind;
+    return name_in<Kind>({{none, "none"},
+                          {fixed_point, "fixed-point"},
+                          {family, "family"},
+                          {cycle, "cycle"},
+                          {quasi_periodic, "quasi-periodic"},
+                          {landing, "landing"},
+                          {rolling, "rolling"},
+                          {rolling_librating, "rolling-librating"},
+                          {rolling_circulating, "rolling-circulating"},
+                          {sliding, "sliding"},
+                          {two_vertex, "two-vertex"},
+                          {chaotic, "chaotic"},
+                          {transient, "transient"},
+                          {accelerated, "accelerated"},
+                          {chord, "chord"}},
+                         kind);
 }
 
 }  // namespace swirl::analysis

@@ -1,5 +1,6 @@
 #include "analysis/cycles/stability.hpp"
 
+#include "analysis/enum_name.hpp"
 #include "analysis/linear_algebra/dense.hpp"
 
 #include <algorithm>
@@ -8,15 +9,8 @@
 namespace swirl::analysis {
 
 std::string_view name_of(Stability stability) {
-    switch (stability) {
-        case Stability::stable:
-            return "stable";
-        case Stability::unstable:
-            return "unstable";
-        case Stability::neutral:
-            return "neutral";
-    }
-    return "?";
+    using enum Stability;
+    return name_in<Stability>({{stable, "stable"}, {unstable, "unstable"}, {neutral, "neutral"}}, stability);
 }
 
 bool is_one(std::complex<double> multiplier) {

@@ -1,5 +1,6 @@
 #include "analysis/lyapunov/cycle_exponents.hpp"
 
+#include "analysis/enum_name.hpp"
 #include "analysis/lyapunov/lost_ranks.hpp"
 #include "analysis/lyapunov/wide_schur.hpp"
 #include "analysis/special_values.hpp"
@@ -79,17 +80,12 @@ std::vector<WideMultiplier> wide_multipliers(std::span<const Eigen::MatrixXd> de
 }  // namespace
 
 std::string_view name_of(CycleOutcome outcome) {
-    switch (outcome) {
-        case CycleOutcome::completed:
-            return "completed";
-        case CycleOutcome::ended_early:
-            return "ended-early";
-        case CycleOutcome::not_finite:
-            return "not-finite";
-        case CycleOutcome::unresolved:
-            return "unresolved";
-    }
-    return "unknown";
+    using enum CycleOutcome;
+    return name_in<CycleOutcome>({{completed, "completed"},
+                                  {ended_early, "ended-early"},
+                                  {not_finite, "not-finite"},
+                                  {unresolved, "unresolved"}},
+                                 outcome);
 }
 
 CycleExponents cycle_exponents(std::span<const Eigen::MatrixXd> derivatives, double rank_tolerance) {

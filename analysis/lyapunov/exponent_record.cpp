@@ -1,6 +1,7 @@
 #include "analysis/lyapunov/exponent_record.hpp"
 
 #include "analysis/argument_error.hpp"
+#include "analysis/enum_name.hpp"
 #include "analysis/rotation/weighted_birkhoff.hpp"
 #include "analysis/special_values.hpp"
 
@@ -41,17 +42,12 @@ double ratio_error(const std::vector<double>& growth, const std::vector<double>&
 }  // namespace
 
 std::string_view name_of(LyapunovOutcome outcome) {
-    switch (outcome) {
-        case LyapunovOutcome::completed:
-            return "completed";
-        case LyapunovOutcome::ended_in_transient:
-            return "ended-in-transient";
-        case LyapunovOutcome::ended_early:
-            return "ended-early";
-        case LyapunovOutcome::not_finite:
-            return "not-finite";
-    }
-    return "unknown";
+    using enum LyapunovOutcome;
+    return name_in<LyapunovOutcome>({{completed, "completed"},
+                                     {ended_in_transient, "ended-in-transient"},
+                                     {ended_early, "ended-early"},
+                                     {not_finite, "not-finite"}},
+                                    outcome);
 }
 
 ExponentAccumulator::ExponentAccumulator(std::size_t dimension, const LyapunovOptions& options)

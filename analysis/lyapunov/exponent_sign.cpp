@@ -1,5 +1,6 @@
 #include "analysis/lyapunov/exponent_sign.hpp"
 
+#include "analysis/enum_name.hpp"
 #include "analysis/special_values.hpp"
 
 #include <algorithm>
@@ -55,17 +56,9 @@ double change_over_last_doubling(const LyapunovSpectrum& spectrum, std::size_t i
 }  // namespace
 
 std::string_view name_of(ExponentSign sign) {
-    switch (sign) {
-        case ExponentSign::positive:
-            return "positive";
-        case ExponentSign::negative:
-            return "negative";
-        case ExponentSign::neutral:
-            return "neutral";
-        case ExponentSign::undecided:
-            return "undecided";
-    }
-    return "unknown";
+    using enum ExponentSign;
+    return name_in<ExponentSign>(
+        {{positive, "positive"}, {negative, "negative"}, {neutral, "neutral"}, {undecided, "undecided"}}, sign);
 }
 
 SignEvidence judge_sign(const LyapunovSpectrum& spectrum, std::size_t index, const SignOptions& options) {

@@ -1,6 +1,7 @@
 #include "analysis/rotation/rotation_number.hpp"
 
 #include "analysis/argument_error.hpp"
+#include "analysis/enum_name.hpp"
 #include "analysis/rotation/weighted_birkhoff.hpp"
 #include "analysis/special_values.hpp"
 
@@ -97,21 +98,14 @@ bool is_constant(std::span<const double> samples) {
 }  // namespace
 
 std::string_view name_of(RotationOutcome outcome) {
-    switch (outcome) {
-        case RotationOutcome::quasi_periodic:
-            return "quasi-periodic";
-        case RotationOutcome::periodic:
-            return "periodic";
-        case RotationOutcome::not_converged:
-            return "not-converged";
-        case RotationOutcome::not_a_rotation:
-            return "not-a-rotation";
-        case RotationOutcome::constant:
-            return "constant";
-        case RotationOutcome::too_short:
-            return "too-short";
-    }
-    return "unknown";
+    using enum RotationOutcome;
+    return name_in<RotationOutcome>({{quasi_periodic, "quasi-periodic"},
+                                     {periodic, "periodic"},
+                                     {not_converged, "not-converged"},
+                                     {not_a_rotation, "not-a-rotation"},
+                                     {constant, "constant"},
+                                     {too_short, "too-short"}},
+                                    outcome);
 }
 
 Fraction simplest_fraction(double x, double tolerance, std::int64_t max_denominator) {

@@ -1,5 +1,6 @@
 #include "analysis/spectrum/lines.hpp"
 
+#include "analysis/enum_name.hpp"
 #include "analysis/special_values.hpp"
 
 #include <gsl/gsl_cdf.h>
@@ -145,21 +146,14 @@ std::vector<SpectralPeak> find_peaks(const PowerSpectrum& spectrum, const LineOp
 }
 
 std::string_view name_of(SpectrumVerdict verdict) {
-    switch (verdict) {
-        case SpectrumVerdict::constant:
-            return "constant";
-        case SpectrumVerdict::lines:
-            return "lines";
-        case SpectrumVerdict::continuum:
-            return "continuum";
-        case SpectrumVerdict::mixed:
-            return "mixed";
-        case SpectrumVerdict::nonstationary:
-            return "nonstationary";
-        case SpectrumVerdict::undecided:
-            return "undecided";
-    }
-    return "unknown";
+    using enum SpectrumVerdict;
+    return name_in<SpectrumVerdict>({{constant, "constant"},
+                                     {lines, "lines"},
+                                     {continuum, "continuum"},
+                                     {mixed, "mixed"},
+                                     {nonstationary, "nonstationary"},
+                                     {undecided, "undecided"}},
+                                    verdict);
 }
 
 LineShare line_share(const PowerSpectrum& spectrum, const LineOptions& options) {

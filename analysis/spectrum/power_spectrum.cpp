@@ -1,6 +1,7 @@
 #include "analysis/spectrum/power_spectrum.hpp"
 
 #include "analysis/argument_error.hpp"
+#include "analysis/enum_name.hpp"
 #include "analysis/spectrum/fft.hpp"
 #include "analysis/spectrum/segments.hpp"
 
@@ -221,15 +222,8 @@ PowerSpectrum estimate(std::span<const Sample> given, double spacing, const Spec
 }  // namespace
 
 std::string_view name_of(Detrend detrend) {
-    switch (detrend) {
-        case Detrend::none:
-            return "none";
-        case Detrend::mean:
-            return "mean";
-        case Detrend::linear:
-            return "linear";
-    }
-    return "unknown";
+    using enum Detrend;
+    return name_in<Detrend>({{none, "none"}, {mean, "mean"}, {linear, "linear"}}, detrend);
 }
 
 Detrend detrend_from_name(std::string_view word) {
@@ -240,17 +234,12 @@ Detrend detrend_from_name(std::string_view word) {
 }
 
 std::string_view name_of(SpectrumOutcome outcome) {
-    switch (outcome) {
-        case SpectrumOutcome::completed:
-            return "completed";
-        case SpectrumOutcome::constant:
-            return "constant";
-        case SpectrumOutcome::too_short:
-            return "too-short";
-        case SpectrumOutcome::no_complete_segment:
-            return "no-complete-segment";
-    }
-    return "unknown";
+    using enum SpectrumOutcome;
+    return name_in<SpectrumOutcome>({{completed, "completed"},
+                                     {constant, "constant"},
+                                     {too_short, "too-short"},
+                                     {no_complete_segment, "no-complete-segment"}},
+                                    outcome);
 }
 
 double bin_average_gain(double frequency) {

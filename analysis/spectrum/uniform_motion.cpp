@@ -1,5 +1,7 @@
 #include "analysis/spectrum/uniform_motion.hpp"
 
+#include "analysis/enum_name.hpp"
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -25,15 +27,8 @@ double spherical_bessel_1(double x) {
 }  // namespace
 
 std::string_view name_of(Frame frame) {
-    switch (frame) {
-        case Frame::laboratory:
-            return "laboratory";
-        case Frame::container:
-            return "container";
-        case Frame::corotating:
-            return "corotating";
-    }
-    return "unknown";
+    using enum Frame;
+    return name_in<Frame>({{laboratory, "laboratory"}, {container, "container"}, {corotating, "corotating"}}, frame);
 }
 
 Frame frame_from_name(std::string_view word) {

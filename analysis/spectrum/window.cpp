@@ -1,5 +1,7 @@
 #include "analysis/spectrum/window.hpp"
 
+#include "analysis/enum_name.hpp"
+
 #include <array>
 #include <cmath>
 #include <complex>
@@ -48,19 +50,13 @@ std::complex<double> dirichlet(std::size_t n, double x) {
 }  // namespace
 
 std::string_view name_of(Window window) {
-    switch (window) {
-        case Window::rectangular:
-            return "rectangular";
-        case Window::hann:
-            return "hann";
-        case Window::hamming:
-            return "hamming";
-        case Window::blackman_harris:
-            return "blackman-harris";
-        case Window::flat_top:
-            return "flat-top";
-    }
-    return "unknown";
+    using enum Window;
+    return name_in<Window>({{rectangular, "rectangular"},
+                            {hann, "hann"},
+                            {hamming, "hamming"},
+                            {blackman_harris, "blackman-harris"},
+                            {flat_top, "flat-top"}},
+                           window);
 }
 
 Window window_from_name(std::string_view word) {

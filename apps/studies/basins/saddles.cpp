@@ -1,24 +1,18 @@
 #include "apps/studies/basins/saddles.hpp"
 
+#include "analysis/enum_name.hpp"
+
 namespace swirl::studies::grids {
 
 std::string_view name_of(analysis::StraddleEnd end) {
-    using analysis::StraddleEnd;
-    switch (end) {
-        case StraddleEnd::found:
-            return "saddle";
-        case StraddleEnd::border:
-            return "border";
-        case StraddleEnd::rounding:
-            return "rounding";
-        case StraddleEnd::undecided:
-            return "undecided";
-        case StraddleEnd::ended:
-            return "ended";
-        case StraddleEnd::not_found:
-            return "not-found";
-    }
-    return "";
+    using enum analysis::StraddleEnd;
+    return analysis::name_in<analysis::StraddleEnd>({{found, "saddle"},
+                                                     {border, "border"},
+                                                     {rounding, "rounding"},
+                                                     {undecided, "undecided"},
+                                                     {ended, "ended"},
+                                                     {not_found, "not-found"}},
+                                                    end);
 }
 
 }  // namespace swirl::studies::grids

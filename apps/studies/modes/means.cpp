@@ -1,5 +1,7 @@
 #include "apps/studies/modes/means.hpp"
 
+#include "analysis/enum_name.hpp"
+
 #include <gsl/gsl_statistics_double.h>
 
 #include <cmath>
@@ -30,19 +32,9 @@ bool is_exact(analysis::Kind kind) {
 }  // namespace
 
 std::string_view name_of(MeanKind kind) {
-    switch (kind) {
-        case MeanKind::none:
-            return "none";
-        case MeanKind::exact:
-            return "exact";
-        case MeanKind::sampled:
-            return "sampled";
-        case MeanKind::bounded:
-            return "bounded";
-        case MeanKind::too_short:
-            return "too-short";
-    }
-    return "";
+    using enum MeanKind;
+    return analysis::name_in<MeanKind>(
+        {{none, "none"}, {exact, "exact"}, {sampled, "sampled"}, {bounded, "bounded"}, {too_short, "too-short"}}, kind);
 }
 
 MeanErrors errors_of_means(const analysis::Classification& verdict, std::span<const double> spins,

@@ -1,23 +1,18 @@
 #include "apps/studies/scene_map/accuracy.hpp"
 
+#include "analysis/enum_name.hpp"
+
 namespace swirl::studies {
 
 std::string_view name_of(Accuracy accuracy) {
-    switch (accuracy) {
-        case Accuracy::double_precision:
-            return "double";
-        case Accuracy::extended:
-            return "extended";
-        case Accuracy::quad:
-            return "quad";
-        case Accuracy::paper:
-            return "paper";
-        case Accuracy::brent:
-            return "brent";
-        case Accuracy::fixed_step:
-            return "fixed-step";
-    }
-    return "";
+    using enum Accuracy;
+    return analysis::name_in<Accuracy>({{double_precision, "double"},
+                                        {extended, "extended"},
+                                        {quad, "quad"},
+                                        {paper, "paper"},
+                                        {brent, "brent"},
+                                        {fixed_step, "fixed-step"}},
+                                       accuracy);
 }
 
 }  // namespace swirl::studies

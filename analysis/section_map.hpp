@@ -25,7 +25,7 @@ struct Advance {
     std::int64_t letter = 0;  ///< which smooth branch of the map was taken; their sequence is the itinerary (word)
     bool alive = true;        ///< false: the map ends here (no next impact, sustained contact, escape)
     double integral = 0;      ///< ∫ of the observable over the step's duration, for maps that have one
-    double effort = 1;        ///< what it cost, in ordinary steps of this map: by count, the same on every machine
+    double cost = 1;          ///< what it cost, in ordinary steps of this map: by count, the same on every machine
     bool derivative_is_zero =
         false;  ///< DF(z) = 0: z′ is the same whatever was before, so that the orbit repeats once it recurs
 };
@@ -39,7 +39,7 @@ struct Linearised {
     bool alive = true;
     Matrix<D> derivative;
     double integral = 0;
-    double effort = 2;  ///< as of Advance: an ordinary derivative costs as much as the step
+    double cost = 2;  ///< as of Advance: an ordinary derivative costs as much as the step
 };
 
 /// What an orbit keeps of a step that it has taken.
@@ -112,7 +112,7 @@ State<M> state_at(const M& map, const Vector<M::dimension>& point) {
 ///   map.angle_period(i)    the period of coordinate i if it is an angle (2π), 0 if it is a plain number
 ///   M::integrated          optional: the coordinate whose integral over a step is `integral`; all others (all, without
 ///                          it) count as constant over a step
-///   map.follow(z, n, stop, effort)  optional: see `follow`
+///   map.follow(z, n, stop, budget)  optional: see `follow`
 ///   map.coordinate(z, i)   optional: coordinate i alone, for those that cost less than all
 ///   map.linearise(z, known)  optional: see `linearise_known`
 template <class M>
@@ -147,8 +147,8 @@ Linearised<M::dimension, State<M>> linearise_known(const M& map, const State<M>&
 /// Asked now and then by what takes long: true to end it. Empty: never.
 using Stop = std::function<bool()>;
 
-/// What following an orbit has cost, in ordinary steps (Advance::effort), and how much it may.
-struct Effort {
+/// What following an orbit has cost, in ordinary steps (Advance::cost), and how much it may.
+struct StepBudget {
     double spent = 0;
     double most = infinity;
 
@@ -156,18 +156,18 @@ struct Effort {
 };
 
 /// Moves z on by `steps` steps and returns how many there were: fewer where the map ends (z is then the state that has
-/// no next one) or where it was stopped, or its effort is spent. A map that can do so faster than step by step has a
+/// no next one) or where it was stopped, or its budget is spent. A map that can do so faster than step by step has a
 /// `follow` of its own.
 template <SectionMap M>
-std::int64_t follow(const M& map, State<M>& z, std::int64_t steps, const Stop& stop, Effort& effort) {
-    if constexpr (requires { map.follow(z, steps, stop, effort); }) {
-        return map.follow(z, steps, stop, effort);
+std::int64_t follow(const M& map, State<M>& z, std::int64_t steps, const Stop& stop, StepBudget& budget) {
+    if constexpr (requires { map.follow(z, steps, stop, budget); }) {
+        return map.follow(z, steps, stop, budget);
     } else {
         constexpr std::int64_t between = 1024;  // steps from look to look
         for (std::int64_t i = 0; i < steps; ++i) {
-            if (effort.is_spent() || (stop && i % between == 0 && stop())) return i;
+            if (budget.is_spent() || (stop && i % between == 0 && stop())) return i;
             const auto step = map.advance(z);
-            effort.spent += step.effort;
+            budget.spent += step.cost;
             if (!goes_on(map, step)) return i;
             z = step.state;
         }
@@ -178,8 +178,8 @@ std::int64_t follow(const M& map, State<M>& z, std::int64_t steps, const Stop& s
 /// The same, whatever it costs.
 template <SectionMap M>
 std::int64_t follow(const M& map, State<M>& z, std::int64_t steps, const Stop& stop = {}) {
-    Effort effort;
-    return follow(map, z, steps, stop, effort);
+    StepBudget budget;
+    return follow(map, z, steps, stop, budget);
 }
 
 /// The coordinate whose integral a map gives, −1 if none.

@@ -208,10 +208,10 @@ inline void take_forgotten(Findings& findings, Classification& result) {
 }
 
 /// Everything after the search for a period and the exponent of the tail, and the verdict.
-///   effort  what a second search for a period may cost
+///   budget  what a second search for a period may cost
 template <SectionMap M>
 void look_further(const M& map, const Tail<M>& tail, int observable, const ClassifyOptions& options, Findings& findings,
-                  Classification& result, Effort& effort) {
+                  Classification& result, StepBudget& budget) {
     const auto take = [&](const FoundCycle<M>& cycle) {
         take_cycle(map, cycle, options, observable, findings, result);
     };
@@ -224,7 +224,7 @@ void look_further(const M& map, const Tail<M>& tail, int observable, const Class
         PeriodOptions thorough = options.period;
         thorough.candidates *= more_candidates;
         if (findings.rotation.outcome != RotationOutcome::quasi_periodic)
-            take(find_period(map, tail, thorough, effort));
+            take(find_period(map, tail, thorough, budget));
     }
     decide(findings, options, result);
 }
@@ -270,8 +270,8 @@ Classification classify_tail(const M& map, const Tail<M>& tail, int observable, 
         detail::take_forgotten(findings, result);
     else
         detail::take_exponent(detail::exponent_from(map, tail.first, steps), options, findings, result);
-    Effort effort;
-    detail::look_further(map, tail, observable, options, findings, result, effort);
+    StepBudget budget;
+    detail::look_further(map, tail, observable, options, findings, result, budget);
     return result;
 }
 

@@ -54,30 +54,30 @@ inline bool runs_away(const std::vector<double>& series) {
 }
 
 /// What the derivatives of n steps may cost.
-inline double most_effort_of_derivatives(std::int64_t n) {
-    return 3 * most_effort(n);
+inline double most_cost_of_derivatives(std::int64_t n) {
+    return 3 * most_cost(n);
 }
 
 /// Of how many of a tail's steps the derivative is taken: of all of them, unless what the first ones cost says that
-/// this exceeds `most_effort_of_derivatives` (differences through contact follow two neighbours a coordinate, for which
+/// this exceeds `most_cost_of_derivatives` (differences through contact follow two neighbours a coordinate, for which
 /// contact may be much longer). Ordinary steps are not asked.
 template <SectionMap M>
 std::int64_t steps_with_derivative(const M& map, const Tail<M>& tail) {
     constexpr std::int64_t asked = 32;
     const auto n = static_cast<std::int64_t>(tail.durations.size());
-    if (tail.effort < 1.5 * static_cast<double>(n)) return n;
-    const double most = most_effort_of_derivatives(n);
+    if (tail.cost < 1.5 * static_cast<double>(n)) return n;
+    const double most = most_cost_of_derivatives(n);
     State<M> z = tail.first;
-    double effort = 0;
+    double cost = 0;
     std::int64_t steps = 0;
-    while (steps < std::min(n, asked) && effort < most) {
+    while (steps < std::min(n, asked) && cost < most) {
         const auto step = map.linearise(z);
-        effort += step.effort;
+        cost += step.cost;
         ++steps;
         if (!goes_on(map, step)) break;
         z = step.state;
     }
-    return std::max(steps, std::min(n, static_cast<std::int64_t>(most / effort * static_cast<double>(steps))));
+    return std::max(steps, std::min(n, static_cast<std::int64_t>(most / cost * static_cast<double>(steps))));
 }
 
 /// Too few steps for any verdict.
@@ -88,13 +88,13 @@ template <SectionMap M>
 Evidence evidence_of_cut(const Tail<M>& tail, const ClassifyOptions& options) {
     const auto kept = static_cast<double>(tail.durations.size());
     return {"impacts judged", kept, static_cast<double>(options.collisions),
-            "each costs " + in_words(tail.effort / kept) +
+            "each costs " + in_words(tail.cost / kept) +
                 " ordinary ones, as in long contact: fewer were followed than the limits allow",
             "--exhaustive: all of them"};
 }
 
 /// A search for a cycle, by Newton's method through steps that cost much, which ended before it had tried everything.
-inline Evidence evidence_of_search_cut(const Effort& search) {
+inline Evidence evidence_of_search_cut(const StepBudget& search) {
     return {"search for a cycle", search.spent, search.most,
             "its derivatives cost more ordinary steps than the limits allow, as through long contact: it was given up, "
             "so that a cycle may be there",
@@ -119,7 +119,7 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, Clas
     options.period.poor_starts = false;
     const std::int64_t longest = std::min(options.period.max_period, n / 2);
     FoundCycle<M> cycle;
-    Effort search{0, most_effort_of_derivatives(n)};
+    StepBudget search{0, most_cost_of_derivatives(n)};
     if (tail.states.empty() || may_return(map, tail.states, longest, options.period.vicinity)) {
         if (tail.points.empty()) add_points(map, tail);
         cycle = find_period(map, tail, options.period, search);

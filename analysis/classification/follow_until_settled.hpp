@@ -27,21 +27,21 @@ inline std::int64_t next_look(std::int64_t look) {
 
 /// What so many steps may cost, in ordinary ones, before fewer are followed: ten thousand are followed in full where
 /// they cost 200 each on average.
-inline double most_effort(std::int64_t steps) {
+inline double most_cost(std::int64_t steps) {
     return std::max(2e6, 8 * static_cast<double>(steps));
 }
 
 /// What all looks for a cycle along so many steps may cost: beyond four times what the steps may, an orbit is followed
 /// to its end without them. Ordinary ones stay far below (4 candidates of a 24th of the steps, 20 derivatives each, add
 /// up to 20 steps for each step that is followed).
-inline double most_effort_of_looks(std::int64_t steps) {
-    return most_effort(4 * steps);
+inline double most_cost_of_looks(std::int64_t steps) {
+    return most_cost(4 * steps);
 }
 
 /// A tail whose kept steps belonged to the transient begins anew.
 template <SectionMap M>
 void forget_kept(Tail<M>& tail) {
-    tail.effort = 0;
+    tail.cost = 0;
     tail.derivative_is_zero = false;
     tail.states.clear();
     tail.durations.clear();
@@ -85,9 +85,9 @@ inline PeriodOptions affordable_periods(PeriodOptions options, std::int64_t long
 /// Looks at the last states of a tail.
 template <SectionMap M>
 FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, const PeriodOptions& wanted,
-                        Effort& effort) {
+                        StepBudget& budget) {
     constexpr double dear = 32, spent_on_one = 5000;  // of Newton's method at one look, in steps of the period
-    const double one = tail.effort / static_cast<double>(tail.durations.size());
+    const double one = tail.cost / static_cast<double>(tail.durations.size());
     const PeriodOptions options =
         one > dear ? affordable_periods(wanted, static_cast<std::int64_t>(spent_on_one / one)) : wanted;
     Tail<M> seen;
@@ -101,7 +101,7 @@ FoundCycle<M> look_back(const M& map, const Tail<M>& tail, std::int64_t window, 
     }
     seen.last = tail.last;
     seen.durations.assign(tail.durations.end() - count, tail.durations.end());
-    return settled_cycle(map, seen, options, effort);
+    return settled_cycle(map, seen, options, budget);
 }
 
 }  // namespace classification_detail
@@ -126,8 +126,8 @@ public:
           count_(count),
           options_(options),
           settles_(settles),
-          effort_{0, classification_detail::most_effort(transient)},
-          looks_{0, classification_detail::most_effort_of_looks(transient + count)} {
+          budget_{0, classification_detail::most_cost(transient)},
+          looks_{0, classification_detail::most_cost_of_looks(transient + count)} {
         search_on();
     }
 
@@ -139,9 +139,9 @@ public:
     /// Takes them.
     void take(const M& map, const Stop& stop) {
         if (!wanted_.kept) {
-            whole_ = skip_steps(map, z_, wanted_.count, orbit_.tail, stop, effort_);
+            whole_ = skip_steps(map, z_, wanted_.count, orbit_.tail, stop, budget_);
         } else {
-            const double most = orbit_.tail.effort + most_wanted();
+            const double most = orbit_.tail.cost + most_wanted();
             whole_ = record_steps(map, z_, wanted_.count, keep(), orbit_.tail, stop, most);
         }
     }
@@ -153,7 +153,7 @@ public:
         z_ = end;
         whole_ = true;
         orbit_.tail.steps += wanted_.count;
-        (wanted_.kept ? orbit_.tail.effort : effort_.spent) += static_cast<double>(wanted_.count) + excess;
+        (wanted_.kept ? orbit_.tail.cost : budget_.spent) += static_cast<double>(wanted_.count) + excess;
         if (!wanted_.kept) return;
         orbit_.tail.derivative_is_zero |= derivative_is_zero;
         orbit_.tail.last = orbit_.tail.states.back();
@@ -184,9 +184,9 @@ private:
     enum class Stage { searching, transient, keeping };
 
     Keep keep() const { return stage_ == Stage::keeping && !keeps_states() ? Keep::points : Keep::states; }
-    double most_kept() const { return classification_detail::most_effort(count_); }
+    double most_kept() const { return classification_detail::most_cost(count_); }
     double most_wanted() const {
-        return stage_ == Stage::keeping ? most_kept() - orbit_.tail.effort : effort_.most - effort_.spent;
+        return stage_ == Stage::keeping ? most_kept() - orbit_.tail.cost : budget_.most - budget_.spent;
     }
     void end() { wanted_ = {}; }
 
@@ -215,7 +215,7 @@ private:
         }
         if (!tail.cut) orbit_.cycle = detail::look_back(map, tail, window_, options_, looks_);
         if (orbit_.cycle.period > 0) return end();
-        effort_.spent += tail.effort;
+        budget_.spent += tail.cost;
         detail::forget_kept(tail);
         look_ = detail::next_look(look_);
         search_on();
@@ -254,7 +254,7 @@ private:
     std::int64_t transient_, count_;
     PeriodOptions options_;
     bool settles_;
-    Effort effort_, looks_;
+    StepBudget budget_, looks_;
     WantedSteps wanted_;
     Stage stage_ = Stage::searching;
     std::int64_t look_ = classification_detail::first_look, window_ = 0, before_ = 0;
@@ -274,8 +274,8 @@ FollowedOrbit<M> follow_to_end(SettlingOrbit<M> orbit, const M& map, const Stop&
 /// Follows an orbit from z through `transient` steps and `count` more that are kept, and ends as soon as it has settled
 /// on an attracting cycle (`settled_cycle`): looked for after 128, 192, 288, … steps.
 ///   settles  false where nothing can (a map that preserves volume): not looked for
-/// Where steps cost so much more than ordinary ones that either part exceeds `most_effort`, that part is cut short
-/// there (Tail::cut), by the counts of Advance::effort, so that the same orbit is cut at the same step everywhere. The
+/// Where steps cost so much more than ordinary ones that either part exceeds `most_cost`, that part is cut short
+/// there (Tail::cut), by the counts of Advance::cost, so that the same orbit is cut at the same step everywhere. The
 /// looks have a limit of their own, beyond which nothing is looked for until the end.
 /// Cost: the steps; `settled_cycle` at each look.
 template <SectionMap M>

@@ -87,14 +87,14 @@ bool approaches(const M& map, const Tail<M>& tail, const std::vector<Vector<M::d
     return shrinks_by_windows(farthest, windows, 2, 1e-6);
 }
 
-/// Fᵏ and its derivative at z; false if the map ends on the way, has no derivative there (NaN), or `effort` is spent.
+/// Fᵏ and its derivative at z; false if the map ends on the way, has no derivative there (NaN), or `budget` is spent.
 template <SectionMap M>
-bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::int64_t k, Effort& effort) {
+bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::int64_t k, StepBudget& budget) {
     derivative.setIdentity();
     for (std::int64_t i = 0; i < k; ++i) {
-        if (effort.is_spent()) return false;
+        if (budget.is_spent()) return false;
         const auto step = map.linearise(z);
-        effort.spent += step.effort;
+        budget.spent += step.cost;
         if (!goes_on(map, step) || !step.derivative.allFinite()) return false;
         derivative = step.derivative * derivative;
         z = step.state;
@@ -105,9 +105,10 @@ bool iterate(const M& map, State<M>& z, Matrix<M::dimension>& derivative, std::i
 /// Newton's method for Fᵏ(z) = z, from a point of the orbit itself: for cycles that attract one point is enough,
 /// however long they are. It is given up where it leads farther away than any cycle that the orbit settles on is, as
 /// on a torus, where Fᵏ − 1 is nearly singular. Returns the least residual reached, +∞ if there was none: the map
-/// ended, or `effort` was spent.
+/// ended, or `budget` was spent.
 template <SectionMap M>
-double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, const PeriodOptions& options, Effort& effort) {
+double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, const PeriodOptions& options,
+              StepBudget& budget) {
     const Vector<M::dimension> begin = point;
     const auto equations = [&](const Eigen::VectorXd& z) {
         ShootingResidual at;
@@ -115,7 +116,7 @@ double polish(const M& map, Vector<M::dimension>& point, std::int64_t k, const P
         if (!(distance(map, from, begin) <= 3 * approach_begins)) return at;
         State<M> image = state_at(map, from);
         Matrix<M::dimension> product;
-        at.alive = iterate(map, image, product, k, effort);
+        at.alive = iterate(map, image, product, k, budget);
         if (!at.alive) return at;
         at.gap = difference(map, coordinates(map, image), from);
         at.jacobian = product - Matrix<M::dimension>::Identity();
@@ -148,9 +149,9 @@ std::vector<Vector<M::dimension>> points_from(const M& map, State<M> z, std::int
 /// worst (a defective one of D = 5), 10⁻³, and the largest is neither nearer to the unit circle nor to 0 than 10⁻².
 /// Empty if that is not so.
 template <SectionMap M>
-std::vector<std::complex<double>> clear_multipliers(const M& map, State<M> z, std::int64_t k, Effort& effort) {
+std::vector<std::complex<double>> clear_multipliers(const M& map, State<M> z, std::int64_t k, StepBudget& budget) {
     Matrix<M::dimension> derivative;
-    if (!iterate(map, z, derivative, k, effort) || !(derivative.norm() < 100)) return {};
+    if (!iterate(map, z, derivative, k, budget) || !(derivative.norm() < 100)) return {};
     auto multipliers = sorted_multipliers(derivative);
     const double largest = std::abs(multipliers.front());
     if (!(largest < 0.99 && largest > 0.01)) return {};
@@ -158,12 +159,12 @@ std::vector<std::complex<double>> clear_multipliers(const M& map, State<M> z, st
 }
 
 /// Multipliers, family and attraction of a cycle whose point and period are known. False if the map ends on it, or
-/// `effort` is spent.
+/// `budget` is spent.
 template <SectionMap M>
-bool judge_multipliers(const M& map, const PeriodOptions& options, FoundCycle<M>& found, Effort& effort) {
-    if (!options.exact_multipliers) found.multipliers = clear_multipliers(map, found.state, found.period, effort);
+bool judge_multipliers(const M& map, const PeriodOptions& options, FoundCycle<M>& found, StepBudget& budget) {
+    if (!options.exact_multipliers) found.multipliers = clear_multipliers(map, found.state, found.period, budget);
     if (found.multipliers.empty()) {
-        if (effort.is_spent()) return false;
+        if (budget.is_spent()) return false;
         const CycleExponents exponents = cycle_exponents(map, found.state, found.period);
         if (exponents.outcome != CycleOutcome::completed) return false;
         found.multipliers = exponents.multipliers;
@@ -176,10 +177,10 @@ bool judge_multipliers(const M& map, const PeriodOptions& options, FoundCycle<M>
 /// Fills in the cycle of period k near the orbit's last state, if there is one.
 template <SectionMap M>
 FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, double closure,
-                         const PeriodOptions& options, Effort& effort) {
+                         const PeriodOptions& options, StepBudget& budget) {
     FoundCycle<M> found;
     found.point = tail.points.back();
-    found.residual = polish(map, found.point, k, options, effort);
+    found.residual = polish(map, found.point, k, options, budget);
     if (!(found.residual <= options.residual)) return found;
     found.state = state_at(map, found.point);
     auto points = points_from(map, found.state, k);
@@ -187,7 +188,7 @@ FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, doub
     const auto apart = [&](std::size_t i, std::size_t j) { return distance(map, points[i], points[j]); };
     points.resize(minimal_period(points.size(), options.closure, apart));
     found.period = static_cast<std::int64_t>(points.size());
-    if (!judge_multipliers(map, options, found, effort)) return {};
+    if (!judge_multipliers(map, options, found, budget)) return {};
     found.closure = closure;
     // A return of size d after j periods of a cycle with slowest multiplier m means a distance of d/(1 − mʲ).
     const double slowest = slowest_of(found.multipliers);
@@ -204,8 +205,8 @@ FoundCycle<M> cycle_near(const M& map, const Tail<M>& tail, std::int64_t k, doub
 /// tail. Where Newton's method leads elsewhere (on a border of the map, say) the orbit itself is the evidence.
 template <SectionMap M>
 FoundCycle<M> cycle_of_closed(const M& map, const Tail<M>& tail, std::int64_t k, double closure,
-                              const PeriodOptions& options, Effort& effort) {
-    auto found = cycle_near(map, tail, k, closure, options, effort);
+                              const PeriodOptions& options, StepBudget& budget) {
+    auto found = cycle_near(map, tail, k, closure, options, budget);
     const auto quarter = static_cast<std::int64_t>(tail.points.size() / 4);
     const bool closure_persists =
         return_distance(map, tail, k, std::max(k, quarter), options.closure) <= options.closure;
@@ -226,10 +227,10 @@ FoundCycle<M> cycle_of_closed(const M& map, const Tail<M>& tail, std::int64_t k,
 /// The smallest k ≤ max_period whose cycle the orbit is on, or is settling on: either it returns to `closure` after k
 /// steps, or Newton's method from its last state finds an attracting k-cycle within the distance that its own return
 /// suggests, which the tail has come nearer to. Period 0 if neither, or if steps accumulate (`accumulates`). What
-/// `effort` ends is not polished: an orbit that returns is then its own evidence, and one that settles has period 0.
+/// `budget` ends is not polished: an orbit that returns is then its own evidence, and one that settles has period 0.
 /// Cost: max_period² comparisons at worst, few in practice; 4 to 20 k derivatives per candidate.
 template <SectionMap M>
-FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options, Effort& effort) {
+FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options, StepBudget& budget) {
     namespace detail = classification_detail;
     const std::int64_t longest =
         std::min<std::int64_t>(options.max_period, static_cast<std::int64_t>(tail.points.size()) / 2);
@@ -237,7 +238,7 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     for (std::int64_t k = 1; k <= longest; ++k) {
         const double returned = detail::return_distance(map, tail, k, k, near.farthest());
         if (returned <= options.closure) {
-            auto found = detail::cycle_of_closed(map, tail, k, returned, options, effort);
+            auto found = detail::cycle_of_closed(map, tail, k, returned, options, budget);
             const bool lasts = !accumulates(map, tail, found.period, options.vicinity);
             if (lasts && (found.attracting || found.closure_persists)) return found;
             break;  // passes an unstable cycle, or steps accumulate: the multiples of k do, too
@@ -247,7 +248,7 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     FoundCycle<M> best;
     for (const auto& [returned, k] : near.all()) {
         if (!detail::may_approach(map, tail, k)) continue;
-        const auto found = detail::cycle_near(map, tail, k, returned, options, effort);
+        const auto found = detail::cycle_near(map, tail, k, returned, options, budget);
         if (found.period == 0 || !found.attracting || !found.approached || found.distance > found.farthest) continue;
         if (accumulates(map, tail, found.period, options.vicinity)) continue;
         if (best.period == 0 || found.period < best.period) best = found;
@@ -258,8 +259,8 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
 /// The same, whatever it costs.
 template <SectionMap M>
 FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options = {}) {
-    Effort effort;
-    return find_period(map, tail, options, effort);
+    StepBudget budget;
+    return find_period(map, tail, options, budget);
 }
 
 }  // namespace swirl::analysis

@@ -26,12 +26,12 @@ struct LinearPart {
     ContractionNorm norm;
 };
 
-/// None where A does not contract, the map ends on the cycle, or `effort` is spent.
+/// None where A does not contract, the map ends on the cycle, or `budget` is spent.
 template <SectionMap M>
-std::optional<LinearPart<M>> linear_part(const M& map, const FoundCycle<M>& cycle, Effort& effort) {
+std::optional<LinearPart<M>> linear_part(const M& map, const FoundCycle<M>& cycle, StepBudget& budget) {
     LinearPart<M> part{cycle.state, {}, {}, {}};
     State<M> z = cycle.state;
-    if (!iterate(map, z, part.product, cycle.period, effort)) return {};
+    if (!iterate(map, z, part.product, cycle.period, budget)) return {};
     part.image = coordinates(map, z);
     auto norm = contraction_norm(part.product);
     if (!norm) return {};
@@ -39,12 +39,12 @@ std::optional<LinearPart<M>> linear_part(const M& map, const FoundCycle<M>& cycl
     return part;
 }
 
-/// ‖Fᵏ(z* + x) − Fᵏ(z*) − Ax‖: what the linear part leaves out. Infinite where the map ends, or `effort` is spent.
+/// ‖Fᵏ(z* + x) − Fᵏ(z*) − Ax‖: what the linear part leaves out. Infinite where the map ends, or `budget` is spent.
 template <SectionMap M>
 double beyond_linear(const M& map, const LinearPart<M>& part, std::int64_t k, const Vector<M::dimension>& x,
-                     Effort& effort) {
+                     StepBudget& budget) {
     State<M> z = state_at(map, Vector<M::dimension>(coordinates(map, part.point) + x));
-    if (follow(map, z, k, {}, effort) < k) return infinity;
+    if (follow(map, z, k, {}, budget) < k) return infinity;
     const Vector<M::dimension> moved = difference(map, coordinates(map, z), part.image);
     const Vector<M::dimension> beyond = moved - part.product * x;
     return part.norm.of(beyond);
@@ -56,8 +56,8 @@ double beyond_linear(const M& map, const LinearPart<M>& part, std::int64_t k, co
 /// the radius' square, so that there is a factor of four to what would let the orbit stay away.
 /// Cost: k derivatives and 2D k steps.
 template <SectionMap M>
-bool linear_part_rules(const M& map, const Tail<M>& window, const FoundCycle<M>& cycle, Effort& effort) {
-    const auto part = linear_part(map, cycle, effort);
+bool linear_part_rules(const M& map, const Tail<M>& window, const FoundCycle<M>& cycle, StepBudget& budget) {
+    const auto part = linear_part(map, cycle, budget);
     if (!part) return false;
     const ContractionNorm& norm = part->norm;
     const Eigen::VectorXd away = difference(map, window.points.back(), cycle.point);
@@ -67,7 +67,7 @@ bool linear_part_rules(const M& map, const Tail<M>& window, const FoundCycle<M>&
     for (int axis = 0; axis < M::dimension; ++axis)
         for (const double side : {radius, -radius}) {
             const Vector<M::dimension> x = norm.axis(axis, side);
-            if (!(beyond_linear(map, *part, cycle.period, x, effort) <= 0.5 * (1 - norm.rate) * radius)) return false;
+            if (!(beyond_linear(map, *part, cycle.period, x, budget) <= 0.5 * (1 - norm.rate) * radius)) return false;
         }
     return true;
 }
@@ -79,12 +79,12 @@ inline constexpr double member_known = 1e-9;
 /// Is what Newton's method found what the orbit settles on?
 template <SectionMap M>
 bool is_certain(const M& map, const Tail<M>& window, const PeriodOptions& options, const FoundCycle<M>& cycle,
-                Effort& effort) {
+                StepBudget& budget) {
     if (cycle.period == 0 || !cycle.attracting || cycle.distance > cycle.farthest) return false;
     if (accumulates(map, window, cycle.period, options.vicinity)) return false;
     const bool closed = cycle.closure <= options.closure;  // rounding is all that is left: nothing shrinks any more
     if (!closed && !cycle.approached) return false;
-    if (cycle.family ? cycle.farthest > member_known : !linear_part_rules(map, window, cycle, effort)) return false;
+    if (cycle.family ? cycle.farthest > member_known : !linear_part_rules(map, window, cycle, budget)) return false;
     return rounding_growth(map, cycle.state, cycle.period) <= options.rounding;
 }
 
@@ -95,9 +95,9 @@ bool is_certain(const M& map, const Tail<M>& window, const PeriodOptions& option
 /// window are polished by Newton's method; the cycle must attract, the orbit must have come nearer to it from window to
 /// window, and lie where the linear part rules (`linear_part_rules`). A family's member: where returns are below 10⁻¹⁰.
 /// Cost: a comparison for each k where nothing is near; else 20 k derivatives and 2D k steps for each candidate, which
-/// `effort` counts: none is found where it is spent.
+/// `budget` counts: none is found where it is spent.
 template <SectionMap M>
-FoundCycle<M> settled_cycle(const M& map, const Tail<M>& window, const PeriodOptions& options, Effort& effort) {
+FoundCycle<M> settled_cycle(const M& map, const Tail<M>& window, const PeriodOptions& options, StepBudget& budget) {
     namespace detail = classification_detail;
     const auto n = static_cast<std::int64_t>(window.points.size());
     std::vector<std::pair<double, std::int64_t>> near;
@@ -113,8 +113,8 @@ FoundCycle<M> settled_cycle(const M& map, const Tail<M>& window, const PeriodOpt
     for (std::size_t i = 0; i < near.size() && i < static_cast<std::size_t>(options.candidates); ++i) {
         const auto [returned, k] = near[i];
         if (not_yet > 0 && k % not_yet == 0) continue;
-        auto cycle = detail::cycle_near(map, window, k, returned, options, effort);
-        if (detail::is_certain(map, window, options, cycle, effort)) return cycle;
+        auto cycle = detail::cycle_near(map, window, k, returned, options, budget);
+        if (detail::is_certain(map, window, options, cycle, budget)) return cycle;
         if (cycle.period > 0) not_yet = cycle.period;
     }
     return {};

@@ -23,7 +23,7 @@ struct Tail {
     State<M> first{};                          ///< the state at points.front(): where others follow the same orbit from
     State<M> last{};                           ///< the state at points.back()
     std::int64_t steps = 0;                    ///< steps taken in all, the transient included
-    double effort = 0;                         ///< what those that are kept cost (Advance::effort)
+    double cost = 0;                           ///< what those that are kept cost (Advance::cost)
     bool derivative_is_zero = false;  ///< DF = 0 in one of the steps that are kept (Advance::derivative_is_zero)
     bool cut = false;                 ///< fewer steps than were asked for: they cost too much
     bool ended = false;               ///< the map ended before all steps were taken
@@ -41,13 +41,13 @@ void keep_state(const State<M>& z, std::int64_t letter, Tail<M>& tail) {
 }
 
 /// Takes `count` steps from z on and keeps each one's state, to the end of the tail; z is the next one then.
-/// @return false where the map ended, or it was stopped: as the tail says; or where they have cost `most_effort`
+/// @return false where the map ended, or it was stopped: as the tail says; or where they have cost `most_cost`
 template <SectionMap M>
 bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail<M>& tail, const Stop& stop = {},
-                  double most_effort = infinity) {
+                  double most_cost = infinity) {
     constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
     for (std::int64_t i = 0; i < count; ++i) {
-        if (tail.effort >= most_effort) return false;
+        if (tail.cost >= most_cost) return false;
         if (stop && i % between == 0 && (tail.stopped = stop())) return false;
         const auto step = map.advance(z);
         if (!goes_on(map, step)) {
@@ -56,7 +56,7 @@ bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail
             return false;
         }
         ++tail.steps;
-        tail.effort += step.effort;
+        tail.cost += step.cost;
         tail.derivative_is_zero |= step.derivative_is_zero;
         if (keep == Keep::points)
             tail.points.push_back(coordinates(map, z));
@@ -71,14 +71,14 @@ bool record_steps(const M& map, State<M>& z, std::int64_t count, Keep keep, Tail
 }
 
 /// Moves z on by `count` steps, with a tail that has none yet.
-/// @return as `record_steps`, false also where `effort` is spent
+/// @return as `record_steps`, false also where `budget` is spent
 template <SectionMap M>
-bool skip_steps(const M& map, State<M>& z, std::int64_t count, Tail<M>& tail, const Stop& stop, Effort& effort) {
-    const std::int64_t done = follow(map, z, count, stop, effort);
+bool skip_steps(const M& map, State<M>& z, std::int64_t count, Tail<M>& tail, const Stop& stop, StepBudget& budget) {
+    const std::int64_t done = follow(map, z, count, stop, budget);
     tail.steps += done;
     if (done == count) return true;
     tail.stopped = stop && stop();
-    if (!tail.stopped && effort.is_spent()) return false;
+    if (!tail.stopped && budget.is_spent()) return false;
     tail.ended = !tail.stopped;
     tail.end = z;
     return false;
@@ -87,8 +87,8 @@ bool skip_steps(const M& map, State<M>& z, std::int64_t count, Tail<M>& tail, co
 /// The same, whatever it costs.
 template <SectionMap M>
 bool skip_steps(const M& map, State<M>& z, std::int64_t count, Tail<M>& tail, const Stop& stop = {}) {
-    Effort effort;
-    return skip_steps(map, z, count, tail, stop, effort);
+    StepBudget budget;
+    return skip_steps(map, z, count, tail, stop, budget);
 }
 
 /// Room for that many steps; a tail that is longer than a million grows as it is followed.

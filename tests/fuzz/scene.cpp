@@ -1,8 +1,8 @@
 // A scene and a start, any numbers. They are refused, or the orbit from there has finite states, impulses that do not
 // pull, times that do not fall and vertices inside, ends with a name, and costs no more than its steps may.
 #include "apps/command_line/start_options.hpp"
-#include "apps/studies/scene_map/effort.hpp"
 #include "apps/studies/scene_map/scene_orbit.hpp"
+#include "apps/studies/scene_map/step_cost.hpp"
 #include "map/first_contact/bounds.hpp"
 #include "tests/fuzz/bytes.hpp"
 #include "tests/fuzz/outcome.hpp"
@@ -20,7 +20,7 @@ constexpr int most_impacts = 60;
 /// Of contact without an impact, a twentieth of the program's own: most of the time would go into motions that last.
 constexpr double horizon = contact_horizon / 20;
 /// In ordinary impacts: an orbit is left after so much. One step may cost more, see require_bounded.
-constexpr double most_effort = 2'000;
+constexpr double most_cost = 2'000;
 
 /// κ: a body's is at most 1.
 constexpr double least_inertia = 1e-100, most_inertia = 1e6;
@@ -116,13 +116,13 @@ void require_bounded(const ReturnStep<double>& step) {
 }
 
 void follow(const Scene<double>& scene, SceneOrbit<double>& orbit) {
-    double time = 0, effort = 0;
+    double time = 0, cost = 0;
     bool alive = true;
-    for (int impact = 0; alive && impact < most_impacts && effort < most_effort; ++impact) {
+    for (int impact = 0; alive && impact < most_impacts && cost < most_cost; ++impact) {
         alive = orbit.advance(horizon);
         require_bounded(orbit.return_step());
         require_contacts(orbit.contacts());
-        effort += effort_of(orbit.return_step());
+        cost += cost_of(orbit.return_step());
         if (!alive) break;
         require_impact(scene, orbit, time);
         time = orbit.lab().t;

@@ -1,10 +1,10 @@
 // A scene's dynamics in double: those of its map itself.
 #pragma once
 
-#include "apps/studies/scene_map/effort.hpp"
 #include "apps/studies/scene_map/exact_return.hpp"
 #include "apps/studies/scene_map/lanes.hpp"
 #include "apps/studies/scene_map/scene_dynamics.hpp"
+#include "apps/studies/scene_map/step_cost.hpp"
 #include "map/orbit/return_derivative.hpp"
 
 namespace swirl::studies {
@@ -13,20 +13,20 @@ namespace swirl::studies {
 ///   advance  the step in place, ReturnMap's: ReturnStep → Outcome
 template <class AdvanceStep>
 std::int64_t follow_steps(const Body<double>& body, PostImpactState<double>& z, std::int64_t steps,
-                          const analysis::Stop& stop, analysis::Effort& effort, const AdvanceStep& advance) {
+                          const analysis::Stop& stop, analysis::StepBudget& budget, const AdvanceStep& advance) {
     constexpr std::int64_t between = 1024;  // steps from one look at `stop` to the next
     ReturnStep<double> step;
     step.collision.after = z;
     ExactReturn exact;
     bool repeats = false;
     std::int64_t done = 0, look = 0;
-    while (done < steps && !effort.is_spent()) {
+    while (done < steps && !budget.is_spent()) {
         if (stop && done >= look) {
             if (stop()) break;
             look = done + between;
         }
         const Outcome outcome = advance(step);
-        effort.spent += effort_of(step);
+        budget.spent += cost_of(step);
         if (outcome != Outcome::completed) break;
         const PostImpactState<double>& after = step.collision.after;
         if (has_come_to_rest(body, after) || has_diverged(body, after)) break;
@@ -68,8 +68,8 @@ public:
         return return_map_.advance(step, horizon, sink);
     }
     std::int64_t follow(State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
-                        analysis::Effort& effort) const override {
-        return follow_steps(body(), z, steps, stop, effort,
+                        analysis::StepBudget& budget) const override {
+        return follow_steps(body(), z, steps, stop, budget,
                             [this, horizon](Step& step) { return return_map_.advance(step, horizon); });
     }
 

@@ -48,8 +48,8 @@ public:
         return outcome;
     }
     std::int64_t follow(State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
-                        analysis::Effort& effort) const override {
-        return follow_steps(body(), z, steps, stop, effort,
+                        analysis::StepBudget& budget) const override {
+        return follow_steps(body(), z, steps, stop, budget,
                             [this, horizon](Step& step) { return advance(step, horizon, {}); });
     }
 

@@ -36,7 +36,7 @@ public:
     virtual Outcome advance(Step& step, double horizon, const ContactSink& sink) const = 0;
     /// See analysis::follow.
     virtual std::int64_t follow(State& z, std::int64_t steps, double horizon, const analysis::Stop& stop,
-                                analysis::Effort& effort) const = 0;
+                                analysis::StepBudget& budget) const = 0;
 
     /// Orbits that take their steps together, lane by lane; only where the rule and the arithmetic have lanes.
     virtual bool goes_together_with(const SceneDynamics&) const { return false; }

@@ -1,7 +1,7 @@
 #include "apps/studies/scene_map/scene_map.hpp"
 
-#include "apps/studies/scene_map/effort.hpp"
 #include "apps/studies/scene_map/scene_dynamics.hpp"
+#include "apps/studies/scene_map/step_cost.hpp"
 #include "map/baselines/baseline_map.hpp"
 #include "map/numbers/quad.hpp"
 
@@ -92,7 +92,7 @@ template <int D>
 auto SceneMap<D>::advance_by(const ReturnStep<double>& known) const -> analysis::Advance<D, State> {
     analysis::Advance<D, State> step;
     step.alive = goes_on(known);
-    step.effort = effort_of(known);
+    step.cost = cost_of(known);
     if (step.alive) fill(step, known);
     step.derivative_is_zero = has_rested(known);
     return step;
@@ -103,7 +103,7 @@ auto SceneMap<D>::linearise(const State& z) const -> analysis::Linearised<D, Sta
     const ReturnStep<double> known = return_step(z);
     analysis::Linearised<D, State> step;
     step.alive = goes_on(known);
-    step.effort = 2 * effort_of(known);  // of a last contact too: 10⁵ series, where it is cut
+    step.cost = 2 * cost_of(known);  // of a last contact too: 10⁵ series, where it is cut
     if (!step.alive) return step;
     fill(step, known);
     if (known.contacts.empty()) {
@@ -112,7 +112,7 @@ auto SceneMap<D>::linearise(const State& z) const -> analysis::Linearised<D, Sta
     }
     long series = 0;
     step.derivative = through_contact(section_point(z), known, series);
-    step.effort += effort_per_series * static_cast<double>(series);
+    step.cost += cost_per_series * static_cast<double>(series);
     return step;
 }
 
@@ -126,15 +126,15 @@ auto SceneMap<D>::linearise(const State& z, const analysis::KnownStep<State>& kn
     step.duration = known.duration;
     step.letter = known.letter;
     step.integral = z.spin * known.duration;
-    step.effort = 1;
+    step.cost = 1;
     step.derivative = dynamics_->through_kept_flight(z, {known.duration, letter.vertex_step, letter.mode, known.state});
     return step;
 }
 
 template <int D>
 std::int64_t SceneMap<D>::follow(State& z, std::int64_t steps, const analysis::Stop& stop,
-                                 analysis::Effort& effort) const {
-    return dynamics_->follow(z, steps, horizon_, stop, effort);
+                                 analysis::StepBudget& budget) const {
+    return dynamics_->follow(z, steps, horizon_, stop, budget);
 }
 
 template <int D>

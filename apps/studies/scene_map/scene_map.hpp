@@ -54,7 +54,7 @@ public:
     /// The same of a step that an orbit has taken: without a search for the contact where it was a flight.
     analysis::Linearised<D, State> linearise(const State& z, const analysis::KnownStep<State>& known) const;
     /// See analysis::follow. In place, and what repeats itself to the bit (ExactReturn) is not followed again.
-    std::int64_t follow(State& z, std::int64_t steps, const analysis::Stop& stop, analysis::Effort& effort) const;
+    std::int64_t follow(State& z, std::int64_t steps, const analysis::Stop& stop, analysis::StepBudget& budget) const;
 
     /// May this scene's orbits take their steps together with those of the other's? (Of one shape and impact rule.)
     bool goes_together_with(const SceneMap& other) const;

@@ -22,7 +22,7 @@ struct Keeper {
         const std::size_t i = place_of(orbit);
         auto& steps = orbits[i];
         if (impact.alone != nullptr) {
-            steps.excess += effort_of(*impact.alone) - 1;
+            steps.excess += cost_of(*impact.alone) - 1;
             steps.derivative_is_zero |= has_rested(*impact.alone);
             if (steps.excess > steps.most_excess) orbit.wanted = orbit.done;  // it goes on alone
         }

@@ -118,13 +118,13 @@ TEST(Classify, ASuperstableOrbitNeedsOneReturn) {
 struct ForgetfulChaos {
     static constexpr int dimension = 1;
     double width;
-    double effort = 1;  ///< of a step; of a derivative twenty times that
+    double cost = 1;  ///< of a step; of a derivative twenty times that
     Advance<1> advance(const Vector<1>& z) const {
         const bool derivative_is_zero = z[0] < width;
-        return {Vector<1>{derivative_is_zero ? 0.3 : 4 * z[0] * (1 - z[0])}, 1, 0, true, 0, effort, derivative_is_zero};
+        return {Vector<1>{derivative_is_zero ? 0.3 : 4 * z[0] * (1 - z[0])}, 1, 0, true, 0, cost, derivative_is_zero};
     }
     Linearised<1> linearise(const Vector<1>& z) const {
-        return {advance(z).state, 1, 0, true, Matrix<1>{z[0] < width ? 0.0 : 4 - 8 * z[0]}, 0, 20 * effort};
+        return {advance(z).state, 1, 0, true, Matrix<1>{z[0] < width ? 0.0 : 4 - 8 * z[0]}, 0, 20 * cost};
     }
     static double angle_period(int) { return 0; }
     /// How many of 10,000 steps after 10,000 forget.

@@ -81,8 +81,8 @@ TEST(Settled, ABorderWithinTheBallIsSeen) {
         window.points = {Vector<1>{away}};
         FoundCycle<JumpsBeyond> at_zero;
         at_zero.period = 1;
-        Effort effort;
-        EXPECT_EQ(classification_detail::linear_part_rules(map, window, at_zero, effort), rules) << away;
+        StepBudget budget;
+        EXPECT_EQ(classification_detail::linear_part_rules(map, window, at_zero, budget), rules) << away;
     }
 }
 

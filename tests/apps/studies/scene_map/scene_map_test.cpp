@@ -84,7 +84,7 @@ TEST(SceneMap, LinearisesStepsThatAreKnown) {
                 EXPECT_EQ(known.duration, step.duration);
                 EXPECT_EQ(known.letter, step.letter);
                 EXPECT_EQ(known.integral, step.integral);
-                EXPECT_EQ(known.effort, step.letter < 0 ? step.effort : 1) << "impact " << i + 2;
+                EXPECT_EQ(known.cost, step.letter < 0 ? step.cost : 1) << "impact " << i + 2;
                 ++(step.letter < 0 ? through_contact : flights);
                 const double off = (known.derivative - step.derivative).norm();
                 EXPECT_LE(off, step.letter < 0 ? 0 : 1e-11 * step.derivative.norm()) << "impact " << i + 2;

@@ -69,9 +69,9 @@ void compare_gain(const SceneMap<polygon_dimension>& map, const Scene<double>& s
         return sum / averaged;
     };
     const double from = speed_at(scene, *chord, mean_energy());
-    analysis::Effort effort;
+    analysis::StepBudget budget;
     const std::int64_t between = followed_on / 2;
-    map.follow(z, between - averaged, {}, effort);
+    map.follow(z, between - averaged, {}, budget);
     const double to = speed_at(scene, *chord, mean_energy());
     if (std::abs(to / from - 1) < 0.01) return;  // too little gain to be compared
     looked.impacts_ratio = impacts_between(scene, *chord, from, to) / static_cast<double>(between);
@@ -84,8 +84,8 @@ Looked look_at(const Scene<double>& scene, std::uint64_t seed) {
     if (begin.outcome != Outcome::completed) return looked;
     auto z = begin.state;
     for (int i = 0; i < looks; ++i) {
-        analysis::Effort effort;
-        if (map.follow(z, between_looks, {}, effort) < between_looks) return {};
+        analysis::StepBudget budget;
+        if (map.follow(z, between_looks, {}, budget) < between_looks) return {};
         if (const auto found = look(map, scene, z, (i + 1) * between_looks)) looked.looks.push_back(*found);
     }
     if (looked.looks.empty()) return looked;

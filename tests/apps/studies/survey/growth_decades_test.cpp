@@ -90,8 +90,8 @@ double spin_after(const Scene<double>& scene, const Chord& chord, double v, int 
     auto z =
         post_impact_state(SectionPoint<double>{0, 0, -v * std::cos(chord.angle), v * std::sin(chord.angle) + scene.beta,
                                                -v * std::sin(chord.angle) / scene.alpha});
-    analysis::Effort effort;
-    map.follow(z, many, {}, effort);
+    analysis::StepBudget budget;
+    map.follow(z, many, {}, budget);
     const int averaged = 10'000;
     double mean = 0;
     for (int n = 0; n < averaged; ++n) {

@@ -133,11 +133,11 @@ Taken expect_taken(const Map& map, double beta, std::size_t orbits, std::int64_t
         const bool keeps = i % 2 == 0;
         EXPECT_EQ(of_one.states.size(), keeps ? static_cast<std::size_t>(count) : 0);
         PostImpactState<double> z = before[i].z;
-        double effort = 0;
+        double cost = 0;
         bool derivative_is_zero = false;
         for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
             const auto step = map.advance(z);
-            effort += step.effort;
+            cost += step.cost;
             derivative_is_zero |= step.derivative_is_zero;
             taken.through_contact += step.letter < 0;
             if (keeps && k < of_one.states.size()) {
@@ -149,7 +149,7 @@ Taken expect_taken(const Map& map, double beta, std::size_t orbits, std::int64_t
             z = step.state;
         }
         EXPECT_TRUE(same_bits(lanes[i].z, z)) << i;
-        EXPECT_EQ(lanes[i].excess + static_cast<double>(count), effort);
+        EXPECT_EQ(lanes[i].excess + static_cast<double>(count), cost);
         EXPECT_EQ(lanes[i].derivative_is_zero, derivative_is_zero);
         taken.forgetful += derivative_is_zero;
     }

@@ -25,12 +25,12 @@ struct Costly {
     double step = 1, derivative = 2;
     Advance<1> advance(const Vector<1>& z) const {
         auto taken = map.advance(z);
-        taken.effort = step;
+        taken.cost = step;
         return taken;
     }
     Linearised<1> linearise(const Vector<1>& z) const {
         auto taken = map.linearise(z);
-        taken.effort = derivative;
+        taken.cost = derivative;
         return taken;
     }
     static double angle_period(int) { return 0; }
@@ -42,7 +42,7 @@ const Evidence* evidence_of(const Classification& verdict, const std::string& na
     return found == verdict.evidence.end() ? nullptr : &*found;
 }
 
-TEST(Effort, StepsThatCostMuchAreCutShortAndSaidToBe) {
+TEST(StepBudget, StepsThatCostMuchAreCutShortAndSaidToBe) {
     const auto verdict = classify_sequentially(Costly{Logistic{4}, 1e3, 2e3}, Vector<1>{0.3}, 0);
     EXPECT_EQ(verdict.mode, Mode::chaotic);
     EXPECT_EQ(verdict.steps, 4000);  // 2·10⁶ of either part
@@ -54,7 +54,7 @@ TEST(Effort, StepsThatCostMuchAreCutShortAndSaidToBe) {
 }
 
 /// A multiplier of −0.9999: only Newton's method finds the fixed point within 20,000 steps.
-TEST(Effort, ASearchThatCostsTooMuchIsGivenUpAndSaidToBe) {
+TEST(StepBudget, ASearchThatCostsTooMuchIsGivenUpAndSaidToBe) {
     const auto found = classify_sequentially(Costly{Logistic{2.9999}}, Vector<1>{0.3}, 0);
     EXPECT_EQ(found.kind, Kind::fixed_point);
     const auto given_up = classify_sequentially(Costly{Logistic{2.9999}, 1, 1e6}, Vector<1>{0.3}, 0);
@@ -75,18 +75,18 @@ maps::LinearMap<2> turning(double m) {
 
 /// A circle returns near to itself after each Fibonacci number of steps, and no nearer from window to window: Newton's
 /// method is not asked, but where they are smaller by chance. What comes nearer, by 1 % along the tail, is found by it.
-TEST(Effort, NewtonsMethodIsAskedOfReturnsThatShrinkOnly) {
+TEST(StepBudget, NewtonsMethodIsAskedOfReturnsThatShrinkOnly) {
     const auto found = [](double m) {
-        Effort effort;
+        StepBudget budget;
         const auto map = turning(m);
-        const auto cycle = find_period(map, follow_tail(map, Vector<2>{0.05, 0}, 0, 10'000), PeriodOptions{}, effort);
-        return std::pair(cycle.period, effort.spent);
+        const auto cycle = find_period(map, follow_tail(map, Vector<2>{0.05, 0}, 0, 10'000), PeriodOptions{}, budget);
+        return std::pair(cycle.period, budget.spent);
     };
     EXPECT_EQ(found(1), std::pair(std::int64_t{0}, 0.0));
     for (const double slow : {1.1e-6, 2e-6, 5e-6, 1e-5, 1e-4}) EXPECT_EQ(found(1 - slow).first, 1) << slow;
 }
 
-TEST(Effort, OnlyTheNearestReturnsAreTried) {
+TEST(StepBudget, OnlyTheNearestReturnsAreTried) {
     classification_detail::NearestReturns near(2, 0.5), none(0, 0.5);
     for (const auto& [returned, k] : {std::pair(0.4, 1), {0.6, 2}, {0.3, 3}, {0.4, 4}, {0.1, 5}}) {
         near.add(returned, k);

@@ -6,14 +6,14 @@
 namespace swirl::studies {
 
 /// What a power series in contact costs, with the search for what ends it.
-inline constexpr double effort_per_series = 16;
+inline constexpr double cost_per_series = 16;
 
 /// The cost of a return step in ordinary ones (0.3 … 1 µs), from counts, so that it is the same on every machine.
-inline double effort_of(const ReturnStep<double>& step) {
+inline double cost_of(const ReturnStep<double>& step) {
     constexpr int ordinary_looks = 32;  // moments at which a flight is evaluated: with more it is dearer
     constexpr double per_look = 0.5;    // among all vertices: two arc tangents, two sincos
     const double flight = step.collision.steps > ordinary_looks ? per_look * step.collision.steps : 1;
-    return flight + effort_per_series * static_cast<double>(contact_steps(step));
+    return flight + cost_per_series * static_cast<double>(contact_steps(step));
 }
 
 }  // namespace swirl::studies

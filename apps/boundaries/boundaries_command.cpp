@@ -111,7 +111,7 @@ Agreement search_and_compare(CurveSearch& search, const Scene<double>& scene, co
     Agreement first = compare(scene, plane, search.found().curves, map, options.max_period, is_interrupted);
     const auto runs = missing_runs(first);
     if (runs.empty() || is_interrupted()) return first;
-    search.follow(seeds_of_runs(scene, plane, runs, map.starts, options));
+    search.follow(starting_points_of_runs(scene, plane, runs, map.starts, options));
     Agreement agreement = compare(scene, plane, search.found().curves, map, options.max_period, is_interrupted);
     agreement.led_by_runs = first.missing_cells - std::min(agreement.missing_cells, first.missing_cells);
     return agreement;
@@ -140,22 +140,22 @@ int boundaries(BoundariesOptions& options) {
         warn_without_checksum(options.against, options.output.quiet);
     }
     const auto on_lines = static_cast<std::size_t>(options.max_period.value_or(default_max_period));
-    std::vector<Seed> seeds;
+    std::vector<StartingPoint> starting_points;
     if (!options.from.empty()) {
-        seeds = seeds_of_record(options.from, scene, plane);
+        starting_points = starting_points_of_record(options.from, scene, plane);
         warn_without_checksum(options.from, options.output.quiet);
     }
     std::optional<RecordWriter> record =
         open_record(options.output, "Curves of bifurcations of a swirled polygon",
                     {options.scene.file(), options.from, options.against}, options.scene.units());
     note_interruptions();
-    if (options.from.empty()) seeds = seeds_on_lines(scene, plane, lines_of(options, on_lines));
+    if (options.from.empty()) starting_points = starting_points_on_lines(scene, plane, lines_of(options, on_lines));
     std::size_t longest = 1;
-    for (const Seed& seed : seeds) longest = std::max(longest, seed.points.size());
+    for (const StartingPoint& start : starting_points) longest = std::max(longest, start.points.size());
     if (map && options.from.empty())  // the map's runs have cycles that no line has met
         longest = std::max(longest, on_lines);
     CurveSearch search(scene, plane, {options.longest_step, longest, run_control(options.output)});
-    search.follow(seeds);
+    search.follow(starting_points);
     std::optional<Agreement> agreement;
     if (map) agreement = search_and_compare(search, scene, plane, *map, lines_of(options, longest));
     PlaneCurves found = search.found();

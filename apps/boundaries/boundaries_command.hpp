@@ -13,7 +13,7 @@ struct BoundariesOptions {
     SceneOptions scene;
     OutputOptions output;
     std::vector<std::string> plane;
-    std::optional<int> max_period, lines;  ///< 4 and 12 unless the seeds are of a record
+    std::optional<int> max_period, lines;  ///< 4 and 12 unless the starting points are of a record
     std::string from, against;
     double longest_step = 0.02;
 

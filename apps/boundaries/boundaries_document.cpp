@@ -171,7 +171,7 @@ void write_curves_document(const BoundariesOptions& options, const Scene<double>
         if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
         write_json(json, "curves", curve_table(plane), found.curves);
         json.member("outcome", outcome_of(found));
-        json.member("seeds", found.seeds);
+        json.member("seeds", found.starting_points);
         json.member("without_curve", found.without);
         json.list("not_followed", found.left_out);
         if (agreement) write_agreement(json, plane, *agreement);
@@ -215,7 +215,7 @@ void print_curves(const Plane& plane, const PlaneCurves& found) {
                        special.cycle.parameters[0], plane.axes[1].name, special.cycle.parameters[1]);
     }
     fmt::print("{} curves: {}; sought from {} special points, {} of which led to none\n", found.curves.size(),
-               counts_of(found.curves), found.seeds, found.without);
+               counts_of(found.curves), found.starting_points, found.without);
     for (const auto& kind : found.left_out) fmt::print("not followed: {}\n", kind);
     if (!found.whole) fmt::print("interrupted: curves are missing\n");
 }

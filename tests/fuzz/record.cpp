@@ -62,10 +62,10 @@ bool read_as_cycles(const std::string& file) {
     });
 }
 
-bool read_as_seeds(const std::string& file) {
+bool read_as_starting_points(const std::string& file) {
     const Scene<double> scene{6, 0.4, 0.5, 0.5, 0.9, Law::poisson, 5.0 / 12};
     const auto plane = boundaries::plane_from({"beta=0.3:0.7", "mu=0.3:0.7"});
-    return answers([&] { boundaries::seeds_of_record(file, scene, plane); });
+    return answers([&] { boundaries::starting_points_of_record(file, scene, plane); });
 }
 
 bool read_as_shard(const std::string& file) {
@@ -85,7 +85,7 @@ void read_made_record(Bytes& bytes) {
     const bool is_record = answers([&] { read_everything(RecordReader(file.name())); });
     bool is_read = false;
     for (const auto reader :
-         {read_as_orbit, read_for_a_verdict, read_as_series, read_as_cycles, read_as_seeds, read_as_shard})
+         {read_as_orbit, read_for_a_verdict, read_as_series, read_as_cycles, read_as_starting_points, read_as_shard})
         is_read = reader(file.name()) || is_read;
     require(!whole || (is_record && is_read), "what a command writes is read by another");
 }

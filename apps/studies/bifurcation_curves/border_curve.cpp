@@ -67,7 +67,7 @@ analysis::PlaneCurveOptions options_of(const WordMap& map, const Plane& plane, c
 /// The cycle, solved, on the border itself; false if it is none.
 bool begin(const WordMap& map, const Plane& plane, const BorderCycle& cycle, const analysis::CurveProblem& problem,
            analysis::CurvePoint& start) {
-    constexpr double farthest = 0.05;  // seeds lie within 10⁻³, times of grazing within their samples
+    constexpr double farthest = 0.05;  // starting points lie within 10⁻³, times of grazing within their samples
     const Eigen::VectorXd y = unknowns_of(map, cycle);
     Eigen::VectorXd along = Eigen::VectorXd::Zero(y.size());
     along[layout_of(map, cycle).parameters()] = 1;

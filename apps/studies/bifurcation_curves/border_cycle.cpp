@@ -1,6 +1,6 @@
 #include "apps/studies/bifurcation_curves/border_cycle.hpp"
 
-#include "apps/studies/bifurcation_curves/seeds.hpp"
+#include "apps/studies/bifurcation_curves/starting_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,8 @@ bool is_on_border(std::string_view kind) {
 
 namespace {
 
-/// Velocities, times and gaps that count as zero where a seed lies: branches are followed to 10⁻⁶ of a border and then
-/// extrapolated; curves to 10⁻⁹, where an impact has 10⁻⁶.
+/// Velocities, times and gaps that count as zero where a starting point lies: branches are followed to 10⁻⁶ of a border
+/// and then extrapolated; curves to 10⁻⁹, where an impact has 10⁻⁶.
 constexpr double nearly = 1e-3;
 
 /// Numbers the cycle from flight `first` on.
@@ -114,9 +114,9 @@ bool find_second_vertex(const WordMap& map, BorderCycle& cycle) {
 }
 
 /// The impact whose contact mode changes on the border, and what changes there.
-bool find_slip(const Seed& seed, BorderCycle& cycle) {
-    for (std::size_t i = 0; i < seed.modes_before.size() && i < seed.modes_behind.size(); ++i) {
-        const ContactMode a = seed.modes_before[i], b = seed.modes_behind[i];
+bool find_slip(const StartingPoint& start, BorderCycle& cycle) {
+    for (std::size_t i = 0; i < start.modes_before.size() && i < start.modes_behind.size(); ++i) {
+        const ContactMode a = start.modes_before[i], b = start.modes_behind[i];
         if (a == b) continue;
         if (a == ContactMode::sliding || b == ContactMode::sliding)
             cycle.touch = Touch::slip_ends;
@@ -128,7 +128,7 @@ bool find_slip(const Seed& seed, BorderCycle& cycle) {
     return false;
 }
 
-/// The impact nearest to a change of its contact mode, and what changes there: where the seed names no modes.
+/// The impact nearest to a change of its contact mode, and what changes there: where the starting point names no modes.
 bool find_nearest_slip(const WordMap& map, BorderCycle& cycle) {
     double least = nearly;
     std::optional<std::size_t> impact;
@@ -153,20 +153,21 @@ bool find_nearest_slip(const WordMap& map, BorderCycle& cycle) {
 
 }  // namespace
 
-std::optional<BorderCycle> border_cycle_of(const WordMap& map, const Seed& seed) {
-    if (seed.border) return seed.border;
-    if (seed.times.size() != seed.points.size()) return std::nullopt;
+std::optional<BorderCycle> border_cycle_of(const WordMap& map, const StartingPoint& start) {
+    if (start.border) return start.border;
+    if (start.times.size() != start.points.size()) return std::nullopt;
     BorderCycle cycle;
-    cycle.points = seed.points;
-    cycle.times = seed.times;
-    cycle.vertices = seed.vertices;
-    cycle.p = seed.p;
-    if (seed.kind == "two-vertices") {
+    cycle.points = start.points;
+    cycle.times = start.times;
+    cycle.vertices = start.vertices;
+    cycle.p = start.p;
+    if (start.kind == "two-vertices") {
         if (map.sides == 0 || !find_second_vertex(map, cycle)) return std::nullopt;
         return cycle;
     }
-    if (seed.kind == "stick-slip") {
-        if (!(seed.modes_before.empty() ? find_nearest_slip(map, cycle) : find_slip(seed, cycle))) return std::nullopt;
+    if (start.kind == "stick-slip") {
+        if (!(start.modes_before.empty() ? find_nearest_slip(map, cycle) : find_slip(start, cycle)))
+            return std::nullopt;
         return cycle;
     }
     if (const auto impact = vanishing_impact(map, cycle)) {

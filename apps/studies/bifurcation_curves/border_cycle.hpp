@@ -38,11 +38,11 @@ struct BorderCycle {
     Eigen::Vector2d p{0, 0};
 };
 
-struct Seed;
+struct StartingPoint;
 
-/// The cycle of a seed whose kind is grazing, two-vertices or stick-slip: what it says itself, or what is seen of it.
-/// Empty where it has no flights to name (through sustained contact), where nothing touches, or where no impact is left
-/// (the vanishing impact of a fixed point).
-std::optional<BorderCycle> border_cycle_of(const WordMap& map, const Seed& seed);
+/// The cycle of a starting point whose kind is grazing, two-vertices or stick-slip: what it says itself, or what is
+/// seen of it. Empty where it has no flights to name (through sustained contact), where nothing touches, or where no
+/// impact is left (the vanishing impact of a fixed point).
+std::optional<BorderCycle> border_cycle_of(const WordMap& map, const StartingPoint& start);
 
 }  // namespace swirl::studies::bifurcation_curves

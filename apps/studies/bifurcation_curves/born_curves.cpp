@@ -87,25 +87,26 @@ std::vector<double> signs_of(Touch touch, bool strikes) {
     return {1, -1};
 }
 
-std::optional<Seed> seed_of(const BornSystem& system, const analysis::PlaneMap& map,
-                            const analysis::BoundaryOptions& options) {
+std::optional<StartingPoint> starting_point_of(const BornSystem& system, const analysis::PlaneMap& map,
+                                               const analysis::BoundaryOptions& options) {
     const auto cycle = system.solve();
     if (!cycle) return std::nullopt;
     const auto shooting = analysis::shooting_residual(map, analysis::stacked(cycle->points), cycle->p);
     constexpr double closes = 1e-7;
     if (!shooting.alive || !(shooting.gap.lpNorm<Eigen::Infinity>() < closes)) return std::nullopt;
     if (system.multiplier.imag() == 0)
-        return Seed{system.multiplier.real() > 0 ? "fold" : "flip", cycle->points, cycle->p, system.multiplier};
+        return StartingPoint{system.multiplier.real() > 0 ? "fold" : "flip", cycle->points, cycle->p,
+                             system.multiplier};
     const auto on_curve = analysis::critical_cycle_near(map, analysis::BoundaryKind::neimark_sacker, cycle->points,
                                                         cycle->p, system.multiplier, options);
     if (!on_curve) return std::nullopt;
-    return Seed{"neimark-sacker", on_curve->points, on_curve->p, on_curve->multiplier};
+    return StartingPoint{"neimark-sacker", on_curve->points, on_curve->p, on_curve->multiplier};
 }
 
-Seed seed_on_border(const BorderCycle& cycle) {
-    Seed seed{std::string(name_of(cycle.touch)), cycle.points, cycle.p, -1};
-    seed.border = cycle;
-    return seed;
+StartingPoint starting_point_on_border(const BorderCycle& cycle) {
+    StartingPoint start{std::string(name_of(cycle.touch)), cycle.points, cycle.p, -1};
+    start.border = cycle;
+    return start;
 }
 
 /// The critical multiplier at a special point of a border curve; none if it is a neutral saddle's.
@@ -120,10 +121,10 @@ std::optional<std::complex<double>> multiplier_at(const WordMap& words, const Bo
 
 }  // namespace
 
-BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
-                        const analysis::BoundaryOptions& options, std::size_t longest_period,
-                        const BorderCurve& curve) {
-    BornSeeds born;
+BornPoints points_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
+                          const analysis::BoundaryOptions& options, std::size_t longest_period,
+                          const BorderCurve& curve) {
+    BornPoints born;
     for (const auto& special : curve.arc.special) {
         const auto multiplier = multiplier_at(words, curve, special);
         if (!multiplier) continue;
@@ -132,20 +133,20 @@ BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, con
         const std::size_t period = curve.like.points.size() + (strikes ? 1 : 0);
         if (*multiplier == -1.0 && !strikes && 2 * period <= longest_period) {
             if (const auto doubled = doubled_on_border(words, plane, cycle))
-                born.seeds.push_back(seed_on_border(*doubled));
+                born.starting_points.push_back(starting_point_on_border(*doubled));
             else
                 ++born.not_found;
         }
         if (period > longest_period) continue;
         if (strikes) cycle = with_impact(words, cycle, 0);
         for (const double sign : signs_of(cycle.touch, strikes)) {
-            std::optional<Seed> seed;
+            std::optional<StartingPoint> start;
             for (const double off : {1e-3, 1e-4, 1e-5})
-                if (!seed)
-                    seed = seed_of({words, plane, cycle, strikes, *multiplier, special.at.tangent, sign * off}, map,
-                                   options);
-            if (seed)
-                born.seeds.push_back(std::move(*seed));
+                if (!start)
+                    start = starting_point_of(
+                        {words, plane, cycle, strikes, *multiplier, special.at.tangent, sign * off}, map, options);
+            if (start)
+                born.starting_points.push_back(std::move(*start));
             else
                 ++born.not_found;
         }

@@ -8,8 +8,8 @@ namespace swirl::studies::bifurcation_curves {
 /// Special points of grazing curves of their own: a multiplier of the cycle with the impact that vanishes there.
 inline constexpr const char *fold_of_impact = "fold-vanishing-impact", *flip_of_impact = "flip-vanishing-impact";
 
-struct BornSeeds {
-    std::vector<Seed> seeds;
+struct BornPoints {
+    std::vector<StartingPoint> starting_points;
     std::size_t not_found = 0;  ///< special points, or sides of them, of which Newton's method found none
 };
 
@@ -19,7 +19,8 @@ struct BornSeeds {
 /// vanished has such a rate. Those that the map itself closes to 10⁻⁷. At a multiplier −1 also the doubled cycle on the
 /// same border (doubled_border.hpp). Of periods up to `longest_period`.
 /// Cost: some 10 k(D + 1) steps of the map for each.
-BornSeeds seeds_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
-                        const analysis::BoundaryOptions& options, std::size_t longest_period, const BorderCurve& curve);
+BornPoints points_born_on(const WordMap& words, const analysis::PlaneMap& map, const Plane& plane,
+                          const analysis::BoundaryOptions& options, std::size_t longest_period,
+                          const BorderCurve& curve);
 
 }  // namespace swirl::studies::bifurcation_curves

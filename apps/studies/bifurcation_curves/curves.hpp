@@ -1,7 +1,7 @@
 // The curves of a plane as they are written, whatever equations they solve.
 #pragma once
 
-#include "apps/studies/bifurcation_curves/seeds.hpp"
+#include "apps/studies/bifurcation_curves/starting_points.hpp"
 
 #include <limits>
 #include <memory>
@@ -42,7 +42,7 @@ struct FollowOptions {
 
 struct PlaneCurves {
     std::vector<Curve> curves;
-    std::size_t seeds = 0;              ///< special points that curves were sought from
+    std::size_t starting_points = 0;    ///< special points that curves were sought from
     std::size_t without = 0;            ///< of those: at which none was found
     std::vector<std::string> left_out;  ///< kinds of borders that are not followed, each once
     bool whole = true;                  ///< false: stopped before all were followed
@@ -54,10 +54,10 @@ public:
     CurveSearch(const Scene<double>& scene, const Plane& plane, const FollowOptions& options);
     ~CurveSearch();
 
-    /// The curve through every seed, and the curves that these lead to: borders that smooth curves end on, fold and
-    /// flip curves that end on borders, curves that cross others or end on them at their points of codimension 2. What
-    /// a stop leaves is what was finished.
-    void follow(const std::vector<Seed>& seeds);
+    /// The curve through every starting point, and the curves that these lead to: borders that smooth curves end on,
+    /// fold and flip curves that end on borders, curves that cross others or end on them at their points of
+    /// codimension 2. What a stop leaves is what was finished.
+    void follow(const std::vector<StartingPoint>& starting_points);
     PlaneCurves found() const;
 
 private:

@@ -29,8 +29,8 @@ std::complex<double> critical_multiplier(const std::string& kind, double angle) 
 }
 
 /// The cycles in the rows of a group with `points`, `period` and `kind`.
-std::vector<Seed> cycles_of(const RecordReader& record, const std::string& file, const std::string& group,
-                            Eigen::Index dimension) {
+std::vector<StartingPoint> cycles_of(const RecordReader& record, const std::string& file, const std::string& group,
+                                     Eigen::Index dimension) {
     const auto shape = record.info(group + "/points").shape;
     const auto all = record.read<double>(group + "/points");
     const auto periods = record.read<std::int64_t>(group + "/period");
@@ -40,23 +40,23 @@ std::vector<Seed> cycles_of(const RecordReader& record, const std::string& file,
     if (shape.size() != 3 || shape[0] != periods.size() || shape[2] != static_cast<std::uint64_t>(dimension) ||
         all.size() != shape[0] * shape[1] * shape[2] || !std::all_of(periods.begin(), periods.end(), fits))
         refuse_damaged(file, group);
-    std::vector<Seed> seeds;
+    std::vector<StartingPoint> starting_points;
     for (std::size_t row = 0; row < periods.size(); ++row) {
-        Seed seed;
+        StartingPoint start;
         for (std::size_t i = 0; i < static_cast<std::size_t>(periods[row]); ++i) {
             Eigen::VectorXd z(static_cast<Eigen::Index>(shape.at(2)));
             for (std::size_t a = 0; a < shape.at(2); ++a)
                 z[static_cast<Eigen::Index>(a)] = all[(row * shape.at(1) + i) * shape.at(2) + a];
-            seed.points.push_back(std::move(z));
+            start.points.push_back(std::move(z));
         }
-        seeds.push_back(std::move(seed));
+        starting_points.push_back(std::move(start));
     }
-    return seeds;
+    return starting_points;
 }
 
 /// Of `continue` and `bifurcate`: special points along one parameter of the plane.
-std::vector<Seed> seeds_of_branches(const RecordReader& record, const std::string& file, const Scene<double>& scene,
-                                    const Plane& plane) {
+std::vector<StartingPoint> starting_points_of_branches(const RecordReader& record, const std::string& file,
+                                                       const Scene<double>& scene, const Plane& plane) {
     const auto along = record.attribute<std::string>("/settings", "along");
     const int axis = along == plane.axes[0].name ? 0 : 1;
     const ParameterRange& other = plane.axes[static_cast<std::size_t>(1 - axis)];
@@ -68,32 +68,33 @@ std::vector<Seed> seeds_of_branches(const RecordReader& record, const std::strin
     const auto value = record.attribute<double>("/scene", other_name);
     if (!record.contains("/special/points"))
         throw BadInput(fmt::format("record '{}' holds no special points of branches", file));
-    auto seeds = cycles_of(record, file, "/special", dimension_of(scene));
+    auto starting_points = cycles_of(record, file, "/special", dimension_of(scene));
     const auto kinds = record.read_strings("/special/kind");
     const auto parameters = record.read<double>("/special/parameter");
     const auto angles = record.read<double>("/special/form_angle");
-    if (kinds.size() != seeds.size() || parameters.size() != seeds.size() || angles.size() != seeds.size())
+    if (kinds.size() != starting_points.size() || parameters.size() != starting_points.size() ||
+        angles.size() != starting_points.size())
         refuse_damaged(file, "/special");
-    for (std::size_t i = 0; i < seeds.size(); ++i) {
-        seeds[i].kind = kinds[i];
-        seeds[i].p[axis] = parameters[i];
-        seeds[i].p[1 - axis] = value;
-        seeds[i].multiplier = critical_multiplier(kinds[i], angles[i]);
+    for (std::size_t i = 0; i < starting_points.size(); ++i) {
+        starting_points[i].kind = kinds[i];
+        starting_points[i].p[axis] = parameters[i];
+        starting_points[i].p[1 - axis] = value;
+        starting_points[i].multiplier = critical_multiplier(kinds[i], angles[i]);
     }
-    for (Seed& seed : seeds) {  // what the map's steps from the cycle say
-        const bool touches = seed.kind == "grazing" || seed.kind == "two-vertices";
-        const bool has_angle = seed.kind != "neimark-sacker" || std::isfinite(std::abs(seed.multiplier));
+    for (StartingPoint& start : starting_points) {  // what the map's steps from the cycle say
+        const bool touches = start.kind == "grazing" || start.kind == "two-vertices";
+        const bool has_angle = start.kind != "neimark-sacker" || std::isfinite(std::abs(start.multiplier));
         if (!touches && has_angle) continue;
         const auto shooting =
-            analysis::shooting_residual(shooting_map_of(scene_at(scene, plane, seed.p)), seed.points, 0);
+            analysis::shooting_residual(shooting_map_of(scene_at(scene, plane, start.p)), start.points, 0);
         if (!shooting.alive) continue;
         if (touches)
-            name_flights(seed, shooting.steps);
+            name_flights(start, shooting.steps);
         else
-            seed.multiplier = critical_pair(analysis::sorted_multipliers(analysis::monodromy(shooting)));
+            start.multiplier = critical_pair(analysis::sorted_multipliers(analysis::monodromy(shooting)));
     }
-    std::erase_if(seeds, [](const Seed& seed) { return seed.kind == "branch-point"; });
-    return seeds;
+    std::erase_if(starting_points, [](const StartingPoint& start) { return start.kind == "branch-point"; });
+    return starting_points;
 }
 
 /// What the rows of a record's cycles say of those on a border. @throws BadInput if it is no such thing
@@ -115,20 +116,20 @@ public:
         longest_ = times_.size() / rows;
     }
 
-    BorderCycle at(std::size_t row, const Seed& seed) const {
+    BorderCycle at(std::size_t row, const StartingPoint& start) const {
         BorderCycle cycle;
-        if (touch_[row] < 1 || touch_[row] > touch_names.size() || seed.points.size() > longest_)
+        if (touch_[row] < 1 || touch_[row] > touch_names.size() || start.points.size() > longest_)
             refuse_damaged(file_, "/curves");
         cycle.touch = static_cast<Touch>(touch_[row] - 1);
         const bool grazes = cycle.touch == Touch::grazing;
-        if (name_of(cycle.touch) != seed.kind || !is_vertex(static_cast<double>(vertex_[row])) ||
+        if (name_of(cycle.touch) != start.kind || !is_vertex(static_cast<double>(vertex_[row])) ||
             (grazes && !std::isfinite(touch_time_[row])))
             refuse_damaged(file_, "/curves");
         cycle.vertex = static_cast<int>(vertex_[row]);
         cycle.touch_time = grazes ? touch_time_[row] : 0;
-        cycle.points = seed.points;
-        cycle.p = seed.p;
-        for (std::size_t i = 0; i < seed.points.size(); ++i) {
+        cycle.points = start.points;
+        cycle.p = start.p;
+        for (std::size_t i = 0; i < start.points.size(); ++i) {
             const double time = times_[row * longest_ + i], vertex = vertices_[row * longest_ + i];
             if (!std::isfinite(time) || !is_vertex(vertex)) refuse_damaged(file_, "/curves");
             cycle.times.push_back(time);
@@ -149,8 +150,8 @@ private:
 };
 
 /// Of `boundaries`: of each curve a cycle in the middle of each stretch of it that lies in the plane.
-std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string& file, const Scene<double>& scene,
-                                  const Plane& plane) {
+std::vector<StartingPoint> starting_points_of_curves(const RecordReader& record, const std::string& file,
+                                                     const Scene<double>& scene, const Plane& plane) {
     for (const auto& [name, axis] : {std::pair("first", 0), std::pair("second", 1)})
         if (record.attribute<std::string>("/settings", name) != plane.axes[static_cast<std::size_t>(axis)].name)
             throw BadInput(fmt::format("record '{}' is of another plane", file));
@@ -167,35 +168,36 @@ std::vector<Seed> seeds_of_curves(const RecordReader& record, const std::string&
         refuse_damaged(file, "/curves");
     const auto lies_in = [&](std::size_t row) { return is_in(plane, {first[row], second[row]}); };
     std::optional<BorderRows> borders;
-    std::vector<Seed> seeds;
+    std::vector<StartingPoint> starting_points;
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
         end = begin + 1;
         if (!lies_in(begin)) continue;
         while (end < all.size() && curve[end] == curve[begin] && lies_in(end)) ++end;
         const std::size_t middle = begin + (end - begin) / 2;
-        Seed seed = all[middle];
-        seed.kind = kinds[static_cast<std::size_t>(curve[begin])];
-        seed.p = {first[middle], second[middle]};
-        seed.multiplier = critical_multiplier(seed.kind, angles[middle]);
-        if (is_on_border(seed.kind)) {
+        StartingPoint start = all[middle];
+        start.kind = kinds[static_cast<std::size_t>(curve[begin])];
+        start.p = {first[middle], second[middle]};
+        start.multiplier = critical_multiplier(start.kind, angles[middle]);
+        if (is_on_border(start.kind)) {
             if (!borders) borders.emplace(record, file, scene, all.size());
-            seed.border = borders->at(middle, seed);
+            start.border = borders->at(middle, start);
         }
-        seeds.push_back(std::move(seed));
+        starting_points.push_back(std::move(start));
     }
-    return seeds;
+    return starting_points;
 }
 
 }  // namespace
 
-std::vector<Seed> seeds_of_record(const std::string& file, const Scene<double>& scene, const Plane& plane) {
+std::vector<StartingPoint> starting_points_of_record(const std::string& file, const Scene<double>& scene,
+                                                     const Plane& plane) {
     try {
         const RecordReader record(file);
         if (!record.contains("/scene") || !record.contains("/settings"))
             throw BadInput(
                 fmt::format("record '{}' is none of: continue, bifurcate with --branches, boundaries", file));
-        if (record.has_attribute("/settings", "along")) return seeds_of_branches(record, file, scene, plane);
-        if (record.has_attribute("/settings", "first")) return seeds_of_curves(record, file, scene, plane);
+        if (record.has_attribute("/settings", "along")) return starting_points_of_branches(record, file, scene, plane);
+        if (record.has_attribute("/settings", "first")) return starting_points_of_curves(record, file, scene, plane);
         throw BadInput(fmt::format("record '{}' is none of: continue, bifurcate with --branches, boundaries", file));
     } catch (const RecordError& error) {
         throw BadInput(error.what());

@@ -1,5 +1,5 @@
 // Where curves begin: cycles that runs of a map came to.
-#include "apps/studies/bifurcation_curves/seeds.hpp"
+#include "apps/studies/bifurcation_curves/starting_points.hpp"
 #include "apps/studies/diagrams/attractor.hpp"
 #include "tests/apps/studies/scene_map/scene_of.hpp"
 
@@ -31,28 +31,28 @@ std::optional<std::uint64_t> undecided_run(const Eigen::Vector2d& p, std::uint64
     return std::nullopt;
 }
 
-std::vector<bifurcation_curves::Seed> seeds_from(const Eigen::Vector2d& p, std::uint64_t run) {
+std::vector<bifurcation_curves::StartingPoint> starting_points_from(const Eigen::Vector2d& p, std::uint64_t run) {
     const bifurcation_curves::Plane plane{
         {ParameterRange{"alpha", Parameter::alpha, 0.1, 0.9}, ParameterRange{"beta", Parameter::beta, 0.05, 1.05}}};
-    return bifurcation_curves::seeds_of_runs(hexagon_at(p), plane, {{p, run}}, usual, {});
+    return bifurcation_curves::starting_points_of_runs(hexagon_at(p), plane, {{p, run}}, usual, {});
 }
 
-TEST(SeedsOfRuns, AnUndecidedRunHasAllItsSamplesButNoCycle) {
+TEST(StartingPointsOfRuns, AnUndecidedRunHasAllItsSamplesButNoCycle) {
     const Eigen::Vector2d p{0.38140703517587937, 0.82889447236180902};
     const auto run = undecided_run(p, 200);  // some one in thirty
     ASSERT_TRUE(run) << "no run to ask";
     const auto attractor = settled_on(p, *run);
     EXPECT_GT(attractor.states.size(), 1000U);
     EXPECT_FALSE(diagrams::is_on_cycle(attractor));
-    EXPECT_TRUE(seeds_from(p, *run).empty());  // a system of so many points would not fit into memory
+    EXPECT_TRUE(starting_points_from(p, *run).empty());  // a system of so many points would not fit into memory
 }
 
-TEST(SeedsOfRuns, ARunOnACycleLeadsToTheEndsOfItsBranches) {
+TEST(StartingPointsOfRuns, ARunOnACycleLeadsToTheEndsOfItsBranches) {
     const Eigen::Vector2d p{0.4, 0.5};
     const auto attractor = settled_on(p, 0);
     ASSERT_TRUE(diagrams::is_on_cycle(attractor));
     EXPECT_EQ(attractor.states.size(), static_cast<std::size_t>(attractor.period));
-    EXPECT_FALSE(seeds_from(p, 0).empty());
+    EXPECT_FALSE(starting_points_from(p, 0).empty());
 }
 
 }  // namespace

@@ -26,16 +26,16 @@ public:
           border_options_{follow.longest_step, follow.control.stop},
           follow_(follow) {}
 
-    void follow(const Seed& seed) {
-        ++result_.seeds;
-        if (const auto kind = smooth_kind(seed.kind)) return follow_smooth(seed, *kind);
-        if (is_on_border(seed.kind)) return follow_touch(seed);
-        if (std::find(result_.left_out.begin(), result_.left_out.end(), seed.kind) == result_.left_out.end())
-            result_.left_out.push_back(seed.kind);
+    void follow(const StartingPoint& start) {
+        ++result_.starting_points;
+        if (const auto kind = smooth_kind(start.kind)) return follow_smooth(start, *kind);
+        if (is_on_border(start.kind)) return follow_touch(start);
+        if (std::find(result_.left_out.begin(), result_.left_out.end(), start.kind) == result_.left_out.end())
+            result_.left_out.push_back(start.kind);
     }
 
     /// Where curves that were followed since lead to others.
-    std::vector<Seed> take_ends() { return std::exchange(ends_, {}); }
+    std::vector<StartingPoint> take_ends() { return std::exchange(ends_, {}); }
     PlaneCurves result() const {
         PlaneCurves found = result_;
         std::erase_if(found.curves, [](const Curve& curve) { return curve.points.empty(); });
@@ -51,12 +51,13 @@ private:
         std::size_t place = 0;
     };
 
-    void follow_smooth(const Seed& seed, analysis::BoundaryKind kind) {
+    void follow_smooth(const StartingPoint& start, analysis::BoundaryKind kind) {
         for (const auto& known : known_)
-            if (analysis::is_on_boundary(map_, kind, seed.points, seed.p, seed.multiplier, options_, {&known.curve, 1}))
+            if (analysis::is_on_boundary(map_, kind, start.points, start.p, start.multiplier, options_,
+                                         {&known.curve, 1}))
                 return;
         Boundary boundary;
-        if (!analysis::follow_boundary(map_, kind, seed.points, seed.p, seed.multiplier, options_, boundary)) {
+        if (!analysis::follow_boundary(map_, kind, start.points, start.p, start.multiplier, options_, boundary)) {
             ++result_.without;
             return;
         }
@@ -139,8 +140,9 @@ private:
             for (const std::size_t i : {special.after, special.after + 1}) {
                 if (i >= curve.points.size()) continue;
                 const CurveCycle& beside = curve.points[i];
-                for (Seed& seed : seeds_about(scene_, plane_, beside.points, beside.parameters, lines))
-                    ends_.push_back(std::move(seed));
+                for (StartingPoint& start :
+                     starting_points_about(scene_, plane_, beside.points, beside.parameters, lines))
+                    ends_.push_back(std::move(start));
             }
             return;
         }
@@ -154,8 +156,8 @@ private:
         if (fold_pair || flip_pair) meets("neimark-sacker", critical_pair(special.cycle.multipliers));
     }
 
-    void follow_touch(const Seed& seed) {
-        const auto cycle = border_cycle_of(words_, seed);
+    void follow_touch(const StartingPoint& start) {
+        const auto cycle = border_cycle_of(words_, start);
         if (!cycle) {
             ++result_.without;
             return;
@@ -171,10 +173,10 @@ private:
         const Curve listed = curve_of(words_, *curve);
         if (any_holds(borders_, *curve, listed)) return;
         leave_out_parts(borders_, *curve, listed);
-        BornSeeds born = seeds_born_on(words_, map_, plane_, options_, follow_.longest_period, *curve);
-        result_.seeds += born.not_found;
+        BornPoints born = points_born_on(words_, map_, plane_, options_, follow_.longest_period, *curve);
+        result_.starting_points += born.not_found;
         result_.without += born.not_found;
-        for (Seed& seed_there : born.seeds) ends_.push_back(std::move(seed_there));
+        for (StartingPoint& start_there : born.starting_points) ends_.push_back(std::move(start_there));
         borders_.push_back({std::move(*curve), result_.curves.size()});
         result_.curves.push_back(listed);
     }
@@ -182,12 +184,12 @@ private:
     /// A smooth curve that ends on a border is a place to begin at on that border.
     void keep_end(const CurveCycle& last, const std::string& why) {
         if (!is_on_border(why)) return;
-        Seed seed{why, last.points, last.parameters, 1};
+        StartingPoint start{why, last.points, last.parameters, 1};
         const auto shooting =
             analysis::shooting_residual(shooting_map_of(scene_at(scene_, plane_, last.parameters)), last.points, 0);
         if (!shooting.alive) return;
-        name_flights(seed, shooting.steps);
-        ends_.push_back(std::move(seed));
+        name_flights(start, shooting.steps);
+        ends_.push_back(std::move(start));
     }
 
     Scene<double> scene_;
@@ -201,7 +203,7 @@ private:
     PlaneCurves result_;
     std::vector<Known<Boundary>> known_;
     std::vector<Known<BorderCurve>> borders_;
-    std::vector<Seed> ends_;
+    std::vector<StartingPoint> ends_;
 };
 
 CurveSearch::CurveSearch(const Scene<double>& scene, const Plane& plane, const FollowOptions& options)
@@ -209,18 +211,18 @@ CurveSearch::CurveSearch(const Scene<double>& scene, const Plane& plane, const F
 
 CurveSearch::~CurveSearch() = default;
 
-void CurveSearch::follow(const std::vector<Seed>& seeds) {
+void CurveSearch::follow(const std::vector<StartingPoint>& starting_points) {
     const RunControl& control = walk_->control();
-    const ReportDone report = control.begin("curves", static_cast<double>(seeds.size()));
+    const ReportDone report = control.begin("curves", static_cast<double>(starting_points.size()));
     double done = 0;
-    for (const Seed& seed : seeds) {
+    for (const StartingPoint& start : starting_points) {
         if (control.is_stopped()) return;
-        walk_->follow(seed);
+        walk_->follow(start);
         report(++done);
     }
     for (auto met = walk_->take_ends(); !met.empty(); met = walk_->take_ends())
-        for (const Seed& seed : met)
-            if (!control.is_stopped()) walk_->follow(seed);
+        for (const StartingPoint& start : met)
+            if (!control.is_stopped()) walk_->follow(start);
 }
 
 PlaneCurves CurveSearch::found() const {

@@ -13,7 +13,7 @@
 namespace swirl::studies::bifurcation_curves {
 
 /// A cycle at which a curve begins, both ways.
-struct Seed {
+struct StartingPoint {
     std::string kind;  ///< fold, flip, neimark-sacker, or a border's name
     analysis::CyclePoints points;
     Eigen::Vector2d p{0, 0};
@@ -30,8 +30,8 @@ struct Seed {
 /// Of multipliers the pair nearest to the unit circle, Im > 0; NaN if all are real.
 std::complex<double> critical_pair(const std::vector<std::complex<double>>& multipliers);
 
-/// Sets `times` and `vertices` of a seed from the steps of its cycle, or of one beside it.
-void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps);
+/// Sets `times` and `vertices` of a starting point from the steps of its cycle, or of one beside it.
+void name_flights(StartingPoint& start, const std::vector<analysis::ShootingStep>& steps);
 
 struct LineOptions {
     int lines = 12;      ///< through the plane, each way, evenly spaced
@@ -44,11 +44,13 @@ struct LineOptions {
 /// Diagrams along lines through the plane (../diagrams), every cycle of a period followed along its line,
 /// stable or not, with the branches that flips and branch points lead to; their special points. Start r of every column
 /// is the random one of seed 1 + r. Cost: some 0.5 s a line.
-std::vector<Seed> seeds_on_lines(const Scene<double>& scene, const Plane& plane, const LineOptions& options);
+std::vector<StartingPoint> starting_points_on_lines(const Scene<double>& scene, const Plane& plane,
+                                                    const LineOptions& options);
 
 /// The same from a cycle at p, followed along both lines through it for a tenth of the plane.
-std::vector<Seed> seeds_about(const Scene<double>& scene, const Plane& plane, const analysis::CyclePoints& cycle,
-                              const Eigen::Vector2d& p, const LineOptions& options);
+std::vector<StartingPoint> starting_points_about(const Scene<double>& scene, const Plane& plane,
+                                                 const analysis::CyclePoints& cycle, const Eigen::Vector2d& p,
+                                                 const LineOptions& options);
 
 /// A run of a map: start `run` of the scene at p, with the map's seed and speed.
 struct MapRun {
@@ -62,7 +64,8 @@ struct MapStarts {
 };
 
 /// The same from the cycles that runs of a map came to, followed along both lines through the run's cell.
-std::vector<Seed> seeds_of_runs(const Scene<double>& scene, const Plane& plane, const std::vector<MapRun>& runs,
-                                const MapStarts& starts, const LineOptions& options);
+std::vector<StartingPoint> starting_points_of_runs(const Scene<double>& scene, const Plane& plane,
+                                                   const std::vector<MapRun>& runs, const MapStarts& starts,
+                                                   const LineOptions& options);
 
 }  // namespace swirl::studies::bifurcation_curves

@@ -1,7 +1,7 @@
+#include "apps/studies/bifurcation_curves/starting_points.hpp"
 #include "analysis/continuation/on_branch.hpp"
 #include "analysis/cycles/cycle.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
-#include "apps/studies/bifurcation_curves/seeds.hpp"
 #include "apps/studies/branches/branches.hpp"
 #include "apps/studies/diagrams/attractor.hpp"
 #include "apps/studies/parallel/pieces.hpp"
@@ -112,20 +112,20 @@ std::complex<double> critical_multiplier(const analysis::SpecialPoint& special) 
     return critical_pair(special.cycle.multipliers);
 }
 
-std::vector<Seed> seeds_of(const std::vector<Branch>& branches, const Line& line) {
-    std::vector<Seed> seeds;
+std::vector<StartingPoint> starting_points_of(const std::vector<Branch>& branches, const Line& line) {
+    std::vector<StartingPoint> starting_points;
     for (const auto& branch : branches) {
         for (const auto& special : branch.special) {
             if (special.kind == analysis::SpecialKind::branch_point || !special.located) continue;
-            Seed seed{kind_of(special), special.cycle.at.points(), line.p, critical_multiplier(special)};
-            name_flights(seed, special.cycle.at.shooting.steps);
-            for (const auto letter : special.word_before) seed.modes_before.push_back(letter_from(letter).mode);
-            for (const auto letter : special.word_after) seed.modes_behind.push_back(letter_from(letter).mode);
-            seed.p[line.axis] = special.cycle.at.p();
-            seeds.push_back(std::move(seed));
+            StartingPoint start{kind_of(special), special.cycle.at.points(), line.p, critical_multiplier(special)};
+            name_flights(start, special.cycle.at.shooting.steps);
+            for (const auto letter : special.word_before) start.modes_before.push_back(letter_from(letter).mode);
+            for (const auto letter : special.word_after) start.modes_behind.push_back(letter_from(letter).mode);
+            start.p[line.axis] = special.cycle.at.p();
+            starting_points.push_back(std::move(start));
         }
     }
-    return seeds;
+    return starting_points;
 }
 
 }  // namespace
@@ -137,41 +137,43 @@ std::complex<double> critical_pair(const std::vector<std::complex<double>>& mult
     return best;
 }
 
-void name_flights(Seed& seed, const std::vector<analysis::ShootingStep>& steps) {
+void name_flights(StartingPoint& start, const std::vector<analysis::ShootingStep>& steps) {
     for (const auto& step : steps) {
         const Letter letter = letter_from(step.letter);
         if (letter.through_contact) {
-            seed.times.clear();
-            seed.vertices.clear();
+            start.times.clear();
+            start.vertices.clear();
             return;
         }
-        seed.times.push_back(step.duration);
-        seed.vertices.push_back(letter.vertex_step);
+        start.times.push_back(step.duration);
+        start.vertices.push_back(letter.vertex_step);
     }
 }
 
-std::vector<Seed> seeds_of_runs(const Scene<double>& scene, const Plane& plane, const std::vector<MapRun>& runs,
-                                const MapStarts& starts, const LineOptions& options) {
-    std::vector<std::vector<Seed>> of_runs(2 * runs.size());
+std::vector<StartingPoint> starting_points_of_runs(const Scene<double>& scene, const Plane& plane,
+                                                   const std::vector<MapRun>& runs, const MapStarts& starts,
+                                                   const LineOptions& options) {
+    std::vector<std::vector<StartingPoint>> of_runs(2 * runs.size());
     // A piece that a stop leaves alone may outlive the call: it has what it reads.
     const auto look = [scene, plane, runs, starts, options, &of_runs](std::size_t i) -> KeepResult {
         const MapRun& run = runs[i / 2];
         const Line line{static_cast<int>(i % 2), run.p};
-        const auto found = std::make_shared<std::vector<Seed>>(
-            seeds_of(LineSearch(scene, plane, line, options).find_from(run.p[line.axis], run, starts), line));
+        const auto found = std::make_shared<std::vector<StartingPoint>>(
+            starting_points_of(LineSearch(scene, plane, line, options).find_from(run.p[line.axis], run, starts), line));
         if (options.control.is_stopped()) return {};
         return [&of_runs, i, found] { of_runs[i] = std::move(*found); };
     };
     run_pieces(of_runs.size(), "runs of the map", options.control, look);
-    std::vector<Seed> seeds;
-    for (auto& of_run : of_runs) seeds.insert(seeds.end(), of_run.begin(), of_run.end());
-    return seeds;
+    std::vector<StartingPoint> starting_points;
+    for (auto& of_run : of_runs) starting_points.insert(starting_points.end(), of_run.begin(), of_run.end());
+    return starting_points;
 }
 
-std::vector<Seed> seeds_about(const Scene<double>& scene, const Plane& plane, const analysis::CyclePoints& cycle,
-                              const Eigen::Vector2d& p, const LineOptions& options) {
+std::vector<StartingPoint> starting_points_about(const Scene<double>& scene, const Plane& plane,
+                                                 const analysis::CyclePoints& cycle, const Eigen::Vector2d& p,
+                                                 const LineOptions& options) {
     constexpr double reach = 0.1;
-    std::vector<Seed> seeds;
+    std::vector<StartingPoint> starting_points;
     for (int axis = 0; axis < 2 && !options.control.is_stopped(); ++axis) {
         const Line line{axis, p};
         Plane near = plane;
@@ -179,25 +181,26 @@ std::vector<Seed> seeds_about(const Scene<double>& scene, const Plane& plane, co
         const double width = range.high - range.low;
         range.low = std::max(range.low, p[axis] - reach * width);
         range.high = std::min(range.high, p[axis] + reach * width);
-        const auto found = seeds_of(LineSearch(scene, near, line, options).find_from(p[axis], cycle), line);
-        seeds.insert(seeds.end(), found.begin(), found.end());
+        const auto found = starting_points_of(LineSearch(scene, near, line, options).find_from(p[axis], cycle), line);
+        starting_points.insert(starting_points.end(), found.begin(), found.end());
     }
-    return seeds;
+    return starting_points;
 }
 
-std::vector<Seed> seeds_on_lines(const Scene<double>& scene, const Plane& plane, const LineOptions& options) {
+std::vector<StartingPoint> starting_points_on_lines(const Scene<double>& scene, const Plane& plane,
+                                                    const LineOptions& options) {
     const auto lines = lines_through(plane, options.lines);
-    std::vector<std::vector<Seed>> of_lines(lines.size());
+    std::vector<std::vector<StartingPoint>> of_lines(lines.size());
     const auto look = [scene, plane, lines, options, &of_lines](std::size_t i) -> KeepResult {
-        const auto found =
-            std::make_shared<std::vector<Seed>>(seeds_of(LineSearch(scene, plane, lines[i], options).find(), lines[i]));
+        const auto found = std::make_shared<std::vector<StartingPoint>>(
+            starting_points_of(LineSearch(scene, plane, lines[i], options).find(), lines[i]));
         if (options.control.is_stopped()) return {};
         return [&of_lines, i, found] { of_lines[i] = std::move(*found); };
     };
     run_pieces(lines.size(), "lines", options.control, look);
-    std::vector<Seed> seeds;
-    for (auto& of_line : of_lines) seeds.insert(seeds.end(), of_line.begin(), of_line.end());
-    return seeds;
+    std::vector<StartingPoint> starting_points;
+    for (auto& of_line : of_lines) starting_points.insert(starting_points.end(), of_line.begin(), of_line.end());
+    return starting_points;
 }
 
 }  // namespace swirl::studies::bifurcation_curves

@@ -30,7 +30,7 @@ struct Advance {
         false;  ///< DF(z) = 0: z′ is the same whatever was before, so that the orbit repeats once it recurs
 };
 
-/// The same with the derivative DF(z), by the coordinates.
+/// A step, as Advance has it, with the derivative DF(z), by the coordinates.
 template <int D, class State = Vector<D>>
 struct Linearised {
     State state;
@@ -175,7 +175,7 @@ std::int64_t follow(const M& map, State<M>& z, std::int64_t steps, const Stop& s
     }
 }
 
-/// The same, whatever it costs.
+/// Follows the orbit, whatever it costs.
 template <SectionMap M>
 std::int64_t follow(const M& map, State<M>& z, std::int64_t steps, const Stop& stop = {}) {
     StepBudget budget;

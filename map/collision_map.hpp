@@ -47,7 +47,7 @@ public:
     /// The first impact of any flight.
     Collision<T> advance(const Flight<T>& flight) const;
 
-    /// The same, written into an existing collision; `post_impact` may be its own `after`. For long orbits: no copy is
+    /// F, written into an existing collision; `post_impact` may be its own `after`. For long orbits: no copy is
     /// made between two impacts (copying a struct just after its members were written is slow).
     [[gnu::always_inline]] void advance(const PostImpactState<T>& post_impact, Collision<T>& collision) const {
         advance(flight_from(body_, post_impact), collision);
@@ -60,13 +60,13 @@ public:
             advance_with_certainty(flight, collision);
     }
 
-    /// The same as `advance` where the direct search is known to find nothing, or is not for these polygons: without
+    /// Does what `advance` does where the direct search is known to find nothing, or is not for these polygons: without
     /// it.
     [[gnu::noinline]] void advance_with_certainty(const Flight<T>& flight, Collision<T>& collision) const {
         take(flight, detail::undecided_contact<shape>(body_, flight), collision);
     }
 
-    /// The same as `advance` where no search from the circle's return is known to find anything: without these.
+    /// Does what `advance` does where no search from the circle's return is known to find anything: without these.
     [[gnu::noinline]] void advance_without_return(const Flight<T>& flight, Collision<T>& collision) const {
         take(flight, detail::contact_without_return<shape>(body_, flight), collision);
     }

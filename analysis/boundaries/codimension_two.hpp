@@ -20,7 +20,7 @@ namespace swirl::analysis {
 struct CodimensionTest {
     CodimensionTwo kind;
     std::function<double(const CurvePoint&)> value;
-    /// The same from what a point of the curve says already, its coefficient in double; empty: `value`.
+    /// Its value from what a point of the curve says already, the coefficient in double; empty: by `value`.
     std::function<double(const BoundaryPoint&)> seen = {};
     double noise = 1e-9;  ///< a change of sign between values that are both below is rounding
 };

@@ -256,7 +256,7 @@ FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions
     return best;
 }
 
-/// The same, whatever it costs.
+/// Finds the period, whatever the search costs.
 template <SectionMap M>
 FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options = {}) {
     StepBudget budget;

@@ -31,7 +31,7 @@ double largest_return(const M& map, const Tail<M>& tail, std::int64_t k, std::in
     return largest;
 }
 
-/// The same over the orbit's last `count` states.
+/// The largest distance of a state from the one k steps before, over the orbit's last `count` states.
 template <SectionMap M>
 double return_distance(const M& map, const Tail<M>& tail, std::int64_t k, std::int64_t count, double give_up) {
     const auto n = static_cast<std::int64_t>(tail.points.size());

@@ -18,7 +18,7 @@ std::vector<double> fourier_surrogate(std::span<const double> x, std::uint64_t d
 /// a random order that uses up all of them (Altschul & Erickson, Mol. Biol. Evol. 2 (1985) 526). Of a Markov chain.
 std::vector<double> markov_surrogate(std::span<const double> x, std::size_t order, std::uint64_t draw);
 
-/// The same values in the same sequence, but each value's times of stay among themselves in a random order. Of a
+/// The values of x in their sequence, but each value's times of stay among themselves in a random order. Of a
 /// telegraph whose stays are independent, however long they last.
 std::vector<double> dwell_surrogate(std::span<const double> x, std::uint64_t draw);
 

@@ -84,7 +84,7 @@ bool skip_steps(const M& map, State<M>& z, std::int64_t count, Tail<M>& tail, co
     return false;
 }
 
-/// The same, whatever it costs.
+/// Skips steps as above, whatever they cost.
 template <SectionMap M>
 bool skip_steps(const M& map, State<M>& z, std::int64_t count, Tail<M>& tail, const Stop& stop = {}) {
     StepBudget budget;

@@ -17,8 +17,8 @@ struct LocateRule {
 struct CurveProblem {
     Eigen::VectorXd weights;  ///< of the arclength, s² = Σ w_i δy_i²; n of them
     Equations equations;      ///< n − 1 of them, or n that are solved along a curve all the same (a family's)
-    /// The same by steps from surfaces beside which a guess may lie (ShootingMap::step_from_surface): tried where the
-    /// corrector fails. What they converge to must solve `equations`. Empty: there are none.
+    /// `equations` by steps from surfaces beside which a guess may lie (ShootingMap::step_from_surface): tried where
+    /// the corrector fails. What they converge to must solve `equations`. Empty: there are none.
     Equations equations_from_surface = {};
     NewtonRule newton = {};
     LocateRule locate = {};

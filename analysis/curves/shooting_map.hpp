@@ -43,7 +43,7 @@ struct MapCoordinates {
         return difference(a, b, dimension);
     }
 
-    /// The same of whatever begins with so many coordinates of points, one point after another.
+    /// a − b, angles as angles, of whatever begins with so many coordinates of points, one point after another.
     Eigen::VectorXd difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b, Eigen::Index coordinates) const {
         Eigen::VectorXd d = a - b;
         for (Eigen::Index i = 0; i < coordinates; ++i)
@@ -74,7 +74,7 @@ struct MapCoordinates {
 struct ShootingMap : MapCoordinates {
     bool has_parameter = false;
     std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step = {};
-    /// The same from the nearest state of surfaces on which cycles may lie and beside which F is another map, for
+    /// The step from the nearest state of surfaces on which cycles may lie and beside which F is another map, for
     /// guesses that are beside them. What it converges to has still to close by `step`. Empty: there are no such
     /// surfaces.
     std::function<ShootingStep(const Eigen::VectorXd& z, double p)> step_from_surface = {};

@@ -41,7 +41,7 @@ struct SearchResult {
 SearchCounts add_cycles(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
                         const SearchOptions& options, KnownCycles& known);
 
-/// The same from nothing known, each cycle once.
+/// The cycles that the candidates lead to, none being known before, each once.
 SearchResult find_cycles(const ShootingMap& map, double p, const std::vector<CyclePoints>& candidates,
                          const SearchOptions& options);
 

@@ -42,7 +42,7 @@ struct TimedMap {
     std::function<double(const Eigen::VectorXd& z, const Eigen::VectorXd& next)> time_between;
 };
 
-/// The same for cycles near grazing, where DF grows without bound and a guess may miss the wall: solved by `timed`,
+/// A cycle near grazing, where DF grows without bound and a guess may miss the wall: solved by `timed`,
 /// then closed by the map itself. Converged only if its steps are those of the map, to `accept` or to the rounding of z
 /// that DF leaves in G.
 ShootingResult solve_near_grazing(const ShootingMap& map, const TimedMap& timed, const CyclePoints& guess, double p,

@@ -39,7 +39,7 @@ struct CycleExponents {
 /// Cost about k D³ · 0.3 µs + 25 D³ · 10 µs.
 CycleExponents cycle_exponents(std::span<const Eigen::MatrixXd> derivatives, double rank_tolerance = 1e-13);
 
-/// The same for the cycle of length k through `state`, which must be on it: see `closure`.
+/// The exponents of the cycle of length k through `state`, which must be on it: see `closure`.
 template <SectionMap M>
 CycleExponents cycle_exponents(const M& map, const State<M>& state, std::int64_t k, double rank_tolerance = 1e-13) {
     constexpr int D = M::dimension;

@@ -56,11 +56,11 @@ std::vector<LineHistograms> count_lines(const Points& points, std::span<const do
                                         const Settings& settings = {});
 LineHistograms count_lines(const Points& points, double threshold, const Settings& settings = {});
 
-/// The same for the cross recurrence matrix of two trajectories (rows from the first). Default Theiler window 0.
+/// Lines of the cross recurrence matrix of two trajectories (rows from the first). Default Theiler window 0.
 std::vector<LineHistograms> count_cross_lines(const Points& rows, const Points& columns,
                                               std::span<const double> thresholds, const Settings& settings = {});
 
-/// The same for a matrix that is given (as a cross recurrence matrix: both triangles are counted).
+/// Lines of a matrix that is given (as a cross recurrence matrix: both triangles are counted).
 LineHistograms count_lines(const BinaryMatrix& matrix, const Settings& settings = {});
 
 }  // namespace swirl::analysis::recurrence

@@ -46,7 +46,7 @@ Points embed_series(std::span<const double> series, int dimension = 1, int delay
 /// Throws std::invalid_argument for values that are not finite or sizes that do not fit. Cost: O(n dimension).
 Points section_points(std::span<const double> row_major, int dimension, std::span<const double> periods = {});
 
-/// The same points with gaps between them: `places` are their rows, rising; the first counts as 0.
+/// Points with gaps between them: `places` are their rows, rising; the first counts as 0.
 /// Throws std::invalid_argument for another number of them, or places that do not rise. Cost: O(n).
 Points at_places(Points points, std::span<const std::size_t> places);
 

@@ -18,7 +18,7 @@ struct RecurrenceRate {
 
     /// RC of Sun 2019 (docs/references.md), (1/n^2) sum_ij [ |x_i - x_j| <= delta ]: k equally visited values give 1/k.
     double with_diagonal() const;
-    /// The same over the n (n - 1) pairs of different points; 0 if n = 1.
+    /// The rate over the n (n - 1) pairs of different points; 0 if n = 1.
     double without_diagonal() const;
 };
 

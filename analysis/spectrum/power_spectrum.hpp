@@ -72,7 +72,7 @@ double bin_average_gain(double frequency);
 /// Source: Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; Harris, Proc. IEEE 66 (1978) 51.
 PowerSpectrum power_spectrum(std::span<const double> series, double spacing, const SpectrumOptions& options = {});
 
-/// The same for x + iy: two-sided, negative frequencies turn clockwise, the integral is ⟨|z − z̄|²⟩.
+/// The spectrum of x + iy: two-sided, negative frequencies turn clockwise, the integral is ⟨|z − z̄|²⟩.
 PowerSpectrum power_spectrum(std::span<const std::complex<double>> series, double spacing,
                              const SpectrumOptions& options = {});
 

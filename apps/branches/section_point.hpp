@@ -16,7 +16,7 @@ Eigen::Index place_of(const std::string& observable, Eigen::Index size);
 
 /// A section point as a JSON object.
 void write_point(JsonWriter& json, const Eigen::VectorXd& z);
-/// The same of a list of coordinates, which NaN may fill up; null of none.
+/// A list of coordinates, which NaN may fill up, as a JSON object; null of none.
 void write_point_or_null(JsonWriter& json, const std::vector<double>& coordinates);
 /// A word as a list of {vertex_step, contact_mode}.
 void write_word(JsonWriter& json, const std::vector<std::int64_t>& word);

@@ -29,7 +29,7 @@ Settings unit_settings(const Units& units);
 std::string settings_text(const Settings& settings);
 
 void write_json(JsonWriter& json, std::string_view key, const Settings& settings);
-/// The same as members of an open object.
+/// Settings as members of an open object.
 void write_members(JsonWriter& json, const Settings& settings);
 /// Members scene, start if there is one, and units if the scene was given in physical units.
 void write_scene(JsonWriter& json, const Scene<double>& scene, const SceneOptions& options,

@@ -36,7 +36,8 @@ void require_creatable(const OutputOptions& output);
 std::optional<RecordWriter> open_record(const OutputOptions& output, const std::string& title,
                                         const std::vector<std::string>& inputs, const std::optional<Units>& units = {});
 
-/// The same after the work, where the record takes only what is finished. @throws RecordError if it can't be created
+/// The record of -o, created after the work where it takes only what is finished. @throws RecordError if it can't be
+/// created
 RecordWriter create_record(const OutputOptions& output, const std::string& title,
                            const std::optional<Units>& units = {});
 

@@ -27,7 +27,7 @@ public:
     bool speed_given() const { return !speed_.empty(); }
     /// True if this number of a start in the laboratory, or the point, was given.
     bool gives(const std::string& name) const { return name == "point" ? !point_.empty() : lab_.count(name) != 0; }
-    /// The same as given() but for --angle, which with --series names a column: angle_text().
+    /// True if any flag of a start was given but --angle, which with --series names a column: angle_text().
     bool given_beside_angle() const {
         return lab_.size() > lab_.count("angle") || !point_.empty() || !speed_.empty() || seed_given_;
     }

@@ -69,7 +69,7 @@ OrbitColumns read_orbit(const std::string& record, const ImpactRange& range, con
 /// Sets scene and start to a record's, so that its orbit can be followed again.
 void set_from_record(const OrbitColumns& record, SceneOptions& scene, StartOptions& start);
 
-/// The same impacts with the contacts between them. @throws BadInput
+/// The record's impacts with the contacts between them, by following its orbit again. @throws BadInput
 OrbitColumns followed_again(const OrbitColumns& record, const OutputOptions& output,
                             const std::vector<std::string>& names);
 

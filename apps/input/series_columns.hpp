@@ -31,7 +31,7 @@ struct SeriesColumns {
 /// @throws BadInput for several bodies (bodies.hpp), a missing time, no such column
 SeriesColumns columns_of(const DelimitedFile& file, const SeriesChoice& choice);
 
-/// The same without values, of one body or of several.
+/// Times and what belongs to them, without values, of one body or of several.
 SeriesColumns time_columns_of(const DelimitedFile& file, const SeriesChoice& choice);
 
 /// The columns whose values rise from row to row, of those that are numbers. O(cells), less where few rise.

@@ -23,7 +23,7 @@ std::string file_name(const CommandDefinition* command, PageForm form);
 /// The page of a command, or of the program itself with a line for each command (null).
 std::string page_of(const ProgramDefinition& program, const CommandDefinition* command, PageForm form);
 
-/// The same in one form; page_of chooses.
+/// The page in one form; page_of chooses.
 std::string man_page_of(const ProgramDefinition& program, const CommandDefinition* command);
 std::string markdown_page_of(const ProgramDefinition& program, const CommandDefinition* command);
 

@@ -12,7 +12,8 @@ namespace swirl::apps {
 /// digits without "+-" where the error is NaN, or less than they show.
 std::string with_error(double mean, double error);
 
-/// The same of a mean of this kind: "0.1234567 (off by 3e-05 at most)", "about -0.05 (too short a run for an error)".
+/// A mean, and what is known of its error: "0.1234567 (off by 3e-05 at most)", "about -0.05 (too short a run for an
+/// error)".
 std::string mean_in_words(double mean, const MeanErrors& errors);
 
 }  // namespace swirl::apps

@@ -12,7 +12,7 @@ namespace swirl::apps {
 /// Members mode, kind, period, mean_S, … evidence, settings, outcome into an open object.
 void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings);
 
-/// The same as attributes; the evidence as datasets along dimension `evidence`.
+/// The verdict as attributes; the evidence as datasets along dimension `evidence`.
 void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings);
 
 /// The verdict, how sure and why, a line each; with `verbose` the numbers and all of the evidence after it. Mean S is
@@ -21,7 +21,7 @@ std::string table_of(const NamedMode& named, bool verbose, const std::optional<U
 
 /// Member `evidence`: name, value, threshold, says, changes_if.
 void write_evidence(JsonWriter& json, const std::vector<analysis::Evidence>& evidence);
-/// The same along dimension `evidence`; nothing if there is none.
+/// The evidence along dimension `evidence`; nothing if there is none.
 void write_evidence(const RecordGroup& group, const std::vector<analysis::Evidence>& evidence);
 
 }  // namespace swirl::apps

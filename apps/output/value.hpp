@@ -69,7 +69,7 @@ struct Look {
 /// " {:>14.8g}": blanks before the column, alignment and width, precision. The heading has the same but for precision.
 /// NaN, what is not there, is "-".
 Look look_of(const std::string& format);
-/// The same with "-" for 0.
+/// A format, as look_of() reads it, with "-" for 0.
 Look dash_for_zero(const std::string& format);
 
 }  // namespace swirl::apps

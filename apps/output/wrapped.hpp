@@ -11,7 +11,7 @@ inline constexpr std::size_t most_columns = 100;
 /// blanks. A word that is longer than that stays whole.
 std::string wrapped(const std::string& line, std::size_t indent);
 
-/// The same of each line of a text.
+/// A text, each of whose lines is broken so.
 std::string all_wrapped(const std::string& text, std::size_t indent);
 
 /// What `--help` prints: paragraphs and the descriptions of lists are filled, these under themselves, and examples are

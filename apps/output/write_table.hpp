@@ -115,7 +115,7 @@ void write_columns(const RecordGroup& group, const Table<Row>& table, const Rows
     }
 }
 
-/// The same with the rows' dimension.
+/// The rows' dimension, and a dataset for each field.
 template <class Row, class Rows>
 void write_record(const RecordGroup& group, const Table<Row>& table, const Rows& rows) {
     group.dimension(table.dimensions.front(), rows.size());
@@ -153,7 +153,7 @@ private:
 
 // Tables for people, of shown_fields().
 
-/// The same table with what it shows in SI units, if there are any: numbers of a field are multiplied by what its units
+/// A table with what it shows in SI units, if there are any: numbers of a field are multiplied by what its units
 /// ask for, and its heading names the unit (shown_unit()).
 template <class Row>
 Table<Row> in_units(Table<Row> table, const std::optional<Units>& units) {

@@ -16,7 +16,7 @@ std::filesystem::path find_script(const std::string& name);
 /// there is no such Python
 [[noreturn]] void become_python(const std::filesystem::path& script, const std::vector<std::string>& arguments);
 
-/// The same in a child process, for a record on which the library beneath may crash: the child's exit code.
+/// Python runs `script` in a child process, for a record on which the library beneath may crash: the child's exit code.
 ///   seconds  of computing, at most
 /// @throws BadInput if it crashed, or took longer
 int run_python(const std::filesystem::path& script, const std::vector<std::string>& arguments, unsigned seconds);

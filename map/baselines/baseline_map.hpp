@@ -35,7 +35,7 @@ public:
         advance(flight, collision);
         return collision;
     }
-    /// The same, written into an existing collision; `post_impact` may be its own `after`, which stays as it is if no
+    /// F, written into an existing collision; `post_impact` may be its own `after`, which stays as it is if no
     /// contact is found.
     void advance(const PostImpactState<double>& post_impact, Collision<double>& collision) const {
         advance(flight_from(body(), post_impact), collision);

@@ -65,7 +65,7 @@ inline Scene<T> with_parameter(Scene<T> scene, Parameter parameter, const T& val
     return scene;
 }
 
-/// The same scene in another number type.
+/// A scene in another number type.
 template <class To, class From>
 inline Scene<To> scene_in(const Scene<From>& s) {
     return {s.sides, To(s.alpha), To(s.beta), To(s.mu), To(s.restitution), s.law, To(s.inertia_factor)};

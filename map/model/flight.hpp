@@ -135,7 +135,7 @@ template <class T>
             T(2) * (T(3) * dot(rate, curvature) + dot(x, jerk))};
 }
 
-/// The same for the vertex that began the flight: |(1, 0) + d|² − 1 = 2 d_x + |d|², with d what it has moved.
+/// The gap of the vertex that began the flight: |(1, 0) + d|² − 1 = 2 d_x + |d|², with d what it has moved.
 template <class T>
 [[gnu::always_inline]] inline Gap<T> struck_gap(const Flight<T>& flight, const Instant<T>& at) {
     const Vec2<T> moved = at.moved + at.arm_moved;

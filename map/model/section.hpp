@@ -19,7 +19,7 @@ struct SectionPoint {
     T spin{};  ///< S = ω_p/ω_s
 };
 
-/// The same with the angles as unit vectors, which is what the map iterates: no arc tangent per impact.
+/// A section point with its angles as unit vectors, which is what the map iterates: no arc tangent per impact.
 template <class T>
 struct PostImpactState {
     Vec2<T> psi;  ///< cis ψ

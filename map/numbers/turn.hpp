@@ -37,7 +37,7 @@ namespace detail {
     return {s * cosine, d + d * (s * sine)};
 }
 
-/// The same for |δ| ≤ 2⁻¹³, where two terms are enough: the last correction of a search is that small.
+/// cis δ − 1 for |δ| ≤ 2⁻¹³, where two terms are enough: the last correction of a search is that small.
 [[gnu::always_inline]] constexpr Vec2<double> tiny_turn_minus_one(double d) {
     const double s = d * d;
     return {s * (-0.5 + s * (1.0 / 24)), d + d * (s * (-1.0 / 6))};

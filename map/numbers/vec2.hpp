@@ -65,7 +65,8 @@ constexpr Vec2<T> renormalised(const Vec2<T>& a) {
     const T missing = missing_length(a);
     return a + missing * a;
 }
-/// The same, and turned by a small angle, to first order.
+/// A vector that is a unit vector but for rounding, brought back to length 1 and turned by a small angle, to first
+/// order.
 template <class T>
 constexpr Vec2<T> renormalised(const Vec2<T>& a, const T& angle) {
     return a + times(Vec2<T>{missing_length(a), angle}, a);

@@ -86,7 +86,7 @@ private:
     long long impacts_ = 0;
 };
 
-/// The same with its place in the laboratory. Cost: two angles more an impact.
+/// An orbit with its position in the laboratory. Cost: two angles more an impact.
 template <class Map>
 class Orbit {
 public:

@@ -77,14 +77,14 @@ public:
     ReturnStep<T> advance(const PostImpactState<T>& post_impact, double horizon = contact_horizon,
                           const ContactSink& sink = {}) const;
 
-    /// The same from the end of a return step, in place: for long orbits. If what is returned is not `completed`,
+    /// A return step from the end of one, in place: for long orbits. If what is returned is not `completed`,
     /// `collision.after` is what it was, `contacts` are those after that impact, and all else is meaningless.
     Outcome advance(ReturnStep<T>& return_step, double horizon = contact_horizon, const ContactSink& sink = {}) const {
         return advance_by(return_step, horizon, sink,
                           [this](Collision<T>& collision) { map_.advance(collision.after, collision); });
     }
 
-    /// The same, bit for bit, of a step in which no search from the circle's return is known to find anything
+    /// `advance`, bit for bit, of a step in which no search from the circle's return is known to find anything
     /// (`map/batch`): without these searches.
     Outcome advance_undecided(ReturnStep<T>& return_step) const {
         return advance_by(return_step, contact_horizon, {}, [this](Collision<T>& collision) {

@@ -45,7 +45,7 @@ struct SceneFacts {
     /// 1 − α − β: while the body's centre is nearer than this to the swirl's centre nothing touches, wherever the
     /// container is. If > 0 a body at rest there stays untouched for ever, whatever its spin.
     double untouched_radius = 0;
-    /// The same for a body that turns with the swirl, S = 1, at its centre: the room √(1 − α²sin²(π/N)) − α cos(π/N) −
+    /// For a body that turns with the swirl, S = 1, at its centre: the room √(1 − α²sin²(π/N)) − α cos(π/N) −
     /// β beyond an edge's middle. Larger than `untouched_radius` for a polygon.
     double untouched_room_turning = 0;
     ImpactFate impacts = ImpactFate::can_last;

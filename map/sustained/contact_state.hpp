@@ -30,7 +30,7 @@ struct ContactState {
     T spin{};
 };
 
-/// The same for a report: records and figures are made in double.
+/// A state for a report: records and figures are made in double.
 template <class T>
 ContactState<double> in_double(const ContactState<T>& z) {
     return {static_cast<double>(z.psi), static_cast<double>(z.chi), static_cast<double>(z.ut),
@@ -52,7 +52,7 @@ struct ContactScene {
     T inertia_factor() const { return body.inertia / (body.alpha * body.alpha); }
 };
 
-/// The same in double.
+/// A contact's scene in double.
 template <class T>
 ContactScene<double> in_double(const ContactScene<T>& scene);
 
@@ -69,7 +69,7 @@ ContactState<T> contact_state(const ContactScene<T>& scene, const PostImpactStat
 template <class T>
 PostImpactState<T> post_impact_state(const ContactScene<T>& scene, const ContactState<T>& state);
 
-/// The same state seen from the neighbour that touches too (|χ| = χ_m): one number up if χ < 0, one down if χ > 0.
+/// The state seen from the neighbour that touches too (|χ| = χ_m): one number up if χ < 0, one down if χ > 0.
 template <class T>
 PostImpactState<T> seen_from_neighbour(const ContactScene<T>& scene, const PostImpactState<T>& post_impact);
 

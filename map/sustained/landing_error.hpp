@@ -38,7 +38,7 @@ T edge_error(const ContactScene<T>& scene, const PostImpactState<T>& before, con
     return may_change;
 }
 
-/// The same of u_t of a vertex (rim) that friction does not hold: the rest of chatter may stop a slip of the order of
+/// The error of u_t of a vertex (rim) that friction does not hold: the rest of chatter may stop a slip of the order of
 /// v, but contact slips.
 ///   taken  in contact, u_n removed
 template <class T>
@@ -78,7 +78,7 @@ T moment_unsure(const T& room, const T& closing, const T& acceleration, const T&
     return closing > T(0) ? std::min(T(unsure / closing), late) : late;
 }
 
-/// The same of a vertex whose neighbour comes to the wall before the rest of chatter is over: it strikes while the
+/// The error of a vertex whose neighbour comes to the wall before the rest of chatter is over: it strikes while the
 /// vertex still leaves the wall at some of v, and in contact it strikes while the vertex rests. Where the neighbour is
 /// at the wall within rounding the moment of its strike is unsure as well.
 ///   unsure  what its distance to the wall is known to

@@ -54,8 +54,8 @@ void impact(benchmark::State& state, int sides, double alpha, double beta, doubl
     });
 }
 
-/// The same of 64 orbits in a batch; counters: `sincos` per impact, the share of impacts that left the lanes and the
-/// share of lanes in use.
+/// Times impacts of 64 orbits in a batch; counters: `sincos` per impact, the share of impacts that left the lanes and
+/// the share of lanes in use.
 ///   set  the instruction set, 0: the best of this processor
 void batch(benchmark::State& state, int sides, double alpha, double beta, double mu, double restitution,
            std::int64_t set = 0) {

@@ -50,7 +50,7 @@ std::optional<double> share_of_estimate(const Scene<double>& s, const SectionPoi
     return std::max(distance - rounding, 0.0) / static_cast<double>(error.estimate);
 }
 
-/// The same in `count` drawn sequences, ascending.
+/// Shares of the estimate in `count` drawn sequences, ascending.
 template <class T>
 std::vector<double> shares_of_estimate(const Draw& draw, std::uint64_t seed, int count) {
     tests::Random random(seed);

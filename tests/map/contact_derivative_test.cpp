@@ -72,7 +72,7 @@ std::optional<Column<section_dimension<Map::shape>>> derivative_along(const Map&
                                             0.5 * quotient<shape>(*beyond, known, h));
 }
 
-/// The same along a parameter of the scene, at a fixed place and spin.
+/// The derivative along a parameter of the scene, at a fixed position and spin.
 template <class Map>
 std::optional<Column<section_dimension<Map::shape>>> derivative_along_parameter(const Scene<Quad>& scene,
                                                                                 Parameter parameter,

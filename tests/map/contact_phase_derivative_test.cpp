@@ -61,7 +61,7 @@ ContactPhase<Quad> moved_end(const Start& start, int coordinate, const Quad& h) 
     return follow_contact(scene, near, 20);
 }
 
-/// The same from a scene with another value of one parameter; the edge stays on the wall.
+/// The end of a phase in a scene with another value of one parameter; the edge stays on the wall.
 ContactPhase<Quad> end_along(const Start& start, Parameter parameter, const Quad& h) {
     Scene<Quad> moved = tests::scene_in<Quad>(start.scene);
     number_of(moved, parameter) += h;
@@ -149,7 +149,7 @@ std::map<std::string, Kind> compare_phases(int phases, std::uint64_t seed) {
     return kinds;
 }
 
-/// The same along the scene's parameters, also of edges at rest, which slip later and end on either vertex.
+/// Compares phases along the scene's parameters, also of edges at rest, which slip later and end on either vertex.
 std::map<std::string, Kind> compare_phases_along_parameters(int phases, std::uint64_t seed) {
     std::map<std::string, Kind> kinds;
     tests::Random random(seed);

@@ -10,7 +10,7 @@ inline Scene<double> uniform_scene(int sides, double alpha, double beta, double 
     return {sides, alpha, beta, mu, e, law, uniform_inertia_factor<double>(sides)};
 }
 
-/// The same scene in another number type.
+/// A scene in another number type.
 template <class T>
 Scene<T> scene_in(const Scene<double>& s) {
     return {s.sides, T(s.alpha), T(s.beta), T(s.mu), T(s.restitution), s.law, T(s.inertia_factor)};

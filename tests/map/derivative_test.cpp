@@ -109,7 +109,7 @@ TEST(Derivative, JetsAgreeWithSaltationForTheDisk) {
                {ContactMode::sliding, ContactMode::c_sticking, ContactMode::r_sticking});
 }
 
-/// The same code in 113 bits: what is left of the difference is rounding, so it shrinks with ε.
+/// Both forms in 113 bits: what is left of the difference is rounding, so it shrinks with ε.
 TEST(Derivative, BothFormsAgreeToRoundingInQuad) {
     Random random(5);
     double worst = 0;

@@ -61,7 +61,7 @@ std::optional<ContactReturn<typename Map::Number>> contact_return(const Map& map
     return {};
 }
 
-/// The same state in T. A u_n (e = 0) or u_t (the impact stuck) that is rounding in double is zero, as it would be in
+/// A state in T. A u_n (e = 0) or u_t (the impact stuck) that is rounding in double is zero, as it would be in
 /// T.
 template <class T>
 PostImpactState<T> widened(const Body<T>& body, const PostImpactState<double>& narrow) {

@@ -91,7 +91,7 @@ TEST(Trajectories, ReferenceOrbitsAreReproducedInDouble) {
     reproduce<double>({1e-13, 1e-12, 1e10}, 500);
 }
 
-/// The same in units of ε, which is 2¹¹ times smaller.
+/// Tolerances are those in double in units of ε, which is 2¹¹ times smaller here.
 TEST(Trajectories, ReferenceOrbitsAreReproducedInLongDouble) {
     reproduce<long double>({1e-13 / 2048, 1e-12 / 2048, 1e13}, 500);
 }

@@ -47,7 +47,7 @@ struct LineOptions {
 std::vector<StartingPoint> starting_points_on_lines(const Scene<double>& scene, const Plane& plane,
                                                     const LineOptions& options);
 
-/// The same from a cycle at p, followed along both lines through it for a tenth of the plane.
+/// Starting points from a cycle at p, followed along both lines through it for a tenth of the plane.
 std::vector<StartingPoint> starting_points_about(const Scene<double>& scene, const Plane& plane,
                                                  const analysis::CyclePoints& cycle, const Eigen::Vector2d& p,
                                                  const LineOptions& options);
@@ -63,7 +63,7 @@ struct MapStarts {
     std::int64_t transient = 0, collisions = 0;
 };
 
-/// The same from the cycles that runs of a map came to, followed along both lines through the run's cell.
+/// Starting points from the cycles that runs of a map came to, followed along both lines through the run's cell.
 std::vector<StartingPoint> starting_points_of_runs(const Scene<double>& scene, const Plane& plane,
                                                    const std::vector<MapRun>& runs, const MapStarts& starts,
                                                    const LineOptions& options);

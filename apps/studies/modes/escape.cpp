@@ -100,7 +100,7 @@ double ln_growth(const SceneMap<D>& map, const Start<double>& start, std::int64_
     return std::max(before, grown);
 }
 
-/// The same, and nothing of a run that left without having been in chaos.
+/// How long a run was in chaos; nothing of one that left without having been there.
 analysis::ChaoticStay chaotic_stay_of(const Scene<double>& scene, Accuracy accuracy, double speed,
                                       const RunVerdict& run, std::int64_t settling, const RunControl& control) {
     const analysis::ChaoticStay stay = stay_of(scene, accuracy, speed, run, control);

@@ -38,7 +38,7 @@ std::optional<analysis::EscapeRate> escape_of_any(const Scene<double>& scene, do
 
 /// Names the chaotic runs `transient` where they are to be expected to leave, too.
 void name_remaining(const analysis::EscapeRate& escape, std::vector<RunVerdict>& runs);
-/// The same for the verdict on one of them, with the rate as evidence.
+/// Names the verdict on one of them `transient`, with the rate as evidence.
 void name_remaining(const analysis::EscapeRate& escape, NamedMode& named);
 
 }  // namespace swirl::studies

@@ -18,7 +18,7 @@ template <int D>
 FollowedScene<D> followed(const SceneMap<D>& map, const PostImpactState<double>& first, std::int64_t before,
                           const analysis::ClassifyOptions& settings, bool dissipative, const analysis::Stop& stop);
 
-/// The same in pieces, for an orbit that is neither followed exhaustively nor dissipative.
+/// The orbit in pieces, if it is neither followed exhaustively nor dissipative.
 template <int D>
 analysis::SettlingOrbit<SceneMap<D>> settling(const PostImpactState<double>& first, std::int64_t before,
                                               const analysis::ClassifyOptions& settings) {

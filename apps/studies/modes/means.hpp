@@ -34,8 +34,8 @@ struct MeanErrors {
 MeanErrors errors_of_means(const analysis::Classification& verdict, std::span<const double> spins,
                            std::span<const double> integrals, std::span<const double> durations);
 
-/// The same of a tail; the series of S is made only where it is asked for. Cost: some 5 ns an impact of chaos, else
-/// none.
+/// The errors of a tail's means; the series of S is made only where it is asked for. Cost: some 5 ns an impact of
+/// chaos, else none.
 template <analysis::SectionMap M>
 MeanErrors errors_of_means(const M& map, const analysis::Tail<M>& tail, const analysis::Classification& verdict) {
     const bool asked = verdict.kind == analysis::Kind::chaotic || verdict.kind == analysis::Kind::quasi_periodic;

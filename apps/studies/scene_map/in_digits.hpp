@@ -13,7 +13,7 @@ Vec2<To> vector_in(const Vec2<From>& v) {
     return {static_cast<To>(v.x), static_cast<To>(v.y)};
 }
 
-/// The same numbers in another type, rounded where it has fewer digits.
+/// A state's numbers in another type, rounded where it has fewer digits.
 template <class To, class From>
 PostImpactState<To> state_in(const PostImpactState<From>& z) {
     return {vector_in<To>(z.psi), vector_in<To>(z.chi), static_cast<To>(z.vn), static_cast<To>(z.vt),

@@ -26,7 +26,7 @@ public:
     SceneDynamics& operator=(const SceneDynamics&) = delete;
     virtual ~SceneDynamics() = default;
 
-    /// The same shape, impact rule and arithmetic with other numbers.
+    /// A scene of this shape, impact rule and arithmetic with other numbers.
     virtual std::shared_ptr<const SceneDynamics> with(const Scene<double>& scene) const = 0;
     virtual const Body<double>& body() const = 0;
     virtual const ContactScene<double>& contact() const = 0;

@@ -40,7 +40,7 @@ public:
     explicit SceneMap(const Scene<double>& scene, double horizon = contact_horizon,
                       Accuracy accuracy = Accuracy::double_precision);
 
-    /// The same shape and impact rule with other numbers: friction stays, where μ is 0 too (its limit μ → 0).
+    /// A scene of this shape and impact rule with other numbers: friction stays, where μ is 0 too (its limit μ → 0).
     SceneMap with(const Scene<double>& scene) const;
 
     const Body<double>& body() const { return *body_; }
@@ -51,7 +51,7 @@ public:
     /// The step where it is known already.
     analysis::Advance<D, State> advance_by(const ReturnStep<double>& known) const;
     analysis::Linearised<D, State> linearise(const State& z) const;
-    /// The same of a step that an orbit has taken: without a search for the contact where it was a flight.
+    /// The step that an orbit has taken and its derivative: without a search for the contact where it was a flight.
     analysis::Linearised<D, State> linearise(const State& z, const analysis::KnownStep<State>& known) const;
     /// See analysis::follow. In place, and what repeats itself to the bit (ExactReturn) is not followed again.
     std::int64_t follow(State& z, std::int64_t steps, const analysis::Stop& stop, analysis::StepBudget& budget) const;

@@ -21,13 +21,13 @@ inline constexpr double solver_horizon = 50;
 /// @throws std::invalid_argument for a scene out of range
 analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Accuracy accuracy = Accuracy::double_precision);
 
-/// The same with a parameter, whose value in `scene` is not used. The map ends where the parameter leaves its range.
+/// The scene's map with a parameter, whose value in `scene` is not used. It ends where the parameter leaves its range.
 /// ∂F/∂p is exact, through contact too. Friction is what `scene` has: μ = 0 in a scene with friction is the limit
 /// μ → 0.
 analysis::ShootingMap shooting_map_of(const Scene<double>& scene, Parameter parameter,
                                       Accuracy accuracy = Accuracy::double_precision);
 
-/// The same with two parameters, different ones. Cost of a step: that with one, and ∂F/∂p once more.
+/// The scene's map with two parameters, different ones. Cost of a step: that with one, and ∂F/∂p once more.
 analysis::PlaneMap plane_map_of(const Scene<double>& scene, Parameter first, Parameter second);
 
 /// The scene's flights with the time of their impact as the last coordinate and the gap then as a constraint, for

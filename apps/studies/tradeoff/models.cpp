@@ -87,7 +87,7 @@ TimedWork along_orbit(std::int64_t stretch, Restart restart, Advance advance) {
     };
 }
 
-/// The same body with a rim in place of vertices, leaving the wall as fast.
+/// The states of a body with a rim in place of vertices, which leaves the wall as fast.
 std::vector<State> as_disk(const Scene<double>& polygon, const Scene<double>& disk, std::vector<State> states) {
     const Body<double> vertices = make_body(polygon), rim = make_body(disk);
     for (State& z : states) {

@@ -79,7 +79,7 @@ TEST(Lyapunov, Henon) {
     EXPECT_EQ(result.lost_ranks, (std::vector<std::int64_t>{0, 0}));
     const LyapunovSpectrum largest = largest_exponent(Henon{}, Vector<2>{0.1, 0.1}, of_length(2'000'000));
     ASSERT_EQ(largest.exponents.size(), 1U);
-    // The same orbit, another tangent vector: the growths differ by a bounded amount.
+    // One orbit, another tangent vector: the growths differ by a bounded amount.
     EXPECT_NEAR(largest.exponents[0], result.exponents[0], 1e-5);
 }
 

@@ -1,4 +1,4 @@
-// The same bits on every instruction set that this machine can run, from the plainest on.
+// Equal bits on every instruction set that this machine can run, from the plainest on.
 #include "analysis/recurrence/lines.hpp"
 #include "analysis/recurrence/rates.hpp"
 #include "tests/analysis/only_targets.hpp"

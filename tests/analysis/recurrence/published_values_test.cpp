@@ -52,7 +52,7 @@ TEST(RecurrenceAnalysisJl, CrossMatrix10By11) {
     EXPECT_NEAR(m.TREND, -33.8, 0.05);
 }
 
-// The same source, with a Theiler window of 2 (a cross matrix: RR over the full matrix there).
+// RecurrenceAnalysis.jl's values with a Theiler window of 2 (a cross matrix: RR over the full matrix there).
 TEST(RecurrenceAnalysisJl, CrossMatrixWithTheilerWindow) {
     Settings s;
     s.theiler = 2;

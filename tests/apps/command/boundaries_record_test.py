@@ -40,7 +40,7 @@ class Records(Searched):
         self.same_curves(first, document(f"boundaries {scene} --from {again}")["curves"])
 
     def same_curves(self, first, second):
-        """The same kinds, periods and ends; the middle of each curve lies within a step of one of the others."""
+        """Both have equal kinds, periods and ends; the middle of each curve lies within a step of one of the others."""
         def key(curve):
             return curve["kind"], curve["period"], sorted(curve["ends"])
         self.assertEqual(sorted(map(key, first)), sorted(map(key, second)))

@@ -40,7 +40,7 @@ def examples_of(command):
 
 
 def examples_in(shown):
-    """The same of a help that was printed."""
+    """The examples of a help that was printed."""
     return re.findall(r"^\s*swirl (?!\w+  )(.*)$", re.sub(r" *\\\n *", " ", shown).split("Example")[-1], re.M)
 
 

@@ -14,7 +14,7 @@ from shown_commands import in_blocks
 PAGE = (Path(sys.argv.pop(1)).resolve() / "docs" / "film-to-verdict.md").read_text(encoding="utf-8")
 
 STEADY = "--sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9"
-#: The same in a dish of 10 cm, swirled once a second.
+#: A steady scene in a dish of 10 cm, swirled once a second.
 IN_METRES = ("--sides 6 --container-radius 0.1 --swirl-radius 0.05 --polygon-radius 0.04 --swirl-rate 6.283185307179586 "
              "--mu 0.5 --restitution 0.9")
 

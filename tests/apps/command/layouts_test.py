@@ -30,7 +30,7 @@ def marks(i):
 
 
 def image(i):
-    """The same in pixels of an image: y down from the upper left corner."""
+    """Positions in pixels of an image: y down from the upper left corner."""
     return [400 + 20 * v if k % 2 == 0 else 300 - 20 * v for k, v in enumerate(marks(i))]
 
 

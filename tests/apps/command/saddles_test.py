@@ -65,7 +65,7 @@ class Saddles(Refusing):
         self.refused(f"sweep {TWO} {PLANE} --saddles 0", "saddles")
 
     def test_a_boundary_leads_to_an_unstable_cycle(self):
-        """The same from all places, and as `orbits` finds it from its point."""
+        """It is found alike from all places, and as `orbits` finds it from its point."""
         scene = "--sides 4 --alpha .586 --beta .202 --mu .3 --restitution .9"
         found = document(f"sweep {scene} --grid vx=-.8:.9:6 --grid spin=-1.9:1.8:6 --x .202 --saddles 6 --transient 3000 "
                          "--collisions 1000")

@@ -1,4 +1,4 @@
-// The same physics as other solvers take it: in axes that stand still and move with the container's centre. There the
+// The dish's physics as other solvers take it: in axes that stand still and move with the container's centre. There the
 // wall is the unit circle at rest and the swirl a uniform force, O(t) = β cis t being the centre's place:
 //
 //     X = P − O     X″ = −O″ = β cis t     S constant

@@ -1,4 +1,4 @@
-"""The same physics as other solvers take it, in Python: see container_frame.hpp, whose formulas these are.
+"""The dish's physics as other solvers take it, in Python: see container_frame.hpp, whose formulas these are.
 
 A start is the list (psi_x, psi_y, chi_x, chi_y, v_n, v_t, S) just after an impact; vectors are complex numbers here.
 """

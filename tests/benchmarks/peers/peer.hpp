@@ -50,7 +50,7 @@ public:
         }
         return found;
     }
-    /// The same with every impact; fewer of them where one is not found.
+    /// Follows an orbit and keeps every impact; fewer of them where one is not found.
     virtual std::vector<Impact> row(State state, std::size_t count) {
         std::vector<Impact> impacts;
         while (impacts.size() < count) {

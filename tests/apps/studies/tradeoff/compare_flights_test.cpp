@@ -34,7 +34,7 @@ PostImpactState<Quad> begin(const Scene<double>&, const PostImpactState<double>&
     return state_in<Quad>(state);
 }
 
-/// The same vertex at half the flight later, and S off by 1.
+/// An arithmetic that finds the vertex at half the flight later, and S off by 1.
 ArithmeticMap off_in_spin(const Scene<double>& scene, std::span<const PostImpactState<double>> states) {
     ArithmeticMap map = ending<Outcome::completed, 2, 1, false>(scene, states);
     map.advance = [advance = map.advance](const PostImpactState<Quad>& from) {

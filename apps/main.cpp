@@ -28,11 +28,11 @@ int fail(int code, const std::string& message) {
     std::string line = message;
     for (char& c : line)
         if (c == '\n') c = ' ';
-    tell("swirl: " + line);
+    report("swirl: " + line);
     return code;
 }
 
-/// What could not be printed. Whoever closed a pipe that is printed into wants no more, not even to be told.
+/// What could not be printed. Whoever closed a pipe that is printed into wants no more, not even a message.
 int fail_to_print(const std::string& message) {
     const bool is_silent = std::ferror(stdout) != 0 && reader_of_output_has_gone();
     return is_silent ? exit_io_failed : fail(exit_io_failed, message);

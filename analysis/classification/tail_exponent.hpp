@@ -46,8 +46,8 @@ LyapunovSpectrum exponent_of_steps(const M& map, const Tail<M>& tail, std::int64
 }
 
 /// The exponent of a tail: of as many of its n steps as tell that it is positive, 256 or more, else of all. It has to
-/// be positive on the tail's last steps, too: chaos that ends on the way, or comes late, is told by all. The errors of
-/// a sum that scatters fall like the root of its steps, so that what is missing tells how many are asked next.
+/// be positive on the tail's last steps, too: chaos that ends on the way, or comes late, is known from all. The errors
+/// of a sum that scatters fall like the root of its steps, so that what is missing tells how many are asked next.
 ///   n  at most so many of them
 template <SectionMap M>
 LyapunovSpectrum exponent_of_few(const M& map, const Tail<M>& tail, std::int64_t n, const SignOptions& sign) {

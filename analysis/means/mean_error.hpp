@@ -19,7 +19,7 @@ std::string_view name_of(SamplingOutcome outcome);
 struct MeanError {
     SamplingOutcome outcome = SamplingOutcome::too_short;
     double standard_error = nan;    ///< NaN unless sampled; 0 where nothing varies
-    std::int64_t block_length = 0;  ///< values in each of the blocks whose scatter told it
+    std::int64_t block_length = 0;  ///< values in each of the blocks whose scatter gave it
     std::int64_t blocks = 0;
     double correlation_time = nan;  ///< 1 + 2 Σ_k ρ_k in values, as these blocks show it; NaN unless sampled
 };

@@ -126,10 +126,10 @@ int draw_diagram(BifurcateOptions& options, HandOut& hand_out) {
     else if (!options.output.quiet)
         print_diagram(options, diagram);
     if (diagram.interrupted && !options.output.quiet)
-        tell(interruption_in_words(diagram, options.output.record));
+        report(interruption_in_words(diagram, options.output.record));
     else if (!options.output.quiet && !options.output.json)
-        tell(fmt::format("swirl: {:.2f} s",
-                         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
+        report(fmt::format("swirl: {:.2f} s",
+                           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
     return diagram.interrupted ? exit_interrupted : exit_done;
 }
 

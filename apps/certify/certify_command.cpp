@@ -178,7 +178,7 @@ Certified certified_attractor(const CertifyOptions& options, const Scene<double>
     const SettledCycle settled =
         settled_cycle(scene, options.start.start<double>(scene), Accuracy::double_precision, is_interrupted);
     if (settled.point) return certified_near(scene, *settled.point, settled.period);
-    if (!is_interrupted()) tell(no_cycle_in_words(settled.named.verdict));
+    if (!is_interrupted()) report(no_cycle_in_words(settled.named.verdict));
     return {scene, {}, {}, {}, false, !is_interrupted()};
 }
 

@@ -146,7 +146,7 @@ int classify_scene(ClassifyCommandOptions& options) {
     options.scene.read_file();
     options.start.take_from(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
-    options.output.accuracy();  // a wrong name is told before any work
+    options.output.accuracy();  // a wrong name is reported before any work
     return classify_one(options, scene, recorded);
 }
 

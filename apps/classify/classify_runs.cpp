@@ -40,7 +40,7 @@ Scene<double> planned(ClassifyCommandOptions& options) {
     options.scene.read_file();
     options.start.take_from(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
-    options.output.accuracy();  // a wrong name is told before any work
+    options.output.accuracy();  // a wrong name is reported before any work
     check(options);
     return scene;
 }
@@ -123,7 +123,7 @@ int name_runs(ClassifyCommandOptions& options, HandOut& hand_out) {
         record.finish();
     }
     if (interrupted && !options.output.quiet)
-        tell(fmt::format("swirl: interrupted; {} of {} runs were finished", found.runs.size(), options.runs));
+        report(fmt::format("swirl: interrupted; {} of {} runs were finished", found.runs.size(), options.runs));
     if (found.runs.empty()) return exit_interrupted;
     if (options.output.json)
         write_runs_document(options, scene, found);

@@ -34,8 +34,8 @@ inline MeanErrors errors_over_impacts(const analysis::Classification& verdict, c
 ///   sampled_flow  samples evenly in time, so that the mean is one of time; else impacts, of which it is one as well
 inline MeanErrors errors_of_series(const analysis::Classification& verdict, const MeasuredSeries& used,
                                    bool sampled_flow) {
-    const bool told = verdict.kind == analysis::Kind::chaotic || verdict.kind == analysis::Kind::quasi_periodic;
-    if (!told || used.values.size() < 2) return {};
+    const bool has_error = verdict.kind == analysis::Kind::chaotic || verdict.kind == analysis::Kind::quasi_periodic;
+    if (!has_error || used.values.size() < 2) return {};
     if (!sampled_flow && used.time.empty()) return errors_over_impacts(verdict, used);
     std::vector<double> integrals, durations;
     for (std::size_t i = 0; i + (sampled_flow ? 0 : 1) < used.values.size(); ++i) {

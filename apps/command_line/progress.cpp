@@ -58,9 +58,9 @@ void Progress::say_at_times(double share, double spent) {
                  : since >= between_lines || (since >= shortest_between && share - told_share_ >= worth_a_line);
     if (!is_time || share <= 0 || share >= 1 || (is_first && spent / share < between_lines)) return;
     const std::string left = duration_in_words(spent / share - spent);
-    tell(is_first ? fmt::format("swirl: {}: {:.3g} % done in {}, about {} to go", task_, 100 * share,
-                                duration_in_words(spent), left)
-                  : fmt::format("swirl: {}: {:.0f} % done, about {} left", task_, 100 * share, left));
+    report(is_first ? fmt::format("swirl: {}: {:.3g} % done in {}, about {} to go", task_, 100 * share,
+                                  duration_in_words(spent), left)
+                    : fmt::format("swirl: {}: {:.0f} % done, about {} left", task_, 100 * share, left));
     told_share_ = share;
     told_at_ = spent;
 }

@@ -9,7 +9,7 @@ namespace swirl::apps {
 
 void warn_without_checksum(const std::string& record, bool quiet) {
     if (quiet || record.empty() || has_checksum(record)) return;
-    tell(
+    report(
         fmt::format("swirl: record '{}' has no checksum of what it holds now: damage to it would not be seen", record));
 }
 

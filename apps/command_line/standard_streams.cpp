@@ -34,11 +34,11 @@ void prepare_standard_streams() {
 }
 
 bool reader_of_output_has_gone() {
-    pollfd output{STDOUT_FILENO, 0, 0};  // errors are told unasked: POLLERR of a pipe, POLLHUP of a socket
+    pollfd output{STDOUT_FILENO, 0, 0};  // errors are reported unasked: POLLERR of a pipe, POLLHUP of a socket
     return ::poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLHUP)) != 0;
 }
 
-void tell(const std::string& line) {
+void report(const std::string& line) {
     const std::string whole = printable(line) + "\n";  // at once, so that lines of several processes don't mix
     std::fwrite(whole.data(), 1, whole.size(), stderr);
 }

@@ -16,6 +16,6 @@ bool reader_of_output_has_gone();
 
 /// A line on standard error, in which control characters are written out (printable.hpp). Nothing depends on whether it
 /// can be written.
-void tell(const std::string& line);
+void report(const std::string& line);
 
 }  // namespace swirl::apps

@@ -125,13 +125,13 @@ int continue_orbit(ContinueOptions& options) {
                                    p, along.low, along.high));
     system.options.longest_step = options.longest_step;
     system.options.first_step = std::min(1e-3, options.longest_step);
-    if (!beginning.why_none.empty()) tell(beginning.why_none);
+    if (!beginning.why_none.empty()) report(beginning.why_none);
     auto cycle = cycles::cycle_from({scene, beginning.points}, beginning.period, system.map, p);
     if (!cycle.empty() && !lies_on_curve(scene, accuracy, along, cycle)) {
-        tell(fmt::format("swirl: the cycle is {}",
-                         along.parameter
-                             ? "a member of a family: follow it by --along S=A:B or tau=A:B"
-                             : "not a member of a family of one parameter: --along a parameter of the scene"));
+        report(fmt::format("swirl: the cycle is {}",
+                           along.parameter
+                               ? "a member of a family: follow it by --along S=A:B or tau=A:B"
+                               : "not a member of a family of one parameter: --along a parameter of the scene"));
         cycle.clear();
     }
     std::optional<RecordWriter> record = open_record(options.output, "Branches of cycles of a swirled polygon",

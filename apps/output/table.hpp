@@ -15,7 +15,7 @@ struct NoColumn {};
 inline constexpr NoColumn no_column{};
 
 /// A column of a result: its name, how it is read from a row, and what a record says of it. JSON and records list it
-/// unless told otherwise, tables for people if it is `shown`. Written as
+/// unless it says otherwise, tables for people if it is `shown`. Written as
 ///   {"mean_S", &Row::mean_spin, "1", "time mean of S"}
 /// with a member or a function of a row that gives what value_from() takes. Units: "1" of a pure number, a count or a
 /// truth, none of names.

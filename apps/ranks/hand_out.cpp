@@ -187,8 +187,8 @@ void HandOut::read(const Message& message, std::string_view name) {
 void HandOut::leave_out(int rank, std::string_view why) {
     Other& other = others_[static_cast<std::size_t>(rank)];
     if (!quiet_ && !other.is_reported)
-        tell(fmt::format("swirl: rank {} takes no part, and its {} unfinished runs are done by others: {}", rank,
-                         other.has.size(), why));
+        report(fmt::format("swirl: rank {} takes no part, and its {} unfinished runs are done by others: {}", rank,
+                           other.has.size(), why));
     other.is_reported = true;
     left_.insert(left_.end(), other.has.begin(), other.has.end());
     other.has.clear();

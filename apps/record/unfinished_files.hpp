@@ -24,7 +24,7 @@ private:
     std::optional<std::size_t> place_;
 };
 
-/// Removes them all; nothing is to be written to them afterwards. For a process that is told to leave: may be called
+/// Removes them all; nothing is to be written to them afterwards. For a process that has to leave: may be called
 /// from the handler of a signal, whatever the process was doing.
 void remove_unfinished_files() noexcept;
 

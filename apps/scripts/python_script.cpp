@@ -80,7 +80,7 @@ int run_python(const std::filesystem::path& script, const std::vector<std::strin
         try {
             become_python(script, arguments);
         } catch (const BadInput& error) {
-            tell(fmt::format("swirl: {}", error.what()));
+            report(fmt::format("swirl: {}", error.what()));
         }
         ::_exit(exit_bad_input);
     }

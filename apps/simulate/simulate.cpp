@@ -137,7 +137,7 @@ int simulate(SimulateOptions& options) {
         if (*time) *time = without_units(**time, options.scene.units(), "1/omega_s");
     check_limits(options);
     const Scene<double> scene = options.scene.scene<double>();
-    options.output.accuracy();  // a wrong name is told before any work
+    options.output.accuracy();  // a wrong name is reported before any work
     check_start(options, scene);
     note_interruptions();
 

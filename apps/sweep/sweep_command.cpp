@@ -93,7 +93,7 @@ namespace {
 
 constexpr std::size_t most_results = 100'000'000;
 
-/// What a flag says of a parameter that the grid varies: the grid wins, but a value that is none is told.
+/// What a flag says of a parameter that the grid varies: the grid wins, but a value that is no number is reported.
 void check_beside(const SweepOptions& options, const std::vector<GridAxis>& grid, const GridAxis& axis) {
     if (options.scene.flag(axis.name, "").empty()) return;
     if (axis.name == "law") throw BadInput("--law and --grid law=… are both given: give one of them");
@@ -119,7 +119,7 @@ void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     require_starts(options.start, grid, options.runs);
     for (const GridAxis& axis : grid) check_beside(options, grid, axis);
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
-    options.output.accuracy();  // a wrong name is told before any work
+    options.output.accuracy();  // a wrong name is reported before any work
     const double results = static_cast<double>(cell_count(grid)) * static_cast<double>(options.runs);
     if (results > static_cast<double>(most_results))
         throw BadInput(fmt::format("cells x runs = {:.0f} is outside its range: 1 to {}", results, most_results));
@@ -219,10 +219,10 @@ bool read_what_is_there(const SweepOptions& options, Sweep& sweep, std::vector<c
     try {
         const bool whole = sweep.shard ? read_shard(path, sweep, done) : read_sweep(path, sweep, done);
         warn_without_checksum(path, options.output.quiet);
-        if (!options.output.quiet && whole) tell(fmt::format("swirl: '{}' holds this sweep already", path));
+        if (!options.output.quiet && whole) report(fmt::format("swirl: '{}' holds this sweep already", path));
         if (!options.output.quiet && !whole)
-            tell(fmt::format("swirl: '{}' holds {} of {} runs of this sweep: the others are added", path,
-                             std::count(done.begin(), done.end(), 1), done.size()));
+            report(fmt::format("swirl: '{}' holds {} of {} runs of this sweep: the others are added", path,
+                               std::count(done.begin(), done.end(), 1), done.size()));
         return whole;
     } catch (const RecordError& error) {
         throw BadInput(error.what());
@@ -242,8 +242,8 @@ bool run_the_rest(const SweepOptions& options, Sweep& sweep, std::vector<char>& 
     if (!all) {
         if (journal && count_done() == in_record) journal->remove();  // nothing to go on from
         if (journal && !options.output.quiet)
-            tell(fmt::format("swirl: interrupted; {} of {} runs are kept: the same command goes on from there",
-                             count_done(), done.size()));
+            report(fmt::format("swirl: interrupted; {} of {} runs are kept: the same command goes on from there",
+                               count_done(), done.size()));
         return false;
     }
     if (!path.empty()) {
@@ -270,8 +270,8 @@ int sweep_grid(SweepOptions& options, HandOut& hand_out) {
     else if (!options.output.quiet)
         print_sweep(sweep);
     if (!options.output.quiet && !options.output.json)
-        tell(fmt::format("swirl: {:.1f} s",
-                         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
+        report(fmt::format("swirl: {:.1f} s",
+                           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
     return exit_done;
 }
 

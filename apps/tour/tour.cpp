@@ -97,7 +97,7 @@ int tour(TourOptions& options) {
     }
     if (record) {
         record->finish();
-        if (!options.output.quiet) tell(fmt::format("record: {}", options.output.record));
+        if (!options.output.quiet) report(fmt::format("record: {}", options.output.record));
     }
     return exit_done;
 }

@@ -15,7 +15,7 @@ struct FixedPointSet {
     PlaneProblem problem;
     std::vector<Cell> start;
     Ball sine, width;    ///< sin χ and w where they are fixed
-    std::string open{};  ///< why nothing is told of it; empty: it is looked at
+    std::string open{};  ///< why nothing is known of it; empty: it is examined
 };
 
 /// All of them, for 0 < τ ≤ max_time. The scene outlives it.

@@ -225,7 +225,7 @@ TEST(ConsistentContact, StickingThatEndsInFlightEndsInTime) {
     EXPECT_LE(ends.late, 2e-14);  // 100 ε: of rounding, over the rate at which friction's reserve falls
 }
 
-/// Random scenes of the sort in which the edges of polygons are landed on; the worst of them is told.
+/// Random scenes of the sort in which the edges of polygons are landed on; the worst of them is reported.
 void check_random(long count, std::uint64_t seed) {
     tests::Random random(seed);
     long moments = 0, edges = 0, unresolved = 0, wrong = 0;

@@ -130,16 +130,17 @@ TEST(RimPendulum, InClosedFormIsWhatIntegrationFinds) {
         const auto motion = mu > 0 ? ContactMotion::sticking : ContactMotion::sliding_forward;
         const double time = 200;
         const auto seen = run_contact(scene, Support::rim, motion, z, time, [](const auto&...) {}),
-                   told = run_contact(scene, Support::rim, motion, z, time);
+                   by_pendulum = run_contact(scene, Support::rim, motion, z, time);
         ASSERT_EQ(seen.event, ContactEvent::horizon);
-        EXPECT_EQ(told.steps, 1);
+        EXPECT_EQ(by_pendulum.steps, 1);
         // An error of ψ grows along the orbit with dψ/dh t: with the number of swings, and faster near the separatrix.
         const double near = std::abs(pendulum.height / (2 * pendulum.strength) - 1);
         const double scale = (1 + std::sqrt(pendulum.height) * time) / std::min(1.0, near);
-        const double difference = std::max(
-            {std::abs(seen.state.psi - told.state.psi), std::abs(seen.state.ut - told.state.ut),
-             std::abs(seen.state.spin - told.state.spin) * alpha, std::abs(seen.sums.turned - told.sums.turned) * alpha,
-             std::abs(seen.sums.work - told.sums.work)});
+        const double difference =
+            std::max({std::abs(seen.state.psi - by_pendulum.state.psi), std::abs(seen.state.ut - by_pendulum.state.ut),
+                      std::abs(seen.state.spin - by_pendulum.state.spin) * alpha,
+                      std::abs(seen.sums.turned - by_pendulum.sums.turned) * alpha,
+                      std::abs(seen.sums.work - by_pendulum.sums.work)});
         worst = std::max(worst, difference / scale);
         ++lasting;
         turning += pendulum.turns();

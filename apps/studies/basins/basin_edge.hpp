@@ -15,7 +15,7 @@ template <int D>
 class BasinEdge {
 public:
     /// Of what `attractor` came to, by verdicts with these settings.
-    ///   stop  true: nothing is told of a start any more
+    ///   stop  true: starts are reported no more
     BasinEdge(const Scene<double>& scene, const analysis::ClassifyOptions& settings, Accuracy accuracy,
               const RunResult& attractor, const analysis::Stop& stop);
 

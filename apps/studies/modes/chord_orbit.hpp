@@ -13,7 +13,7 @@ namespace swirl::studies {
 /// mistaken with 64 impacts or more and any factor from 1.25 to 10, two with 4 impacts and a factor of 5.
 ///   chord_impacts  that it is watched for
 ///   chord_excess   what it may deviate by, over what the swirl forces
-///   most_bent      what the swirl may force for the response to be linear, in radians: 1,397 that stay are not told
+///   most_bent      what the swirl may force for the response to be linear, in radians: 1,397 that stay are not named
 ///                  with 0.05, 751 with 0.25, 589 with 0.5, and none is mistaken
 inline constexpr int chord_impacts = 256;
 inline constexpr double chord_excess = 2;
@@ -24,7 +24,7 @@ inline constexpr double most_bent = 0.25;
 inline constexpr double limit_tolerance(double bend) {
     return 0.01 + 20 * bend * bend;
 }
-/// Up to this bend the limit is told: to 6 %.
+/// Up to this bend the limit is named: to 6 %.
 inline constexpr double most_bent_at_limit = 0.05;
 
 /// The body in the container's frame, just after an impact. The direction of its velocity and χ are in radians.

@@ -6,7 +6,7 @@
 
 namespace swirl::studies {
 
-/// The verdict on the run from a seed; `attractor` is not told yet.
+/// The verdict on the run from a seed; `attractor` is not known yet.
 RunVerdict run_verdict(std::uint64_t seed, const NamedMode& named);
 
 }  // namespace swirl::studies

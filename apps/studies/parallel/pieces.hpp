@@ -18,7 +18,7 @@ using KeepResult = std::function<void()>;
 /// Calls work(0) … work(count − 1), on `control.threads`, and what each of them gives under a lock, in the order in
 /// which they end. A stop is heeded within 0.2 s, whatever a piece is at: pieces that have not ended by then are left
 /// to end by themselves, and nothing more is kept. So `work` owns what it uses, or shares it.
-///   task  named to `control.begin_task`, with `count` as its total; empty: nobody is told
+///   task  named to `control.begin_task`, with `count` as its total; empty: nothing is reported
 /// @return false if not all are done: it was stopped. Exceptions of a piece are passed on.
 bool run_pieces(std::size_t count, const std::string& task, const RunControl& control,
                 const std::function<KeepResult(std::size_t)>& work);

@@ -15,7 +15,7 @@ struct RunControl {
     /// Asked often, by any thread; true: end soon, with what is finished. Empty: never.
     std::function<bool()> stop = {};
     int threads = 0;  ///< 0: all
-    /// Called as a task begins, with its name and total. Empty: nobody is told.
+    /// Called as a task begins, with its name and total. Empty: nothing is reported.
     std::function<ReportDone(const std::string& task, double total)> begin_task = {};
 
     bool is_stopped() const { return stop && stop(); }

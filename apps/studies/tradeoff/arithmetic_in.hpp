@@ -59,8 +59,8 @@ struct Followed {
         if (result.outcome != Outcome::completed) return result;
         if (has_diverged(map.body(), c.after)) result.outcome = Outcome::diverged;
         if (has_come_to_rest(map.body(), c.after)) result.outcome = Outcome::resting;
-        const T told = c.jacobi_restitution + c.jacobi_friction + step.contact_work;
-        result.jacobi_drift = static_cast<double>(jacobi_of(map.body(), c.after) - before - told);
+        const T accounted = c.jacobi_restitution + c.jacobi_friction + step.contact_work;
+        result.jacobi_drift = static_cast<double>(jacobi_of(map.body(), c.after) - before - accounted);
         return result;
     }
 

@@ -1,5 +1,5 @@
 // What an orbit does, shown by other means than the classification's: a longer orbit, its own returns, and how fast a
-// neighbour parts from it. Only a torus is told by the same rotation number, of the longer orbit.
+// neighbour parts from it. Only a torus is known by an equal rotation number, of the longer orbit.
 #pragma once
 
 #include "analysis/classification/mode.hpp"

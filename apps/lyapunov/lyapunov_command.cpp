@@ -53,7 +53,7 @@ Table<std::size_t> exponent_table(const OrbitSpectrum& s) {
     using F = Field<std::size_t>;
     const auto from = [](const std::vector<double>& values) { return [&values](std::size_t i) { return values[i]; }; };
     const auto& means = s.spectrum;
-    const Look sign{"", look_of("  {}").text};
+    const ColumnFormat sign{"", column_format_of("  {}").text};
     F without{"without_losses", from(means.without_losses), "1", "per collision, over the impacts that did not"};
     if (!means.annihilations.empty()) without.shown("without them", " {:>16.9g}");
     return {{"exponent"},

@@ -43,7 +43,7 @@ struct Field {
     Field& record_only() { return in_json = false, *this; }
     Field& table_only() { return in_json = in_record = false, *this; }
     /// Left out everywhere unless `condition`: a disk has no chi.
-    Field& when(bool condition) { return condition ? *this : (look.reset(), table_only()); }
+    Field& when(bool condition) { return condition ? *this : (column_format.reset(), table_only()); }
 
     /// JSON says something else: null, an empty optional, where a record has 0, say.
     template <class Reader>
@@ -81,13 +81,13 @@ struct Field {
     }
 
     /// A table for people has it under this heading.
-    Field& shown(std::string words, Look how) {
+    Field& shown(std::string words, ColumnFormat how) {
         heading = std::move(words);
-        look = std::move(how);
+        column_format = std::move(how);
         return *this;
     }
-    /// See look_of().
-    Field& shown(std::string words, const char* format) { return shown(std::move(words), look_of(format)); }
+    /// See column_format_of().
+    Field& shown(std::string words, const char* format) { return shown(std::move(words), column_format_of(format)); }
 
     /// A table in SI units names this one: 1/s of an exponent, where "omega_s" would be rad/s.
     Field& in_si(std::string label) { return unit = std::move(label), *this; }
@@ -103,7 +103,7 @@ struct Field {
     std::size_t row_length = 0;
     std::string heading;
     std::string unit;  ///< that a table for people names, in SI: set by in_units(), unless it is named here
-    std::optional<Look> look;
+    std::optional<ColumnFormat> column_format;
 };
 
 /// Rows of a result. Outputs list the fields as they stand here; one that has another order names those that come

@@ -73,7 +73,7 @@ std::string text_of(const Value& value) {
     return std::get<std::string>(value);
 }
 
-Look look_of(const std::string& format) {
+ColumnFormat column_format_of(const std::string& format) {
     std::string heading = format;  // "{:>14.8g}" -> "{:>14}"
     const auto precision = heading.find('.');
     if (precision != std::string::npos) heading.erase(precision, heading.find('}') - precision);
@@ -90,11 +90,11 @@ Look look_of(const std::string& format) {
             }};
 }
 
-Look dash_for_zero(const std::string& format) {
-    const Look look = look_of(format);
-    return {look.heading, [look](const Value& value) {
-                return integer_of<std::int64_t>(value) == 0 ? fmt::format(fmt::runtime(look.heading), "-")
-                                                            : look.text(value);
+ColumnFormat dash_for_zero(const std::string& format) {
+    const ColumnFormat plain = column_format_of(format);
+    return {plain.heading, [plain](const Value& value) {
+                return integer_of<std::int64_t>(value) == 0 ? fmt::format(fmt::runtime(plain.heading), "-")
+                                                            : plain.text(value);
             }};
 }
 

@@ -61,15 +61,15 @@ std::vector<std::string> names_up_to(Enum last) {
 }
 
 /// How a column of a table for people looks.
-struct Look {
+struct ColumnFormat {
     std::string heading;  ///< the format of the heading
     std::function<std::string(const Value&)> text;
 };
 
 /// " {:>14.8g}": blanks before the column, alignment and width, precision. The heading has the same but for precision.
 /// NaN, what is not there, is "-".
-Look look_of(const std::string& format);
-/// A format, as look_of() reads it, with "-" for 0.
-Look dash_for_zero(const std::string& format);
+ColumnFormat column_format_of(const std::string& format);
+/// A format, as column_format_of() reads it, with "-" for 0.
+ColumnFormat dash_for_zero(const std::string& format);
 
 }  // namespace swirl::apps

@@ -44,7 +44,7 @@ std::vector<Field<Row>> record_columns(const Table<Row>& table) {
 
 template <class Row>
 std::vector<Field<Row>> shown_fields(const Table<Row>& table) {
-    return fields_of(table, table.first_in_table, [](const auto& field) { return field.look.has_value(); });
+    return fields_of(table, table.first_in_table, [](const auto& field) { return field.column_format.has_value(); });
 }
 
 // JSON.
@@ -164,7 +164,7 @@ Table<Row> in_units(Table<Row> table, const std::optional<Units>& units) {
         else if (field.unit.empty())
             field.unit = shown ? shown->label : unit_label(field.description.units);
         if (!shown) continue;
-        if (!field.look) {
+        if (!field.column_format) {
             if (!field.read) continue;
             field.read = [read = field.read, scale = shown->scale](const Row& row) {
                 const Value value = read(row);
@@ -173,7 +173,7 @@ Table<Row> in_units(Table<Row> table, const std::optional<Units>& units) {
             };
             continue;
         }
-        field.look->text = [text = field.look->text, scale = shown->scale](const Value& value) {
+        field.column_format->text = [text = field.column_format->text, scale = shown->scale](const Value& value) {
             const auto* number = std::get_if<double>(&value);
             return text(number != nullptr ? Value(*number * scale) : value);
         };
@@ -186,8 +186,8 @@ std::string heading_of(const std::vector<Field<Row>>& shown) {
     std::string line;
     std::string units;
     for (const auto& field : shown) {
-        line += fmt::format(fmt::runtime(field.look->heading), field.heading);
-        units += fmt::format(fmt::runtime(field.look->heading), field.unit);
+        line += fmt::format(fmt::runtime(field.column_format->heading), field.heading);
+        units += fmt::format(fmt::runtime(field.column_format->heading), field.unit);
     }
     units.erase(units.find_last_not_of(' ') + 1);
     return line + "\n" + (units.empty() ? "" : units + "\n");
@@ -196,7 +196,7 @@ std::string heading_of(const std::vector<Field<Row>>& shown) {
 template <class Row>
 std::string line_of(const std::vector<Field<Row>>& shown, const Row& row) {
     std::string line;
-    for (const auto& field : shown) line += field.look->text(field.read(row));
+    for (const auto& field : shown) line += field.column_format->text(field.read(row));
     return line + "\n";
 }
 
@@ -215,7 +215,7 @@ std::string shown_lines_of(const Table<Row>& table, const Row& row) {
         const Value value = field.read(row);
         const auto* number = std::get_if<double>(&value);
         if (number == nullptr || std::isfinite(*number))
-            lines += fmt::format("  {:<33} {}{}{}\n", field.heading, field.look->text(value),
+            lines += fmt::format("  {:<33} {}{}{}\n", field.heading, field.column_format->text(value),
                                  field.unit.empty() ? "" : " ", field.unit);
     }
     return lines;

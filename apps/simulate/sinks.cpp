@@ -22,7 +22,7 @@ std::string number_in(double value, int width) {
     return fmt::format("{:>{}}", text, width);
 }
 
-Look number_of_width(int width) {
+ColumnFormat number_of_width(int width) {
     return {fmt::format(" {{:>{}}}", width),
             [width](const Value& value) { return fmt::format(" {}", number_in(std::get<double>(value), width)); }};
 }
@@ -30,8 +30,8 @@ Look number_of_width(int width) {
 /// Group `collisions`.
 Table<ImpactRow> impact_table(const Scene<double>& scene) {
     using F = Field<ImpactRow>;
-    const Look simultaneous{"", [](const Value& value) { return std::get<bool>(value) ? " *" : ""; }};
-    const Look mode{" {:<10}", look_of(" {}").text};
+    const ColumnFormat simultaneous{"", [](const Value& value) { return std::get<bool>(value) ? " *" : ""; }};
+    const ColumnFormat mode{" {:<10}", column_format_of(" {}").text};
     Table<ImpactRow> table{{"collision"}, {}, {}, {"number", "t", "vertex", "psi", "chi", "vn", "vt", "S"}};
     table.fields.push_back(
         F{"number", &ImpactRow::number, "1", "number of the impact, from 1"}.coordinate().shown("impact", "{:>6}"));
@@ -48,7 +48,7 @@ Table<ImpactRow> impact_table(const Scene<double>& scene) {
     table.fields.push_back(F{"contact_mode", &ImpactRow::contact_mode, "", "contact mode"}
                                .flags(names_up_to(ContactMode::r_reversed))
                                .shown("mode", mode));
-    if (scene.mu == 0) table.fields.back().look.reset();  // all are frictionless
+    if (scene.mu == 0) table.fields.back().column_format.reset();  // all are frictionless
     table.fields.push_back(
         F{"simultaneous", &ImpactRow::simultaneous, "1", "another vertex struck at the same time"}.shown("",
                                                                                                          simultaneous));

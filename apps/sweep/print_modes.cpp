@@ -83,7 +83,7 @@ Table<TableRow> mode_table(const Sweep& sweep) {
         const std::string name = name_with_unit(sweep, k);
         const std::size_t width = std::max<std::size_t>(name.size(), sweep.grid.size() == 1 ? 13 : 9);
         table.fields.push_back(
-            F{sweep.grid[k].name, text, no_column}.shown(name, look_of(fmt::format(" {{:>{}}}", width))));
+            F{sweep.grid[k].name, text, no_column}.shown(name, column_format_of(fmt::format(" {{:>{}}}", width))));
     }
     const auto in_percent = [](const Value& value) {
         return fmt::format(" {:>11.2f} %", 100 * std::get<double>(value));

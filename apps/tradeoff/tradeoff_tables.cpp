@@ -21,7 +21,7 @@ std::string in_seconds(const Value& value) {
     return fmt::format("{:.3g} s", seconds);
 }
 
-Look seconds_look(const char* heading) {
+ColumnFormat seconds_format(const char* heading) {
     return {heading, [heading](const Value& value) { return fmt::format(fmt::runtime(heading), in_seconds(value)); }};
 }
 
@@ -170,7 +170,7 @@ void add_time(std::vector<Field<Row>>& fields, const std::string& name, const ch
               Timing Row::*member) {
     const auto read = [member](auto part) { return [member, part](const Row& row) { return (row.*member).*part; }; };
     fields.push_back(
-        Field<Row>{name, read(&Timing::median), "s", of + ", median"}.shown(heading, seconds_look(" {:>9}")));
+        Field<Row>{name, read(&Timing::median), "s", of + ", median"}.shown(heading, seconds_format(" {:>9}")));
     fields.push_back(Field<Row>{name + "_lower", read(&Timing::lower), "s", of + ", lower quartile"});
     fields.push_back(Field<Row>{name + "_upper", read(&Timing::upper), "s", of + ", upper quartile"});
 }
@@ -251,7 +251,7 @@ Table<EvidenceRow> evidence_table() {
          F{"changed_rate_least", [](const EvidenceRow& row) { return row.changed_rate.least; }, "1", "at 95 %"},
          F{"changed_rate_most", [](const EvidenceRow& row) { return row.changed_rate.most; }, "1", "at 95 %"},
          F{"seconds", &EvidenceRow::seconds, "s", "that the first start's verdict took"}.shown(
-             "time", seconds_look(" {:>8}"))}};
+             "time", seconds_format(" {:>8}"))}};
 }
 
 Table<ModelRow> model_table() {
@@ -260,7 +260,7 @@ Table<ModelRow> model_table() {
     add_time(fields, "seconds_per_collision", "with", "of a collision with it", &ModelRow::with);
     add_time(fields, "seconds_without", "without", "of a collision without it", &ModelRow::without);
     fields.push_back(Field<ModelRow>{"seconds_added", &ModelRow::added, "s", "difference of the medians"}.shown(
-        "adds", seconds_look(" {:>10}")));
+        "adds", seconds_format(" {:>10}")));
     fields.push_back(
         Field<ModelRow>{"paid_by", &ModelRow::paid_by, "", "which commands pay for it on this scene"}.shown("paid by",
                                                                                                             "  {}"));

@@ -17,7 +17,7 @@ double KnownCycles::mean_of(const CyclePoints& points) const {
     return sum / static_cast<double>(points.size());
 }
 
-std::optional<std::size_t> KnownCycles::place_of(const CyclePoints& points) const {
+std::optional<std::size_t> KnownCycles::position_of(const CyclePoints& points) const {
     const double mean = mean_of(points);
     const auto begin = by_mean_.lower_bound(mean - 2 * same_), end = by_mean_.upper_bound(mean + 2 * same_);
     const auto known = std::find_if(begin, end, [&](const auto& entry) {
@@ -27,7 +27,7 @@ std::optional<std::size_t> KnownCycles::place_of(const CyclePoints& points) cons
     return known->second;
 }
 
-std::optional<std::size_t> KnownCycles::place_of_family_of(const CyclePoints& points, Eigen::Index dimension) const {
+std::optional<std::size_t> KnownCycles::position_of_family_of(const CyclePoints& points, Eigen::Index dimension) const {
     for (std::size_t i = 0; i < cycles_.size(); ++i) {
         const Cycle& other = cycles_[i];
         if (!other.is_family() || other.period() != points.size()) continue;
@@ -40,16 +40,16 @@ std::optional<std::size_t> KnownCycles::place_of_family_of(const CyclePoints& po
 }
 
 bool KnownCycles::add(const CyclePoints& points, double residual) {
-    const auto seen_again = [this](std::size_t place) {
-        ++cycles_[place].found;
+    const auto seen_again = [this](std::size_t position) {
+        ++cycles_[position].found;
         return false;
     };
-    if (const auto place = place_of(points)) return seen_again(*place);
+    if (const auto position = position_of(points)) return seen_again(*position);
     const ShootingResidual shooting = shooting_residual(map_, points, p_);
     if (!shooting.alive) return false;
     const Eigen::MatrixXd tangents = family_directions(shooting, map_.dimension);
     if (one_per_family_ && tangents.cols() > 0)
-        if (const auto place = place_of_family_of(points, tangents.cols())) return seen_again(*place);
+        if (const auto position = position_of_family_of(points, tangents.cols())) return seen_again(*position);
     Cycle cycle;
     for (const auto& z : points) cycle.points.push_back(map_.normalised(z));
     cycle.residual = residual;

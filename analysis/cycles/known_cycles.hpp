@@ -29,9 +29,9 @@ public:
     std::vector<Cycle> completed(int threads = 0) const;
 
 private:
-    std::optional<std::size_t> place_of(const CyclePoints& points) const;
+    std::optional<std::size_t> position_of(const CyclePoints& points) const;
     double mean_of(const CyclePoints& points) const;
-    std::optional<std::size_t> place_of_family_of(const CyclePoints& points, Eigen::Index dimension) const;
+    std::optional<std::size_t> position_of_family_of(const CyclePoints& points, Eigen::Index dimension) const;
 
     const ShootingMap& map_;
     double p_;

@@ -40,9 +40,9 @@ std::uint64_t common_bits(const std::vector<std::uint64_t>& a, const std::vector
 
 Presence::Presence(const Points& points) : point_at(points.rows(), none) {
     for (std::size_t i = 0; i < points.count; ++i) {
-        const std::size_t place = points.place(i);
-        point_at[place] = static_cast<std::uint32_t>(i);
-        if (runs.empty() || runs.back().place + runs.back().count != place) runs.push_back({i, place, 0});
+        const std::size_t row = points.row(i);
+        point_at[row] = static_cast<std::uint32_t>(i);
+        if (runs.empty() || runs.back().row + runs.back().count != row) runs.push_back({i, row, 0});
         ++runs.back().count;
     }
 }
@@ -71,7 +71,7 @@ ColumnSource with_gaps(ColumnSource inner, const Presences& presences, std::size
         inner(presences.columns.point_at[c], 0, words);
         for (std::size_t k = 0; k < words.size(); ++k)
             for (const PointRun& run : presences.rows.runs)
-                copy_bits(words[k], run.point, run.count, frames[k], run.place + offset);
+                copy_bits(words[k], run.point, run.count, frames[k], run.row + offset);
     };
 }
 

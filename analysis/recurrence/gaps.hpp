@@ -13,7 +13,7 @@ namespace swirl::analysis::recurrence::detail {
 
 /// Points that follow each other without a gap.
 struct PointRun {
-    std::size_t point, place, count;
+    std::size_t point, row, count;
 };
 
 /// Which rows, or columns, of a matrix have a point.

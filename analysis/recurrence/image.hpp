@@ -10,7 +10,7 @@
 namespace swirl::analysis::recurrence {
 
 /// density[a * pixels + b]: share of recurrent pairs among rows [a n/m, (a+1) n/m) and columns [b n'/m, (b+1) n'/m),
-/// m = pixels. No Theiler window. Rows of gaps (Points::places) have their room; NaN where a cell has no pair.
+/// m = pixels. No Theiler window. Rows of gaps (Points::row_numbers) have their room; NaN where a cell has no pair.
 struct Image {
     std::size_t pixels = 0;
     std::vector<double> density;

@@ -26,7 +26,7 @@ std::size_t vertical_lines_of_column(const Context& context, std::size_t c, cons
     std::size_t points = 0;
     for (const PointRun& run : presences->rows.runs) {
         counter.stretch.assign(run.count / 64 + 2, 0);
-        copy_bits(words, first + run.place, run.count, counter.stretch.data(), 0);
+        copy_bits(words, first + run.row, run.count, counter.stretch.data(), 0);
         points += vertical_lines(counter.stretch.data(), 0, run.count, options, counter.vertical, counter.time);
     }
     return points;

@@ -54,7 +54,7 @@ std::vector<LineHistograms> count(const Points& rows, const Points& columns, boo
     const detail::SortedRows& sorted = finder.sorted;
     const int theiler = theiler_window(settings, !symmetric);
     std::optional<detail::Presences> presences;
-    if (!rows.places.empty() || !columns.places.empty())
+    if (!rows.row_numbers.empty() || !columns.row_numbers.empty())
         presences = detail::Presences{detail::Presence(rows), detail::Presence(columns)};
     const bool sliding = !presences && detail::can_slide(rows, theiler);
     const detail::Shape shape{rows.rows(), columns.rows(), symmetric,

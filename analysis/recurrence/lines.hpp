@@ -34,13 +34,13 @@ struct LineHistograms {
     /// Points with |i - j| = k, k = 0 ... min(rows, columns) - 1, within the largest square (i, j < min). Entries with
     /// k < theiler are 0.
     std::vector<std::uint64_t> diagonal_points;
-    /// Of points with gaps between them (Points::places): the pairs of points, those with |i - j| >= theiler, and those
-    /// with |i - j| = k within the largest square. Without gaps 0, 0 and empty: all pairs of rows and columns.
+    /// Of points with gaps between them (Points::row_numbers): the pairs of points, those with |i - j| >= theiler, and
+    /// those with |i - j| = k within the largest square. Without gaps 0, 0 and empty: all pairs of rows and columns.
     std::uint64_t pairs = 0, pairs_outside_window = 0;
     std::vector<std::uint64_t> diagonal_pairs = {};
 };
 
-/// Gaps (Points::places) are to lines what the border of the matrix is: the stretches of rows between them against
+/// Gaps (Points::row_numbers) are to lines what the border of the matrix is: the stretches of rows between them against
 /// those of the columns are matrices of their own, whose lines are added up. Rows and columns, and the lengths of the
 /// diagonals, count those of gaps, too.
 

@@ -72,21 +72,23 @@ Points section_points(std::span<const double> row_major, int dimension, std::spa
 }
 
 std::size_t Points::point_from(std::size_t distance) const {
-    if (places.empty()) return std::min(distance, count);
-    return static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), distance) - places.begin());
+    if (row_numbers.empty()) return std::min(distance, count);
+    return static_cast<std::size_t>(std::lower_bound(row_numbers.begin(), row_numbers.end(), distance) -
+                                    row_numbers.begin());
 }
 
-Points at_places(Points points, std::span<const std::size_t> places) {
-    if (places.size() != points.count)
-        throw std::invalid_argument("number of places = " + std::to_string(places.size()) +
+Points at_rows(Points points, std::span<const std::size_t> row_numbers) {
+    if (row_numbers.size() != points.count)
+        throw std::invalid_argument("number of rows = " + std::to_string(row_numbers.size()) +
                                     ": must be the number of points, " + std::to_string(points.count));
-    for (std::size_t i = 1; i < places.size(); ++i)
-        if (!(places[i] > places[i - 1]))
-            refuse("places[" + std::to_string(i) + "]", static_cast<double>(places[i]), "above the one before");
-    require_count(places.back() - places.front());
-    points.places.clear();
-    if (places.back() - places.front() + 1 == points.count) return points;
-    for (const std::size_t place : places) points.places.push_back(static_cast<std::uint32_t>(place - places.front()));
+    for (std::size_t i = 1; i < row_numbers.size(); ++i)
+        if (!(row_numbers[i] > row_numbers[i - 1]))
+            refuse("rows[" + std::to_string(i) + "]", static_cast<double>(row_numbers[i]), "above the one before");
+    require_count(row_numbers.back() - row_numbers.front());
+    points.row_numbers.clear();
+    if (row_numbers.back() - row_numbers.front() + 1 == points.count) return points;
+    for (const std::size_t row : row_numbers)
+        points.row_numbers.push_back(static_cast<std::uint32_t>(row - row_numbers.front()));
     return points;
 }
 

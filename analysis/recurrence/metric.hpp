@@ -27,11 +27,11 @@ struct Points {
     std::vector<double> periods;  ///< of each coordinate; 0: not an angle
     bool embedded = false;        ///< all coordinates are one scalar series, `values`
     /// The row of each point in time, rising from 0; empty: i. Rows without a point are gaps, at which lines end.
-    std::vector<std::uint32_t> places = {};
+    std::vector<std::uint32_t> row_numbers = {};
 
-    std::size_t place(std::size_t i) const { return places.empty() ? i : places[i]; }
+    std::size_t row(std::size_t i) const { return row_numbers.empty() ? i : row_numbers[i]; }
     /// Rows from the first point to the last, those of gaps among them.
-    std::size_t rows() const { return places.empty() ? count : places.back() + std::size_t{1}; }
+    std::size_t rows() const { return row_numbers.empty() ? count : row_numbers.back() + std::size_t{1}; }
     /// The first point that is `distance` rows or more from row 0 on, `count` if none is.
     std::size_t point_from(std::size_t distance) const;
     const double* coordinate(int m) const { return values.data() + static_cast<std::size_t>(m) * stride; }
@@ -46,9 +46,9 @@ Points embed_series(std::span<const double> series, int dimension = 1, int delay
 /// Throws std::invalid_argument for values that are not finite or sizes that do not fit. Cost: O(n dimension).
 Points section_points(std::span<const double> row_major, int dimension, std::span<const double> periods = {});
 
-/// Points with gaps between them: `places` are their rows, rising; the first counts as 0.
-/// Throws std::invalid_argument for another number of them, or places that do not rise. Cost: O(n).
-Points at_places(Points points, std::span<const std::size_t> places);
+/// Points with gaps between them: `row_numbers` of them, rising; the first counts as 0.
+/// Throws std::invalid_argument for another number of them, or row numbers that do not rise. Cost: O(n).
+Points at_rows(Points points, std::span<const std::size_t> row_numbers);
 
 /// The largest key that is recurrent: key <= key_bound decides. threshold >= 0 (throws otherwise).
 double key_bound(double threshold, Norm norm, bool strict, int dimension);

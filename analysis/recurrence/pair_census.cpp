@@ -25,7 +25,7 @@ void visit_pairs(const Points& points, Norm norm, std::size_t gap, std::size_t c
         centre[m] = coordinates[m][c];
     }
     const KeyTask task{coordinates.data(), centre.data(), points.periods.data(), points.dimension, norm};
-    for (std::size_t begin = points.point_from(points.place(c) + gap); begin < points.count; begin += chunk_size) {
+    for (std::size_t begin = points.point_from(points.row(c) + gap); begin < points.count; begin += chunk_size) {
         const std::size_t count = std::min(chunk_size, points.count - begin);
         compute_keys(task, begin, count, keys.data());
         visit(keys.data(), count);

@@ -13,8 +13,8 @@ namespace swirl::analysis::recurrence::detail {
 /// Two pointers on either side of each value; the very comparison of metric.hpp. Cost: O(n).
 std::uint64_t count_sorted_pairs(std::span<const double> sorted, double period, double bound);
 
-/// Unordered pairs with j - i >= gap rows (gap >= 1; Points::places) whose key is <= bounds[k], for each k. Cost: n^2/2
-/// distances.
+/// Unordered pairs with j - i >= gap rows (gap >= 1; Points::row_numbers) whose key is <= bounds[k], for each k. Cost:
+/// n^2/2 distances.
 std::vector<std::uint64_t> count_pairs(const Points& points, Norm norm, std::size_t gap,
                                        std::span<const double> bounds);
 

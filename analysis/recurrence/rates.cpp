@@ -59,7 +59,7 @@ double select_scalar_key(const Points& points, std::size_t gap, std::uint64_t ra
     const auto count = [&](double bound) {  // unordered pairs with j - i >= gap
         std::uint64_t pairs = (detail::count_sorted_pairs(sorted, points.periods[0], bound) - points.count) / 2;
         for (std::size_t i = 0; i < points.count; ++i)
-            for (std::size_t j = i + 1; j < points.count && points.place(j) - points.place(i) < gap; ++j)
+            for (std::size_t j = i + 1; j < points.count && points.row(j) - points.row(i) < gap; ++j)
                 pairs -= pair_key(points, i, points, j, Norm::maximum) <= bound;
         return pairs;
     };
@@ -134,7 +134,7 @@ double threshold_of_rate(const Points& points, double rate, const Settings& sett
         throw std::invalid_argument("theiler = " + std::to_string(window) + ": must be < " +
                                     std::to_string(points.rows()) + ", the number of points");
     std::uint64_t half = 0;
-    for (std::size_t i = 0; i < points.count; ++i) half += points.count - points.point_from(points.place(i) + gap);
+    for (std::size_t i = 0; i < points.count; ++i) half += points.count - points.point_from(points.row(i) + gap);
     const std::uint64_t diagonal = with_diagonal ? points.count : 0;
     const std::uint64_t wanted = pairs_for_rate(rate, 2 * half + diagonal);
     double key = 0;  // the pairs (i, i) are at distance 0

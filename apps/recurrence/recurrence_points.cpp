@@ -30,7 +30,7 @@ recurrence::Points embed_around_gaps(const std::vector<double>& values, const Re
     const auto dimension = static_cast<std::size_t>(options.dimension);
     const std::size_t reach = (dimension - 1) * static_cast<std::size_t>(options.delay);
     std::vector<double> rows, row(dimension);
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> row_numbers;
     for (std::size_t i = 0; i + reach < values.size(); ++i) {
         bool whole = true;
         for (std::size_t m = 0; m < dimension; ++m) {
@@ -42,14 +42,14 @@ recurrence::Points embed_around_gaps(const std::vector<double>& values, const Re
             continue;
         }
         rows.insert(rows.end(), row.begin(), row.end());
-        places.push_back(i);
+        row_numbers.push_back(i);
     }
     if (rows.empty())
         throw BadInput(fmt::format("series: no {} samples at delay {} lie free of gaps", dimension, options.delay));
     recurrence::Points points =
         dimension == 1 ? recurrence::embed_series(rows, 1, 1, period)
                        : recurrence::section_points(rows, options.dimension, std::vector<double>(dimension, period));
-    return options.join_gaps ? points : recurrence::at_places(std::move(points), places);
+    return options.join_gaps ? points : recurrence::at_rows(std::move(points), row_numbers);
 }
 
 RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& options) {

@@ -11,7 +11,7 @@ int deepest_point(const Body<double>& body, const Flight<double>& flight, const 
     double depth = 0;
     for (int k = 0; k < detail::touching_points(body); ++k) {
         const detail::TouchingPoint point = detail::touching_point(body, flight, at, k);
-        if (!(point.gap > depth && dot(point.place, point.rate) > 0)) continue;
+        if (!(point.gap > depth && dot(point.position, point.rate) > 0)) continue;
         deepest = k;
         depth = point.gap;
     }
@@ -20,9 +20,9 @@ int deepest_point(const Body<double>& body, const Flight<double>& flight, const 
 
 /// Moves the body so that the point is on the wall.
 void put_back(const Body<double>& body, const Flight<double>& flight, int k, Instant<double>& at) {
-    const Vec2<double> place = detail::touching_point(body, flight, at, k).place;
+    const Vec2<double> position = detail::touching_point(body, flight, at, k).position;
     const double scale = body.sides == disk_sides ? body.inner : 1;
-    const Vec2<double> back = scale * ((1 / detail::magnitude(place) - 1) * place);
+    const Vec2<double> back = scale * ((1 / detail::magnitude(position) - 1) * position);
     at.moved = at.moved + back;
     at.centre = at.centre + back;
 }

@@ -25,15 +25,17 @@ struct Points {
         return detail::touching_point(body, flight, detail::moment_of(body, flight, time), k);
     }
     /// The appendix' R_c − ‖X_i − O‖ < ε.
-    bool is_out(int k, double time) { return time > 0 && 1 - detail::magnitude(at(k, time).place) < paper_tolerance; }
+    bool is_out(int k, double time) {
+        return time > 0 && 1 - detail::magnitude(at(k, time).position) < paper_tolerance;
+    }
 };
 
-/// When the centre, from `place` relative to the swirl's centre, leaves the circle of a radius about it; 0 if never.
-double leaves_circle(const Vec2<double>& place, const Vec2<double>& velocity, double radius) {
+/// When the centre, from `position` relative to the swirl's centre, leaves the circle of a radius about it; 0 if never.
+double leaves_circle(const Vec2<double>& position, const Vec2<double>& velocity, double radius) {
     const double speed2 = dot(velocity, velocity);
     if (!(radius > 0 && speed2 > 0)) return 0;
-    const double along = dot(place, velocity);
-    const double depth = dot(place, place) - radius * radius;
+    const double along = dot(position, velocity);
+    const double depth = dot(position, position) - radius * radius;
     const double discriminant = along * along - speed2 * depth;
     if (!(discriminant >= 0)) return 0;
     const double root = std::sqrt(discriminant);
@@ -43,7 +45,7 @@ double leaves_circle(const Vec2<double>& place, const Vec2<double>& velocity, do
 
 /// 0 and the four guesses in their order; those that do not exist are 0.
 std::array<double, 5> guesses(const Body<double>& body, const Flight<double>& flight) {
-    const Vec2<double> place = flight.centre + flight.beta * flight.phase;
+    const Vec2<double> position = flight.centre + flight.beta * flight.phase;
     std::array<double, 5> times{};
     auto time = times.begin() + 1;
     for (const double circle : {1 - flight.beta, 1 + flight.beta}) {
@@ -51,8 +53,8 @@ std::array<double, 5> guesses(const Body<double>& body, const Flight<double>& fl
         const double apothem =
             body.sides == disk_sides ? body.alpha : std::sqrt(body.alpha * body.alpha - half_side * half_side);
         const double two_touch = circle > half_side ? std::sqrt(circle * circle - half_side * half_side) - apothem : 0;
-        *time++ = leaves_circle(place, flight.velocity, circle - body.alpha);
-        *time++ = leaves_circle(place, flight.velocity, two_touch);
+        *time++ = leaves_circle(position, flight.velocity, circle - body.alpha);
+        *time++ = leaves_circle(position, flight.velocity, two_touch);
     }
     std::sort(times.begin(), times.end());
     return times;
@@ -81,9 +83,9 @@ double bisected(Points& points, int k, double from, double to) {
 double newton(Points& points, int k, double time) {
     for (int i = 0; i < most_newton_steps && std::isfinite(time); ++i) {
         const detail::TouchingPoint point = points.at(k, time);
-        const double distance = detail::magnitude(point.place);
+        const double distance = detail::magnitude(point.position);
         if (std::fabs(1 - distance) < paper_tolerance) return time;
-        time -= (distance - 1) * distance / dot(point.place, point.rate);
+        time -= (distance - 1) * distance / dot(point.position, point.rate);
     }
     return -1;
 }
@@ -92,11 +94,11 @@ double newton(Points& points, int k, double time) {
 bool is_physical(Points& points, int k, double time) {
     const Instant<double> at = detail::moment_of(points.body, points.flight, time);
     const detail::TouchingPoint point = detail::touching_point(points.body, points.flight, at, k);
-    if (!(dot(point.place, point.rate) > 0)) return false;
+    if (!(dot(point.position, point.rate) > 0)) return false;
     if (detail::all_inside(points.body, at)) return true;
     for (int j = 0; j < detail::touching_points(points.body); ++j, ++points.gaps) {
         const detail::TouchingPoint other = detail::touching_point(points.body, points.flight, at, j);
-        if (detail::magnitude(other.place) - 1 > paper_tolerance) return false;
+        if (detail::magnitude(other.position) - 1 > paper_tolerance) return false;
     }
     return true;
 }

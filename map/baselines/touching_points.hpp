@@ -19,9 +19,9 @@ inline Instant<double> moment_of(const Body<double>& body, const Flight<double>&
 
 /// A point that may touch, in units in which the wall is at |x| = 1: a vertex, or X/(1 − α) of the disk.
 struct TouchingPoint {
-    Vec2<double> place;  ///< x
-    Vec2<double> rate;   ///< x′
-    double gap;          ///< |x|² − 1; of the vertex that began the flight from its displacement
+    Vec2<double> position;  ///< x
+    Vec2<double> rate;      ///< x′
+    double gap;             ///< |x|² − 1; of the vertex that began the flight from its displacement
 };
 
 /// Point k, 0 … touching_points − 1, at a moment.
@@ -30,16 +30,16 @@ inline TouchingPoint touching_point(const Body<double>& body, const Flight<doubl
     TouchingPoint point;
     Vec2<double> moved;
     if (body.sides == disk_sides) {
-        point.place = body.inverse_inner * at.centre;
+        point.position = body.inverse_inner * at.centre;
         point.rate = body.inverse_inner * at.drift;
         moved = body.inverse_inner * at.moved;
     } else {
         const Vec2<double> arm = body.turned_to_vertex(at.arm, k);
-        point.place = at.centre + arm;
+        point.position = at.centre + arm;
         point.rate = at.drift + flight.spin * quarter_turned(arm);
         moved = at.moved + at.arm_moved;
     }
-    point.gap = k == 0 && flight.struck ? 2 * moved.x + dot(moved, moved) : dot(point.place, point.place) - 1;
+    point.gap = k == 0 && flight.struck ? 2 * moved.x + dot(moved, moved) : dot(point.position, point.position) - 1;
     return point;
 }
 

@@ -65,7 +65,7 @@ struct ChordStep {
         Complex time, slip, chi;  ///< δτ, u_t before the impact, χ
     };
 
-    ///   moved, sped  what the force adds to the place and to the velocity during the flight, in units of β cis θ
+    ///   moved, sped  what the force adds to the position and to the velocity during the flight, in units of β cis θ
     Next operator()(const ChordDeviation& s, const Complex& moved, const Complex& sped) const {
         const Complex &psi = s[0], &chi = s[1], &wn = s[2], &wt = s[3], &turn = s[4];
         const Complex arm = i * alpha;

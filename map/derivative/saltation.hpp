@@ -121,7 +121,7 @@ void add_impact(const Body<T>& body, const Scene<T>& scene, const PostImpactStat
         (r.x * tangential + r.y * normal + (r.x * j.normal - r.y * j.tangential) * d.row(1)) * body.inverse_inertia;
 }
 
-/// The state before an impact at `normal`: its place, and the velocities that the flight came with.
+/// The state before an impact at `normal`: its position, and the velocities that the flight came with.
 template <class T>
 PostImpactState<T> before_impact(const Flight<T>& flight, const Vec2<T>& normal, const PostImpactState<T>& after) {
     const Vec2<T> velocity = seen_from(normal, flight.velocity);

@@ -54,10 +54,10 @@ ImpulseChange<T> change_in_sliding(const VariedKinematics<T>& a, const T& rate, 
 /// C(p) around the kink where slip stops.
 template <class T>
 struct VariedKink {
-    Varied<T> first;   ///< c, dC/dp before
-    Varied<T> second;  ///< f, dC/dp after
-    Varied<T> place;   ///< p_k
-    Varied<T> level;   ///< C_k = C(p_k)
+    Varied<T> first;    ///< c, dC/dp before
+    Varied<T> second;   ///< f, dC/dp after
+    Varied<T> impulse;  ///< p_k
+    Varied<T> level;    ///< C_k = C(p_k)
 };
 
 /// p_k = s u_t/d with d = μB₁ − sB₃ (u_t falls to zero at the rate sd), C_k = −u_n + c p_k.
@@ -68,21 +68,23 @@ VariedKink<T> kink_of(const VariedKinematics<T>& a, const T& mu, const T& sign, 
     kink.second = slope_after;
     const T slowing = mu * a.b1.value - sign * a.b3.value;
     if (slowing > T(0)) {  // else p_k = 0: at rest, and friction just holds B₃'s pull
-        kink.place.value = sign * a.ut.value / slowing;
-        kink.place.change = (sign * a.ut.change - kink.place.value * (mu * a.b1.change - sign * a.b3.change)) / slowing;
+        kink.impulse.value = sign * a.ut.value / slowing;
+        kink.impulse.change =
+            (sign * a.ut.change - kink.impulse.value * (mu * a.b1.change - sign * a.b3.change)) / slowing;
     }
-    kink.level.value = -a.un.value + kink.first.value * kink.place.value;
-    kink.level.change = -a.un.change + kink.place.value * kink.first.change + kink.first.value * kink.place.change;
+    kink.level.value = -a.un.value + kink.first.value * kink.impulse.value;
+    kink.level.change = -a.un.change + kink.impulse.value * kink.first.change + kink.first.value * kink.impulse.change;
     return kink;
 }
 
 /// The p at which C reaches a level beyond the kink: p = p_k + (C_f − C_k)/f.
 template <class T>
-Varied<T> place_of_level(const VariedKink<T>& kink, const Varied<T>& level) {
+Varied<T> impulse_at_level(const VariedKink<T>& kink, const Varied<T>& level) {
     const T beyond = (level.value - kink.level.value) / kink.second.value;
     Varied<T> p;
-    p.value = kink.place.value + beyond;
-    p.change = kink.place.change + (level.change - kink.level.change - beyond * kink.second.change) / kink.second.value;
+    p.value = kink.impulse.value + beyond;
+    p.change =
+        kink.impulse.change + (level.change - kink.level.change - beyond * kink.second.change) / kink.second.value;
     return p;
 }
 
@@ -91,7 +93,7 @@ template <class T>
 Varied<T> end_of_poisson(const VariedKinematics<T>& a, const VariedKink<T>& kink, const T& restitution) {
     Varied<T> compression;
     if (kink.level.value < T(0)) {
-        compression = place_of_level(kink, Varied<T>{});
+        compression = impulse_at_level(kink, Varied<T>{});
     } else {
         compression.value = a.un.value / kink.first.value;
         compression.change = (a.un.change - compression.value * kink.first.change) / kink.first.value;
@@ -108,13 +110,13 @@ Varied<T> level_of_stronge(const VariedKinematics<T>& a, const VariedKink<T>& ki
     const T& un = a.un.value;
     const T& ck = kink.level.value;
     const T& f = kink.second.value;
-    const T& pk = kink.place.value;
+    const T& pk = kink.impulse.value;
     Varied<T> level;
     if (ck < T(0)) {
         const T root = sqrt(f * (un - ck) * pk + ck * ck);
         const Differential<T> square = (un - ck) * pk * kink.second.change +
-                                       f * pk * (a.un.change - kink.level.change) + f * (un - ck) * kink.place.change +
-                                       T(2) * ck * kink.level.change;
+                                       f * pk * (a.un.change - kink.level.change) +
+                                       f * (un - ck) * kink.impulse.change + T(2) * ck * kink.level.change;
         level.value = restitution * root;
         level.change = (restitution / (T(2) * root)) * square;
     } else {
@@ -135,9 +137,9 @@ Varied<T> end_beyond_kink(const VariedKinematics<T>& a, const VariedKink<T>& kin
     if constexpr (rule == ImpactRule::poisson)
         return end_of_poisson(a, kink, restitution);
     else if constexpr (rule == ImpactRule::newton)
-        return place_of_level(kink, Varied<T>{restitution * a.un.value, restitution * a.un.change});
+        return impulse_at_level(kink, Varied<T>{restitution * a.un.value, restitution * a.un.change});
     else
-        return place_of_level(kink, level_of_stronge(a, kink, restitution));
+        return impulse_at_level(kink, level_of_stronge(a, kink, restitution));
 }
 
 constexpr bool is_reversed(ContactMode mode) {
@@ -176,8 +178,8 @@ ImpulseChange<T> impulse_change(const VariedKinematics<T>& a, const T& mu, const
         // q = −sμ p_k + r (p − p_k)
         ImpulseChange<T> change;
         change.normal = end.change;
-        change.tangential = (-sign * mu) * kink.place.change + rate.value * (end.change - kink.place.change) +
-                            (end.value - kink.place.value) * rate.change;
+        change.tangential = (-sign * mu) * kink.impulse.change + rate.value * (end.change - kink.impulse.change) +
+                            (end.value - kink.impulse.value) * rate.change;
         return change;
     }
 }

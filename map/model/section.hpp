@@ -71,10 +71,10 @@ template <class T>
 /// (map/README.md, "Energy in the swirling frame"). Conserved in flight.
 template <class T>
 inline T jacobi_of(const Body<T>& body, const PostImpactState<T>& post_impact) {
-    const Vec2<T> place = Vec2<T>{T(1) - body.alpha * post_impact.chi.x, -(body.alpha * post_impact.chi.y)} +
-                          body.beta * conjugate(post_impact.psi);
+    const Vec2<T> position = Vec2<T>{T(1) - body.alpha * post_impact.chi.x, -(body.alpha * post_impact.chi.y)} +
+                             body.beta * conjugate(post_impact.psi);
     const Vec2<T> velocity{post_impact.vn, post_impact.vt};
-    return T(0.5) * dot(velocity, velocity) - cross(place, velocity) +
+    return T(0.5) * dot(velocity, velocity) - cross(position, velocity) +
            body.inertia * post_impact.spin * (T(0.5) * post_impact.spin - T(1));
 }
 

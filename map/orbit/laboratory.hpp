@@ -91,15 +91,15 @@ private:
         const ExactSum<T> in_all = exact_sum(turns, T(more_turns + more));
         turns = in_all.sum;
         more_turns = in_all.rest;
-        const ExactSum<T> place = exact_sum(phase, more_phase);
-        phase = place.sum;
-        more_phase = place.rest;
+        const ExactSum<T> total = exact_sum(phase, more_phase);
+        phase = total.sum;
+        more_phase = total.rest;
     }
     /// Takes one turn from the phase, or adds one to it.
     void unwind_by(const T& one) {
-        const ExactSum<T> place = exact_sum(phase, T(-one * turn()));
-        phase = place.sum;
-        more_phase = more_phase + place.rest;
+        const ExactSum<T> total = exact_sum(phase, T(-one * turn()));
+        phase = total.sum;
+        more_phase = more_phase + total.rest;
         wind(one);
     }
 };
@@ -164,8 +164,8 @@ LabState<T> lab_state(const Body<T>& body, const LabFrame<T>& frame, const PostI
     const Vec2<T> n = times(swirl, post_impact.psi);
     const Vec2<T> r = body.alpha * times(n, post_impact.chi);
     const Vec2<T> velocity = times(n, Vec2<T>{post_impact.vn, post_impact.vt});
-    const Vec2<T> place = body.beta * swirl + (n - r);
-    return {frame.time.unwound(),  place.x,          place.y,    velocity.x, velocity.y,
+    const Vec2<T> position = body.beta * swirl + (n - r);
+    return {frame.time.unwound(),  position.x,       position.y, velocity.x, velocity.y,
             frame.angle.unwound(), post_impact.spin, frame.time, frame.angle};
 }
 

@@ -1,4 +1,4 @@
-// An orbit, impact by impact: in the section, and with its place in the laboratory.
+// An orbit, impact by impact: in the section, and with its position in the laboratory.
 #pragma once
 
 #include "map/orbit/laboratory.hpp"

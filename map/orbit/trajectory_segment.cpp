@@ -80,23 +80,23 @@ void TrajectorySegmenter::add_contacts(const std::vector<ContactSegment>& segmen
         time_ = piece.end;
         angle_ = angle + turned;
         spin_ = segment.to.spin;
-        place_ = centre_on_wall(scene_, segment.to, time_);
+        position_ = centre_on_wall(scene_, segment.to, time_);
     }
 }
 
-void TrajectorySegmenter::add_flight(double until, const Vec2<double>& place) {
+void TrajectorySegmenter::add_flight(double until, const Vec2<double>& position) {
     if (until > time_) {
         TrajectorySegment flight;
         flight.start = time_;
         flight.end = until;
         flight.angle = angle_;
         flight.spin = spin_;
-        flight.from = place_;
-        flight.to = place;
+        flight.from = position_;
+        flight.to = position;
         trajectory_.push_back(flight);
     }
     time_ = until;
-    place_ = place;
+    position_ = position;
 }
 
 }  // namespace swirl

@@ -44,14 +44,14 @@ public:
     /// Begins at t = 0 where the orbit begins.
     template <class T>
     TrajectorySegmenter(const Scene<T>& scene, const LabStart<T>& start) : TrajectorySegmenter(in_double(scene)) {
-        place_ = {number(start.x), number(start.y)};
+        position_ = {number(start.x), number(start.y)};
         angle_ = number(start.angle);
         spin_ = number(start.spin);
     }
     template <class T>
     TrajectorySegmenter(const Scene<T>& scene, const SectionPoint<T>& z) : TrajectorySegmenter(in_double(scene)) {
         const ContactState<double> state{number(z.psi), number(z.chi), 0, number(z.spin)};
-        place_ = centre_in_contact(state, 0);
+        position_ = centre_in_contact(state, 0);
         angle_ = state.psi + state.chi;
         spin_ = state.spin;
     }
@@ -97,13 +97,13 @@ private:
     }
     Vec2<double> centre_in_contact(const ContactState<double>& state, double t) const;
     void add_contacts(const std::vector<ContactSegment>& segments);
-    void add_flight(double until, const Vec2<double>& place);
+    void add_flight(double until, const Vec2<double>& position);
 
     ContactScene<double> scene_;
     std::vector<Look> looks_;
     std::vector<TrajectorySegment> trajectory_;
     double time_ = 0;  ///< where the next segment begins: t, centre, angle, S
-    Vec2<double> place_{};
+    Vec2<double> position_{};
     double angle_ = 0, spin_ = 0;
 };
 

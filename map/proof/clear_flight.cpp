@@ -23,19 +23,19 @@ using intervals::upper;
 struct BallFlight {
     const BallScene& scene;
     const BallPoint<Ball>& z;
-    BallVec place, velocity;  ///< P₀ and V, from the swirl's centre
+    BallVec position, velocity;  ///< P₀ and V, from the swirl's centre
     Ball tau;
     int arriving;
     double end;  ///< no earlier than τ
 
-    /// The swirl's arm, and the centre's place and velocity in the container.
+    /// The swirl's arm, and the centre's position and velocity in the container.
     struct Moment {
         Ball t;
         BallVec arm, centre, motion;
     };
     Moment at(const Ball& t) const {
         const BallVec arm = scene.beta * cis(t - z.psi);
-        return {t, arm, place + t * velocity - arm, velocity - turned(arm)};
+        return {t, arm, position + t * velocity - arm, velocity - turned(arm)};
     }
     /// g, g′ and g″ of vertex k (of the disk: its centre's).
     struct Gap {
@@ -56,8 +56,8 @@ struct BallFlight {
 };
 
 BallFlight flight_of(const BallScene& scene, const BallPoint<Ball>& z, const Ball& tau, int arriving) {
-    const BallVec place = BallVec{Ball(1), Ball(0)} - scene.alpha * cis(z.chi) + scene.beta * cis(-z.psi);
-    return {scene, z, place, {z.vn, z.vt}, tau, arriving, upper(tau)};
+    const BallVec position = BallVec{Ball(1), Ball(0)} - scene.alpha * cis(z.chi) + scene.beta * cis(-z.psi);
+    return {scene, z, position, {z.vn, z.vt}, tau, arriving, upper(tau)};
 }
 
 /// A piece of time, with the flight at its middle and over all of it.

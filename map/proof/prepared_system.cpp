@@ -59,7 +59,7 @@ BallVector unknowns_of(const CycleSystem& system, const CycleClaim& claim) {
     for (std::size_t i = 0; i < claim.points.size(); ++i) {
         const auto& z = claim.points[i];
         const std::array<double, 5> all{z.psi, z.chi, z.vn, z.vt, z.spin};
-        for (const std::size_t place : system.active) unknowns.emplace_back(all[place]);
+        for (const std::size_t index : system.active) unknowns.emplace_back(all[index]);
         unknowns.emplace_back(claim.times[i]);
     }
     if (system.form == FamilyForm::conserved) unknowns.emplace_back(0);
@@ -109,7 +109,7 @@ void choose_phase(PreparedSystem& prepared, const CycleClaim& claim) {
     std::optional<Phase> chosen;
     Eigen::MatrixXd inverse;
     for (const bool by_time : {false, true}) {
-        if (!by_time && std::find(system.active.begin(), system.active.end(), spin_place) == system.active.end())
+        if (!by_time && std::find(system.active.begin(), system.active.end(), spin_index) == system.active.end())
             continue;
         system.phase = Phase{by_time, by_time ? claim.times.front() : claim.points.front().spin};
         const Eigen::MatrixXd candidate = approximate_inverse(evaluate(system, prepared.middle));

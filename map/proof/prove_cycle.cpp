@@ -74,11 +74,11 @@ Finding check_family(const CycleSystem& system, const BallVector& box) {
     BallPoint<Ball> z = system.point(box, 0);
     const Ball lambda = hull(Ball(0), -box.back());
     Ball* const places[]{&z.psi, &z.chi, &z.vn, &z.vt, &z.spin};
-    for (const std::size_t place : system.active) *places[place] += lambda * Ball(system.conserved_gradient[place]);
+    for (const std::size_t index : system.active) *places[index] += lambda * Ball(system.conserved_gradient[index]);
     const auto gradient = conserved_gradient(system.scene, z);
     Ball rise;
-    for (const std::size_t place : system.active)
-        rise.add_product(gradient[place], Ball(system.conserved_gradient[place]));
+    for (const std::size_t index : system.active)
+        rise.add_product(gradient[index], Ball(system.conserved_gradient[index]));
     if (intervals::is_positive(rise)) return {};
     return {Verdict::undecided,
             words("J is not proven to rise along its gradient: by %.3g or more", intervals::lower(rise))};
@@ -94,13 +94,13 @@ std::vector<BallVector> product(const std::vector<BallVector>& a, const std::vec
 
 /// Replaces the disc that holds a known number by that number, if it holds one eigenvalue alone.
 void set_exact(std::vector<Disc>& discs, double known) {
-    std::size_t place = discs.size(), meeting = 0;
+    std::size_t index = discs.size(), meeting = 0;
     for (std::size_t i = 0; i < discs.size(); ++i) {
         if (!(std::hypot(discs[i].re - known, discs[i].im) <= discs[i].radius)) continue;
-        place = i;
+        index = i;
         ++meeting;
     }
-    if (meeting == 1) discs[place] = {known, 0, 0};
+    if (meeting == 1) discs[index] = {known, 0, 0};
 }
 
 std::vector<Disc> multipliers_of(const CycleSystem& system, const BallVector& cycle) {

@@ -5,8 +5,8 @@ namespace swirl::proof {
 namespace {
 
 template <class T>
-T& coordinate(BallPoint<T>& z, std::size_t place) {
-    return *std::array<T*, 5>{&z.psi, &z.chi, &z.vn, &z.vt, &z.spin}[place];
+T& coordinate(BallPoint<T>& z, std::size_t index) {
+    return *std::array<T*, 5>{&z.psi, &z.chi, &z.vn, &z.vt, &z.spin}[index];
 }
 
 }  // namespace
@@ -25,9 +25,9 @@ BallStep<Ball> CycleSystem::step(const BallVector& unknowns, std::size_t i, Marg
 BallStep<StepDual> CycleSystem::differentiated_step(const BallVector& unknowns, std::size_t i) const {
     BallPoint<Ball> at = point(unknowns, i);
     BallPoint<StepDual> z;
-    for (std::size_t place = 0; place < 5; ++place) coordinate(z, place).value = coordinate(at, place);
-    for (const std::size_t place : active) coordinate(z, place).by[place] = Ball(1);
-    return step_in_balls<StepDual>(scene, word[i], advances[i], z, StepDual::variable(time(unknowns, i), time_place));
+    for (std::size_t index = 0; index < 5; ++index) coordinate(z, index).value = coordinate(at, index);
+    for (const std::size_t index : active) coordinate(z, index).by[index] = Ball(1);
+    return step_in_balls<StepDual>(scene, word[i], advances[i], z, StepDual::variable(time(unknowns, i), time_index));
 }
 
 namespace {
@@ -36,7 +36,7 @@ namespace {
 void put(std::vector<std::pair<std::size_t, Ball>>& row, const CycleSystem& system, std::size_t i, const StepDual& f) {
     const std::size_t first = i * system.unknowns_of_step();
     for (std::size_t a = 0; a < system.active.size(); ++a) row.emplace_back(first + a, f.by[system.active[a]]);
-    row.emplace_back(first + system.active.size(), f.by[time_place]);
+    row.emplace_back(first + system.active.size(), f.by[time_index]);
 }
 
 /// S_1 or τ_1 less its value.
@@ -44,7 +44,7 @@ void put_phase(intervals::Linearisation& result, const CycleSystem& system, cons
                std::size_t row) {
     std::size_t column = system.active.size();
     for (std::size_t a = 0; a < system.active.size() && !system.phase->by_time; ++a)
-        if (system.active[a] == spin_place) column = a;
+        if (system.active[a] == spin_index) column = a;
     result.values[row] = unknowns[column] - intervals::decimal(system.phase->value);
     result.rows[row] = {{column, Ball(1)}};
 }
@@ -61,14 +61,14 @@ intervals::Linearisation evaluate(const CycleSystem& system, const BallVector& u
         const std::size_t next = (i + 1) % k;
         BallPoint<Ball> to = system.point(unknowns, next);
         for (std::size_t a = 0; a < system.active.size(); ++a) {
-            const std::size_t place = system.active[a], row = i * width + a;
-            const StepDual& image = coordinate(step.after, place);
-            result.values[row] = image.value - coordinate(to, place);
-            if (place < 2) result.values[row] -= Ball(system.turns[i][place]) * turn;
+            const std::size_t index = system.active[a], row = i * width + a;
+            const StepDual& image = coordinate(step.after, index);
+            result.values[row] = image.value - coordinate(to, index);
+            if (index < 2) result.values[row] -= Ball(system.turns[i][index]) * turn;
             put(result.rows[row], system, i, image);
             result.rows[row].emplace_back(next * width + a, Ball(-1));
             if (system.form != FamilyForm::conserved || i + 1 != k) continue;
-            const Ball along(system.conserved_gradient[place]);
+            const Ball along(system.conserved_gradient[index]);
             result.values[row].add_product(along, unknowns[n - 1]);
             result.rows[row].emplace_back(n - 1, along);
         }
@@ -79,7 +79,7 @@ intervals::Linearisation evaluate(const CycleSystem& system, const BallVector& u
     if (system.form == FamilyForm::conserved) put_phase(result, system, unknowns, n - 1);
     if (system.form == FamilyForm::symmetric)
         for (std::size_t a = 0; a < system.active.size(); ++a)
-            if (system.active[a] == normal_place) put_phase(result, system, unknowns, a);
+            if (system.active[a] == normal_index) put_phase(result, system, unknowns, a);
     return result;
 }
 
@@ -90,7 +90,7 @@ std::vector<BallVector> step_derivative(const CycleSystem& system, const BallVec
         BallVector row;
         const StepDual& image = coordinate(step.after, to);
         for (const std::size_t from : system.active)
-            row.push_back(image.by[from] - image.by[time_place] * step.gap.by[from] / step.gap.by[time_place]);
+            row.push_back(image.by[from] - image.by[time_index] * step.gap.by[from] / step.gap.by[time_index]);
         derivative.push_back(std::move(row));
     }
     return derivative;

@@ -11,9 +11,9 @@ namespace swirl::proof {
 using intervals::BallVector;
 
 /// The coordinates of a step by number: ψ, χ, v_n, v_t, S, and the flight's time.
-inline constexpr std::size_t time_place = 5;
-inline constexpr std::size_t spin_place = 4;
-inline constexpr std::size_t normal_place = 2;
+inline constexpr std::size_t time_index = 5;
+inline constexpr std::size_t spin_index = 4;
+inline constexpr std::size_t normal_index = 2;
 using StepDual = intervals::Dual<6>;
 
 /// How the equations of a family are made square (README.md, "Families").

@@ -56,10 +56,10 @@ std::string check_shortage(const CheckedSystem& system, const Balls& box) {
     const StepVariables at = system.variables_of(box, 0);
     std::array<Ball, 5> z{at.psi.f, at.chi.f, at.vn.f, at.vt.f, at.spin.f};
     const Ball back = hull(Ball(0), -box.back());
-    for (const std::size_t place : system.kept) z[place] += back * Ball(system.direction[place]);
+    for (const std::size_t index : system.kept) z[index] += back * Ball(system.direction[index]);
     const auto gradient = gradient_of_energy(system.scene, z);
     Ball rise;
-    for (const std::size_t place : system.kept) rise.add_product(gradient[place], Ball(system.direction[place]));
+    for (const std::size_t index : system.kept) rise.add_product(gradient[index], Ball(system.direction[index]));
     return is_positive(rise) ? "" : "J may not rise along its gradient";
 }
 

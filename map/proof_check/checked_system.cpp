@@ -16,7 +16,7 @@ constexpr std::size_t spin = 4, time_variable = 5, next = 6;
 
 /// The equations of a step that go with its unknowns, in the same number.
 std::vector<const Gradient*> equations_of(const CheckedSystem& system, const StepEquations& all) {
-    std::vector<const Gradient*> list{&all.place_x, &all.place_y, &all.friction, &all.restitution};
+    std::vector<const Gradient*> list{&all.position_x, &all.position_y, &all.friction, &all.restitution};
     if (!system.scene.disk()) list.push_back(&all.turn);
     if (system.kept.back() == spin) list.push_back(&all.spin);
     return list;
@@ -48,10 +48,10 @@ Rows rows_of(const CheckedSystem& system, const Balls& unknowns) {
         }
     }
     if (system.shortage != Shortage::none) {
-        const std::size_t place = system.phase.by_time ? width - 1 : width - 2;
+        const std::size_t index = system.phase.by_time ? width - 1 : width - 2;
         Balls row(n);
-        row[place] = Ball(1);
-        rows.values.push_back(unknowns[place] - intervals::decimal(system.phase.value));
+        row[index] = Ball(1);
+        rows.values.push_back(unknowns[index] - intervals::decimal(system.phase.value));
         rows.matrix.push_back(std::move(row));
     }
     return rows;
@@ -82,9 +82,9 @@ void require_word(const StatedCycle& cycle) {
 StepVariables CheckedSystem::variables_of(const Balls& unknowns, std::size_t i) const {
     std::array<Gradient, variables> g;
     const std::size_t j = (i + 1) % steps.size();
-    for (std::size_t place = 0; place < 5; ++place) {  // what is no unknown is stated with radius 0
-        g[place] = Gradient(Ball(steps[i].point[place]), place);
-        g[next + place] = Gradient(Ball(steps[j].point[place]), next + place);
+    for (std::size_t index = 0; index < 5; ++index) {  // what is no unknown is stated with radius 0
+        g[index] = Gradient(Ball(steps[i].point[index]), index);
+        g[next + index] = Gradient(Ball(steps[j].point[index]), next + index);
     }
     for (std::size_t a = 0; a < kept.size(); ++a) {
         g[kept[a]].f = unknowns[i * width() + a];
@@ -110,8 +110,8 @@ CheckedSystem checked_system(const StatedCycle& cycle) {
         require(
             !(disk && cycle.mu == 0) || (step.point[spin] == cycle.steps.front().point[spin] && step.radius[spin] == 0),
             "a disk's S does not change without friction");
-        for (const std::size_t place : system.kept)
-            require(step.radius[place] > 0, "a half-width of its box is not positive");
+        for (const std::size_t index : system.kept)
+            require(step.radius[index] > 0, "a half-width of its box is not positive");
         require(step.time_radius > 0, "a half-width of its box is not positive");
     }
     if (cycle.restitution == 1 && cycle.mu == 0) system.shortage = Shortage::conserved;
@@ -133,8 +133,8 @@ CheckedSystem checked_system(const StatedCycle& cycle) {
 Balls stated_box(const CheckedSystem& system) {
     Balls box;
     for (const StatedStep& step : system.steps) {
-        for (const std::size_t place : system.kept)
-            box.push_back(intervals::around(step.point[place], step.radius[place]));
+        for (const std::size_t index : system.kept)
+            box.push_back(intervals::around(step.point[index], step.radius[index]));
         box.push_back(intervals::around(step.time, step.time_radius));
     }
     if (system.shortage == Shortage::conserved) box.push_back(intervals::around(0, system.steps.front().time_radius));
@@ -185,9 +185,9 @@ std::vector<Balls> derivative_of_step(const CheckedSystem& system, const Balls& 
     arb_mat_init(solution, n, m);
     for (slong r = 0; r < n; ++r) {
         for (slong a = 0; a < m; ++a) {
-            const std::size_t place = system.kept[static_cast<std::size_t>(a)];
-            arb_set(arb_mat_entry(left, r, a), list[r]->d[next + place].raw());
-            arb_neg(arb_mat_entry(right, r, a), list[r]->d[place].raw());
+            const std::size_t index = system.kept[static_cast<std::size_t>(a)];
+            arb_set(arb_mat_entry(left, r, a), list[r]->d[next + index].raw());
+            arb_neg(arb_mat_entry(right, r, a), list[r]->d[index].raw());
         }
         arb_set(arb_mat_entry(left, r, m), list[r]->d[time_variable].raw());
     }

@@ -19,7 +19,7 @@ struct Gradient {
 
     Gradient() = default;
     explicit Gradient(Ball value) : f(std::move(value)) {}
-    Gradient(Ball value, std::size_t place) : f(std::move(value)) { d[place] = Ball(1); }
+    Gradient(Ball value, std::size_t index) : f(std::move(value)) { d[index] = Ball(1); }
 };
 
 /// a x + b y for balls a and b; all linear operations are this one.

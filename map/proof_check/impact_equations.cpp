@@ -135,8 +135,8 @@ StepEquations step_equations(const StatedScene& scene, const StatedStep& step, c
     const Gradient next_y = sine(at.next_psi) - scene.alpha * sine(next_corner);
     const Gradient ct = cosine(at.tau), st = sine(at.tau);
     StepEquations equations;
-    equations.place_x = x - (ct * next_x - st * next_y);
-    equations.place_y = y - (st * next_x + ct * next_y);
+    equations.position_x = x - (ct * next_x - st * next_y);
+    equations.position_y = y - (st * next_x + ct * next_y);
     equations.turn = scene.spacing * Ball(step.vertex_step) + (corner + at.spin * at.tau - next_corner - at.tau);
     const Ball circle = Ball(2) * intervals::pi_ball();
     const double turns = std::round(intervals::middle(equations.turn.f / circle));

@@ -20,8 +20,8 @@ struct StatedScene {
 StatedScene scene_of(const StatedCycle& cycle);
 
 /// All equations of a step, in this order; a disk's `turn` and `spin` may be without content.
-///   place_x, place_y  the centre after the flight is where the next point has it (from the swirl's centre, in axes
-///   that
+///   position_x, position_y  the centre after the flight is where the next point has it (from the swirl's centre, in
+///   axes that
 ///                     turn with the swirl):
 ///                     β + cis ψ − α cis(ψ + χ) + cis ψ (v_n + i v_t) τ = cis τ (β + cis ψ′ − α cis(ψ′ + χ′))
 ///   turn              ψ + χ + Sτ + 2πk/N = ψ′ + χ′ + τ, modulo 2π
@@ -29,7 +29,7 @@ StatedScene scene_of(const StatedCycle& cycle);
 ///   friction          q = −sμp | u_t′ = 0 | q = sμ(p − 2p_k) | q = 0
 ///   restitution       by the law, in p and the velocities before and after
 struct StepEquations {
-    Gradient place_x, place_y, turn, spin, friction, restitution;
+    Gradient position_x, position_y, turn, spin, friction, restitution;
 };
 
 /// An inequality, positive where it holds.

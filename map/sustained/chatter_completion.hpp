@@ -4,12 +4,13 @@
 // remaining flights last 2v/a, 2ve/a, 2ve²/a …: they end after T = 2v/(a(1 − e)). To first order in T their impulses
 // add up to those of contact over the same time, less v: the rest of the sequence equals the removal of v, with
 // friction, at its beginning, followed by contact (complete chattering: Nordmark & Piiroinen, Nonlinear Dyn. 58 (2009)
-// 85). Meanwhile the two motions differ by at most vT in place: contact begins once that is below 16 ε of R_c, ε that
-// of the number type; T by the rebound e′ of impacts that stick, where that makes it much longer, and not for e′ ≥ 1
-// (`longer_by_sticking`). There is no speed threshold. At the end of chattering they differ in place and velocities by
-// the second order in T, which `ChatterError::estimate` estimates (the first order cancels: the tangential displacement
-// is proportional to the normal one, which is zero at the end; what chatter that sticks, or comes to stick, has of
-// second order is added, sticking_chatter.hpp):
+// 85). Meanwhile the two motions differ by at most vT in position: contact begins once that is below 16 ε of R_c, ε
+// that of the number type; T by the rebound e′ of impacts that stick, where that makes it much longer, and not for e′ ≥
+// 1
+// (`longer_by_sticking`). There is no speed threshold. At the end of chattering they differ in position and velocities
+// by the second order in T, which `ChatterError::estimate` estimates (the first order cancels: the tangential
+// displacement is proportional to the normal one, which is zero at the end; what chatter that sticks, or comes to
+// stick, has of second order is added, sticking_chatter.hpp):
 //
 //     ½ Δu T² (r(r + |a′|/a) + r′)(1 + |c′|/c)
 //
@@ -80,7 +81,7 @@ ChatterCompletion<T> chatter_completion(const ContactScene<T>& scene, const Post
 template <class T>
 struct ChatterError {
     T moved;     ///< vT: bounds the displacement between the two motions during chatter, in R_c
-    T estimate;  ///< of the error of place (R_c) and velocities (R_c ω_s) at its end
+    T estimate;  ///< of the error of position (R_c) and velocities (R_c ω_s) at its end
 };
 
 /// Infinite if the vertex (rim) does not come back to the wall.

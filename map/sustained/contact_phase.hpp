@@ -22,7 +22,7 @@ struct ContactSegment {
     double turned = 0;          ///< ∫ S dt
     double work = 0;            ///< ∫ f (u_t − 1) dt: change of J by friction
     double landing_jacobi = 0;  ///< change of J by the end of chatter before it (a landing's, a neighbour's)
-    double error = 0;  ///< of a landing: estimated error of place and velocities by replacing the rest of chatter
+    double error = 0;  ///< of a landing: estimated error of position and velocities by replacing the rest of chatter
     long steps = 0;    ///< number of power series
 };
 

@@ -18,10 +18,10 @@ using tests::Histogram;
 /// Points at some of the rows; values on a grid or along a walk, which has long lines.
 struct Holed {
     std::vector<std::vector<double>> points;
-    std::vector<std::size_t> places;
-    std::size_t rows() const { return places.back() - places.front() + 1; }
+    std::vector<std::size_t> row_numbers;
+    std::size_t rows() const { return row_numbers.back() - row_numbers.front() + 1; }
     bool has(std::size_t row) const {
-        return std::find(places.begin(), places.end(), places.front() + row) != places.end();
+        return std::find(row_numbers.begin(), row_numbers.end(), row_numbers.front() + row) != row_numbers.end();
     }
 };
 
@@ -32,7 +32,7 @@ Holed holed_series(std::mt19937_64& random, std::size_t rows, int dimension) {
     Holed holed;
     std::vector<double> at(static_cast<std::size_t>(dimension), 0.0);
     bool lost = false;
-    for (std::size_t i = 0; i < rows || holed.places.empty(); ++i) {
+    for (std::size_t i = 0; i < rows || holed.row_numbers.empty(); ++i) {
         for (double& x : at) {
             const double step = uniform(random);
             x = walks ? x + 0.1 * step : std::round(4 * step) / 4;
@@ -40,7 +40,7 @@ Holed holed_series(std::mt19937_64& random, std::size_t rows, int dimension) {
         const bool change = random() % seldom == 0;
         lost = in_runs ? lost != change : change;
         if (lost) continue;
-        holed.places.push_back(i + 3);  // the first place is any
+        holed.row_numbers.push_back(i + 3);  // the first row is any
         holed.points.push_back(at);
     }
     return holed;
@@ -49,7 +49,7 @@ Holed holed_series(std::mt19937_64& random, std::size_t rows, int dimension) {
 Points as_points(const Holed& holed, int dimension) {
     std::vector<double> flat;
     for (const auto& p : holed.points) flat.insert(flat.end(), p.begin(), p.end());
-    return at_places(section_points(flat, dimension), holed.places);
+    return at_rows(section_points(flat, dimension), holed.row_numbers);
 }
 
 constexpr int lost = -1;
@@ -59,9 +59,9 @@ tests::Matrix matrix_of(const Holed& x, const Holed& y, double threshold, const 
     const tests::Matrix dense =
         tests::recurrence_matrix(x.points, y.points, std::vector<double>(x.points[0].size(), 0.0), threshold, settings);
     tests::Matrix matrix(x.rows(), std::vector<int>(y.rows(), lost));
-    for (std::size_t i = 0; i < x.places.size(); ++i)
-        for (std::size_t j = 0; j < y.places.size(); ++j)
-            matrix[x.places[i] - x.places[0]][y.places[j] - y.places[0]] = dense[i][j];
+    for (std::size_t i = 0; i < x.row_numbers.size(); ++i)
+        for (std::size_t j = 0; j < y.row_numbers.size(); ++j)
+            matrix[x.row_numbers[i] - x.row_numbers[0]][y.row_numbers[j] - y.row_numbers[0]] = dense[i][j];
     return matrix;
 }
 
@@ -175,13 +175,13 @@ TEST(Gaps, LinesAreThoseOfEachPairOfStretches) {
 
 TEST(Gaps, LinesCrossBlocksOfColumnsAndEndAtGaps) {
     std::vector<double> x;
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> row_numbers;
     for (std::size_t i = 0; i < 4000; ++i) {
         if (i >= 1500 && i < 1520) continue;
         x.push_back(std::sin(2 * std::numbers::pi * static_cast<double>(i % 20) / 20));
-        places.push_back(i);
+        row_numbers.push_back(i);
     }
-    const auto lines = count_lines(at_places(embed_series(x), places), 0.01);
+    const auto lines = count_lines(at_rows(embed_series(x), row_numbers), 0.01);
     // At lag 20 of the longer stretch, 2480 rows; joined it would be the 3980 rows less 20.
     EXPECT_EQ(lines.diagonal.size() - 1, 2460U);
     EXPECT_EQ(count_lines(embed_series(x), 0.01).diagonal.size() - 1, 3980U - 20U);
@@ -193,7 +193,7 @@ TEST(Gaps, ARateLeavesOutThePairsOfTheWindowInRows) {
     for (long trial = 0; trial < tests::sample_count(60); ++trial) {
         const int dimension = 1 + static_cast<int>(random() % 2);
         const Holed x = holed_series(random, 120, dimension);
-        if (x.places.size() < 30) continue;
+        if (x.row_numbers.size() < 30) continue;
         Settings s;
         s.theiler = 4;
         const Points points = as_points(x, dimension);
@@ -208,8 +208,7 @@ TEST(Gaps, ARateLeavesOutThePairsOfTheWindowInRows) {
 }
 
 TEST(Gaps, AnImageKeepsTheirRoom) {
-    const Points points =
-        at_places(embed_series(std::vector<double>{1, 1, 1, 1}), std::vector<std::size_t>{0, 1, 6, 7});
+    const Points points = at_rows(embed_series(std::vector<double>{1, 1, 1, 1}), std::vector<std::size_t>{0, 1, 6, 7});
     const Image image = recurrence_image(points, 0.1, 4);
     for (std::size_t a = 0; a < 4; ++a)
         for (std::size_t b = 0; b < 4; ++b) {
@@ -223,9 +222,9 @@ TEST(Gaps, AnImageKeepsTheirRoom) {
 
 TEST(Gaps, PlacesMustFitAndRise) {
     const Points points = embed_series(std::vector<double>{1, 2, 3});
-    EXPECT_THROW(at_places(points, std::vector<std::size_t>{0, 1}), std::invalid_argument);
-    EXPECT_THROW(at_places(points, std::vector<std::size_t>{0, 1, 1}), std::invalid_argument);
-    EXPECT_TRUE(at_places(points, std::vector<std::size_t>{4, 5, 6}).places.empty());
+    EXPECT_THROW(at_rows(points, std::vector<std::size_t>{0, 1}), std::invalid_argument);
+    EXPECT_THROW(at_rows(points, std::vector<std::size_t>{0, 1, 1}), std::invalid_argument);
+    EXPECT_TRUE(at_rows(points, std::vector<std::size_t>{4, 5, 6}).row_numbers.empty());
 }
 
 }  // namespace

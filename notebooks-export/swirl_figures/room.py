@@ -40,9 +40,16 @@ def _lay_out(figure):
     return not told
 
 
-def _numbers_along(axis):
-    """The labels of its ticks that are shown, in order."""
-    labels = [tick.label1 for tick in axis._update_ticks()] if axis.get_visible() else []
+def labels_along(axis):
+    """The labels of its ticks that are shown, in order, once the figure has been laid out."""
+    if not axis.get_visible():
+        return []
+    shown = axis.get_transform().transform  # of a logarithmic axis the logarithm
+    begin, end = sorted(shown(axis.get_view_interval()))
+    slack = 1e-10 * (end - begin)
+    ticks = [tick for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks())
+             if begin - slack <= shown(tick.get_loc()) <= end + slack]
+    labels = [tick.label1 for tick in ticks]
     return [label for label in labels if label.get_visible() and label.get_text().strip()]
 
 
@@ -51,12 +58,12 @@ _NUMBER = re.compile(r"[\d.,\N{MINUS SIGN}+e-]+|\$\\mathdefault\{.*\}\$")
 
 
 def _are_numbers(axis):
-    return all(_NUMBER.fullmatch(label.get_text().strip()) for label in _numbers_along(axis))
+    return all(_NUMBER.fullmatch(label.get_text().strip()) for label in labels_along(axis))
 
 
 def _touch(axis, renderer, gap):
     ends = [label.get_window_extent(renderer).get_points()[:, 0 if axis.axis_name == "x" else 1]
-            for label in _numbers_along(axis)]
+            for label in labels_along(axis)]
     ends.sort(key=lambda pair: pair[0])
     return any(behind[0] - before[1] < gap for before, behind in itertools.pairwise(ends))
 
@@ -64,7 +71,7 @@ def _touch(axis, renderer, gap):
 def _show_fewer(axis):
     locator = axis.get_major_locator()
     if isinstance(locator, MaxNLocator):
-        locator.set_params(nbins=max(1, len(_numbers_along(axis)) - 2))
+        locator.set_params(nbins=max(1, len(labels_along(axis)) - 2))
     else:  # every second, of ticks at places of their own and of powers of ten; one beyond the axis would lengthen it
         begin, end = sorted(axis.get_view_interval())
         places = axis.get_majorticklocs()
@@ -79,7 +86,7 @@ def _thin_numbers(figure, renderer, letters):
     """Until none touch, or two are left."""
     for _ in range(6):
         crowded = [axis for axes in figure.axes if axes.get_visible() and axes.axison for axis in (axes.xaxis, axes.yaxis)
-                   if len(_numbers_along(axis)) > 2 and _are_numbers(axis) and _touch(axis, renderer, _GAP * letters * figure.dpi / 72)]
+                   if len(labels_along(axis)) > 2 and _are_numbers(axis) and _touch(axis, renderer, _GAP * letters * figure.dpi / 72)]
         if not crowded:
             return
         for axis in crowded:

@@ -6,6 +6,8 @@ import warnings
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
+from swirl_figures.room import labels_along
+
 #: Points by which boxes of words may overlap: they are larger than the letters.
 SLACK = 2.0
 
@@ -15,8 +17,7 @@ LEAST_PANEL = 0.6, 0.4
 
 def _ticks(axis):
     """The labels of its ticks that are shown."""
-    labels = [tick.label1 for tick in axis._update_ticks()] if axis.get_visible() and axis.axes.axison else []
-    return [label for label in labels if label.get_visible() and label.get_text().strip()]
+    return labels_along(axis) if axis.axes.axison else []
 
 
 def _words_of(figure):

@@ -147,6 +147,22 @@ std::array<double, 2> origin_of(const SeriesChoice& choice, const Columns& point
     return {0, 0};
 }
 
+/// Two marks of one body keep their distance, up to what is measured wrong.
+void require_one_body(const Columns& c, MeasuredSeries& series) {
+    constexpr double rigid = 0.2;  // a body's 5th and 95th percentile differ by some noise of its marks
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < c[0].size(); ++i)
+        if (const double d = std::hypot(c[2][i] - c[0][i], c[3][i] - c[1][i]); !std::isnan(d)) distances.push_back(d);
+    if (distances.empty()) return;
+    std::sort(distances.begin(), distances.end());
+    const double low = distances[distances.size() / 20], high = distances[distances.size() - 1 - distances.size() / 20];
+    if (high == 0) throw BadInput("marks: both marks are at one place in most rows; two places of the body are needed");
+    if (high - low > rigid * high)
+        series.notes.push_back(fmt::format(
+            "the marks' distance is {:.3g} to {:.3g} (5 and 95 % of the rows): two marks of one body keep theirs", low,
+            high));
+}
+
 /// The direction from x1, y1 to x2, y2, and how far rounding may have moved it: by half of the last digit of each
 /// coordinate, across the line, at either end, so that all lie within 2 √2 digits over the mean distance.
 std::vector<double> angle_of_line(const Columns& c, double digit, MeasuredSeries& series) {
@@ -206,7 +222,10 @@ std::vector<std::vector<double>> values_of_motion(const DelimitedFile& file, con
     mask(file, choice, columns, values, series);
     note_pixels(file, choice, columns, values, series);
     const double digit = choice.is_angle() ? digit_of(values) : 0;
-    if (!choice.marks.empty()) return {angle_of_line(values, digit, series)};
+    if (!choice.marks.empty()) {
+        require_one_body(values, series);
+        return {angle_of_line(values, digit, series)};
+    }
     if (values.size() == 2) {
         series.origin = origin_of(choice, values, series);
         for (std::size_t k = 0; k < 2; ++k)

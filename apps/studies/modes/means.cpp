@@ -2,6 +2,7 @@
 
 #include "analysis/enum_name.hpp"
 
+#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include <cmath>
@@ -61,7 +62,9 @@ double mean_of(std::span<const double> values) {
 double error_of_mean(std::span<const double> values, std::span<const double> errors) {
     if (values.size() == 1 && errors.size() == 1 && errors[0] > 0) return errors[0];
     if (values.size() < 2) return analysis::nan;
-    return gsl_stats_sd(values.data(), 1, values.size()) / std::sqrt(static_cast<double>(values.size()));
+    const double count = static_cast<double>(values.size());
+    const double few_runs = gsl_cdf_tdist_Pinv(0.975, count - 1) / gsl_cdf_ugaussian_Pinv(0.975);
+    return few_runs * gsl_stats_sd(values.data(), 1, values.size()) / std::sqrt(count);
 }
 
 }  // namespace swirl::studies

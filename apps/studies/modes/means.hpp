@@ -47,8 +47,10 @@ MeanErrors errors_of_means(const M& map, const analysis::Tail<M>& tail, const an
 /// x̄ = Σ x_i / n; NaN of none.
 double mean_of(std::span<const double> values);
 
-/// The standard error of x̄ over runs that start independently, √(Σ (x_i − x̄)² / (n (n − 1))), whatever each run's
-/// own correlations; of one run its own error, if it was sampled. NaN where there is neither.
+/// The error of x̄ over n runs that start independently, s t/(1.96 √n), whatever each run's own correlations, with
+/// s² = Σ (x_i − x̄)²/(n − 1) and t the 97.5 % quantile of Student's distribution with n − 1 degrees of freedom: so
+/// ± 2 errors hold the mean at 95 % however few runs there are, as those of blocks do (t/1.96 is 6.5, 2.2, 1.6, 1.2 for
+/// n = 2, 3, 4, 8). Of one run its own error, if it was sampled. NaN where there is neither.
 ///   errors  the runs' own; none: those of one run are NaN
 double error_of_mean(std::span<const double> values, std::span<const double> errors = {});
 

@@ -81,6 +81,15 @@ class Films(InFolder):
         notes = "".join(document(f"classify --series {image} --angle angle --swirl-rate 1Hz {settled}")["series"]["notes"])
         self.assertIn("--y-down", notes)
 
+    def test_marks_are_two_places_of_one_body(self):
+        path, _ = self.film("m.csv", "--time 200 --camera 5 --noise 0.002")
+        same = run(f"classify --series {path} --marks x y x y")
+        self.assertEqual((same.returncode, same.stdout, same.stderr.count("\n")), (2, "", 1), same.stderr)
+        self.assertIn("two places of the body", same.stderr)
+        for flags, noted in (("x y mark_x mark_y", False), ("x y frame mark_x", True)):
+            notes = "".join(document(f"classify --series {path} --marks {flags}")["series"]["notes"])
+            self.assertEqual("keep theirs" in notes, noted, flags)
+
     def test_the_page_for_laboratories_runs_as_it_stands(self):
         commands = list(in_blocks(PAGE))
         self.assertEqual([command.split()[1] for command in commands],

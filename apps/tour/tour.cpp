@@ -3,6 +3,7 @@
 #include "apps/command_line/progress.hpp"
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/standard_streams.hpp"
+#include "apps/modes/mean_in_words.hpp"
 #include "apps/modes/verdict_document.hpp"
 
 #include <fmt/format.h>
@@ -44,8 +45,8 @@ void print_stop(const TourOptions& options, const Stop& stop, const Scene<double
     if (options.verbose)
         fmt::print("{}: {}\n{}\n", stop.name, scene_in_words(scene), table_of(named, true));
     else
-        fmt::print("{:<22} {:<46} mean S {:>11.8f}  {} after {} impacts\n", stop.name, mode_in_words(named.verdict),
-                   named.verdict.mean, name_of(named.outcome), named.impacts);
+        fmt::print("{:<22} {:<40} mean S {}  {} after {} impacts\n", stop.name, mode_in_words(named.verdict),
+                   mean_in_words(named.verdict.mean, named.mean_errors), name_of(named.outcome), named.impacts);
 }
 
 }  // namespace

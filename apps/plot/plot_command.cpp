@@ -27,7 +27,7 @@ const char* const plot_details =
   lyapunov            lyapunov (the exponents and their convergence)
   fit                 fit (profiles of e and mu, and what single impacts ask for against their speeds)
   orbits              multipliers (in the complex plane, with the mean spin of each orbit)
-  bifurcate, continue bifurcation (samples, branches and their special points; where points of one kind lie
+  bifurcate/continue  bifurcation (samples, branches and their special points; where points of one kind lie
                       on one another, the first is drawn, and the legend counts them)
   boundaries          boundaries (curves in two parameters and their special points; over the mode map of a
                       sweep, if its record is given first)

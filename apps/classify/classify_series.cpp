@@ -10,6 +10,7 @@
 #include "apps/input/angle_stretch.hpp"
 #include "apps/input/input_options.hpp"
 #include "apps/modes/mean_error_fields.hpp"
+#include "apps/modes/mean_in_words.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/verdict_document.hpp"
 #include "apps/output/wrapped.hpp"
@@ -57,6 +58,21 @@ struct SeriesVerdict {
     MeanErrors mean_errors;
 };
 
+/// Over the time of the values judged; NaN where a series has none.
+double mean_spin_of(const SeriesVerdict& v) {
+    if (v.whole.quantity == distance_of_position) return analysis::nan;
+    if (v.options.sampled_flow) return v.verdict.mean;
+    return v.used.time.empty() ? analysis::nan : time_mean(v.used);
+}
+
+/// "; mean S -0.20 +- 0.03"; of a regular motion, whose measured mean has no error here, to three digits.
+std::string mean_in_words(const SeriesVerdict& v) {
+    const double mean = mean_spin_of(v);
+    if (!std::isfinite(mean)) return "";
+    const bool has_error = v.mean_errors.kind != MeanKind::none;
+    return "; mean S " + (has_error ? apps::mean_in_words(mean, v.mean_errors) : fmt::format("about {:.3g}", mean));
+}
+
 Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
     using Verdict = analysis::Classification;
     const double spacing = v.used.spacing;
@@ -73,12 +89,7 @@ Table<SeriesVerdict> verdict_table(const SeriesVerdict& v) {
             {{"mode", of(&Verdict::mode), no_column},
              kind_field<SeriesVerdict>(of(&Verdict::kind)),
              period_field<SeriesVerdict>(of(&Verdict::period)),
-             {"mean_S",
-              [=](const SeriesVerdict& row) {
-                  if (row.whole.quantity == distance_of_position) return analysis::nan;
-                  return flow ? row.verdict.mean : row.used.time.empty() ? analysis::nan : time_mean(row.used);
-              },
-              no_column},
+             {"mean_S", mean_spin_of, no_column},
              {"mean_S_per_impact", per_impact(&Verdict::mean_per_step), no_column},
              errors.per_time,
              errors.per_impact,
@@ -133,11 +144,12 @@ ExponentUnit exponent_unit(const SeriesVerdict& v) {
 
 void print_verdict(const SeriesVerdict& v, bool verbose) {
     const std::string bridged = v.rows_bridged > 0 ? fmt::format(", {} of them bridged", v.rows_bridged) : "";
-    fmt::print("{}\n{}  {}\n{}",
+    fmt::print("{}\n{}  {}{}\n{}",
                wrapped(fmt::format("series: {}; rows are {}, {} used{}", series_in_words(v.whole), rows_of(v),
                                    v.rows_used, bridged),
                        2),
-               notes_in_lines(v.whole), mode_in_words(v.verdict), verdict_in_lines(v.verdict, {}, exponent_unit(v)));
+               notes_in_lines(v.whole), mode_in_words(v.verdict), mean_in_words(v),
+               verdict_in_lines(v.verdict, {}, exponent_unit(v)));
     if (verbose) fmt::print("{}{}", lines_of(verdict_table(v), v), table_of(v.verdict.evidence));
 }
 

@@ -44,7 +44,8 @@ TEST(Attractors, AContinuumAndChaosAreOneEachWhateverTheirMeans) {
         const auto found = attractors_of(runs);
         ASSERT_EQ(found.size(), 1u);
         EXPECT_DOUBLE_EQ(found[0].mean_spin, 0.2);
-        constexpr double student = 12.706204736 / 1.959963985;  // 97.5 % quantiles: of one degree of freedom, and Gauss's
+        constexpr double student =
+            12.706204736 / 1.959963985;  // 97.5 % quantiles: of one degree of freedom, and Gauss's
         EXPECT_NEAR(found[0].mean_spin_error, 0.1 * student, 1e-9);
     }
 }

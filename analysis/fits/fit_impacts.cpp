@@ -19,10 +19,29 @@ void restore_units(ImpactFit& fit, const NaturalUnits& units) {
     for (FittedNumber* k : {&fit.inertia, &fit.balance}) k->value *= square, k->low *= square, k->high *= square;
     fit.velocity_noise *= units.speed;
     fit.spin_noise *= units.speed / units.length;
-    for (MeasuredImpact& impact : fit.impacts) impact = from_units(impact, units);
+    for (MeasuredImpact& impact : fit.impacts) {
+        impact = from_units(impact, units);
+        impact.whitening.reset();
+    }
     for (ImpactResidual& residual : fit.residuals)
         residual.approach_speed *= units.speed, residual.slip_speed *= units.speed;
     for (ConstancyTest& test : fit.constancy) test.slope /= units.speed, test.error /= units.speed;
+}
+
+/// The impacts that are not gross, remade in natural units.
+auto remade_in(const NaturalUnits& units, std::span<const MeasuredImpact> impacts, const ImpactFitSettings& settings) {
+    std::vector<bool> usable;
+    for (const MeasuredImpact& impact : impacts) usable.push_back(!is_gross(in_units(impact, units)));
+    return [units, usable, &settings](std::span<const double> weights) {
+        std::vector<double> all(usable.size(), 0.0);
+        for (std::size_t i = 0, k = 0; i < usable.size(); ++i)
+            if (usable[i]) all[i] = weights[k++];
+        const std::vector<MeasuredImpact> remade = settings.remade(all);
+        std::vector<MeasuredImpact> natural;
+        for (std::size_t i = 0; i < usable.size(); ++i)
+            if (usable[i]) natural.push_back(in_units(remade[i], units));
+        return natural;
+    };
 }
 
 }  // namespace
@@ -42,6 +61,7 @@ ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, std::span<const N
     if (quantile(std::move(squares), 0.5) > 0) {
         ImpactFitSettings natural = settings;
         if (natural.inertia) *natural.inertia /= units.length * units.length;
+        if (settings.remade) natural.remade = remade_in(units, impacts, settings);
         fit = fit_in_natural_units(scaled, laws, natural);
     } else {
         fit.outcome = ImpactFitOutcome::no_offsets;

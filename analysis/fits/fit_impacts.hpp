@@ -3,9 +3,11 @@
 
 #include "analysis/fits/constancy.hpp"
 #include "analysis/fits/momentum_balance.hpp"
+#include "analysis/fits/rivals.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,12 +15,18 @@
 namespace swirl::analysis {
 
 struct ImpactFitSettings {
-    std::optional<double> inertia;  ///< k = I/m, else fitted
-    bool stated_errors = false;     ///< the impacts' errors are known; else they are fitted, see velocity_share
-    std::size_t resamples = 200;    ///< of the bootstrap over impacts
-    std::size_t parts = 10;         ///< of the cross-validation
+    std::optional<double> inertia;    ///< k = I/m, else fitted
+    bool stated_errors = false;       ///< the impacts' errors are known; else they are fitted, see velocity_share
+    bool fixed_weights = false;       ///< only the middle of alike impacts counts, see with_fixed_weights()
+    double rivals_within = no_rival;  ///< deviance up to which another minimum starts fits of the resamples
+    bool signs_known = false;         ///< spin and v_x are in the right sense: momentum turns none
+    std::size_t resamples = 200;      ///< of the bootstrap over impacts; 0: e, μ and the law alone, without intervals
+    std::size_t parts = 10;           ///< of the cross-validation
     std::uint64_t seed = 1;
     int threads = 0;  ///< 0: all
+    /// The impacts as a resample with these weights makes them, in their order, where they rest on what is fitted to
+    /// them all; none: they are as they are.
+    std::function<std::vector<MeasuredImpact>(std::span<const double> weights)> remade;
 };
 
 enum class ImpactFitOutcome {
@@ -61,6 +69,8 @@ struct ImpactFit {
     bool friction_open = false;  ///< any μ above friction.low does: nothing slides to the end, value and high are NaN
     std::size_t best = 0;        ///< of `laws`
     std::vector<FittedLaw> laws;
+    LawParameters weighed_at;                       ///< where fixed weights are those of the errors
+    std::vector<Rival> rivals;                      ///< that explain the impacts nearly as well
     bool law_decided = false;                       ///< every other law is worse by `sure_law`
     double velocity_noise = nan, spin_noise = nan;  ///< standard errors that momentum shows, or that were stated
     double scatter = nan;                           ///< of the misfits to the law, in units of that noise

@@ -44,14 +44,13 @@ InertiaFit settle_inertia(std::vector<MeasuredImpact>& impacts, const Weights& w
     return fit;
 }
 
-/// The differences of the losses, impact by impact, in standard errors of their sum.
-double worse_by(const std::vector<double>& losses, const std::vector<double>& best) {
-    double sum = 0, squares = 0;
-    for (std::size_t i = 0; i < losses.size(); ++i) sum += losses[i] - best[i];
-    const double mean = sum / static_cast<double>(losses.size());
-    for (std::size_t i = 0; i < losses.size(); ++i) squares += std::pow(losses[i] - best[i] - mean, 2);
-    constexpr double rounding = 1e-6;  // of a loss, where fits end
-    return sum > rounding * static_cast<double>(losses.size()) ? sum / std::sqrt(squares) : 0;
+double median_error(const std::vector<MeasuredImpact>& impacts, int component) {
+    std::vector<double> errors;
+    for (const MeasuredImpact& impact : impacts) {
+        errors.push_back(impact.error_before[component]);
+        errors.push_back(impact.error_after[component]);
+    }
+    return quantile(std::move(errors), 0.5);
 }
 
 /// The problem of a fit with one of the laws.
@@ -60,21 +59,17 @@ LawProblem with_law(LawProblem problem, Laws laws, std::size_t law) {
     return problem;
 }
 
-/// Kinks of the law where contact modes change make small dents in the loss: the least of several starts.
-LawFit fit_from_around(const LawProblem& problem, const LawFit& found) {
-    LawFit best = found;
-    for (const double factor : {0.96, 0.98, 1.02, 1.04}) {
-        LawParameters start = found.parameters;
-        start.friction *= factor;
-        const LawFit other = fit_law(problem, start);
-        if (other.loss < best.loss) best = other;
-    }
-    return best;
+void weigh(std::vector<MeasuredImpact>& impacts, double inertia, Laws laws,
+           const std::optional<LawParameters>& parameters) {
+    for (MeasuredImpact& impact : impacts) impact = with_fixed_weights(impact, inertia, laws[0].law, parameters);
 }
 
 /// All laws at the best one's scale.
-void fit_laws(ImpactFit& fit, LawProblem& problem, Laws laws) {
+void fit_laws(ImpactFit& fit, LawProblem& problem, Laws laws, const ImpactFitSettings& settings) {
+    if (settings.fixed_weights) weigh(fit.impacts, problem.inertia, laws, {});
     const RobustStart start = first_parameters(with_law(problem, laws, 0));
+    fit.weighed_at = start.parameters;
+    if (settings.fixed_weights) weigh(fit.impacts, problem.inertia, laws, start.parameters);
     problem.scale = start.scale;
     for (const NamedImpactLaw& law : laws) fit.laws.push_back({law.name, start.parameters});
     // From the grid's coarse scale down to that of the misfits, which exact impacts have at rounding.
@@ -85,8 +80,14 @@ void fit_laws(ImpactFit& fit, LawProblem& problem, Laws laws) {
         double least = infinity;
         for (std::size_t i = 0; i < laws.size(); ++i) {
             const LawProblem with = with_law(problem, laws, i);
-            LawFit found = fit_law(with, fit.laws[i].parameters);
-            if (last) found = fit_from_around(with, found);
+            LawFit found;
+            if (last) {
+                const std::vector<LawFit> minima = minima_of(with, fit.laws[i].parameters, settings.rivals_within);
+                found = minima.front();
+                for (std::size_t k = 1; k < minima.size(); ++k) fit.rivals.push_back({i, minima[k].parameters});
+            } else {
+                found = fit_law(with, fit.laws[i].parameters);
+            }
             fit.laws[i].parameters = found.parameters;
             fit.laws[i].loss = found.loss;
             constexpr double rounding = 1e-6;  // laws that predict the same: the first of them
@@ -107,6 +108,19 @@ void fit_laws(ImpactFit& fit, LawProblem& problem, Laws laws) {
     }
 }
 
+/// The parameters of a law, and its rivals.
+std::vector<LawParameters> starts_of(const ImpactFit& fit, std::size_t law) {
+    std::vector<LawParameters> starts = {fit.laws[law].parameters};
+    for (const Rival& rival : fit.rivals)
+        if (rival.law == law) starts.push_back(rival.parameters);
+    return starts;
+}
+
+/// It may be the best one in a resample; one that predicts the same as the best is not looked at.
+bool contends(const ImpactFit& fit, std::size_t law) {
+    return law == fit.best || (fit.laws[law].worse_by > 0 && fit.laws[law].worse_by <= no_contender);
+}
+
 struct Resample {
     double restitution, friction;
     double balance;  ///< k by momentum
@@ -114,14 +128,16 @@ struct Resample {
 
 Resample fit_resample(const ImpactFit& fit, const LawProblem& problem, Laws laws, const ImpactFitSettings& settings,
                       const Weights& weights) {
-    std::vector<MeasuredImpact> impacts = fit.impacts;
+    std::vector<MeasuredImpact> impacts = settings.remade ? settings.remade(weights) : fit.impacts;
+    if (settings.remade)
+        for (MeasuredImpact& impact : impacts) impact = with_signs(impact, fit.signs);
     const double inertia = settle_inertia(impacts, weights, problem.inertia, settings).inertia;
+    if (settings.fixed_weights) weigh(impacts, inertia, laws, fit.weighed_at);
     const LawProblem part{impacts, weights, inertia, problem.law, problem.scale};
     LawFit best;
     for (std::size_t i = 0; i < laws.size(); ++i) {
-        if (i != fit.best && fit.laws[i].worse_by > no_contender) continue;
-        if (i != fit.best && fit.laws[i].worse_by == 0) continue;  // it predicts the same
-        const LawFit found = fit_law(with_law(part, laws, i), fit.laws[i].parameters);
+        if (!contends(fit, i)) continue;
+        const LawFit found = fit_from(with_law(part, laws, i), starts_of(fit, i));
         if (!(found.loss >= best.loss)) best = found;
     }
     const double balance = settings.inertia ? fit_inertia(impacts, weights, inertia).inertia : inertia;
@@ -174,48 +190,51 @@ void hold_out(ImpactFit& fit, const LawProblem& problem, const ImpactFitSettings
     fit.predicted = static_cast<double>(within) / static_cast<double>(count);
 }
 
-/// Deviance at a fixed μ.
-double friction_deviance(const LawProblem& problem, const LawFit& best, double friction) {
-    return 2 * (fit_law(problem, best.parameters, {}, friction).loss - best.loss);
+/// Deviance at a fixed μ, of the law that is best there.
+double friction_deviance(const LawProblem& problem, const ImpactFit& fit, Laws laws, double friction) {
+    double least = infinity;
+    for (std::size_t i = 0; i < laws.size(); ++i)
+        if (contends(fit, i))
+            least = std::min(least, fit_from(with_law(problem, laws, i), starts_of(fit, i), {}, friction).loss);
+    return 2 * (least - fit.laws[fit.best].loss);
 }
 
 /// Where any large μ does: the least one that does.
-double least_friction(const LawProblem& problem, const LawFit& best) {
+double least_friction(const LawProblem& problem, const ImpactFit& fit, Laws laws) {
     double high = largest_friction, low = high;
     while (low > 1e-3) {
         low = high / 1.3;
-        if (friction_deviance(problem, best, low) > sure_square_of_one) break;
+        if (friction_deviance(problem, fit, laws, low) > sure_square_of_one) break;
         high = low;
     }
     for (int halving = 0; halving < 12; ++halving) {
         const double middle = std::sqrt(low * high);
-        (friction_deviance(problem, best, middle) > sure_square_of_one ? low : high) = middle;
+        (friction_deviance(problem, fit, laws, middle) > sure_square_of_one ? low : high) = middle;
     }
     return low > 1e-3 ? low : 0;
 }
 
-LossProfile profile_of(const LawProblem& problem, const LawFit& best, double low, double high, bool of_friction) {
+LossProfile profile_of(const LawProblem& problem, const ImpactFit& fit, double low, double high, bool of_friction) {
     constexpr int points = 41;
     LossProfile profile;
+    const std::vector<LawParameters> starts = starts_of(fit, fit.best);
     for (int i = 0; i < points; ++i) {
         const double value = low + (high - low) * i / (points - 1);
-        const LawFit found =
-            of_friction ? fit_law(problem, best.parameters, {}, value) : fit_law(problem, best.parameters, value, {});
+        const LawFit found = of_friction ? fit_from(problem, starts, {}, value) : fit_from(problem, starts, value, {});
         profile.values.push_back(value);
-        profile.deviances.push_back(2 * (found.loss - best.loss));
+        profile.deviances.push_back(2 * (found.loss - fit.laws[fit.best].loss));
     }
     return profile;
 }
 
 void profile_both(ImpactFit& fit, const LawProblem& problem) {
-    const LawFit best{fit.laws[fit.best].parameters, fit.laws[fit.best].loss};
     const double e_room = 2 * (fit.restitution.high - fit.restitution.low) + 1e-6;
-    fit.restitution_profile = profile_of(problem, best, std::max(0.0, fit.restitution.low - e_room),
+    fit.restitution_profile = profile_of(problem, fit, std::max(0.0, fit.restitution.low - e_room),
                                          std::min(1.0, fit.restitution.high + e_room), false);
     const double mu_low = fit.friction.low;
     const double mu_room = fit.friction_open ? mu_low : 2 * (fit.friction.high - mu_low) + 1e-6;
     const double mu_high = fit.friction_open ? 3 * mu_low + 0.1 : fit.friction.high + mu_room;
-    fit.friction_profile = profile_of(problem, best, std::max(0.0, mu_low - mu_room), mu_high, true);
+    fit.friction_profile = profile_of(problem, fit, std::max(0.0, mu_low - mu_room), mu_high, true);
 }
 
 /// k is a moment of inertia per mass, so some tenths of the offsets' r², which are 1 in natural units.
@@ -234,6 +253,7 @@ bool is_known(const ImpactFit& fit) {
 ImpactFit fit_in_natural_units(std::span<const MeasuredImpact> impacts, Laws laws, const ImpactFitSettings& settings) {
     ImpactFit fit;
     fit.signs = momentum_signs(impacts);
+    if (settings.signs_known) fit.signs.spin = fit.signs.tangent = 1;
     for (const MeasuredImpact& impact : impacts) fit.impacts.push_back(with_signs(impact, fit.signs));
     fit.outcome = recede(fit.impacts) ? ImpactFitOutcome::receding : ImpactFitOutcome::fitted;
     if (fit.outcome != ImpactFitOutcome::fitted) return fit;
@@ -246,23 +266,27 @@ ImpactFit fit_in_natural_units(std::span<const MeasuredImpact> impacts, Laws law
     if (fit.outcome != ImpactFitOutcome::fitted) return fit;
     const Weights once(fit.impacts.size(), 1.0);
     const InertiaFit balance = settle_inertia(fit.impacts, once, start, settings);
-    fit.velocity_noise = fit.impacts.front().error_before[0];
-    fit.spin_noise = fit.impacts.front().error_before[2];
+    fit.velocity_noise = median_error(fit.impacts, 0);
+    fit.spin_noise = median_error(fit.impacts, 2);
     fit.inertia.value = balance.inertia;
     if (is_absurd(balance.inertia)) fit.outcome = ImpactFitOutcome::inertia_absurd;
     if (fit.outcome != ImpactFitOutcome::fitted) return fit;
     LawProblem problem{fit.impacts, once, balance.inertia, nullptr, 1};
-    fit_laws(fit, problem, laws);
+    fit_laws(fit, problem, laws, settings);
     fit.scatter = problem.scale;
     if (!is_known(fit)) fit.outcome = ImpactFitOutcome::not_fitted;
-    if (fit.outcome != ImpactFitOutcome::fitted) return fit;
+    fit.restitution.value = fit.laws[fit.best].parameters.restitution;
+    fit.friction.value = fit.laws[fit.best].parameters.friction;
+    if (fit.outcome != ImpactFitOutcome::fitted || settings.resamples == 0) return fit;
     bootstrap(fit, problem, laws, settings);
-    const LawFit best{fit.laws[fit.best].parameters, fit.laws[fit.best].loss};
-    fit.friction_open = friction_deviance(problem, best, largest_friction) < sure_square_of_one;
-    if (fit.friction_open) fit.friction = {nan, least_friction(problem, best), nan};
+    fit.friction_open = friction_deviance(problem, fit, laws, largest_friction) < sure_square_of_one;
+    if (fit.friction_open) {
+        const double least = least_friction(problem, fit, laws);
+        fit.friction = {nan, fit.rivals.empty() ? least : std::min(least, fit.friction.low), nan};
+    }
     hold_out(fit, problem, settings);
     profile_both(fit, problem);
-    fit.residuals = residuals_of(problem, best.parameters);
+    fit.residuals = residuals_of(problem, fit.laws[fit.best].parameters);
     fit.constancy = constancy_tests(fit.residuals);
     return fit;
 }

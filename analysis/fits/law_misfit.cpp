@@ -43,6 +43,11 @@ double squared_distance(const MeasuredImpact& impact, const Eigen::Vector3d& bef
 
 LawMisfit misfit_of(const MeasuredImpact& impact, double inertia, const ImpactLaw& law,
                     const LawParameters& parameters) {
+    if (impact.whitening) {
+        const LawStep step = step_from(impact, impact.before, inertia, law, parameters);
+        return {*impact.whitening * (impact.after - step.after), -*impact.whitening * step.by_parameters,
+                impact.before};
+    }
     constexpr double settled = 3e-3;  // in standard errors: the distance is off by its square
     Eigen::Vector3d before = impact.before;
     LawStep step = step_from(impact, before, inertia, law, parameters);
@@ -69,6 +74,16 @@ LawMisfit misfit_of(const MeasuredImpact& impact, double inertia, const ImpactLa
     const Eigen::LLT<Eigen::Matrix3d> root(covariance_of(impact, step.by_before));
     const Eigen::Vector3d left = impact.after - step.after - step.by_before * (impact.before - before);
     return {root.matrixL().solve(left), -root.matrixL().solve(step.by_parameters), before};
+}
+
+MeasuredImpact with_fixed_weights(const MeasuredImpact& impact, double inertia, const ImpactLaw& law,
+                                  const std::optional<LawParameters>& parameters) {
+    Eigen::Matrix3d by_before = Eigen::Matrix3d::Identity();
+    if (parameters) by_before = step_from(impact, impact.before, inertia, law, *parameters).by_before;
+    const Eigen::LLT<Eigen::Matrix3d> root(covariance_of(impact, by_before));
+    MeasuredImpact weighed = impact;
+    weighed.whitening = root.matrixL().solve(Eigen::Matrix3d::Identity());
+    return weighed;
 }
 
 Prediction predict(const MeasuredImpact& impact, double inertia, const ImpactLaw& law,

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace swirl::analysis {
@@ -17,6 +18,8 @@ struct MeasuredImpact {
     Eigen::Vector2d offset;         ///< r, from the centre to the contact
     /// Standard errors of `before` and `after`, in any common unit: fits find the scale.
     Eigen::Vector3d error_before = Eigen::Vector3d::Ones(), error_after = Eigen::Vector3d::Ones();
+    /// C^(−1/2) of the prediction's error, fixed: the misfit is this times v⁺ − law(v⁻), see with_fixed_weights().
+    std::optional<Eigen::Matrix3d> whitening;
 };
 
 /// The velocity of the body's point at the contact: (v_x − r_y S, v_y + r_x S); y < 0 approaches.

@@ -4,6 +4,8 @@
 #include <Random123/uniform.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace swirl::analysis {
@@ -27,6 +29,19 @@ std::vector<double> bootstrap_weights(std::size_t count, std::uint64_t seed, std
     std::vector<double> weights(count, 0.0);
     for (std::size_t i = 0; i < count; ++i) weights[drawn_place(uniform_draw(seed, index + 1, i), count)] += 1;
     return weights;
+}
+
+Eigen::Vector3d normal_draws(std::uint64_t seed, std::uint64_t draw, std::size_t i) {
+    constexpr std::uint64_t normal_streams = 1ULL << 32;  // beyond those of the bootstrap
+    const r123::Philox4x64 generator;
+    const auto bits = generator({{i, normal_streams + draw, 0, 0x666974}}, {{seed, 1}});
+    std::array<double, 4> normal{};
+    for (std::size_t pair = 0; pair < 2; ++pair) {  // Box & Muller
+        const double length = std::sqrt(-2 * std::log(r123::u01<double>(bits[2 * pair])));
+        const double turn = 6.283185307179586 * r123::u01<double>(bits[2 * pair + 1]);
+        normal[2 * pair] = length * std::cos(turn), normal[2 * pair + 1] = length * std::sin(turn);
+    }
+    return {normal[0], normal[1], normal[2]};
 }
 
 std::vector<std::size_t> random_parts(std::size_t count, std::size_t parts, std::uint64_t seed) {

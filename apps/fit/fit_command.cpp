@@ -7,6 +7,7 @@
 #include "apps/command_line/record_output.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "apps/fit/fit_document.hpp"
+#include "apps/fit/fit_film_command.hpp"
 #include "apps/fit/fit_notes.hpp"
 #include "apps/fit/impact_table.hpp"
 #include "apps/studies/fits/impact_laws.hpp"
@@ -19,11 +20,24 @@
 namespace swirl::apps::fit {
 
 const char* const fit_details =
-    R"(A table of measured impacts, a row each: the velocity of the body's centre and its spin before and
-after, and the offset from the centre to the contact. The wall lies along x, y points from it to the
-body, angles are counter-clockwise; any units. Columns: vx_before vy_before spin_before vx_after
-vy_after spin_after, and rx ry or n3 d3 (the contact's velocity is vy + n3 spin along y and vx + d3
-spin along x); rows with flags > 0 are left out.
+    R"(A table of measured impacts (--impacts), or a film of the body in the dish (--series).
+
+A table has a row an impact: the velocity of the body's centre and its spin before and after, and the
+offset from the centre to the contact. The wall lies along x, y points from it to the body, angles
+are counter-clockwise; any units. Columns: vx_before vy_before spin_before vx_after vy_after
+spin_after, and rx ry or n3 d3 (the contact's velocity is vy + n3 spin along y and vx + d3 spin along
+x); rows with flags > 0 are left out. With the columns velocity_error_before spin_error_before
+velocity_error_after spin_error_after each impact weighs by its own errors.
+
+A film is read as by `classify --series`: --position X Y, the body's centre in the laboratory, and
+its angle by --angle or --marks (whose first point is the centre where no --position says another).
+The body's shape, R_c and the swirl's radius and rate say where the wall is; phase and centre of the
+swirl, and how the angle's mark lies to a vertex, are fitted to the impacts. Straight lines of
+constant spin are fitted between kinks; a kink is an impact if its lines meet on the wall at one
+vertex and leave the wall: the others are left out, and counted. I/m is the shape's (--inertia-factor
+where it is no uniform lamina), and a note says if momentum contradicts it. Three films with as much
+noise again are fitted, too: what that does to e and mu is in their intervals. At the end stand the
+commands that classify the scene found, and sweep over the uncertainty of e and mu.
 
 Momentum comes first: k dS = r_x dv_y - r_y dv_x holds whatever the law, and tells k = I/m, how well
 the velocities were measured, and which sign was taken in the other sense: the fit says so and goes
@@ -38,13 +52,17 @@ single impacts ask for against their speeds.
 
 Examples:
   swirl fit --impacts impacts.csv
-  swirl fit --impacts impacts.csv --inertia 4.6e-4 --json -o fit.h5)";
+  swirl fit --impacts impacts.csv --inertia 4.6e-4 --json -o fit.h5
+  swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.2 --restitution 0.7 --speed 1 \
+      --time 300 --camera 5 --noise 0.002 -o film.csv
+  swirl fit --series film.csv --marks x y mark_x mark_y --sides 6 --alpha 0.4 --beta 0.5)";
 
 void FitOptions::add_to(Flags& command) {
     add_file(command, "--impacts", impacts, "a table of measured impacts (text, a header with the columns' names)")
-        ->type_name("FILE")
-        .required();
-    command.add_option("--inertia", inertia, "I/m in the table's units (default: what momentum tells)")->type_name("K");
+        ->type_name("FILE");
+    film.add_to(command);
+    command.add_option("--inertia", inertia, "I/m in the units of --impacts (default: what momentum tells)")
+        ->type_name("K");
     command.add_option("--resamples", resamples, "of the bootstrap (default 200)")
         ->type_name("B")
         ->transform(whole_number(20, 100'000));
@@ -100,18 +118,9 @@ void require_fitted(const analysis::ImpactFit& fit, const FitOptions& options) {
     }
 }
 
-}  // namespace
-
-int fit(FitOptions& options) {
-    options.output.require_double("fit works in double");
-    analysis::ImpactFitSettings settings;
-    settings.inertia = inertia_of(options);
-    settings.resamples = static_cast<std::size_t>(options.resamples);
-    settings.seed = options.seed;
-    settings.threads = options.output.threads;
-    std::optional<RecordWriter> record =
-        open_record(options.output, "Law of impact from measurements", {options.impacts});
+FitReport fit_of_table(const FitOptions& options, analysis::ImpactFitSettings& settings) {
     const ImpactTable table = read_impacts(options.impacts);
+    settings.stated_errors = table.has_errors;
     exit_when_interrupted();
     FitReport report;
     report.fit = analysis::fit_impacts(table.impacts, studies::impact_laws(), settings);
@@ -124,6 +133,33 @@ int fit(FitOptions& options) {
                        {"parts", static_cast<std::int64_t>(settings.parts)},
                        {"seed", options.seed},
                        {"inertia", settings.inertia.value_or(std::nan(""))}};
+    return report;
+}
+
+void require_one_input(const FitOptions& options) {
+    if (options.film.given() && !options.impacts.empty())
+        throw BadInput("--impacts and --series are both given; give one");
+    if (options.film.given() && !options.inertia.empty())
+        throw BadInput("--inertia is a table's; of a film --inertia-factor says it");
+    if (!options.film.given() && options.impacts.empty())
+        throw BadInput("nothing to fit: give --impacts FILE, or a film by --series FILE");
+    if (!options.film.given()) options.film.require_none();
+}
+
+}  // namespace
+
+int fit(FitOptions& options) {
+    options.output.require_double("fit works in double");
+    require_one_input(options);
+    analysis::ImpactFitSettings settings;
+    settings.inertia = inertia_of(options);
+    settings.resamples = static_cast<std::size_t>(options.resamples);
+    settings.seed = options.seed;
+    settings.threads = options.output.threads;
+    std::optional<RecordWriter> record =
+        open_record(options.output, "Law of impact from measurements", {options.impacts, options.film.series.file});
+    const FitReport report =
+        options.film.given() ? fit_of_film(options.film, settings) : fit_of_table(options, settings);
     if (record) {
         write_record(record->root(), report);
         record->finish();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/command_line/output_options.hpp"
+#include "apps/fit/dish_film.hpp"
 
 #include <cstdint>
 #include <string>
@@ -11,6 +12,7 @@ namespace swirl::apps::fit {
 struct FitOptions {
     OutputOptions output;
     std::string impacts;  ///< a table of measured impacts
+    FilmOptions film;
     std::string inertia;  ///< I/m as text; empty: momentum tells it
     std::int64_t resamples = 200;
     std::uint64_t seed = 1;

@@ -131,6 +131,7 @@ void write_json(const FitReport& report) {
         write_json(json, "momentum", momentum_of(fit));
         write_json(json, "laws", law_table(), fit.laws);
         write_json(json, "constancy", constancy_table(), fit.constancy);
+        if (report.film) write_json(json, *report.film);
         json.list("notes", report.notes, JsonLayout::rows);
         write_json(json, "settings", report.settings);
     });
@@ -151,13 +152,17 @@ void write_record(const RecordGroup& root, const FitReport& report) {
     write_record(root.group("impacts"), impact_table(), impact_rows(fit));
     write_record(root.group("restitution_profile"), profile_table(), points_of(fit.restitution_profile));
     write_record(root.group("friction_profile"), profile_table(), points_of(fit.friction_profile));
+    if (report.film) write_record(root, *report.film);
 }
 
 void print_report(const FitReport& report) {
     const ImpactFit& fit = report.fit;
     const std::string left_out =
         report.left_out > 0 ? fmt::format(" of {}, {} left out", report.rows, report.left_out) : "";
-    fmt::print("{} impacts{}\n", fit.impacts.size(), left_out);
+    if (report.film)
+        print_film(*report.film);
+    else
+        fmt::print("{} impacts{}\n", fit.impacts.size(), left_out);
     fmt::print(
         "  restitution e   {}\n  friction mu     {}\n  inertia I/m     {}\n", interval_in_words(fit.restitution),
         interval_in_words(fit.friction),
@@ -168,6 +173,7 @@ void print_report(const FitReport& report) {
     fmt::print("  predicted       {:.1f} % of held-out impacts within the noise\n", 100 * fit.predicted);
     print_table(law_table(), fit.laws);
     for (const std::string& note : report.notes) fmt::print("{}\n", wrapped("note: " + note, 2));
+    if (report.film) print_commands(*report.film);
 }
 
 }  // namespace swirl::apps::fit

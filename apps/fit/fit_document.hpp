@@ -3,9 +3,11 @@
 
 #include "analysis/fits/fit_impacts.hpp"
 #include "apps/command_line/documents.hpp"
+#include "apps/fit/film_document.hpp"
 #include "apps/record/record_writer.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ struct FitReport {
     bool inertia_given = false;
     std::vector<std::string> notes;
     Settings settings;
+    std::optional<FilmReport> film;  ///< where the impacts are those of a film
 };
 
 void write_json(const FitReport& report);

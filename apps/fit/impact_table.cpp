@@ -27,6 +27,15 @@ void require_columns(const DelimitedFile& file, const std::vector<std::string>& 
                             file.header.empty() ? "no header" : fmt::format("{}", fmt::join(file.header, ", "))));
 }
 
+const std::vector<std::string> error_columns = {"velocity_error_before", "spin_error_before", "velocity_error_after",
+                                                "spin_error_after"};
+
+bool is_usable(const analysis::MeasuredImpact& impact) {
+    const auto known = [](const Eigen::Vector3d& error) { return error.allFinite() && error.minCoeff() > 0; };
+    return impact.before.allFinite() && impact.after.allFinite() && impact.offset.allFinite() &&
+           known(impact.error_before) && known(impact.error_after);
+}
+
 }  // namespace
 
 ImpactTable read_impacts(const std::string& name) {
@@ -38,12 +47,19 @@ ImpactTable read_impacts(const std::string& name) {
     wanted.insert(wanted.end(), {table.by_rows ? "n3" : "rx", table.by_rows ? "d3" : "ry"});
     require_columns(file, wanted);
     if (has(file, "flags")) wanted.emplace_back("flags");
+    const bool flagged = wanted.size() > 8;
+    table.has_errors = std::any_of(error_columns.begin(), error_columns.end(),
+                                   [&](const std::string& column) { return has(file, column); });
+    if (table.has_errors) {
+        require_columns(file, error_columns);
+        wanted.insert(wanted.end(), error_columns.begin(), error_columns.end());
+    }
     std::vector<std::size_t> places;
     for (const std::string& column : wanted) places.push_back(column_of(file, "--impacts", column));
     const auto columns = numbers_of(file, places, std::vector<bool>(places.size(), true));
     for (std::size_t row = 0; row < table.rows; ++row) {
         const auto at = [&](std::size_t column) { return columns[column][row]; };
-        if (wanted.size() > 8 && at(8) > 0) {
+        if (flagged && at(8) > 0) {
             ++table.flagged;
             continue;
         }
@@ -51,8 +67,12 @@ ImpactTable read_impacts(const std::string& name) {
         impact.before << at(0), at(1), at(2);
         impact.after << at(3), at(4), at(5);
         impact.offset << at(6), table.by_rows ? -at(7) : at(7);
-        if (!(wanted.size() > 8 && std::isnan(at(8))) && impact.before.allFinite() && impact.after.allFinite() &&
-            impact.offset.allFinite())
+        if (table.has_errors) {
+            const std::size_t first = flagged ? 9 : 8;
+            impact.error_before << at(first), at(first), at(first + 1);
+            impact.error_after << at(first + 2), at(first + 2), at(first + 3);
+        }
+        if (!(flagged && std::isnan(at(8))) && is_usable(impact))
             table.impacts.push_back(impact);
         else
             ++table.missing;

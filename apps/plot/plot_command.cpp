@@ -25,7 +25,8 @@ const char* const plot_details =
                       over several thresholds)
   spectrum            spectrum (with its peaks)
   lyapunov            lyapunov (the exponents and their convergence)
-  fit                 fit (profiles of e and mu, and what single impacts ask for against their speeds)
+  fit                 fit (profiles of e and mu, and what single impacts ask for against their speeds); of a
+                      film arcs (frames and the arcs through them, S beside that of the scene found)
   orbits              multipliers (in the complex plane, with the mean spin of each orbit)
   bifurcate/continue  bifurcation (samples, branches and their special points; where points of one kind lie
                       on one another, the first is drawn, and the legend counts them)
@@ -57,10 +58,10 @@ void PlotOptions::add_to(Flags& command) {
     files.add_to(command, figure, true);
     command.add_option("--kind", kind, "which figure, where there are several")
         ->type_name("NAME")
-        ->offer({"orbit",        "spin",       "path",       "section",    "balance",  "contacts",
-                 "verdict",      "shares",     "recurrence", "spectrum",   "lyapunov", "multipliers",
-                 "bifurcation",  "boundaries", "basins",     "attractors", "modes",    "tradeoff",
-                 "steady-modes", "tour",       "energy",     "means",      "map",      "fit"});
+        ->offer({"orbit",  "spin",       "path",     "section",  "balance",      "contacts",    "verdict",
+                 "shares", "recurrence", "spectrum", "lyapunov", "multipliers",  "bifurcation", "boundaries",
+                 "basins", "attractors", "modes",    "tradeoff", "steady-modes", "tour",        "energy",
+                 "means",  "map",        "fit",      "arcs"});
     command.add_option("--width", width, "of the figure: millimetres, 3.4in, or a journal's column by name")
         ->type_name("WIDTH")
         ->offer({"aps", "aps-2", "nature", "nature-2", "elsevier", "elsevier-2"});

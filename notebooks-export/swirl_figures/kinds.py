@@ -4,8 +4,8 @@ import dataclasses
 from dataclasses import dataclass
 from typing import Callable
 
-from . import (attractors, balance, basins, bifurcation, boundaries, contacts, energy, fit, lyapunov, multipliers, orbit, path, quantities,
-               recurrence, section, shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
+from . import (arcs, attractors, balance, basins, bifurcation, boundaries, contacts, energy, fit, lyapunov, multipliers, orbit, path,
+               quantities, recurrence, section, shares, spectrum, spin, steady_modes, sweep, tour, tradeoff, verdict)
 from .look import Look, blank_figure, limit, require_kinds
 from .record import RecordError, open_record
 from .room import PAGE, make_room
@@ -59,6 +59,7 @@ KINDS = {
     "recurrence": Kind(_with("recurrence", "RR"), recurrence.draw_into, recurrence.size),
     "lyapunov": Kind(_with("lyapunov", "exponents"), lyapunov.draw_into, lyapunov.size),
     "fit": Kind(_with("impacts", "misfit"), fit.draw_into, fit.size),
+    "arcs": Kind(arcs.has_arcs, arcs.draw_into, arcs.size),
     "steady-modes": Kind(_describes, steady_modes.draw_into, steady_modes.size),
     "tour": Kind(tour.is_tour, tour.draw_into, tour.size),
     "tradeoff": Kind(_with("rungs"), tradeoff.draw_into, tradeoff.size),

@@ -222,5 +222,68 @@ TEST(Quantiles, OfTheNumbersFromOneToNineteen) {
     EXPECT_DOUBLE_EQ(weighted_median({3, 1, 2}, {1, 1, 5}), 2);
 }
 
+TEST(FixedWeights, MakeUnitVarianceOfTheStatedErrorsAndSlopesThatAreTheResidualsOwn) {
+    Truth truth;
+    truth.velocity_noise = 0.01, truth.spin_noise = 0.03;
+    double squares = 0;
+    constexpr std::size_t count = 1000;
+    for (MeasuredImpact impact : made(count, truth, 5)) {
+        impact.error_before = impact.error_after = {0.01, 0.01, 0.03};
+        const MeasuredImpact weighed = with_fixed_weights(impact, truth.inertia, disk_law, truth.parameters);
+        const LawMisfit misfit = misfit_of(weighed, truth.inertia, disk_law, truth.parameters);
+        squares += misfit.squared();
+        const double step = 1e-6;
+        for (int j = 0; j < 2; ++j) {
+            LawParameters low = truth.parameters, high = low;
+            (j == 0 ? low.restitution : low.friction) -= step;
+            (j == 0 ? high.restitution : high.friction) += step;
+            const Eigen::Vector3d slope = (misfit_of(weighed, truth.inertia, disk_law, high).residual -
+                                           misfit_of(weighed, truth.inertia, disk_law, low).residual) /
+                                          (2 * step);
+            // Linear in e and μ on either side of where the contact begins to slide, which none is within a step of.
+            EXPECT_LT((slope - misfit.slopes.col(j)).norm(), 1e-6 * (1 + slope.norm()));
+        }
+    }
+    // χ² of 3: variance 6; where noise takes a contact from sliding to sticking the law is not linear.
+    EXPECT_NEAR(squares / count, 3, 5 * std::sqrt(6.0 / count));
+}
+
+TEST(FixedWeights, FindTheLawOfImpactsWithSmallErrors) {
+    Truth truth;
+    truth.velocity_noise = 0.005, truth.spin_noise = 0.01;
+    auto impacts = made(200, truth, 9);
+    for (MeasuredImpact& impact : impacts) impact.error_before = impact.error_after = {0.005, 0.005, 0.01};
+    ImpactFitSettings settings;
+    settings.stated_errors = settings.fixed_weights = true;
+    settings.inertia = truth.inertia;
+    settings.resamples = 60;
+    const ImpactFit fit = fit_impacts(impacts, one_law(), settings);
+    ASSERT_EQ(fit.outcome, ImpactFitOutcome::fitted);
+    EXPECT_NEAR(fit.restitution.value, 0.8, 4 * (fit.restitution.high - fit.restitution.low) / 3.92);
+    EXPECT_NEAR(fit.friction.value, 0.2, 4 * (fit.friction.high - fit.friction.low) / 3.92);
+    EXPECT_LT(fit.restitution.high - fit.restitution.low, 0.01);
+    EXPECT_LT(fit.friction.high - fit.friction.low, 0.01);
+    EXPECT_NEAR(fit.scatter, 1, 0.15);  // a robust scale of 200 times three
+    settings.resamples = 0;
+    const ImpactFit values = fit_impacts(impacts, one_law(), settings);
+    EXPECT_EQ(values.restitution.value, fit.restitution.value);
+    EXPECT_EQ(values.friction.value, fit.friction.value);
+    EXPECT_TRUE(std::isnan(values.friction.low));
+}
+
+TEST(NormalDraws, AreIndependentOfVarianceOne) {
+    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    constexpr std::size_t count = 10000;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Eigen::Vector3d draw = normal_draws(3, 1, i);
+        sum += draw, products += draw * draw.transpose();
+    }
+    const double room = 5 / std::sqrt(static_cast<double>(count));
+    EXPECT_LT((sum / count).cwiseAbs().maxCoeff(), room);
+    EXPECT_LT((products / count - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 1.5 * room);  // of squares √2
+    EXPECT_NE(normal_draws(3, 1, 0), normal_draws(3, 2, 0));
+}
+
 }  // namespace
 }  // namespace swirl::analysis

@@ -264,6 +264,33 @@ def write_tracks(path):
             _write(group, name, ["attractor"], numpy.array(values))
 
 
+def write_film(path):
+    """A body that goes to and fro on a line and turns at random, filmed, in the layout of `swirl fit --series`."""
+    arcs, frames = 80, 12
+    start = frames * 0.2 * numpy.arange(arcs)
+    end, middle = start + 0.2 * (frames - 1), start + 0.1 * (frames - 1)
+    turning = numpy.random.default_rng(1)
+    spin, velocity = turning.normal(size=arcs), 0.2 * (-1.0) ** numpy.arange(arcs)
+    time = 0.2 * numpy.arange(arcs * frames)
+    on = numpy.repeat(numpy.arange(arcs), frames)
+    place = velocity[on] * (time - middle[on])
+    noise = 0.01 * turning.normal(size=(2, len(time)))
+    with _record(path, {}, {}) as file:
+        file.create_group("film").attrs.update({"frames": len(time), "arcs": arcs, "kinks": arcs - 1, "place_noise": 0.01,
+                                                "angle_noise": 0.03})
+        file.create_group("fit").attrs.update({"impacts": arcs - 3})
+        groups = {"frames": ("frame", {"time": time, "x": place + noise[0], "y": 0.4 * place + noise[1]}),
+                  "arcs": ("arc", {"start": start, "end": end, "time": middle, "x": 0 * start, "y": 0 * start, "vx": velocity,
+                                   "vy": 0.4 * velocity, "S": spin}),
+                  "kinks": ("kink", {"time": end[:-1] + 0.1, "use": ["used"] * (arcs - 3) + ["off the wall"] * 2}),
+                  "simulated": ("step", {"time": numpy.append(middle[1], end[1:-1] + 0.1), "S": spin[1:] + 0.1})}
+        for name, (dimension, columns) in groups.items():
+            group = file.create_group(name)
+            _dimension(group, dimension, len(columns["time"]))
+            for column, values in columns.items():
+                _write(group, column, [dimension], values)
+
+
 def write_without_results(path):
     """A record of a scene, and of nothing that was found about it."""
     with _record(path, {}, SCENE):

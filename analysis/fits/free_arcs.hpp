@@ -1,0 +1,79 @@
+// A film of a body that moves freely between impacts: straight lines with constant spin, and the kinks between them.
+#pragma once
+
+#include "analysis/special_values.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace swirl::analysis {
+
+/// Places and angle of one frame.
+struct FilmFrame {
+    double time = nan;
+    Eigen::Vector3d place = Eigen::Vector3d::Constant(nan);  ///< (x, y, θ); NaN: missing
+};
+
+/// A straight line through consecutive frames, by least squares: place = middle + velocity (time − mean time).
+struct FreeArc {
+    std::size_t first = 0, last = 0;  ///< of the frames that count, both included
+    std::size_t count = 0;            ///< frames on it
+    double mean_time = nan, start = nan, end = nan;
+    double spread = nan;  ///< Σ (t − mean time)²: the variance of a velocity is σ²/spread
+    Eigen::Vector3d middle = Eigen::Vector3d::Constant(nan), velocity = Eigen::Vector3d::Constant(nan);
+    double squares = nan, angle_squares = nan;  ///< summed squares of the residuals of x and y, and of θ
+    bool after_gap = false;                     ///< frames are missing before it: what happened there is not known
+
+    Eigen::Vector3d at(double time) const { return middle + velocity * (time - mean_time); }
+    /// Variance of at(time) in units of σ².
+    double share(double time) const {
+        return 1 / static_cast<double>(count) + (time - mean_time) * (time - mean_time) / spread;
+    }
+};
+
+struct FilmArcs {
+    std::vector<FreeArc> arcs;
+    double place_noise = nan, angle_noise = nan;  ///< standard deviations of x or y, and of θ, in one frame
+    /// Covariance of the noise of (along the body's angle, across it, θ): a tracker that takes the angle from two
+    /// points has errors of the angle that go with those of the place.
+    Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
+    /// γ of S′ = −γ S, by how the angle bends along the lines (θ″ = −γ S), and its standard error; NaN where nothing
+    /// turns.
+    double spin_drag = nan, spin_drag_error = nan;
+    std::size_t frames = 0, outliers = 0;  ///< that count, and that lie off a line which goes on behind them
+};
+
+/// The sequence of lines with the least Σ (residuals/σ)² + `cost_of_arc` · (lines): dynamic programming over the
+/// frames, candidates pruned that can't win any more (PELT: Killick, Fearnhead & Eckley, J. Am. Stat. Assoc. 107 (2012)
+/// 1590). σ starts from a lower quantile of how far frames lie off the line of their neighbours, where kinks do not
+/// reach, and is then that of the residuals on lines of many frames. Up to two frames between parts of one line are
+/// outliers. `period` is that of the angle; turns from frame to frame are less than half of it, after lost frames near
+/// to what the last turn leads to. Times rise. O(frames × frames on an arc).
+FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period);
+
+/// Per line: beyond χ² of some 10 that noise reaches for one more line and a place of its kink.
+inline constexpr double cost_of_arc = 25;
+/// So many lost frames are bridged.
+inline constexpr double longest_gap = 3.5;
+
+/// Where two neighbouring lines meet: the time at which their distance, in units of its errors, is least.
+struct Kink {
+    std::size_t before = 0;  ///< the arc; the next one is that after
+    double time = nan, error = nan;
+    double earliest = nan, latest = nan;  ///< the frames about it
+    Eigen::Vector3d place = Eigen::Vector3d::Constant(nan);
+    double share = nan;                                       ///< variance of the place in units of σ²
+    Eigen::Vector3d change = Eigen::Vector3d::Constant(nan);  ///< of the velocity, after − before
+    double change_share = nan;                                ///< its variance in units of σ²
+    Eigen::Vector3d drift = Eigen::Vector3d::Constant(nan);   ///< of the place by time: what an error of this moves it
+    double distance = nan;  ///< squared, of the lines there, in units of its errors: χ²(2) if one impact lies between
+};
+
+/// Kinks of lines with `fewest_frames` or more on both, none across gaps.
+std::vector<Kink> kinks_of(const FilmArcs& film);
+inline constexpr std::size_t fewest_frames = 3;
+
+}  // namespace swirl::analysis

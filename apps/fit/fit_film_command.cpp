@@ -1,0 +1,84 @@
+#include "apps/fit/fit_film_command.hpp"
+
+#include "apps/command_line/errors.hpp"
+#include "apps/command_line/interruption.hpp"
+#include "apps/fit/fit_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace swirl::apps::fit {
+
+namespace {
+
+using studies::FilmFitOutcome;
+using studies::KinkUse;
+
+void require_fitted(const studies::FilmFit& film, const std::string& file) {
+    const auto count = [&](KinkUse use) { return film.counts[static_cast<std::size_t>(use)]; };
+    switch (film.outcome) {
+        case FilmFitOutcome::fitted:
+            return;
+        case FilmFitOutcome::few_kinks:
+            throw BadInput(
+                fmt::format("series '{}': {} frames on {} straight lines, of which too few of {} frames or more meet; "
+                            "{} or more impacts are needed, with {} frames between them",
+                            file, film.arcs.frames, film.arcs.arcs.size(), analysis::fewest_frames,
+                            studies::fewest_kinks, analysis::fewest_frames));
+        case FilmFitOutcome::no_wall:
+            throw BadInput(
+                fmt::format("series '{}': impacts are scattered by {:.2g} R_c about the wall; one of --scale, "
+                            "--container-radius, --alpha, --beta, --sides, --swirl-rate (its sign), --y-down is not "
+                            "the film's",
+                            file, film.dish.off_wall));
+        case FilmFitOutcome::few_impacts:
+            throw BadInput(fmt::format(
+                "series '{}': {} impacts can be used, {} or more are needed; of {} kinks {} do not meet, {} are off "
+                "the wall, {} have two vertices on it, {} an arc that stays on it",
+                file, count(KinkUse::used), analysis::fewest_impacts, film.impacts.size(), count(KinkUse::no_meeting),
+                count(KinkUse::off_the_wall), count(KinkUse::two_vertices), count(KinkUse::stays_on_wall)));
+        case FilmFitOutcome::no_law:
+            throw BadInput(
+                fmt::format("series '{}': to {} impacts no law could be fitted", file, count(KinkUse::used)));
+    }
+}
+
+}  // namespace
+
+FitReport fit_of_film(FilmOptions& options, const analysis::ImpactFitSettings& settings) {
+    FitReport report;
+    FilmReport film;
+    film.source = read_film(options);
+    exit_when_interrupted();
+    film.film =
+        studies::fit_film(film.source.frames, film.source.period, film.source.scene, film.source.origin, settings);
+    require_fitted(film.film, options.series.file);
+    film.commands = commands_on(options, film.source, film.film.fit);
+    film.simulated = studies::simulated_spin(scene_of(film.source, film.film.fit), film.film);
+    report.fit = film.film.fit;
+    report.inertia_given = true;
+    report.rows = film.film.impacts.size();
+    report.left_out = report.rows - report.fit.impacts.size();
+    ImpactTable table;
+    table.has_errors = true;
+    report.notes = film.source.notes;
+    const std::vector<std::string> notes = notes_of(report.fit, table);
+    report.notes.insert(report.notes.end(), notes.begin(), notes.end());
+    constexpr double sure = 4;  // standard errors: frames next to kinks bend lines a little
+    const double drag = film.film.arcs.spin_drag, drag_error = film.film.arcs.spin_drag_error;
+    if (std::abs(drag) > sure * drag_error)
+        report.notes.push_back(
+            fmt::format("the spin {} between impacts, by {:.3g} +- {:.1g} of itself per 1/omega_s: e and mu are those "
+                        "of straight arcs",
+                        drag > 0 ? "falls (a floor that drags)" : "rises", std::abs(drag), drag_error));
+    report.settings = {{"columns", options.series.flags()},
+                       {"resamples", static_cast<std::int64_t>(settings.resamples)},
+                       {"parts", static_cast<std::int64_t>(settings.parts)},
+                       {"seed", settings.seed},
+                       {"inertia_factor", film.source.inertia_factor}};
+    report.film = std::move(film);
+    return report;
+}
+
+}  // namespace swirl::apps::fit

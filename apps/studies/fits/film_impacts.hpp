@@ -1,0 +1,80 @@
+// From a film's arcs to measured impacts: which kinks are one impact of one vertex on the wall, and their velocities.
+#pragma once
+
+#include "analysis/fits/fit_impacts.hpp"
+#include "apps/studies/fits/dish_motion.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace swirl::studies {
+
+/// What becomes of a kink.
+enum class KinkUse {
+    used,
+    no_meeting,     ///< the lines do not meet between their frames, or nowhere: more than one impact, or a lost kink
+    off_the_wall,   ///< the lines meet, but no vertex is on the wall there
+    two_vertices,   ///< two vertices are on the wall
+    stays_on_wall,  ///< one of the arcs does not leave the wall: contact that lasts, or flights too low to be seen
+    no_approach     ///< the contact does not move into the wall before
+};
+inline constexpr std::size_t kink_uses = 6;
+std::string_view name_of(KinkUse use);
+
+struct FilmImpact {
+    analysis::Kink kink;
+    KinkUse use = KinkUse::used;
+    Contact contact;
+    analysis::MeasuredImpact impact;  ///< of those used: the wall's velocity taken off, along its axes
+};
+
+/// Velocities relative to the wall along the axes of the contact (x along the wall, counter-clockwise; y inwards), of
+/// both arcs, with their errors; that of the place turns axes and offset, what the impulse, known from the velocities,
+/// makes of it is added to the errors after.
+std::vector<FilmImpact> film_impacts(const analysis::FilmArcs& film, std::span<const analysis::Kink> kinks,
+                                     const FilmedScene& scene, const DishMotion& dish);
+
+enum class FilmFitOutcome {
+    fitted,
+    few_kinks,    ///< fewer than `fewest_kinks`
+    no_wall,      ///< kinks are scattered about no wall of this scene: `off_wall` beyond `far_off_wall`
+    few_impacts,  ///< fewer than `analysis::fewest_impacts` can be used
+    no_law        ///< see `fit.outcome`
+};
+
+/// R_c: a scale, radius or swirl that is wrong leaves more.
+inline constexpr double far_off_wall = 0.1;
+
+struct FilmFit {
+    FilmFitOutcome outcome = FilmFitOutcome::fitted;
+    analysis::FilmArcs arcs;
+    DishMotion dish;
+    std::vector<FilmImpact> impacts;              ///< one a kink
+    std::array<std::size_t, kink_uses> counts{};  ///< of each KinkUse
+    std::size_t thinned = 0;                      ///< usable impacts that are left out beyond `most_fitted_impacts`
+    double restitution_shift = 0, friction_shift = 0;  ///< of the fits of noisier films, in the mean
+    std::size_t noisier = 0;                           ///< of these films those that could be fitted
+    analysis::ImpactFit fit;
+};
+
+/// More impacts are thinned evenly: beyond that errors that are common to all count more than those of each, and time
+/// grows. (Those with the smallest errors would be chosen by how kinks lie to the frames, and turn the means.)
+inline constexpr std::size_t most_fitted_impacts = 200;
+
+/// Films with as much noise again that are fitted to see what it does to e and μ.
+inline constexpr std::size_t noisier_films = 3;
+
+/// Arcs, kinks, wall, impacts, fit with fixed weights (analysis::with_fixed_weights). What noise does beyond scatter
+/// (errors before the impact, kinks that are missed, contacts that are turned) grows as its square: films with as much
+/// noise again, of the same covariance, are fitted alike, and the intervals are longer by the mean shift of e and μ,
+/// towards where it came from (SIMEX: Cook & Stefanski, J. Am. Stat. Assoc. 89 (1994) 1314). If they come to another
+/// minimum, the interval holds that, too. Frames: times in 1/ω_s (or nearly: the rate is fitted), lengths in R_c.
+///   period  of the angle
+FilmFit fit_film(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
+                 const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings);
+
+}  // namespace swirl::studies

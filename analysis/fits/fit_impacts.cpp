@@ -5,6 +5,8 @@
 #include "analysis/fits/natural_units.hpp"
 #include "analysis/fits/robust.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -28,18 +30,17 @@ void restore_units(ImpactFit& fit, const NaturalUnits& units) {
     for (ConstancyTest& test : fit.constancy) test.slope /= units.speed, test.error /= units.speed;
 }
 
-/// The impacts that are not gross, remade in natural units.
-auto remade_in(const NaturalUnits& units, std::span<const MeasuredImpact> impacts, const ImpactFitSettings& settings) {
-    std::vector<bool> usable;
-    for (const MeasuredImpact& impact : impacts) usable.push_back(!is_gross(in_units(impact, units)));
-    return [units, usable, &settings](std::span<const double> weights) {
-        std::vector<double> all(usable.size(), 0.0);
-        for (std::size_t i = 0, k = 0; i < usable.size(); ++i)
-            if (usable[i]) all[i] = weights[k++];
-        const std::vector<MeasuredImpact> remade = settings.remade(all);
-        std::vector<MeasuredImpact> natural;
-        for (std::size_t i = 0; i < usable.size(); ++i)
-            if (usable[i]) natural.push_back(in_units(remade[i], units));
+/// Resamples in natural units, without gross impacts.
+auto resampled_in(const NaturalUnits& units, const ImpactFitSettings& settings) {
+    return [units, &settings](std::uint64_t index) {
+        const WeighedImpacts drawn = settings.resampled(index);
+        WeighedImpacts natural;
+        for (std::size_t i = 0; i < drawn.impacts.size(); ++i) {
+            const MeasuredImpact impact = in_units(drawn.impacts[i], units);
+            if (is_gross(impact)) continue;
+            natural.impacts.push_back(impact);
+            natural.weights.push_back(drawn.weights[i]);
+        }
         return natural;
     };
 }
@@ -61,7 +62,7 @@ ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, std::span<const N
     if (quantile(std::move(squares), 0.5) > 0) {
         ImpactFitSettings natural = settings;
         if (natural.inertia) *natural.inertia /= units.length * units.length;
-        if (settings.remade) natural.remade = remade_in(units, impacts, settings);
+        if (settings.resampled) natural.resampled = resampled_in(units, settings);
         fit = fit_in_natural_units(scaled, laws, natural);
     } else {
         fit.outcome = ImpactFitOutcome::no_offsets;

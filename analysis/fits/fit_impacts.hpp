@@ -1,6 +1,7 @@
 // From a table of measured impacts to e, μ, the law and how well all of it is known.
 #pragma once
 
+#include "analysis/fits/alike_impacts.hpp"
 #include "analysis/fits/constancy.hpp"
 #include "analysis/fits/momentum_balance.hpp"
 #include "analysis/fits/rivals.hpp"
@@ -24,9 +25,9 @@ struct ImpactFitSettings {
     std::size_t parts = 10;           ///< of the cross-validation
     std::uint64_t seed = 1;
     int threads = 0;  ///< 0: all
-    /// The impacts as a resample with these weights makes them, in their order, where they rest on what is fitted to
-    /// them all; none: they are as they are.
-    std::function<std::vector<MeasuredImpact>(std::span<const double> weights)> remade;
+    /// Resample number `index`, where impacts rest on what is fitted to them all or are means of several; none: the
+    /// impacts as they are, drawn with replacement.
+    std::function<WeighedImpacts(std::uint64_t index)> resampled;
 };
 
 enum class ImpactFitOutcome {

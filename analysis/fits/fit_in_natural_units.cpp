@@ -2,6 +2,7 @@
 
 #include "analysis/fits/resampling.hpp"
 #include "analysis/fits/robust.hpp"
+#include "analysis/fits/unexcluded.hpp"
 #include "analysis/threads.hpp"
 
 #include <tbb/parallel_for.h>
@@ -16,9 +17,6 @@ namespace {
 
 using Laws = std::span<const NamedImpactLaw>;
 using Weights = std::vector<double>;
-
-/// Laws that are worse by more never win in a resample.
-constexpr double no_contender = 4;
 
 bool recede(std::span<const MeasuredImpact> impacts) {
     std::vector<double> before, after;
@@ -51,12 +49,6 @@ double median_error(const std::vector<MeasuredImpact>& impacts, int component) {
         errors.push_back(impact.error_after[component]);
     }
     return quantile(std::move(errors), 0.5);
-}
-
-/// The problem of a fit with one of the laws.
-LawProblem with_law(LawProblem problem, Laws laws, std::size_t law) {
-    problem.law = &laws[law].law;
-    return problem;
 }
 
 void weigh(std::vector<MeasuredImpact>& impacts, double inertia, Laws laws,
@@ -94,7 +86,9 @@ void fit_laws(ImpactFit& fit, LawProblem& problem, Laws laws, const ImpactFitSet
             if (found.loss < least * (1 - rounding)) least = found.loss, fit.best = i;
         }
         if (last) break;
-        const double scale = misfit_scale(with_law(problem, laws, fit.best), fit.laws[fit.best].parameters);
+        fit.scatter = misfit_scale(with_law(problem, laws, fit.best), fit.laws[fit.best].parameters);
+        // Stated errors may be too small, and their fixed weights then count less; misfits below them are chance.
+        const double scale = settings.fixed_weights ? std::max(1.0, fit.scatter) : fit.scatter;
         last = scale > 0.9 * problem.scale || round + 2 == most_rounds;
         problem.scale = std::max(scale, shrinking * problem.scale);
     }
@@ -108,29 +102,21 @@ void fit_laws(ImpactFit& fit, LawProblem& problem, Laws laws, const ImpactFitSet
     }
 }
 
-/// The parameters of a law, and its rivals.
-std::vector<LawParameters> starts_of(const ImpactFit& fit, std::size_t law) {
-    std::vector<LawParameters> starts = {fit.laws[law].parameters};
-    for (const Rival& rival : fit.rivals)
-        if (rival.law == law) starts.push_back(rival.parameters);
-    return starts;
-}
-
-/// It may be the best one in a resample; one that predicts the same as the best is not looked at.
-bool contends(const ImpactFit& fit, std::size_t law) {
-    return law == fit.best || (fit.laws[law].worse_by > 0 && fit.laws[law].worse_by <= no_contender);
-}
-
 struct Resample {
     double restitution, friction;
     double balance;  ///< k by momentum
 };
 
+WeighedImpacts resample_of(const ImpactFit& fit, const ImpactFitSettings& settings, std::uint64_t index) {
+    if (!settings.resampled) return {fit.impacts, bootstrap_weights(fit.impacts.size(), settings.seed, index)};
+    WeighedImpacts drawn = settings.resampled(index);
+    for (MeasuredImpact& impact : drawn.impacts) impact = with_signs(impact, fit.signs);
+    return drawn;
+}
+
 Resample fit_resample(const ImpactFit& fit, const LawProblem& problem, Laws laws, const ImpactFitSettings& settings,
-                      const Weights& weights) {
-    std::vector<MeasuredImpact> impacts = settings.remade ? settings.remade(weights) : fit.impacts;
-    if (settings.remade)
-        for (MeasuredImpact& impact : impacts) impact = with_signs(impact, fit.signs);
+                      std::uint64_t index) {
+    auto [impacts, weights] = resample_of(fit, settings, index);
     const double inertia = settle_inertia(impacts, weights, problem.inertia, settings).inertia;
     if (settings.fixed_weights) weigh(impacts, inertia, laws, fit.weighed_at);
     const LawProblem part{impacts, weights, inertia, problem.law, problem.scale};
@@ -153,10 +139,8 @@ FittedNumber interval_of(double value, const std::vector<Resample>& resamples, d
 void bootstrap(ImpactFit& fit, const LawProblem& problem, Laws laws, const ImpactFitSettings& settings) {
     std::vector<Resample> resamples(settings.resamples);
     on_threads(settings.threads, [&] {
-        tbb::parallel_for(std::size_t{0}, resamples.size(), [&](std::size_t i) {
-            resamples[i] =
-                fit_resample(fit, problem, laws, settings, bootstrap_weights(fit.impacts.size(), settings.seed, i));
-        });
+        tbb::parallel_for(std::size_t{0}, resamples.size(),
+                          [&](std::size_t i) { resamples[i] = fit_resample(fit, problem, laws, settings, i); });
     });
     const LawParameters& best = fit.laws[fit.best].parameters;
     fit.restitution = interval_of(best.restitution, resamples, &Resample::restitution);
@@ -188,30 +172,6 @@ void hold_out(ImpactFit& fit, const LawProblem& problem, const ImpactFitSettings
     const auto within = std::count_if(fit.held_out.begin(), fit.held_out.end(),
                                       [](double squared) { return squared <= sure_square_of_three; });
     fit.predicted = static_cast<double>(within) / static_cast<double>(count);
-}
-
-/// Deviance at a fixed μ, of the law that is best there.
-double friction_deviance(const LawProblem& problem, const ImpactFit& fit, Laws laws, double friction) {
-    double least = infinity;
-    for (std::size_t i = 0; i < laws.size(); ++i)
-        if (contends(fit, i))
-            least = std::min(least, fit_from(with_law(problem, laws, i), starts_of(fit, i), {}, friction).loss);
-    return 2 * (least - fit.laws[fit.best].loss);
-}
-
-/// Where any large μ does: the least one that does.
-double least_friction(const LawProblem& problem, const ImpactFit& fit, Laws laws) {
-    double high = largest_friction, low = high;
-    while (low > 1e-3) {
-        low = high / 1.3;
-        if (friction_deviance(problem, fit, laws, low) > sure_square_of_one) break;
-        high = low;
-    }
-    for (int halving = 0; halving < 12; ++halving) {
-        const double middle = std::sqrt(low * high);
-        (friction_deviance(problem, fit, laws, middle) > sure_square_of_one ? low : high) = middle;
-    }
-    return low > 1e-3 ? low : 0;
 }
 
 LossProfile profile_of(const LawProblem& problem, const ImpactFit& fit, double low, double high, bool of_friction) {
@@ -273,16 +233,18 @@ ImpactFit fit_in_natural_units(std::span<const MeasuredImpact> impacts, Laws law
     if (fit.outcome != ImpactFitOutcome::fitted) return fit;
     LawProblem problem{fit.impacts, once, balance.inertia, nullptr, 1};
     fit_laws(fit, problem, laws, settings);
-    fit.scatter = problem.scale;
+    if (!settings.fixed_weights) fit.scatter = problem.scale;
     if (!is_known(fit)) fit.outcome = ImpactFitOutcome::not_fitted;
     fit.restitution.value = fit.laws[fit.best].parameters.restitution;
     fit.friction.value = fit.laws[fit.best].parameters.friction;
     if (fit.outcome != ImpactFitOutcome::fitted || settings.resamples == 0) return fit;
     bootstrap(fit, problem, laws, settings);
-    fit.friction_open = friction_deviance(problem, fit, laws, largest_friction) < sure_square_of_one;
+    if (settings.fixed_weights) add_unexcluded(fit, problem, laws);
+    fit.friction_open = any_friction_does(fit, problem, laws);
     if (fit.friction_open) {
-        const double least = least_friction(problem, fit, laws);
-        fit.friction = {nan, fit.rivals.empty() ? least : std::min(least, fit.friction.low), nan};
+        const double least = least_friction(fit, problem, laws);
+        const bool has_others = settings.fixed_weights || !fit.rivals.empty();
+        fit.friction = {nan, has_others ? std::min(least, fit.friction.low) : least, nan};
     }
     hold_out(fit, problem, settings);
     profile_both(fit, problem);

@@ -38,11 +38,18 @@ struct FilmImpact {
 std::vector<FilmImpact> film_impacts(const analysis::FilmArcs& film, std::span<const analysis::Kink> kinks,
                                      const FilmedScene& scene, const DishMotion& dish);
 
+/// The lines of a kink meet in one place, and between their frames.
+bool lines_meet(const analysis::Kink& kink);
+
+/// Each kink as an impact of the vertex that reaches farthest, whatever its use.
+std::vector<analysis::MeasuredImpact> impacts_at(const analysis::FilmArcs& film, std::span<const analysis::Kink> kinks,
+                                                 const FilmedScene& scene, const DishMotion& dish);
+
 enum class FilmFitOutcome {
     fitted,
     few_kinks,    ///< fewer than `fewest_kinks`
     no_wall,      ///< kinks are scattered about no wall of this scene: `off_wall` beyond `far_off_wall`
-    few_impacts,  ///< fewer than `analysis::fewest_impacts` can be used
+    few_impacts,  ///< fewer than `analysis::fewest_impacts` can be used, also of a body that stays on the wall
     no_law        ///< see `fit.outcome`
 };
 
@@ -56,19 +63,28 @@ struct FilmFit {
     std::vector<FilmImpact> impacts;              ///< one a kink
     std::array<std::size_t, kink_uses> counts{};  ///< of each KinkUse
     std::size_t thinned = 0;                      ///< usable impacts that are left out beyond `most_fitted_impacts`
+    std::size_t alike = 0;                        ///< usable impacts that are fitted as the means of alike ones
+    double frames_off_wall = analysis::nan;  ///< of few kinks or impacts: robust standard deviation of the later frames
     double restitution_shift = 0, friction_shift = 0;  ///< of the fits of noisier films, in the mean
     std::size_t noisier = 0;                           ///< of these films those that could be fitted
     analysis::ImpactFit fit;
 };
 
-/// More impacts are thinned evenly: beyond that errors that are common to all count more than those of each, and time
-/// grows. (Those with the smallest errors would be chosen by how kinks lie to the frames, and turn the means.)
+/// R_c: of `frames_off_wall`, below which a body stays on the wall. One in flight is off it by tenths.
+inline constexpr double near_wall = 0.05;
+
+/// More impacts that are like no others are thinned evenly: beyond that errors that are common to all count more than
+/// those of each, and time grows. (Those with the smallest errors would be chosen by how kinks lie to the frames, and
+/// turn the means.)
 inline constexpr std::size_t most_fitted_impacts = 200;
 
 /// Films with as much noise again that are fitted to see what it does to e and μ.
 inline constexpr std::size_t noisier_films = 3;
 
-/// Arcs, kinks, wall, impacts, fit with fixed weights (analysis::with_fixed_weights). What noise does beyond scatter
+/// Arcs, kinks, wall, impacts; alike ones are fitted as their means (analysis::alike_impacts), by fixed weights
+/// (analysis::with_fixed_weights). Resamples draw kinks, fit the dish anew, and move what alike impacts have in common,
+/// swirl's phase and mark included, by as little as that is known. Intervals hold all that the loss does not exclude.
+/// What noise does beyond scatter
 /// (errors before the impact, kinks that are missed, contacts that are turned) grows as its square: films with as much
 /// noise again, of the same covariance, are fitted alike, and the intervals are longer by the mean shift of e and μ,
 /// towards where it came from (SIMEX: Cook & Stefanski, J. Am. Stat. Assoc. 89 (1994) 1314). If they come to another

@@ -271,6 +271,56 @@ TEST(FixedWeights, FindTheLawOfImpactsWithSmallErrors) {
     EXPECT_TRUE(std::isnan(values.friction.low));
 }
 
+/// One impact that sticks, with q/p = 0.064, measured 400 times, and five more that stick.
+std::vector<MeasuredImpact> alike_sticking(const Truth& truth, std::uint64_t seed) {
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal;
+    std::vector<MeasuredImpact> impacts;
+    const Eigen::Vector3d errors(truth.velocity_noise, truth.velocity_noise, truth.spin_noise);
+    for (int i = 0; i < 405; ++i) {
+        MeasuredImpact impact;
+        impact.offset << 0, -1;
+        impact.before << 0.3, -0.55, -0.1;
+        if (i >= 400) impact.before << 0.02 * i - 8, -0.5 - 0.1 * (i - 400), 0.1;
+        const Eigen::Vector2d u = contact_velocity(impact.offset, impact.before);
+        impact.after = impact.before + effect_of_impulse(impact.offset, truth.inertia) *
+                                           disk_law(impact.offset, truth.inertia, u, truth.parameters).impulse;
+        for (Eigen::Vector3d* velocity : {&impact.before, &impact.after})
+            for (Eigen::Index j = 0; j < 3; ++j) (*velocity)[j] += errors[j] * normal(engine);
+        impact.error_before = impact.error_after = errors;
+        impacts.push_back(impact);
+    }
+    return impacts;
+}
+
+TEST(FixedWeights, OfAlikeImpactsThatStickFrictionHasALowerBoundAlone) {
+    Truth truth;
+    truth.parameters = {0.9, 0.5};
+    truth.velocity_noise = 0.015, truth.spin_noise = 0.05;
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        const auto impacts = alike_sticking(truth, seed);
+        const auto groups = alike_impacts(impacts);
+        ImpactFitSettings settings;
+        settings.stated_errors = settings.fixed_weights = settings.signs_known = true;
+        settings.inertia = truth.inertia;
+        settings.resamples = 40;
+        settings.rivals_within = 100;
+        settings.resampled = [&](std::uint64_t index) {
+            WeighedImpacts drawn = merged_impacts(impacts, bootstrap_weights(impacts.size(), 1, index), groups);
+            move_clouds(drawn, groups, 1, index);
+            return drawn;
+        };
+        const std::vector<double> once(impacts.size(), 1.0);
+        const ImpactFit fit = fit_impacts(merged_impacts(impacts, once, groups).impacts, one_law(), settings);
+        ASSERT_EQ(fit.outcome, ImpactFitOutcome::fitted);
+        EXPECT_TRUE(fit.friction_open) << seed;
+        EXPECT_LT(fit.friction.low, 0.5) << seed;
+        EXPECT_LT(fit.restitution.low, 0.9) << seed;
+        EXPECT_GT(fit.restitution.high, 0.9) << seed;
+        EXPECT_LT(fit.restitution.high - fit.restitution.low, 0.06) << seed;  // four errors of 0.2 of one over 0.55
+    }
+}
+
 TEST(NormalDraws, AreIndependentOfVarianceOne) {
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

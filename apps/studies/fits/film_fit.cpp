@@ -1,0 +1,251 @@
+#include "analysis/fits/resampling.hpp"
+#include "analysis/fits/robust.hpp"
+#include "apps/studies/fits/film_impacts.hpp"
+#include "apps/studies/fits/impact_laws.hpp"
+#include "map/model/scene.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+namespace swirl::studies {
+
+namespace {
+
+using analysis::Kink;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// The deviance knows the errors of each impact; that of the dish is common to all, and makes the true minimum worse by
+/// some tens. The resamples know it.
+constexpr double common_deviance = 100;
+
+/// The kinks that are one impact on the wall.
+std::vector<Kink> used_kinks(FilmFit& film) {
+    std::vector<Kink> used;
+    for (const FilmImpact& found : film.impacts) {
+        ++film.counts[static_cast<std::size_t>(found.use)];
+        if (found.use == KinkUse::used) used.push_back(found.kink);
+    }
+    return used;
+}
+
+/// All that are merged, and of the others as many as are fitted.
+std::vector<analysis::AlikeImpacts> fitted_groups(FilmFit& film, const std::vector<analysis::AlikeImpacts>& groups) {
+    const auto singles = static_cast<std::size_t>(
+        std::count_if(groups.begin(), groups.end(), [](const auto& group) { return !group.merged(); }));
+    const std::size_t kept = std::min(singles, most_fitted_impacts);
+    film.thinned = singles - kept;
+    std::vector<analysis::AlikeImpacts> fitted;
+    std::size_t single = 0;
+    for (const analysis::AlikeImpacts& group : groups) {
+        if (group.merged()) {
+            film.alike += group.members.size();
+            fitted.push_back(group);
+        } else {  // kept evenly
+            if ((single + 1) * kept / singles > single * kept / singles) fitted.push_back(group);
+            ++single;
+        }
+    }
+    return fitted;
+}
+
+/// What is common to the errors of alike kinks turns the swirl's phase and the mark, too: fitted to the same kinks,
+/// they are no better known than common_error of one of them, by the share of alike ones.
+DishMotion with_common_error(const DishMotion& dish, const FilmFit& film, const std::vector<Kink>& used,
+                             const FilmedScene& scene, const Vector3d& draws) {
+    std::vector<double> along, turn;
+    for (const Kink& kink : used) {
+        const KinkErrors errors = errors_of(kink, {film.arcs.place_noise, film.arcs.angle_noise}, scene, dish,
+                                            contact_at(scene, dish, kink.time, kink.place));
+        along.push_back(errors.along), turn.push_back(errors.turn);
+    }
+    const double share = analysis::common_error * static_cast<double>(film.alike) / static_cast<double>(used.size());
+    DishMotion moved = dish;
+    if (scene.beta > 0) moved.phase += share * draws[0] * analysis::quantile(along, 0.5) / scene.beta;
+    if (scene.sides != disk_sides && !scene.mark) moved.mark += share * draws[1] * analysis::quantile(turn, 0.5);
+    return moved;
+}
+
+/// Each alone where too few would be left.
+std::vector<analysis::AlikeImpacts> groups_of(const std::vector<analysis::MeasuredImpact>& impacts) {
+    std::vector<analysis::AlikeImpacts> groups = analysis::alike_impacts(impacts);
+    if (groups.size() >= analysis::fewest_impacts) return groups;
+    groups.clear();
+    for (std::size_t i = 0; i < impacts.size(); ++i) groups.push_back({{i}, i, 1});
+    return groups;
+}
+
+std::vector<double> all_once(std::size_t count) {
+    return std::vector<double>(count, 1.0);
+}
+
+/// The dish by the kinks that are an impact: in turn, since the dish tells which are.
+void settle_dish(FilmFit& film, const std::vector<Kink>& kinks, const FilmNoise& noise, const FilmedScene& scene) {
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round) {
+        film.impacts = film_impacts(film.arcs, kinks, scene, film.dish);
+        std::vector<Kink> used;
+        for (const FilmImpact& found : film.impacts)
+            if (found.use == KinkUse::used) used.push_back(found.kink);
+        if (used.size() < fewest_kinks) return;
+        if (round + 1 < rounds) film.dish = refined_dish(used, {}, noise, scene, film.dish);
+    }
+}
+
+/// The film with as much noise again as was found in it, other noise for each draw.
+std::vector<analysis::FilmFrame> with_more_noise(std::span<const analysis::FilmFrame> frames,
+                                                 const Eigen::Matrix3d& covariance, std::uint64_t seed,
+                                                 std::size_t draw) {
+    const Eigen::Matrix3d root = covariance.llt().matrixL();
+    std::vector<analysis::FilmFrame> noisier(frames.begin(), frames.end());
+    for (std::size_t i = 0; i < noisier.size(); ++i) {
+        Vector3d& place = noisier[i].place;
+        Vector3d added = root * analysis::normal_draws(seed, draw, i);
+        added.head<2>() = Eigen::Rotation2Dd(place[2]) * Vector2d(added.head<2>());
+        place += added;
+    }
+    return noisier;
+}
+
+/// The dish by the frames alone, as if the body stayed on its wall: from the film's later half, beyond the start.
+void look_for_lasting_contact(FilmFit& film, std::span<const analysis::FilmFrame> frames, const FilmedScene& scene,
+                              const Vector2d& origin) {
+    constexpr std::size_t most_frames = 1000;
+    std::vector<Kink> places;
+    for (std::size_t i = frames.size() - std::min(most_frames, frames.size() / 2); i < frames.size(); ++i) {
+        if (!frames[i].place.allFinite()) continue;
+        Kink place;
+        place.time = frames[i].time, place.place = frames[i].place;
+        place.error = 0, place.share = place.change_share = 1;
+        place.change.setZero(), place.drift.setZero();
+        places.push_back(place);
+    }
+    const std::optional<DishMotion> dish =
+        fit_dish(places, {film.arcs.place_noise, film.arcs.angle_noise}, scene, origin);
+    if (dish) film.frames_off_wall = dish->off_wall;
+}
+
+/// Why there is no fit. A body that is near the wall in most frames is on this scene's: the kinks are those of arcs
+/// that stay on it, or of flights too low or too short to be seen.
+FilmFitOutcome without_impacts(FilmFit& film, std::span<const analysis::FilmFrame> frames, const FilmedScene& scene,
+                               const Vector2d& origin) {
+    auto& off = film.counts[static_cast<std::size_t>(KinkUse::off_the_wall)];
+    look_for_lasting_contact(film, frames, scene, origin);
+    if (2 * off <= film.impacts.size()) return FilmFitOutcome::few_impacts;
+    if (!(film.frames_off_wall < near_wall)) return FilmFitOutcome::no_wall;
+    film.counts[static_cast<std::size_t>(KinkUse::stays_on_wall)] += off;
+    off = 0;
+    for (FilmImpact& impact : film.impacts)
+        if (impact.use == KinkUse::off_the_wall) impact.use = KinkUse::stays_on_wall;
+    return FilmFitOutcome::few_impacts;
+}
+
+FilmFit fit_once(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
+                 const Eigen::Vector2d& origin, analysis::ImpactFitSettings settings) {
+    FilmFit film;
+    film.arcs = analysis::fit_arcs(frames, period);
+    const std::vector<Kink> kinks = analysis::kinks_of(film.arcs);
+    std::vector<Kink> meeting;
+    std::copy_if(kinks.begin(), kinks.end(), std::back_inserter(meeting), lines_meet);
+    const FilmNoise noise{film.arcs.place_noise, film.arcs.angle_noise};
+    const std::optional<DishMotion> dish = fit_dish(meeting, noise, scene, origin);
+    if (!dish) {
+        film.outcome = FilmFitOutcome::few_kinks;
+        look_for_lasting_contact(film, frames, scene, origin);
+        return film;
+    }
+    film.dish = *dish;
+    settle_dish(film, kinks, noise, scene);
+    const std::vector<Kink> used = used_kinks(film);
+    if (used.size() < analysis::fewest_impacts)
+        film.outcome = without_impacts(film, frames, scene, origin);
+    else if (film.dish.off_wall > far_off_wall)
+        film.outcome = FilmFitOutcome::no_wall;
+    if (film.outcome != FilmFitOutcome::fitted) return film;
+    settings.inertia = scene.inertia;
+    settings.stated_errors = settings.fixed_weights = true;
+    settings.rivals_within = common_deviance;
+    settings.signs_known = true;  // with another sense of the angle no wall would have been found
+    const std::vector<analysis::MeasuredImpact> impacts = impacts_at(film.arcs, used, scene, film.dish);
+    const std::vector<analysis::AlikeImpacts> groups = fitted_groups(film, groups_of(impacts));
+    settings.resampled = [&](std::uint64_t index) {
+        const std::vector<double> weights = analysis::bootstrap_weights(used.size(), settings.seed, index);
+        constexpr std::uint64_t dish_after = 1ULL << 24;  // beyond the draws for clouds
+        const DishMotion moved = with_common_error(refined_dish(used, weights, noise, scene, film.dish), film, used,
+                                                   scene, analysis::normal_draws(settings.seed, dish_after + index, 0));
+        analysis::WeighedImpacts drawn =
+            analysis::merged_impacts(impacts_at(film.arcs, used, scene, moved), weights, groups);
+        analysis::move_clouds(drawn, groups, settings.seed, index);
+        return drawn;
+    };
+    const analysis::WeighedImpacts merged = analysis::merged_impacts(impacts, all_once(used.size()), groups);
+    film.fit = analysis::fit_impacts(merged.impacts, impact_laws(), settings);
+    if (film.fit.outcome != analysis::ImpactFitOutcome::fitted) film.outcome = FilmFitOutcome::no_law;
+    return film;
+}
+
+/// μ of a noisier film that is so many times the other, or less than one over that, is another minimum's.
+constexpr double another_minimum = 1.5;
+
+void lengthen(analysis::FittedNumber& number, double shift) {
+    number.low = std::max(0.0, number.low - std::max(0.0, shift));
+    number.high -= std::min(0.0, shift);
+}
+
+/// Intervals longer by what noise does.
+void add_noise_shift(FilmFit& film, const std::vector<FilmFit>& noisier) {
+    analysis::FittedNumber &e = film.fit.restitution, &mu = film.fit.friction;
+    std::vector<double> others;
+    double near = 0;
+    for (const FilmFit& other : noisier) {
+        if (other.outcome != FilmFitOutcome::fitted) continue;
+        ++film.noisier;
+        film.restitution_shift += other.fit.restitution.value - e.value;
+        const double ratio = other.fit.friction.value / mu.value;
+        if (film.fit.friction_open || ratio > another_minimum || ratio * another_minimum < 1)
+            others.push_back(other.fit.friction.value);
+        else
+            film.friction_shift += other.fit.friction.value - mu.value, near += 1;
+    }
+    if (film.noisier == 0) return;
+    film.restitution_shift /= static_cast<double>(film.noisier);
+    film.friction_shift /= std::max(1.0, near);
+    // Resamples of few different impacts may lie to one side of what they are resamples of.
+    const double room = std::max(e.value - e.low, e.high - e.value);
+    e.low = std::max(0.0, e.value - room), e.high = e.value + room;
+    lengthen(e, film.restitution_shift);
+    e.high = std::min(1.0, e.high);
+    // Of μ where both ends belong to one minimum.
+    constexpr double lopsided = 5;
+    const double below = mu.value - mu.low, above = mu.high - mu.value;
+    if (above < lopsided * below && below < lopsided * above)
+        mu.low = std::max(0.0, mu.value - std::max(below, above)), mu.high = mu.value + std::max(below, above);
+    lengthen(mu, film.friction_shift);
+    for (const double other : others) mu.low = std::min(mu.low, other), mu.high = std::max(mu.high, other);
+    constexpr double held = analysis::largest_friction / 2;  // no impact tells friction from any that is larger
+    film.fit.friction_open = film.fit.friction_open || mu.high > held;
+    if (film.fit.friction_open) mu.value = mu.high = analysis::nan;
+}
+
+}  // namespace
+
+FilmFit fit_film(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
+                 const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings) {
+    FilmFit film = fit_once(frames, period, scene, origin, settings);
+    if (film.outcome != FilmFitOutcome::fitted || settings.resamples == 0) return film;
+    analysis::ImpactFitSettings values_alone = settings;
+    values_alone.resamples = 0;
+    std::vector<FilmFit> noisier;
+    for (std::size_t draw = 0; draw < noisier_films; ++draw)
+        noisier.push_back(fit_once(with_more_noise(frames, film.arcs.noise, settings.seed, draw), period, scene,
+                                   film.dish.origin, values_alone));
+    add_noise_shift(film, noisier);
+    return film;
+}
+
+}  // namespace swirl::studies

@@ -185,7 +185,8 @@ FilmFit fit_once(std::span<const analysis::FilmFrame> frames, double period, con
     };
     const analysis::WeighedImpacts merged = analysis::merged_impacts(impacts, all_once(used.size()), groups);
     film.fit = analysis::fit_impacts(merged.impacts, impact_laws(), settings);
-    if (film.fit.outcome != analysis::ImpactFitOutcome::fitted) film.outcome = FilmFitOutcome::no_law;
+    const bool is_foreign = settings.resamples > 0 && film.fit.predicted < least_predicted;
+    if (film.fit.outcome != analysis::ImpactFitOutcome::fitted || is_foreign) film.outcome = FilmFitOutcome::no_law;
     return film;
 }
 

@@ -31,6 +31,12 @@ Settings drag_of(const studies::FilmFit& film) {
     return {{"value", film.arcs.spin_drag}, {"low", film.arcs.spin_drag - room}, {"high", film.arcs.spin_drag + room}};
 }
 
+/// Usable impacts beyond the first of those that are fitted as one.
+std::size_t repeats_of(const studies::FilmFit& film) {
+    return film.counts[static_cast<std::size_t>(studies::KinkUse::used)] - film.thinned - film.fit.impacts.size() -
+           film.fit.left_out;
+}
+
 Settings counts_of(const studies::FilmFit& film) {
     static constexpr const char* keys[] = {"",           "do_not_meet", "off_the_wall", "two_vertices", "stay_on_wall",
                                            "no_approach"};
@@ -38,6 +44,7 @@ Settings counts_of(const studies::FilmFit& film) {
     for (std::size_t use = 1; use < studies::kink_uses; ++use)
         counts.emplace_back(keys[use], static_cast<std::int64_t>(film.counts[use]));
     counts.emplace_back("thinned", static_cast<std::int64_t>(film.thinned));
+    counts.emplace_back("alike", static_cast<std::int64_t>(repeats_of(film)));
     return counts;
 }
 
@@ -178,6 +185,7 @@ void print_film(const FilmReport& report) {
                                             "no approach"};
     for (std::size_t use = 1; use < studies::kink_uses; ++use)
         if (film.counts[use] > 0) reasons.push_back(fmt::format("{} {}", film.counts[use], words[use]));
+    if (repeats_of(film) > 0) reasons.push_back(fmt::format("{} like others, in their means", repeats_of(film)));
     if (film.thinned > 0) reasons.push_back(fmt::format("{} thinned", film.thinned));
     const std::string left_out = reasons.empty() ? "" : fmt::format("; left out: {}", fmt::join(reasons, ", "));
     if (film.noisier > 0)

@@ -15,6 +15,15 @@ namespace {
 using studies::FilmFitOutcome;
 using studies::KinkUse;
 
+/// Of a body that is near the wall in the frames themselves.
+std::string lasting_contact(const studies::FilmFit& film) {
+    if (!(film.frames_off_wall < studies::near_wall)) return "";
+    return fmt::format(
+        " (the later frames are {:.2g} R_c off the wall, with {:.3g} frames on a straight line: the "
+        "body stays on the wall, or its flights are too short or low for this camera)",
+        film.frames_off_wall, static_cast<double>(film.arcs.frames) / static_cast<double>(film.arcs.arcs.size()));
+}
+
 void require_fitted(const studies::FilmFit& film, const std::string& file) {
     const auto count = [&](KinkUse use) { return film.counts[static_cast<std::size_t>(use)]; };
     switch (film.outcome) {
@@ -23,9 +32,9 @@ void require_fitted(const studies::FilmFit& film, const std::string& file) {
         case FilmFitOutcome::few_kinks:
             throw BadInput(
                 fmt::format("series '{}': {} frames on {} straight lines, of which too few of {} frames or more meet; "
-                            "{} or more impacts are needed, with {} frames between them",
+                            "{} or more impacts are needed, with {} frames between them{}",
                             file, film.arcs.frames, film.arcs.arcs.size(), analysis::fewest_frames,
-                            studies::fewest_kinks, analysis::fewest_frames));
+                            studies::fewest_kinks, analysis::fewest_frames, lasting_contact(film)));
         case FilmFitOutcome::no_wall:
             throw BadInput(
                 fmt::format("series '{}': impacts are scattered by {:.2g} R_c about the wall; one of --scale, "
@@ -35,12 +44,14 @@ void require_fitted(const studies::FilmFit& film, const std::string& file) {
         case FilmFitOutcome::few_impacts:
             throw BadInput(fmt::format(
                 "series '{}': {} impacts can be used, {} or more are needed; of {} kinks {} do not meet, {} are off "
-                "the wall, {} have two vertices on it, {} an arc that stays on it",
+                "the wall, {} have two vertices on it, {} an arc that stays on it{}",
                 file, count(KinkUse::used), analysis::fewest_impacts, film.impacts.size(), count(KinkUse::no_meeting),
-                count(KinkUse::off_the_wall), count(KinkUse::two_vertices), count(KinkUse::stays_on_wall)));
+                count(KinkUse::off_the_wall), count(KinkUse::two_vertices), count(KinkUse::stays_on_wall),
+                lasting_contact(film)));
         case FilmFitOutcome::no_law:
             throw BadInput(
-                fmt::format("series '{}': to {} impacts no law could be fitted", file, count(KinkUse::used)));
+                fmt::format("series '{}': to {} impacts no law could be fitted; the best predicts {:.0f} % of them{}",
+                            file, count(KinkUse::used), 100 * film.fit.predicted, lasting_contact(film)));
     }
 }
 

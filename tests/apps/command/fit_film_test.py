@@ -70,7 +70,8 @@ class Truth(OfFilms):
         self.assertLess(abs(film["vertex"]), 0.03)
         used = found["impacts"] + sum(found["kinks_left_out"].values())
         self.assertEqual(used, film["kinks"])
-        self.assertGreater(found["impacts"], 200)
+        self.assertGreater(found["impacts"] + found["kinks_left_out"]["alike"], 200)
+        self.assertGreater(found["impacts"], 30)  # of which the others differ by noise alone
 
     @LONG
     def test_the_angle_alone_and_an_image_with_y_down_give_the_same(self):

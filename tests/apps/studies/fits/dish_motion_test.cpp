@@ -36,8 +36,8 @@ std::vector<analysis::Kink> kinks_on(const FilmedScene& scene, const DishMotion&
         const double turns = scene.sides == 0 ? 0 : 2 * pi_ * std::floor(scene.sides * even(random)) / scene.sides;
         kink.place << place[0] + normal(random), place[1] + normal(random), outwards + beside - dish.mark + turns;
         // An impulse across the wall and along it, and the spin that it gives.
-        const Eigen::Vector2d normal = direction(outwards), offset = scene.alpha * direction(outwards + beside);
-        const Eigen::Vector2d impulse = -1.2 * normal + 0.3 * Eigen::Vector2d(-normal[1], normal[0]);
+        const Eigen::Vector2d to_wall = direction(outwards), offset = scene.alpha * direction(outwards + beside);
+        const Eigen::Vector2d impulse = -1.2 * to_wall + 0.3 * Eigen::Vector2d(-to_wall[1], to_wall[0]);
         kink.change << impulse[0], impulse[1], (offset[0] * impulse[1] - offset[1] * impulse[0]) / scene.inertia;
         kink.drift.setZero();
         kink.error = 0;

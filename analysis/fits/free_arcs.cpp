@@ -190,26 +190,6 @@ Eigen::Matrix3d noise_of_body(const Track& track, const std::vector<FreeArc>& ar
     return sum / freedom + rounding * rounding * Eigen::Matrix3d::Identity();
 }
 
-/// −½ γ S q is what a drag leaves of the angle, q being τ² less its line.
-void find_spin_drag(FilmArcs& film, const Track& track) {
-    double products = 0, squares = 0;
-    for (const FreeArc& arc : film.arcs) {
-        if (arc.count < 4) continue;
-        double cubes = 0;
-        for (std::size_t i = arc.first; i <= arc.last; ++i) cubes += std::pow(track.times[i] - arc.mean_time, 3);
-        for (std::size_t i = arc.first; i <= arc.last; ++i) {
-            const double t = track.times[i] - arc.mean_time;
-            const double bend = t * t - arc.spread / static_cast<double>(arc.count) - cubes / arc.spread * t;
-            const double of_drag = -arc.velocity[2] * bend / 2;
-            products += of_drag * (track.places[i][2] - arc.at(track.times[i])[2]);
-            squares += of_drag * of_drag;
-        }
-    }
-    if (!(squares > 0)) return;
-    film.spin_drag = products / squares;
-    film.spin_drag_error = film.angle_noise / std::sqrt(squares);
-}
-
 /// One or two frames off a line that goes on behind them.
 std::vector<bool> outliers_of(const Track& track, const std::vector<FreeArc>& arcs, const Vector3d& noise) {
     std::vector<bool> off(track.times.size(), false);
@@ -260,7 +240,6 @@ FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period) {
     }
     film.place_noise = noise[0], film.angle_noise = noise[2];
     film.noise = noise_of_body(track, film.arcs, noise);
-    find_spin_drag(film, track);
     return film;
 }
 

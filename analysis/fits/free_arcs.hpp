@@ -40,9 +40,6 @@ struct FilmArcs {
     /// Covariance of the noise of (along the body's angle, across it, θ): a tracker that takes the angle from two
     /// points has errors of the angle that go with those of the place.
     Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
-    /// γ of S′ = −γ S, by how the angle bends along the lines (θ″ = −γ S), and its standard error; NaN where nothing
-    /// turns.
-    double spin_drag = nan, spin_drag_error = nan;
     std::size_t frames = 0, outliers = 0;  ///< that count, and that lie off a line which goes on behind them
 };
 

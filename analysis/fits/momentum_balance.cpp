@@ -212,8 +212,6 @@ InertiaFit known_inertia(std::span<const MeasuredImpact> impacts, std::span<cons
 
 InertiaFit fit_inertia(std::span<const MeasuredImpact> impacts, std::span<const double> weights, double start) {
     double logarithm = std::log(start);
-    const double first = logarithm;
-    constexpr double room = 14;  // within a factor of 10⁶: impacts none of which changes the spin tell no k
     const double least = least_scale(impacts, start);
     for (int round = 0; round < 3; ++round) {  // the scale moves with k, by less each time
         const double scale = std::max(balance_scale(impacts, weights, std::exp(logarithm)), least);
@@ -224,8 +222,6 @@ InertiaFit fit_inertia(std::span<const MeasuredImpact> impacts, std::span<const 
                 new ceres::ScaledLoss(new ceres::TukeyLoss(biweight_of_one * scale), weights[i], ceres::TAKE_OWNERSHIP);
             problem.AddResidualBlock(new BalanceResidual(impacts[i]), loss, &logarithm);
         }
-        problem.SetParameterLowerBound(&logarithm, 0, first - room);
-        problem.SetParameterUpperBound(&logarithm, 0, first + room);
         ceres::Solver::Options solver;
         solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
         solver.function_tolerance = 1e-10;

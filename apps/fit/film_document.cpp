@@ -24,13 +24,6 @@ Eigen::Vector2d origin_of(const FilmReport& report) {
     return report.source.zero + report.source.length * Eigen::Vector2d(found[0], report.source.mirror * found[1]);
 }
 
-/// γ of the spin.
-Settings drag_of(const studies::FilmFit& film) {
-    constexpr double sure = 1.959964;  // standard errors: 95 %
-    const double room = sure * film.arcs.spin_drag_error;
-    return {{"value", film.arcs.spin_drag}, {"low", film.arcs.spin_drag - room}, {"high", film.arcs.spin_drag + room}};
-}
-
 /// Usable impacts beyond the first of those that are fitted as one.
 std::size_t repeats_of(const studies::FilmFit& film) {
     return film.counts[static_cast<std::size_t>(studies::KinkUse::used)] - film.thinned - film.fit.impacts.size() -
@@ -146,7 +139,6 @@ std::vector<std::string> commands_on(const FilmOptions& options, const DishFilm&
 }
 
 void write_json(JsonWriter& json, const FilmReport& report) {
-    write_json(json, "drag", drag_of(report.film));
     write_json(json, "film", film_settings(report));
     write_json(json, "kinks_left_out", counts_of(report.film));
     json.list("commands", report.commands, JsonLayout::rows);
@@ -156,7 +148,6 @@ void write_record(const RecordGroup& root, const FilmReport& report) {
     const RecordGroup group = root.group("film");
     write_attributes(group, film_settings(report));
     write_attributes(group.group("left_out"), counts_of(report.film));
-    write_attributes(group.group("drag"), drag_of(report.film));
     write_record(root.group("frames"), frame_table(), report.source.frames);
     write_record(root.group("arcs"), arc_table(), report.film.arcs.arcs);
     write_record(root.group("kinks"), kink_table(), report.film.impacts);
@@ -173,8 +164,6 @@ void print_film(const FilmReport& report) {
                film.arcs.angle_noise);
     fmt::print("  swirl           about ({:.6g}, {:.6g}), rate {:.7g} rad per unit of time\n", origin[0], origin[1],
                film.dish.rate * report.source.rate);
-    fmt::print("  drag            {:.3g} +- {:.2g} of the spin per 1/omega_s\n", film.arcs.spin_drag,
-               film.arcs.spin_drag_error);
     fmt::print("  wall            impacts are {:.2g} R_c off it\n", film.dish.off_wall);
     std::vector<std::string> reasons;
     static constexpr const char* words[] = {"",

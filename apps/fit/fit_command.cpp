@@ -53,8 +53,7 @@ single impacts ask for against their speeds.
 Examples:
   swirl fit --impacts impacts.csv
   swirl fit --impacts impacts.csv --inertia 4.6e-4 --json -o fit.h5
-  swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.2 --restitution 0.7 --speed 1 \
-      --time 300 --camera 5 --noise 0.002 -o film.csv
+  swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.2 --restitution 0.7 --speed 1 --time 300 --camera 5 --noise 0.002 -o film.csv
   swirl fit --series film.csv --marks x y mark_x mark_y --sides 6 --alpha 0.4 --beta 0.5)";
 
 void FitOptions::add_to(Flags& command) {

@@ -76,13 +76,6 @@ FitReport fit_of_film(FilmOptions& options, const analysis::ImpactFitSettings& s
     report.notes = film.source.notes;
     const std::vector<std::string> notes = notes_of(report.fit, table);
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
-    constexpr double sure = 4;  // standard errors: frames next to kinks bend lines a little
-    const double drag = film.film.arcs.spin_drag, drag_error = film.film.arcs.spin_drag_error;
-    if (std::abs(drag) > sure * drag_error)
-        report.notes.push_back(
-            fmt::format("the spin {} between impacts, by {:.3g} +- {:.1g} of itself per 1/omega_s: e and mu are those "
-                        "of straight arcs",
-                        drag > 0 ? "falls (a floor that drags)" : "rises", std::abs(drag), drag_error));
     report.settings = {{"columns", options.series.flags()},
                        {"resamples", static_cast<std::int64_t>(settings.resamples)},
                        {"parts", static_cast<std::int64_t>(settings.parts)},

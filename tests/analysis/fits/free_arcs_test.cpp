@@ -137,26 +137,6 @@ TEST(FreeArcs, TheNoiseOfAngleAndPlaceIsKnownWithItsCorrelation) {
     EXPECT_LT((shares - truth).cwiseAbs().maxCoeff(), 0.08);  // some 5000 frames; frames at kinks on the wrong line
 }
 
-TEST(FreeArcs, ADragIsSeenByHowTheAngleBends) {
-    for (const double drag : {0.0, 0.05}) {
-        const TrueMotion motion = random_motion(200, 11);
-        std::vector<FilmFrame> frames = filmed(motion, 0.1, 0.001, 12);
-        std::size_t arc = 0;
-        double lag = 0;  // of the angle at the end of the arcs before
-        for (FilmFrame& frame : frames) {
-            const auto behind = [&](double since) {
-                return motion.velocities[arc][2] * (since + std::expm1(-drag * since) / std::max(drag, 1e-9));
-            };
-            while (frame.time >= motion.kinks[arc + 1])
-                lag += drag > 0 ? behind(motion.kinks[arc + 1] - motion.kinks[arc]) : 0, ++arc;
-            if (drag > 0) frame.place[2] -= lag + behind(frame.time - motion.kinks[arc]);
-        }
-        const FilmArcs film = fit_arcs(frames, period);
-        EXPECT_NEAR(film.spin_drag, drag, 4 * film.spin_drag_error + 0.03 * drag);  // S falls by up to 6 % on an arc
-        EXPECT_LT(film.spin_drag_error, 0.005);
-    }
-}
-
 TEST(FreeArcs, OfAFewFramesThereIsNothing) {
     std::vector<FilmFrame> frames(2);
     frames[0] = {0, Eigen::Vector3d::Zero()};

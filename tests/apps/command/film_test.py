@@ -93,7 +93,7 @@ class Films(InFolder):
     def test_the_page_for_laboratories_runs_as_it_stands(self):
         commands = list(in_blocks(PAGE))
         self.assertEqual([command.split()[1] for command in commands],
-                         ["simulate", "inspect", "classify", "plot", "classify"])
+                         ["simulate", "inspect", "classify", "plot", "classify", "fit"])
         for command in commands:
             result = run(command.removeprefix("swirl "), cwd=self.folder)
             self.assertEqual((result.returncode, result.stderr), (0, ""), command)

@@ -60,7 +60,6 @@ class Truth(OfFilms):
         self.holds(found["friction"], 0.2)
         self.assertLess(found["restitution"]["high"] - found["restitution"]["low"], 0.03)
         self.assertLess(found["friction"]["high"] - found["friction"]["low"], 0.03)
-        self.holds(found["drag"], 0)
         film = found["film"]
         self.assertAlmostEqual(film["place_noise"], 0.003, delta=0.0003)
         self.assertAlmostEqual(film["angle_noise"], 2 ** 0.5 * 0.003 / 0.4, delta=0.001)
@@ -110,7 +109,7 @@ class Outputs(OfFilms):
         for word in ("frames", "arcs", "used", "left out", "restitution e", "friction mu", "as much noise"):
             self.assertIn(word, result.stdout)
         self.assertLessEqual(max(map(len, result.stdout.splitlines())), 100)
-        classify, sweep = examples_in(result.stdout)
+        classify, sweep = examples_in(result.stdout)[-2:]  # before them stands the row "swirl"
         self.assertEqual(run(f"{classify} --collisions 200").returncode, 0)
         self.assertEqual(run(f"{sweep} --collisions 50 --quiet").returncode, 0)
         with h5py.File(self.folder / "fit.h5") as record:

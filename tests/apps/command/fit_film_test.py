@@ -111,7 +111,7 @@ class Outputs(OfFilms):
         self.assertLessEqual(max(map(len, result.stdout.splitlines())), 100)
         classify, sweep = examples_in(result.stdout)[-2:]  # before them stands the row "swirl"
         self.assertEqual(run(f"{classify} --collisions 200").returncode, 0)
-        self.assertEqual(run(f"{sweep} --collisions 50 --quiet").returncode, 0)
+        self.assertEqual(run(f"{sweep} --collisions 100 --quiet").returncode, 0)
         with h5py.File(self.folder / "fit.h5") as record:
             time, spin = record["simulated/time"][()], record["simulated/S"][()]
             self.assertGreater(len(record["frames/time"]), 800)

@@ -60,7 +60,6 @@ def _draw_path(axes, record, begin, end):
     axes.plot(x, y, ".", color=BLACK, ms=2.5, label="frames")
     axes.plot(_lines(record, begin, end, "x")[1], _lines(record, begin, end, "y")[1], color=VERMILION, lw=0.9, label="arcs")
     axes.set(xlabel="$x/R_c$", ylabel="$y/R_c$", title="The centre in the laboratory", aspect="equal")
-    axes.set_adjustable("datalim")
     legend_inside(axes)
 
 

@@ -62,10 +62,15 @@ def interrupted(arguments, seconds, wait=60):
 _PROGRESS = re.compile(r"^swirl: .* % done.* (to go|left)$")
 
 
+def without_progress(errors):
+    """The other lines of standard error."""
+    return [line for line in errors.splitlines() if not _PROGRESS.match(line)]
+
+
 def document(arguments, code=0, **options):
     """What it printed, as strict JSON; an answer comes without a word on standard error."""
     result = run(arguments + " --json", **options)
-    words = [line for line in result.stderr.splitlines() if not _PROGRESS.match(line)]
+    words = without_progress(result.stderr)
     assert result.returncode == code and (code or not words), (arguments, result.returncode, result.stderr)
     return json.loads(result.stdout, parse_constant=_refuse)
 

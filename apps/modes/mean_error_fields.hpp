@@ -24,10 +24,10 @@ MeanErrorFields<Row> mean_error_fields(Errors errors, std::string time_error = "
     const auto part = [errors](auto member) {
         return [errors, member](const Row& row) { return std::invoke(errors, row).*member; };
     };
-    return {{"mean_S_error", part(&MeanErrors::per_time), "1", std::move(time_error)},
-            {"mean_S_per_impact_error", part(&MeanErrors::per_impact), "1", std::move(impact_error)},
-            {"mean_S_bound", part(&MeanErrors::bound), "1", "of a torus: mean_S is off by this at most"},
-            {"mean_S_kind", part(&MeanErrors::kind), "", "exact, sampled, bounded, too-short or none"}};
+    return {{"mean_S_error", part(&studies::MeanErrors::per_time), "1", std::move(time_error)},
+            {"mean_S_per_impact_error", part(&studies::MeanErrors::per_impact), "1", std::move(impact_error)},
+            {"mean_S_bound", part(&studies::MeanErrors::bound), "1", "of a torus: mean_S is off by this at most"},
+            {"mean_S_kind", part(&studies::MeanErrors::kind), "", "exact, sampled, bounded, too-short or none"}};
 }
 
 }  // namespace swirl::apps

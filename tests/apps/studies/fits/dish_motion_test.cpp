@@ -22,7 +22,7 @@ std::vector<analysis::Kink> kinks_on(const FilmedScene& scene, const DishMotion&
                                      double noise) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> even(0, 1);
-    std::normal_distribution<double> normal(0, noise);
+    std::normal_distribution<double> normal(0, 1);
     const double most = scene.sides == 0 ? 0 : pi_ / scene.sides - std::asin(scene.alpha * std::sin(pi_ / scene.sides));
     std::vector<analysis::Kink> kinks;
     double time = 3;
@@ -34,7 +34,8 @@ std::vector<analysis::Kink> kinks_on(const FilmedScene& scene, const DishMotion&
         const Eigen::Vector2d place =
             dish.centre(scene, time) + direction(outwards) - scene.alpha * direction(outwards + beside);
         const double turns = scene.sides == 0 ? 0 : 2 * pi_ * std::floor(scene.sides * even(random)) / scene.sides;
-        kink.place << place[0] + normal(random), place[1] + normal(random), outwards + beside - dish.mark + turns;
+        kink.place << place[0] + noise * normal(random), place[1] + noise * normal(random),
+            outwards + beside - dish.mark + turns;
         // An impulse across the wall and along it, and the spin that it gives.
         const Eigen::Vector2d to_wall = direction(outwards), offset = scene.alpha * direction(outwards + beside);
         const Eigen::Vector2d impulse = -1.2 * to_wall + 0.3 * Eigen::Vector2d(-to_wall[1], to_wall[0]);

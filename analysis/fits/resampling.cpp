@@ -1,7 +1,6 @@
 #include "analysis/fits/resampling.hpp"
 
-#include <Random123/philox.h>
-#include <Random123/uniform.hpp>
+#include "analysis/random_draws.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +13,7 @@ namespace {
 
 /// Uniform in (0, 1], number `i` of stream `stream`.
 double uniform_draw(std::uint64_t seed, std::uint64_t stream, std::size_t i) {
-    const r123::Philox4x64 generator;
-    return r123::u01<double>(generator({{i / 4, stream, 0, 0x666974}}, {{seed, 1}})[i % 4]);
+    return uniform_of(random_bits({i / 4, stream, 0, 0x666974}, {seed, 1})[i % 4]);
 }
 
 /// A place among `count`.
@@ -33,12 +31,11 @@ std::vector<double> bootstrap_weights(std::size_t count, std::uint64_t seed, std
 
 Eigen::Vector3d normal_draws(std::uint64_t seed, std::uint64_t draw, std::size_t i) {
     constexpr std::uint64_t normal_streams = 1ULL << 32;  // beyond those of the bootstrap
-    const r123::Philox4x64 generator;
-    const auto bits = generator({{i, normal_streams + draw, 0, 0x666974}}, {{seed, 1}});
+    const std::array<double, 4> uniform = uniform_draws({i, normal_streams + draw, 0, 0x666974}, {seed, 1});
     std::array<double, 4> normal{};
     for (std::size_t pair = 0; pair < 2; ++pair) {  // Box & Muller
-        const double length = std::sqrt(-2 * std::log(r123::u01<double>(bits[2 * pair])));
-        const double turn = 6.283185307179586 * r123::u01<double>(bits[2 * pair + 1]);
+        const double length = std::sqrt(-2 * std::log(uniform[2 * pair]));
+        const double turn = 6.283185307179586 * uniform[2 * pair + 1];
         normal[2 * pair] = length * std::cos(turn), normal[2 * pair + 1] = length * std::sin(turn);
     }
     return {normal[0], normal[1], normal[2]};

@@ -25,12 +25,10 @@ using Eigen::Vector3d;
 constexpr double common_deviance = 100;
 
 /// The kinks that are one impact on the wall.
-std::vector<Kink> used_kinks(FilmFit& film) {
+std::vector<Kink> used_kinks(const FilmFit& film) {
     std::vector<Kink> used;
-    for (const FilmImpact& found : film.impacts) {
-        ++film.counts[static_cast<std::size_t>(found.use)];
+    for (const FilmImpact& found : film.impacts)
         if (found.use == KinkUse::used) used.push_back(found.kink);
-    }
     return used;
 }
 
@@ -89,9 +87,7 @@ void settle_dish(FilmFit& film, const std::vector<Kink>& kinks, const FilmNoise&
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round) {
         film.impacts = film_impacts(film.arcs, kinks, scene, film.dish);
-        std::vector<Kink> used;
-        for (const FilmImpact& found : film.impacts)
-            if (found.use == KinkUse::used) used.push_back(found.kink);
+        const std::vector<Kink> used = used_kinks(film);
         if (used.size() < fewest_kinks) return;
         if (round + 1 < rounds) film.dish = refined_dish(used, {}, noise, scene, film.dish);
     }
@@ -161,6 +157,7 @@ FilmFit fit_once(std::span<const analysis::FilmFrame> frames, double period, con
     }
     film.dish = *dish;
     settle_dish(film, kinks, noise, scene);
+    for (const FilmImpact& found : film.impacts) ++film.counts[static_cast<std::size_t>(found.use)];
     const std::vector<Kink> used = used_kinks(film);
     if (used.size() < analysis::fewest_impacts)
         film.outcome = without_impacts(film, frames, scene, origin);

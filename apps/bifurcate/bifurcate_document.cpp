@@ -2,6 +2,7 @@
 #include "apps/studies/diagrams/column_shares.hpp"
 
 #include "apps/modes/driven_fields.hpp"
+#include "apps/modes/escape_document.hpp"
 #include "apps/modes/mean_error_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/steady_share_table.hpp"
@@ -255,11 +256,11 @@ void write_diagram_record(RecordWriter& record, const BifurcateOptions& options,
 
 void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
     std::map<std::string, std::int64_t> counts;
-    std::int64_t all = 0;
+    std::vector<JudgedRun> judged;
     for (const auto& column : diagram.columns)
         for (const auto& attractor : column.attractors) {
             ++counts[std::string(name_of(attractor.mode))];
-            ++all;
+            judged.push_back({attractor.kind, attractor.outcome, attractor.impacts});
         }
     std::vector<ColumnShare> rows = shares_of(diagram);
     const std::size_t every = (diagram.columns.size() + 99) / 100;  // a hundred columns or fewer are listed
@@ -271,8 +272,8 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
     std::string shares;
     for (const auto& [mode, count] : counts)
         shares += fmt::format("{}{} {:.2f} %", shares.empty() ? "" : ", ", mode,
-                              100.0 * static_cast<double>(count) / static_cast<double>(all));
-    fmt::print("{} columns, {} orbits: {}\n", diagram.columns.size(), all, shares);
+                              100.0 * static_cast<double>(count) / static_cast<double>(judged.size()));
+    fmt::print("{} columns, {} orbits: {}\n{}", diagram.columns.size(), judged.size(), shares, chaos_in_words(judged));
     if (!options.branches) return;
     print_branches(branches_of(options, diagram), diagram.along, diagram.branches);
     const std::string agreement = fmt::format(

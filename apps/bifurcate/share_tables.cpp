@@ -12,7 +12,9 @@ namespace swirl::apps::bifurcate {
 namespace {
 
 std::string mean_in_words(const ColumnShare& row) {
-    return spin_in_words(row.mean_spin, row.mean_spin_error, row.attractor->growth, row.attractor->limit_spin);
+    const Attractor& attractor = *row.attractor;
+    return spin_in_words(row.mean_spin, row.mean_spin_error, attractor.kind == analysis::Kind::chaotic,
+                         way_in_words(attractor.growth, attractor.limit_spin));
 }
 
 }  // namespace

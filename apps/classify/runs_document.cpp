@@ -101,7 +101,8 @@ Table<SharedAttractor> attractors_table(const RunsFound& found, std::size_t d) {
          F{"mean_S_in_words",
            [&found](const SharedAttractor& a) {
                const RunVerdict& run = found.runs[a.runs.front()];
-               return spin_in_words(a.mean_spin, a.mean_spin_error, run.growth, run.limit_spin);
+               return spin_in_words(a.mean_spin, a.mean_spin_error, run.kind == analysis::Kind::chaotic,
+                                    way_in_words(run.growth, run.limit_spin));
            },
            no_column}
              .table_only()

@@ -11,9 +11,9 @@ std::string way_in_words(const analysis::GrowthExponent& growth, double limit_sp
     return std::isnan(limit_spin) ? "" : fmt::format("S -> {:.6g}", limit_spin);
 }
 
-std::string spin_in_words(double mean, double error, const analysis::GrowthExponent& growth, double limit_spin) {
-    const std::string way = std::isnan(mean) ? way_in_words(growth, limit_spin) : "";
-    return way.empty() ? with_error(mean, error) : way;
+std::string spin_in_words(double mean, double error, bool chaotic, const std::string& way) {
+    if (std::isnan(mean) && !way.empty()) return way;
+    return chaotic && std::isnan(error) && !std::isnan(mean) ? about(mean) : with_error(mean, error);
 }
 
 }  // namespace swirl::apps

@@ -43,7 +43,8 @@ std::vector<Field<Row>> driven_fields(Growth growth, Limit limit) {
 /// What stands for a mean of S where there is none: "J ~ n^0.312", "S -> -10.4508"; nothing of other orbits.
 std::string way_in_words(const analysis::GrowthExponent& growth, double limit_spin);
 
-/// A mean of S with its error (`with_error`); of orbits that have none (NaN) what stands for it.
-std::string spin_in_words(double mean, double error, const analysis::GrowthExponent& growth, double limit_spin);
+/// A mean of S with its error (`with_error`), of chaos without one one digit (`about`); of orbits that have no mean
+/// (NaN) `way`, what stands for it.
+std::string spin_in_words(double mean, double error, bool chaotic, const std::string& way);
 
 }  // namespace swirl::apps

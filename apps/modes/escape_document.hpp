@@ -4,7 +4,9 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/studies/modes/escape.hpp"
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace swirl::apps {
@@ -15,5 +17,16 @@ void write_escape(JsonWriter& json, const std::optional<analysis::EscapeRate>& e
 void write_escape(const RecordGroup& group, const analysis::EscapeRate& escape);
 /// A line for people.
 std::string in_words(const analysis::EscapeRate& escape, std::int64_t settling = chaos_begins);
+
+/// What the verdict on a run says of its stay in chaos.
+struct JudgedRun {
+    analysis::Kind kind;
+    Outcome outcome;
+    std::int64_t impacts;
+};
+
+/// What is known of the chaos of many scenes' runs from their verdicts alone, in lines for people: how many were in it,
+/// for how long, how many may have left it, and so how long it lasts. Empty where no run is chaotic.
+std::string chaos_in_words(std::span<const JudgedRun> runs);
 
 }  // namespace swirl::apps

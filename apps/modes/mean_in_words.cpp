@@ -38,12 +38,16 @@ std::string with_error(double mean, double error) {
     return fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals);
 }
 
+std::string about(double mean) {
+    return fmt::format("about {:.1g}", mean);
+}
+
 std::string mean_in_words(double mean, const MeanErrors& errors) {
     switch (errors.kind) {
         case MeanKind::bounded:
             return fmt::format("{:.8g} (off by {} at most)", mean, short_error(std::max(errors.bound, 1e-300)));
         case MeanKind::too_short:
-            return fmt::format("about {:.1g} (too short a run for an error)", mean);
+            return about(mean) + " (too short a run for an error)";
         case MeanKind::sampled:
             return with_error(mean, errors.per_time);
         case MeanKind::none:

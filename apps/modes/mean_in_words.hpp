@@ -12,6 +12,9 @@ namespace swirl::apps {
 /// digits without "+-" where the error is NaN, or less than they show.
 std::string with_error(double mean, double error);
 
+/// "about -0.05": one digit of a mean whose error is not known.
+std::string about(double mean);
+
 /// A mean, and what is known of its error: "0.1234567 (off by 3e-05 at most)", "about -0.05 (too short a run for an
 /// error)".
 std::string mean_in_words(double mean, const MeanErrors& errors);

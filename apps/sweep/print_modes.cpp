@@ -2,6 +2,7 @@
 // axes of the figure (notebooks-export/swirl_figures/sweep.py): the first parameter across, the second upwards, rising.
 #include "apps/modes/driven_fields.hpp"
 #include "apps/output/write_table.hpp"
+#include "apps/studies/basins/cell_attractors.hpp"
 #include "apps/sweep/result_tables.hpp"
 #include "apps/sweep/start_settings.hpp"
 #include "apps/sweep/sweep_command.hpp"
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+#include <string>
 #include <utility>
 
 namespace swirl::apps::sweep {
@@ -66,13 +69,22 @@ std::string name_with_unit(const Sweep& sweep, std::size_t k) {
 struct TableRow {
     std::vector<double> point;
     CellSummary summary;
-    std::string way;  ///< of runs without a mean S, the first that goes somewhere
+    std::string way;       ///< of runs without a mean S, the first that goes somewhere
+    bool chaotic = false;  ///< are some of the runs?
+    bool differ = false;   ///< have its attractors each a mean S of their own?
 };
 
 std::string way_of(std::span<const RunResult> runs) {
     for (const RunResult& run : runs)
         if (const std::string way = way_in_words(growth_of(run), run.limit_spin); !way.empty()) return way;
     return "";
+}
+
+TableRow row_of(const Sweep& sweep, std::size_t c) {
+    const std::span<const RunResult> runs = sweep.cell(c);
+    const bool chaotic = std::any_of(runs.begin(), runs.end(),
+                                     [](const RunResult& run) { return kind_of(run) == analysis::Kind::chaotic; });
+    return {cell_point(sweep.grid, c), summary_of(runs), way_of(runs), chaotic, spins_differ(cell_attractors(runs, c))};
 }
 
 Table<TableRow> mode_table(const Sweep& sweep) {
@@ -100,23 +112,23 @@ Table<TableRow> mode_table(const Sweep& sweep) {
         table.fields.push_back(F{"mode", most, no_column}.shown("mode", "  {:<12}"));
         table.fields.push_back(F{"share", share, no_column}.shown("share", {" {:>13}", in_percent}));
     }
-    const auto of = [](auto member) { return [member](const TableRow& line) { return line.summary.*member; }; };
     const auto spin = [](const TableRow& row) {
         const double mean = row.summary.mean_spin;
-        if (std::isnan(mean)) return row.way.empty() ? std::string("-") : row.way;
-        return fmt::format("{:.6g}", mean);
+        const std::string way = row.way.empty() ? "-" : row.way;
+        return (row.differ ? "* " : "") + spin_in_words(mean, row.summary.mean_spin_error, row.chaotic, way);
     };
-    table.fields.push_back(F{"mean_S", spin, no_column}.shown("mean S", " {:>13}"));
-    table.fields.push_back(F{"mean_S_error", of(&CellSummary::mean_spin_error), "1", "its standard error"}.shown(
-        "its error", " {:>10.2g}"));
+    table.fields.push_back(F{"mean_S", spin, no_column}.shown("mean S", " {:>21}"));
     return table;
 }
 
 void print_table_of(const Sweep& sweep, const std::vector<std::size_t>& cells) {
     std::vector<TableRow> lines;
     for (const std::size_t c : std::span(cells).first(std::min(cells.size(), most_lines)))
-        lines.push_back({cell_point(sweep.grid, c), summary_of(sweep.cell(c)), way_of(sweep.cell(c))});
+        lines.push_back(row_of(sweep, c));
     print_table(in_units(mode_table(sweep), sweep.units), lines);
+    if (std::any_of(lines.begin(), lines.end(), [](const TableRow& row) { return row.differ; }))
+        fmt::print(
+            "  * the mean of runs that came to different S, and no mode's own: --json lists them (attractors)\n");
     if (cells.size() > most_lines) fmt::print("  and {} more: --json lists all\n", cells.size() - most_lines);
 }
 

@@ -1,4 +1,5 @@
 // A sweep for people: the modes of its cells, and the shares.
+#include "apps/modes/escape_document.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/sweep/result_tables.hpp"
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace swirl::apps::sweep {
 
@@ -65,6 +67,11 @@ void print_sweep(const Sweep& sweep) {
     for (std::size_t m = 0; m < mode_count; ++m)
         shares += fmt::format("{}{} {:.2f} %", m ? ", " : "", name_of(all_modes[m]), 100 * whole.shares[m]);
     fmt::print("{} cells x {} runs: {}\n", cells, sweep.runs, shares);
+    std::vector<JudgedRun> judged;
+    for (const RunResult& run : results)
+        judged.push_back({kind_of(run), static_cast<Outcome>(static_cast<int>(run.outcome)),
+                          static_cast<std::int64_t>(run.impacts)});
+    fmt::print("{}", chaos_in_words(judged));
     if (cells < cell_count(sweep.grid) && !sweep.shard)
         fmt::print("the grid has {} cells; the others have their neighbours' verdicts\n", cell_count(sweep.grid));
     if (sweep.basins) print_basins(sweep);

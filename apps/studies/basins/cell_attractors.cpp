@@ -2,6 +2,8 @@
 
 #include "apps/studies/modes/attractors.hpp"
 
+#include <cmath>
+
 namespace swirl::studies::grids {
 
 namespace {
@@ -42,6 +44,19 @@ std::vector<CellAttractor> cell_attractors(std::span<const RunResult> runs, std:
                          {}});
     }
     return found;
+}
+
+bool spins_differ(std::span<const CellAttractor> attractors) {
+    const auto error_of = [](const CellAttractor& a) { return std::isnan(a.spin_error) ? 0 : a.spin_error; };
+    const auto differ = [&](const CellAttractor& a, const CellAttractor& b) {
+        if (std::isnan(a.mean_spin) != std::isnan(b.mean_spin)) return true;
+        const double errors = 2 * std::hypot(error_of(a), error_of(b));
+        return !means_agree(a.mean_spin, b.mean_spin) && std::abs(a.mean_spin - b.mean_spin) > errors;
+    };
+    for (std::size_t i = 0; i < attractors.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (differ(attractors[i], attractors[j])) return true;
+    return false;
 }
 
 }  // namespace swirl::studies::grids

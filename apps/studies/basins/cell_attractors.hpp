@@ -38,4 +38,8 @@ struct Tracking {
 /// mean; across attractors there is none, for another sample would have other shares. Cost: runs × attractors.
 std::vector<CellAttractor> cell_attractors(std::span<const RunResult> runs, std::size_t cell = 0);
 
+/// Do the mean S of a cell's attractors differ by more than twice their errors, or has one of several none? Then the
+/// mean over the cell's runs is no attractor's.
+bool spins_differ(std::span<const CellAttractor> attractors);
+
 }  // namespace swirl::studies::grids

@@ -103,6 +103,7 @@ Attractor attractor_from(const Scene<double>& scene, const NamedMode& named, Orb
     attractor.outcome = named.outcome;
     attractor.mode = named.verdict.mode;
     attractor.kind = named.verdict.kind;
+    attractor.impacts = named.impacts;
     attractor.period = named.verdict.period;
     attractor.mean_spin = named.verdict.mean;
     attractor.mean_spin_per_impact = named.verdict.mean_per_step;

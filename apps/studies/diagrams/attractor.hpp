@@ -34,6 +34,7 @@ struct Attractor {
     Outcome outcome = Outcome::completed;
     analysis::Mode mode = analysis::Mode::undecided;
     analysis::Kind kind = analysis::Kind::none;
+    std::int64_t impacts = 0;         ///< that its verdict was given on, from the start
     std::int64_t period = 0;          ///< 0: none found
     double distance = 0;              ///< of the orbit's last state from the cycle, where there is one
     double mean_spin = std::nan("");  ///< time mean of S over the kept impacts, or over the period; NaN without
@@ -58,7 +59,8 @@ inline bool is_on_cycle(const Attractor& attractor) {
 template <class Part>
 void for_each_part(Attractor& attractor, Part&& part) {
     part(attractor.finished), part(attractor.origin), part(attractor.start), part(attractor.outcome);
-    part(attractor.mode), part(attractor.kind), part(attractor.period), part(attractor.distance);
+    part(attractor.mode), part(attractor.kind), part(attractor.impacts), part(attractor.period);
+    part(attractor.distance);
     part(attractor.mean_spin), part(attractor.mean_spin_per_impact), part(attractor.states), part(attractor.last);
     part(attractor.mean_errors), part(attractor.growth), part(attractor.limit_spin);
 }

@@ -22,8 +22,11 @@ using analysis::Kind;
 constexpr double beside = 0.01;     // of a cycle: chaos may pass so near to it, but not for ever
 constexpr double came_apart = 1e4;  // neighbours: some ten over the exponent of chaos; tori take 10⁴ impacts for that
 
+bool is_on_cycle(Kind kind) {
+    return kind == Kind::fixed_point || kind == Kind::cycle || kind == Kind::landing;
+}
 bool is_on_cycle(const RunVerdict& run) {
-    return run.kind == Kind::fixed_point || run.kind == Kind::cycle || run.kind == Kind::landing;
+    return is_on_cycle(run.kind);
 }
 
 bool is_chaotic(const RunVerdict& run) {
@@ -153,6 +156,12 @@ std::optional<analysis::EscapeRate> escape_of_any(const Scene<double>& scene, do
             return chaotic_stay_of(scene, accuracy, speed, run, settling, within);
         });
     return rate && rate->steps > 0 ? rate : std::nullopt;
+}
+
+analysis::ChaoticStay stay_as_judged(Kind kind, Outcome outcome, std::int64_t impacts) {
+    if (kind == Kind::chaotic) return {impacts, false};
+    if (is_on_cycle(kind) || outcome == Outcome::in_contact) return {impacts, true};
+    return {};
 }
 
 void name_remaining(const analysis::EscapeRate& escape, std::vector<RunVerdict>& runs) {

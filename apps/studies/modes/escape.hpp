@@ -36,6 +36,11 @@ std::optional<analysis::EscapeRate> escape_of_any(const Scene<double>& scene, do
                                                   Accuracy accuracy, const RunControl& control,
                                                   const analysis::Stop& over = {});
 
+/// What the verdict on a run alone tells of its stay: to its end where it is chaotic; where it came to a cycle or to
+/// stay on the wall, to its last impact, as if it had been in chaos until then (it may have settled slowly instead).
+/// Nothing of others.
+analysis::ChaoticStay stay_as_judged(analysis::Kind kind, Outcome outcome, std::int64_t impacts);
+
 /// Names the chaotic runs `transient` where they are to be expected to leave, too.
 void name_remaining(const analysis::EscapeRate& escape, std::vector<RunVerdict>& runs);
 /// Names the verdict on one of them `transient`, with the rate as evidence.

@@ -76,6 +76,18 @@ class Bifurcate(Refusing):
         self.assertEqual({c["mode"] for c in answer["columns"]}, {"chaotic"})
         self.assertEqual({c["period"] for c in answer["columns"]}, {None})
 
+    def test_a_mean_of_chaos_without_an_error_has_one_digit(self):
+        flags = "--sides 6 --alpha 0.3 --beta 0.5 --restitution 0.9 --along mu=0.2,0.25 --starts 1"
+        attractors = [column["attractors"][0] for column in document(f"bifurcate {flags}")["columns"]]
+        rows = run(f"bifurcate {flags}").stdout.splitlines()[1:3]
+        self.assertIn("too-short", {a["mean_S_kind"] for a in attractors})  # 500 impacts
+        for attractor, row in zip(attractors, rows):
+            self.assertEqual(attractor["kind"], "chaotic")
+            if attractor["mean_S_kind"] == "too-short":
+                self.assertTrue(row.endswith(f" about {attractor['mean_S']:.1g}"), row)
+            else:
+                self.assertRegex(row, r" \+- [\d.]+$")
+
     def test_a_disk_that_rolls_is_named_as_classify_names_it(self):
         scene = "--sides disk --beta 0.23 --mu 0.4 --restitution 0.3"
         column = document(f"bifurcate {scene} --along alpha=0.35:0.36:2 --starts 1")["columns"][0]

@@ -220,8 +220,59 @@ class Shown(Grids):
             self.assertEqual(float(words[0]), cell["parameters"]["mu"])
             for word, mode in zip(words[1:5], self.LETTERS):
                 self.assertAlmostEqual(float(word), 100 * cell["modes"].get(mode, 0), delta=0.005)
-            if cell["mean_S"] is not None:
-                self.assertAlmostEqual(float(words[5]), cell["mean_S"], delta=1e-4)
+            if cell["mean_S"] is not None:  # with as many digits as its error leaves, one where none is known
+                said = re.search(r"(about )?(-?[\d.]+)( \+- [\d.]+)?$", line)
+                digits = cell["mean_S_error"] if said[3] else 0.5 * abs(cell["mean_S"]) if said[1] else 1e-6
+                self.assertAlmostEqual(float(said[2]), cell["mean_S"], delta=digits)
+
+    #: At mu = 0.15 three of four runs leave chaos for the wall, S = 1, in these impacts; none at 0.25.
+    ESCAPES = "--sides 6 --alpha 0.3 --beta 0.5 --restitution 0.9 --transient 1500 --collisions 500"
+
+    def test_a_mean_over_different_modes_is_marked(self):
+        sweep = f"sweep {self.ESCAPES} --grid mu=0.15,0.25 --runs 4"
+        cells = document(sweep)["cells"]
+        self.assertEqual([len(cell["attractors"]) for cell in cells], [2, 1])
+        text = run(sweep).stdout
+        marked, plain = text.splitlines()[1:3]
+        self.assertRegex(marked, r" \* -?[\d.]+ \+- [\d.]+$")
+        self.assertRegex(plain, r" -?[\d.]+ \+- [\d.]+$")
+        self.assertNotIn("*", plain)
+        self.assertIn("\n  * the mean of runs that came to different S", text)
+        alone = run(sweep.replace("0.15,", "")).stdout
+        self.assertNotIn("*", alone)
+
+    def test_chaos_is_said_of_the_impacts_that_were_followed(self):
+        sweep = f"sweep {self.ESCAPES} --grid mu=0.15,0.25 --runs 4"
+        runs = [one for cell in document(sweep)["cells"] for one in cell["runs"] if one["impacts"] > 1000]
+        stayed = [one["impacts"] - 1000 for one in runs if one["kind"] == "chaotic"]
+        left = [one["impacts"] - 1000 for one in runs if one["outcome"] == "in-contact"]
+        self.assertEqual(len(runs), len(stayed) + len(left))  # a torus would count as neither
+        self.assertGreater(len(left), 0)
+        said = self.chaos_in(run(sweep).stdout)
+        self.assertEqual((int(said["runs"]), int(said["left"])), (len(runs), len(left)))
+        self.assertAlmostEqual(float(said["all"]), sum(stayed + left), delta=0.005 * sum(stayed + left))  # three digits
+        self.assertAlmostEqual(float(said["half"]), math.log(2) * sum(stayed + left) / len(left), delta=0.005 * float(said["half"]))
+        diagram = self.chaos_in(run(f"bifurcate {self.ESCAPES} --along mu=0.15,0.25 --starts 4").stdout)
+        self.assertGreaterEqual(int(diagram["runs"]), int(diagram["left"]) + 4)  # those at mu = 0.25 stay
+        short = run(f"sweep {self.ESCAPES} --grid mu=0.25,0.3 --transient 100 --collisions 100".replace("--transient 1500 --collisions 500 ", ""))
+        self.assertIn("chaos was followed for 201 impacts a run, at most: too few to say how long it lasts", short.stdout)
+        self.assertNotIn("chaos:", run("sweep --sides 6 --alpha 0.4 --beta 0.5 --mu 0.5 --grid restitution=0.9,0.91").stdout)
+
+    def test_chaos_that_no_run_leaves_has_a_bound(self):
+        said = run("bifurcate --sides 6 --alpha 0.3 --beta 0.5 --restitution 0.95 --along mu=0.5,0.51 --starts 2").stdout
+        words = " ".join(said.split())
+        seen = re.search(r"chaos: 4 runs were in it after 1000 impacts, for ([\d.e+]+) more in all; none of these has left: half-life "
+                         r"above ([\d.e+]+) impacts \(95 %\)", words)
+        self.assertIsNotNone(seen, words)
+        self.assertAlmostEqual(float(seen[2]), math.log(2) * float(seen[1]) / 3, delta=0.01 * float(seen[2]))
+
+    def chaos_in(self, text):
+        self.assertLessEqual(max(map(len, text.splitlines())), 100)
+        seen = re.search(r"chaos: (?P<runs>\d+) runs were in it after 1000 impacts, for (?P<all>[\d.e+]+) more in all; (?P<left>\d+) of "
+                         r"these ha(s|ve) left: half-life (?P<half>[\d.e+]+) impacts \(95 %: .* to .*\), on the mean of all runs and if "
+                         r"what came late .*; a run is called chaotic for the (?P<most>\d+) impacts", " ".join(text.split()))
+        self.assertIsNotNone(seen, text)
+        return seen
 
     def test_a_figure_has_logarithmic_axes_and_names(self):
         file = self.folder / "a.h5"

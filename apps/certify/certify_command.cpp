@@ -125,7 +125,7 @@ std::unique_ptr<OutputFile> opened(const CertifyOptions& options) {
                 fmt::format("output '{}' exists and is no certificate: name another file, or give --force", name));
     }
     try {
-        return std::make_unique<OutputFile>(name);
+        return std::make_unique<OutputFile>(name, "certificate");
     } catch (const RecordError& error) {
         throw BadInput(error.what());
     }
@@ -231,7 +231,7 @@ int certify(CertifyOptions& options) {
     require_one_input(options);
     proof::require_interval_arithmetic();
     if (!options.check.empty()) return check_certificate(options);
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     const bool needs_scene = options.record.empty();
     const Scene<double> scene = needs_scene ? options.scene.scene<double>() : Scene<double>{};

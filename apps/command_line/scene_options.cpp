@@ -1,9 +1,12 @@
 #include "apps/command_line/scene_options.hpp"
 
+#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/command_line/text_file.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 // toml++ asserts, or lets the optimiser assume, what text may break ("[%" under 3.3) before it says what is wrong with
 // it: here it comes to say so, in every build.
@@ -107,15 +110,25 @@ ParsedFile parsed(const std::string& file) {
     }
 }
 
+/// All mass on the circle of the vertices has kappa = 1; what is no number is refused elsewhere.
+void note_inertia(const std::string& factor) {
+    if (std::strtod(factor.c_str(), nullptr) > 1)
+        report(fmt::format(
+            "swirl: note: inertia-factor = {} is above 1, which no body within the circle of its vertices has",
+            factor));
+}
+
 }  // namespace
 
 int sides_from(const std::string& text) {
     if (text == "disk") return disk_sides;
-    char* end = nullptr;
-    const long value = std::strtol(text.c_str(), &end, 10);
-    if (text.empty() || *end != '\0' || value < 3 || value > max_sides)
+    bool too_large = false;
+    const auto value = whole_number_from(text, &too_large);
+    if (!value && !too_large)
+        throw BadInput(fmt::format("sides = {} is no whole number: 3 to {}, or disk", text, max_sides));
+    if (!value || *value < 3 || *value > max_sides)
         throw BadInput(fmt::format("sides = {} is outside its range: 3 to {}, or disk", text, max_sides));
-    return static_cast<int>(value);
+    return static_cast<int>(*value);
 }
 
 Law law_from(const std::string& text) {
@@ -141,7 +154,7 @@ void SceneOptions::add_to(Flags& command) {
         ->group("Scene");
 }
 
-void SceneOptions::read_file() {
+void SceneOptions::read_file(bool quiet) {
     if (!file_.empty()) {
         const ParsedFile parsed_file = parsed(file_);
         for (const auto& [key, node] : parsed_file.table)
@@ -168,6 +181,7 @@ void SceneOptions::read_file() {
         if (flags_.count(other) != 0 && flags_.count(flag) == 0) values_.erase(flag);
     }
     for (const auto& [name, text] : flags_) values_[name] = text;
+    if (!quiet) note_inertia(text("inertia-factor", ""));
 }
 
 void SceneOptions::set(const std::string& name, const std::string& text) {

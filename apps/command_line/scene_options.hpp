@@ -20,8 +20,9 @@ public:
     /// Adds the flags to a command.
     void add_to(Flags& command);
 
-    /// Reads --scene FILE if it was given; flags win. Call once after parsing. @throws BadInput
-    void read_file();
+    /// Reads --scene FILE if it was given; flags win. Call once after parsing. Unless `quiet`, an inertia factor that
+    /// no body has is noted. @throws BadInput
+    void read_file(bool quiet = false);
 
     /// The scene, every number read as a T. @throws BadInput (missing, units that are none), std::invalid_argument (out
     /// of range)

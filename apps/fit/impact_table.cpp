@@ -39,7 +39,9 @@ bool is_usable(const analysis::MeasuredImpact& impact) {
 }  // namespace
 
 ImpactTable read_impacts(const std::string& name) {
-    const DelimitedFile file = read_delimited(name);
+    LayoutChoice layout;
+    layout.what = "impacts";
+    const DelimitedFile file = read_delimited(name, layout);
     ImpactTable table;
     table.rows = file.rows.size();
     table.by_rows = !(has(file, "rx") && has(file, "ry")) && (has(file, "n3") || has(file, "d3"));

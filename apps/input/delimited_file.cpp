@@ -151,21 +151,22 @@ const std::vector<std::string_view>& CellReader::at(std::size_t row) {
 }
 
 DelimitedFile read_delimited(const std::string& name, const LayoutChoice& choice) {
-    const auto content = std::make_shared<const std::string>(valid_utf8(read_text("series", name, longest_series)));
+    const auto content = std::make_shared<const std::string>(valid_utf8(read_text(choice.what, name, longest_series)));
     std::vector<TextRow> lines = lines_of(*content);
     if (choice.header_line && (*choice.header_line < 1 || *choice.header_line >= lines.size()))
         throw BadInput(fmt::format("header-line = {} is outside its range: 1 to {}, the lines of '{}' but the last",
                                    *choice.header_line, std::max<std::size_t>(lines.size(), 2) - 1, name));
     TableLines table = lines_of_table(std::move(lines), choice);
     DelimitedFile file;
+    file.what = choice.what;
     file.name = name;
     file.content = content;
-    file.layout = layout_of(name, table.lines, choice, table.separator);
+    file.layout = layout_of(fmt::format("{} '{}'", choice.what, name), table.lines, choice, table.separator);
     file.separator = file.layout.separator;
     file.header = file.layout.header;
     file.columns = file.layout.columns;
     if (file.layout.first_row >= table.lines.size())
-        throw BadInput(fmt::format("series '{}' has no rows of numbers; at least one is needed", name));
+        throw BadInput(fmt::format("{} '{}' has no rows of numbers; at least one is needed", choice.what, name));
     file.rows = std::move(table.lines);
     file.rows.erase(file.rows.begin(), file.rows.begin() + static_cast<std::ptrdiff_t>(file.layout.first_row));
     if (file.columns == 1 && !table.blank.empty()) file.rows = with_gaps(std::move(file.rows), table.blank);
@@ -173,7 +174,7 @@ DelimitedFile read_delimited(const std::string& name, const LayoutChoice& choice
 }
 
 std::string at_line(const DelimitedFile& file, std::size_t row, const std::string& what) {
-    return fmt::format("series '{}', line {}: {}; the line reads '{}'", file.name, file.rows[row].line, what,
+    return fmt::format("{} '{}', line {}: {}; the line reads '{}'", file.what, file.name, file.rows[row].line, what,
                        shown(file.rows[row].text));
 }
 

@@ -18,7 +18,8 @@ namespace swirl::apps {
 
 /// The rows of a file as text, and where each came from.
 struct DelimitedFile {
-    std::string name;  ///< as the user gave it; "-" is standard input
+    std::string name;             ///< as the user gave it; "-" is standard input
+    std::string what = "series";  ///< for messages
     TableLayout layout;
     char separator = ' ';             ///< the layout's
     std::vector<std::string> header;  ///< the layout's; empty: none

@@ -162,8 +162,8 @@ void fit_header(const std::string& file, const std::vector<TextRow>& lines, Tabl
         layout.notes.emplace_back("the header has a name less than rows have cells: the first cells name the rows");
     } else {
         const TextRow& row = lines[layout.first_row];
-        throw BadInput(fmt::format("series '{}', line {}: {} cells, where {} are needed; the line reads '{}'", file,
-                                   row.line, layout.columns, names, printable(row.text.substr(0, 100))));
+        throw BadInput(fmt::format("{}, line {}: {} cells, where {} are needed; the line reads '{}'", file, row.line,
+                                   layout.columns, names, printable(row.text.substr(0, 100))));
     }
 }
 

@@ -59,7 +59,7 @@ ImpactRange InputOptions::range() const {
 
 OrbitColumns InputOptions::orbit(const OutputOptions& output, const std::vector<std::string>& names) {
     if (kind() == InputKind::record) return read_orbit(record, range(), names);
-    scene.read_file();
+    scene.read_file(output.quiet);
     start.take_from(scene);
     return follow_orbit(scene, start, output, range(), names);
 }
@@ -77,8 +77,8 @@ MeasuredSeries InputOptions::part_asked_for(const MeasuredSeries& whole, const s
     const std::int64_t first = transient.value_or(0);
     const std::int64_t count = collisions.value_or(rows - first);
     if (count < 2 || first + count > rows)
-        throw BadInput(fmt::format("series '{}' has {} samples; --transient {} and --collisions {} need {}", name, rows,
-                                   first, std::max<std::int64_t>(count, 2), first + std::max<std::int64_t>(count, 2)));
+        throw BadInput(
+            fmt::format("series '{}' {}", name, lacking(rows, "samples", {first, collisions.value_or(-1)}, 2)));
     return part_of(whole, static_cast<std::size_t>(first), static_cast<std::size_t>(count));
 }
 

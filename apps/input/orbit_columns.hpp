@@ -19,6 +19,11 @@ struct ImpactRange {
     std::int64_t collisions = -1;
 };
 
+/// "has 300 impacts; --transient 5000 and 1 or more after these need 5001": what a range asks of `rows` that are fewer.
+///   what    the rows are: "impacts", "samples"
+///   fewest  that are needed where --collisions is not given
+std::string lacking(std::int64_t rows, const std::string& what, const ImpactRange& range, std::int64_t fewest);
+
 /// The motion from one impact to the next where it includes sustained contact.
 struct ContactWay {
     std::size_t after = 0;  ///< index, among those kept, of the impact before it

@@ -88,9 +88,7 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
         const std::int64_t rows = rows_of(record, file, path);
         const std::int64_t left = rows - range.transient;
         if (left < 1 || range.collisions > left)
-            throw BadInput(fmt::format("record '{}' has {} impacts; --transient {} and --collisions {} need {}", file,
-                                       rows, range.transient, std::max<std::int64_t>(range.collisions, 1),
-                                       range.transient + std::max<std::int64_t>(range.collisions, 1)));
+            throw BadInput(fmt::format("record '{}' {}", file, lacking(rows, "impacts", range, 1)));
         const std::int64_t count = range.collisions < 0 ? left : range.collisions;
         columns.range.collisions = count;
         columns.values.push_back(record.read<double>(
@@ -100,6 +98,14 @@ OrbitColumns columns_of(const RecordReader& record, const std::string& file, con
 }
 
 }  // namespace
+
+std::string lacking(std::int64_t rows, const std::string& what, const ImpactRange& range, std::int64_t fewest) {
+    const std::int64_t wanted = std::max(range.collisions, fewest);
+    const std::string then =
+        range.collisions < 0 ? fmt::format("{} or more after these", wanted) : fmt::format("--collisions {}", wanted);
+    return fmt::format("has {} {}; --transient {} and {} need {}", rows, what, range.transient, then,
+                       range.transient + wanted);
+}
 
 OrbitColumns read_orbit(const std::string& file, const ImpactRange& range, const std::vector<std::string>& names) {
     try {

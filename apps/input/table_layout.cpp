@@ -127,10 +127,10 @@ void take_named_header(const std::vector<TextRow>& lines, char separator, bool d
 
 /// Rows and header do not fit unless commas are decimal ones, too.
 void refuse_ambiguous(const std::string& file, const TextRow& row, std::size_t cells, std::size_t names) {
-    throw BadInput(fmt::format(
-        "series '{}', line {}: {} cells between commas, where the header has {}: if half of the commas are decimal "
-        "ones, --decimal-comma says so; the line reads '{}'",
-        file, row.line, cells, names, printable(row.text.substr(0, 100))));
+    throw BadInput(
+        fmt::format("{}, line {}: {} cells between commas, where the header has {}: if half of the commas are decimal "
+                    "ones, --decimal-comma says so; the line reads '{}'",
+                    file, row.line, cells, names, printable(row.text.substr(0, 100))));
 }
 
 /// Rows of two whole numbers of which the second has leading zeros, or always as many digits: it may be a fraction.

@@ -22,6 +22,7 @@ struct TextRow {
 struct LayoutChoice {
     std::optional<std::size_t> header_line;  ///< number of the line with the names
     bool decimal_comma = false;
+    std::string what = "series";  ///< the file is, for messages: "series 'a.csv', line 7: …"
 };
 
 struct TableLayout {
@@ -43,6 +44,7 @@ struct TableLayout {
 /// .trc), or three of which two are equal (TrackMate: the first holds the names); and a preamble, each line of which
 /// has a word. A header that is one name short has row names before it (R); an empty name too much is none.
 ///   lines  without blank lines and comments;   separator  that a line `sep=;` gave, else 0
+///   file  begins each message: "series 'a.csv'"
 /// @throws BadInput where commas may be separators or decimal signs
 TableLayout layout_of(const std::string& file, const std::vector<TextRow>& lines, const LayoutChoice& choice,
                       char separator);

@@ -6,6 +6,7 @@
 
 #include <span>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "apps/record/record_error.hpp"
@@ -41,12 +42,12 @@ std::filesystem::path partial_path_of(const std::filesystem::path& target) {
     return resolved.parent_path() / ("." + resolved.filename().string() + ".partial");
 }
 
-OutputFile::OutputFile(const std::filesystem::path& target) : name_(target), target_(resolve_link(target)) {
-    if (const auto obstacle = obstacle_to_creating(target_)) {
-        throw RecordError("cannot create record", name_.string(), *obstacle);
-    }
+OutputFile::OutputFile(const std::filesystem::path& target, std::string what)
+    : what_(std::move(what)), name_(target), target_(resolve_link(target)) {
+    if (const auto obstacle = obstacle_to_creating(target_))
+        throw RecordError("cannot create " + what_, name_.string(), *obstacle);
     partial_ = partial_path_of(target_);
-    file_ = open_locked(partial_, "cannot create record", name_.string());
+    file_ = open_locked(partial_, "cannot create " + what_, name_.string());
     unfinished_ = UnfinishedFile(partial_);
     take_permissions(file_, target_);
 }
@@ -64,14 +65,14 @@ void OutputFile::append(std::string_view text) const {
 
 void OutputFile::find_room(std::size_t bytes) const {
     const std::vector<std::byte> zeros(bytes);
-    write_all(file_, zeros, "cannot create record", name_.string());
+    write_all(file_, zeros, "cannot create " + what_, name_.string());
     if (::ftruncate(file_.descriptor(), 0) != 0 || ::lseek(file_.descriptor(), 0, SEEK_SET) < 0)
-        throw RecordError("cannot create record", name_.string(), system_reason());
+        throw RecordError("cannot create " + what_, name_.string(), system_reason());
 }
 
 void OutputFile::commit() {
     if (::fsync(file_.descriptor()) != 0 || ::rename(partial_.c_str(), target_.c_str()) != 0) {
-        throw RecordError("cannot finish record", name_.string(), system_reason());
+        throw RecordError("cannot finish " + what_, name_.string(), system_reason());
     }
     committed_ = true;
     unfinished_.finished();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "apps/record/posix_file.hpp"
@@ -21,7 +22,8 @@ class OutputFile {
 public:
     /// Creates the partial file, empty. RecordError if the target could not be created: no such directory, a directory
     /// or a device of that name, no permission, another process writing it.
-    explicit OutputFile(const std::filesystem::path& target);
+    ///   what  it is, for messages: "cannot create record 'a.h5': …"
+    explicit OutputFile(const std::filesystem::path& target, std::string what = "record");
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
@@ -43,6 +45,7 @@ public:
     void commit();
 
 private:
+    std::string what_;
     std::filesystem::path name_;
     std::filesystem::path target_;
     std::filesystem::path partial_;

@@ -169,9 +169,10 @@ RecordReader::RecordReader(const std::filesystem::path& path) {
         case Wholeness::whole:
             break;
         case Wholeness::damaged:
-            throw RecordError(reading, name,
-                              "it is damaged: its checksum is another (if it was changed on purpose, cut off the last "
-                              "89 bytes; of schema 1, zero the first 512)");
+            throw RecordError(
+                reading, name,
+                "it is damaged: it was cut short, or changed after it was written; make it anew (if it was "
+                "changed on purpose, cut off the last 89 bytes, its checksum; of schema 1, zero the first 512)");
         case Wholeness::unstated:
             try_reading(path, [&] { read_everything(RecordReader(std::make_unique<OpenFile>(name))); });
     }

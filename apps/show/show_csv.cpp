@@ -65,7 +65,7 @@ std::string lines_of(const ShownTable& table, const ShownRows& rows) {
 }  // namespace
 
 void write_csv(const RecordReader& record, const ShownTable& table, const std::string& file) {
-    OutputFile output(file);
+    OutputFile output(file, "table");
     output.append(head_of(record, table));
     for_each_part(record, table, [&](const ShownRows& rows) { output.append(lines_of(table, rows)); });
     output.commit();

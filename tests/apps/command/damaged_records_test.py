@@ -112,6 +112,16 @@ class Damaged(InFolder):
             self.assertIn("damaged", result.stderr)
 
 
+class CutShort(InFolder):
+    def test_it_is_said_that_a_record_may_be_cut_short(self):
+        path = self.folder / "a.h5"
+        run(f"simulate {HEXAGON} --collisions 20 --quiet -o {path}")
+        path.write_bytes(path.read_bytes()[:-TRAILER - 8])
+        result = run(f"show {path}")
+        self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1))
+        self.assertIn("it is damaged: it was cut short, or changed after it was written; make it anew", result.stderr)
+
+
 class Edited(InFolder):
     """What no checksum speaks for is read with one word of warning."""
 

@@ -230,7 +230,10 @@ class WrongInput(Refusing):
                                ("--resamples 3", "20"), ("--seed -1", "seed")):
             self.refused(f"fit --impacts {good} {flags}", mention)
         self.refused("fit", "--impacts")
-        self.refused(f"fit --impacts {self.other}/none.csv", "none.csv")
+        self.refused(f"fit --impacts {self.other}/none.csv", f"impacts '{self.other}/none.csv'")
+        torn = table(rows).splitlines()
+        torn[5] = torn[5].rpartition(",")[0]
+        self.refused(f"fit --impacts {self.written(chr(10).join(torn))}", f"impacts '{self.other}/impacts.csv', line ")
         self.refused(f"fit --impacts {self.written(table(rows[:5]))}", "8 or more")
         self.refused(f"fit --impacts {self.written(table(rows).replace('spin_after', 'w'))}", "spin_after is missing")
         self.refused(f"fit --impacts {self.written(table(rows).replace('rx,ry', 'x,y'))}", "rx is missing")

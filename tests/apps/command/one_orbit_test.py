@@ -83,6 +83,8 @@ class Records(InFolder):
             self.assertEqual((result.returncode, result.stdout), (2, ""))
             self.assertIn("holds 100 impacts", result.stderr)
             self.assertIn(needed, result.stderr)
+        for command in ("spectrum", "recurrence"):
+            self.assertIn("has 100 impacts; --transient 5000 and 1 or more after these need 5001", run(f"{command} {record} --transient 5000").stderr)
 
     def test_an_orbit_that_ended_is_judged_by_its_end(self):
         scene = "--sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9"

@@ -58,26 +58,27 @@ void require_replaceable(const OutputOptions& output) {
 }
 
 void require_record_name(const OutputOptions& output) {
-    constexpr std::array<std::array<const char*, 2>, 8> others = {{{".png", "plot"},
-                                                                   {".svg", "plot"},
-                                                                   {".pdf", "plot"},
-                                                                   {".jpg", "plot"},
-                                                                   {".gif", "animate"},
-                                                                   {".mp4", "animate"},
-                                                                   {".webm", "animate"},
-                                                                   {".ipynb", "notebook"}}};
+    constexpr std::array<std::array<const char*, 3>, 9> others = {{{".png", "plot", "-o"},
+                                                                   {".svg", "plot", "-o"},
+                                                                   {".pdf", "plot", "-o"},
+                                                                   {".jpg", "plot", "-o"},
+                                                                   {".gif", "animate", "-o"},
+                                                                   {".mp4", "animate", "-o"},
+                                                                   {".webm", "animate", "-o"},
+                                                                   {".ipynb", "notebook", "-o"},
+                                                                   {".csv", "show", "--csv"}}};
     const std::string suffix = std::filesystem::path(output.record).extension().string();
-    for (const auto& [other, command] : others)
+    for (const auto& [other, command, flag] : others)
         if (suffix == other)
             throw BadInput(
                 fmt::format("output '{0}': -o writes a record (HDF5): give -o FILE.h5, then swirl {1} FILE.h5 "
-                            "-o {0}",
-                            output.record, command));
+                            "{2} {0}",
+                            output.record, command, flag));
 }
 
 void require_output(const OutputOptions& output, const std::vector<std::string>& inputs) {
-    require_record_name(output);
     require_no_input(output.record, inputs);
+    require_record_name(output);
     require_replaceable(output);
 }
 

@@ -21,7 +21,8 @@ namespace swirl::apps::orbits {
 const char* const orbits_details =
     R"(Lists fixed points and cycles of the collision map, stable and unstable, each once.
   period 1        all fixed points through impacts alone with a flight time up to --max-time, from two
-                  equations in closed form (`swirl describe`), each confirmed by the map
+                  equations in closed form (`swirl describe`), each confirmed by the map; bodies that
+                  stay on the wall have no impacts and are none of these (`swirl classify` names them)
   longer periods  and cycles through contact: multi-shooting with exact derivatives, from close returns
                   of trajectories and from random section points, polished to rounding; where that
                   fails, as near grazing, the impacts' times are unknowns, too
@@ -116,6 +117,15 @@ void leave_out_others(FoundOrbits& found) {
                                            left_out, left_out == 1 ? " is" : "s are"));
 }
 
+/// A polygon's cycles with friction, and any with e < 1, are isolated, but for psi where there is no swirl.
+void require_families(const OrbitsOptions& options, const Scene<double>& scene) {
+    const bool isolated = scene.restitution < 1 || (!scene.is_disk() && scene.mu > 0);
+    if (!options.pin.empty() && isolated && scene.beta > 0)
+        throw BadInput(fmt::format(
+            "pin = {}: it takes members of families, and this scene has none (a disk has, or mu = 0, both at e = 1)",
+            options.pin));
+}
+
 /// What no combination of flags or no range allows.
 void check(const OrbitsOptions& options) {
     options.periods();
@@ -138,7 +148,7 @@ std::optional<Pin> pin_from(const std::string& text) {
 }
 
 int orbits(OrbitsOptions& options) {
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     const Scene<double> scene = options.scene.scene<double>();
     options.max_time = options.scene.longest_flight(options.longest, 12, 1e4);
     options.near = point_without_units(options.near, options.scene.units());
@@ -146,6 +156,7 @@ int orbits(OrbitsOptions& options) {
         options.pin = range_without_units(options.pin, options.scene.units(), "1/omega_s");
     check(options);
     const std::optional<Pin> pin = pin_from(options.pin);
+    require_families(options, scene);
     const auto near = near_point(options, scene);
     options.candidates.accuracy = options.output.accuracy();
     const auto map = shooting_map_of(scene, options.candidates.accuracy);

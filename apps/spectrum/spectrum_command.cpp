@@ -4,6 +4,7 @@
 #include "analysis/spectrum/power_spectrum.hpp"
 #include "analysis/spectrum/segments.hpp"
 #include "analysis/spectrum/spectral_entropy.hpp"
+#include "analysis/spectrum/uniform_motion.hpp"
 #include "apps/command_line/interruption.hpp"
 #include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/record_input.hpp"
@@ -21,6 +22,10 @@ namespace swirl::apps::spectrum {
 
 const char* const spectrum_details =
     R"(
+A motion that repeats, in one period or several, has its power in lines; chaos spreads it over a continuum of frequencies. The
+verdict says which (mixed: both; nonstationary: a transient). A peak's prominence is its power over the noise floor, the
+continuum about it; entropy is 0 of one line and 1 of power that is spread evenly.
+
 S(t) of an orbit is constant in flight and smooth in contact; it is averaged exactly over equal time bins. Frequencies are
 in units of the swirl's. The bins divide the period of a cycle, and its peaks are named by their harmonic k of the cycle's
 frequency; with --bins, harmonics above the highest frequency fold back below it and are marked as folded. Frequencies of a
@@ -84,6 +89,10 @@ void check_flags(const SpectrumOptions& options) {
         throw BadInput(fmt::format("accuracy = {} is an orbit's that is followed", options.output.accuracy_name));
     if (options.input.kind() == InputKind::series && options.frame != SpectrumOptions{}.frame)
         throw BadInput(fmt::format("frame = '{}' is of an orbit's positions; a series has none", options.frame));
+    analysis::frame_from_name(options.frame);
+    if (is_spin(options) && options.frame != SpectrumOptions{}.frame)
+        throw BadInput(
+            fmt::format("frame = '{}' is of positions (--observable x, y or position); S has none", options.frame));
 }
 
 /// So many rows are missing that segments between the gaps tell little of what all rows know together.

@@ -28,10 +28,6 @@ std::size_t automatic_bins(std::size_t flights) {
     return bins;
 }
 
-bool is_spin(const SpectrumOptions& options) {
-    return options.observable == "S" || options.observable == "spin";
-}
-
 std::vector<std::string> columns_for(const SpectrumOptions& options) {
     if (is_spin(options)) return {"t", "S"};
     if (options.observable == "x" || options.observable == "y" || options.observable == "position")
@@ -245,6 +241,10 @@ SpectrumSignal signal_of_series(const SpectrumOptions& options) {
 }
 
 }  // namespace
+
+bool is_spin(const SpectrumOptions& options) {
+    return options.observable == "S" || options.observable == "spin";
+}
 
 SpectrumSignal signal_of(SpectrumOptions& options) {
     return options.input.kind() == InputKind::series ? signal_of_series(options) : signal_of_orbit(options);

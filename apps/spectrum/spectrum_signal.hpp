@@ -28,6 +28,9 @@ struct SpectrumSignal {
     double highest = 0;   ///< frequency that the samples of a series can show; 0: all of its spectrum
 };
 
+/// Is S(t) asked for, not a position?
+bool is_spin(const SpectrumOptions& options);
+
 /// An orbit: S(t), constant in flight and smooth in contact, or the body's positions, averaged exactly over equal bins,
 /// from the first impact kept to the last; S of a cycle over bins that divide its period, as many periods as there are,
 /// so that the jumps of S fold onto the cycle's own frequencies and nowhere else. A series: its samples, as they are

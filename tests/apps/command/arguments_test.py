@@ -129,6 +129,16 @@ class Arguments(InFolder):
             for line in (f"simulate {SCENE}", f"sweep {SCENE} --grid mu=0.1:0.2:2", f"bifurcate {SCENE} --along beta=0.4:0.6:2"):
                 self.refused(f"{line} -o map.{suffix}", f"map.{suffix}", f"swirl {command} FILE.h5")
 
+    def test_a_record_is_no_table_and_a_film_no_record(self):
+        self.refused(f"simulate {SCENE} -o x.csv", "output 'x.csv'", "give -o FILE.h5, then swirl show FILE.h5 --csv x.csv")
+        self.refused(f"simulate {SCENE} --camera 5 -o o.h5", "output 'o.h5'", "give -o FILE.csv")
+
+    def test_what_a_flag_is_not_of(self):
+        for flags in ("", "--observable S", "--observable spin"):
+            self.refused(f"spectrum {SCENE} {flags} --frame container", "frame = 'container' is of positions", "S has none")
+        for pin in ("S=1", "tau=2"):
+            self.refused(f"orbits {SCENE} --pin {pin}", f"pin = {pin}", "members of families, and this scene has none")
+
     def test_no_number_is_nan_or_infinite(self):
         for command, options in NUMBERS.items():
             for option in options:

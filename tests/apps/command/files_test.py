@@ -109,7 +109,7 @@ class Replaced(Files):
         self.done(f"classify --series {series} -o {record} --quiet")
 
     def test_what_is_no_record_is_replaced_with_force_only(self):
-        for name, text in (("measured.csv", "t,S\n0,1\n1,2\n"), ("empty.h5", "")):
+        for name, text in (("measured.txt", "t,S\n0,1\n1,2\n"), ("empty.h5", "")):
             path = self.file(name, text)
             self.refused(f"simulate {HEXAGON} -o {path}", name, "no record", "--force")
             self.assertEqual(path.read_text(), text)

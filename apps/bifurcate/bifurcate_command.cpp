@@ -84,7 +84,7 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
 
 /// What is to be done; nothing is yet. @throws BadInput
 Diagram planned(BifurcateOptions& options) {
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     options.settings.accuracy = options.output.accuracy();
     Diagram diagram;

@@ -125,7 +125,7 @@ void print_all(const Plane& plane, const PlaneCurves& found, const std::optional
 }  // namespace
 
 int boundaries(BoundariesOptions& options) {
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     const Plane plane = plane_from(options.plane);
     const Scene<double> scene = scene_of(options.scene, plane);
     options.output.require_double("boundaries works in double");

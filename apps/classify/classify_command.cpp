@@ -143,7 +143,7 @@ int classify_scene(ClassifyCommandOptions& options) {
         options.settings.transient = recorded->first;
         options.settings.collisions = recorded->collisions;
     }
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
     options.output.accuracy();  // a wrong name is reported before any work

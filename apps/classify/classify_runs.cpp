@@ -37,7 +37,7 @@ Scene<double> planned(ClassifyCommandOptions& options) {
         throw BadInput(
             fmt::format("runs = {}: several runs are of a scene; a record or a series is one", options.runs));
     options.input.is_series(options.scene, options.start);  // what is for a series alone is refused
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
     options.output.accuracy();  // a wrong name is reported before any work

@@ -106,7 +106,7 @@ void write_document(const ContinueOptions& options, const Beginning& beginning, 
 }  // namespace
 
 int continue_orbit(ContinueOptions& options) {
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     options.from = point_without_units(options.from, options.scene.units());
     if (options.along.starts_with("tau="))
         options.along = range_without_units(options.along, options.scene.units(), "1/omega_s");

@@ -163,7 +163,7 @@ void write_spectrum(const RecordGroup& root, const LyapunovCommandOptions& optio
 }  // namespace
 
 int lyapunov(LyapunovCommandOptions& options) {
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
     const Accuracy accuracy = options.output.accuracy();

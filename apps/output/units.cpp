@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <sstream>
 #include <vector>
 
@@ -138,9 +139,10 @@ std::string range_without_units(const std::string& text, const std::optional<Uni
 }
 
 std::string units_in_words(const std::optional<Units>& units) {
-    return units ? fmt::format("SI units: R_c = {:g} m, omega_s = {:g} rad/s, m = {:g} kg\n", units->length,
-                               1 / units->time, units->mass)
-                 : "";
+    if (!units) return "";
+    const double rate = 1 / units->time, frequency = rate / (2 * std::numbers::pi);
+    return fmt::format("SI units: R_c = {:g} m, omega_s = {:g} rad/s ({:.4g} Hz, {:.4g} rpm), m = {:g} kg\n",
+                       units->length, rate, frequency, 60 * frequency, units->mass);
 }
 
 }  // namespace swirl::apps

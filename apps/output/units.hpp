@@ -44,7 +44,7 @@ std::string with_unit(double value, const std::optional<Units>& units, const std
 std::string point_without_units(const std::string& text, const std::optional<Units>& units);
 std::string range_without_units(const std::string& text, const std::optional<Units>& units, const std::string& unit);
 
-/// "SI units: R_c = 2 m, omega_s = 4 rad/s, m = 3 kg", a line; nothing without units.
+/// "SI units: R_c = 2 m, omega_s = 4 rad/s (0.6366 Hz, 38.2 rpm), m = 3 kg", a line; nothing without units.
 std::string units_in_words(const std::optional<Units>& units);
 
 }  // namespace swirl::apps

@@ -130,7 +130,7 @@ void SimulateOptions::add_to(Flags& command) {
 }
 
 int simulate(SimulateOptions& options) {
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     if (options.film.fps) options.start.keep_seed_apart();
     options.start.take_from(options.scene);
     for (auto* time : {&options.time, &options.sample})

@@ -193,7 +193,7 @@ std::vector<GridAxis> planned_grid(const SweepOptions& options) {
 
 /// What is to be done; nothing is yet. @throws BadInput
 Sweep planned(SweepOptions& options) {
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     if (options.refine > 0 && !options.sample.empty())
         throw BadInput("refine and sample are both given: a sample has no neighbours");

@@ -70,7 +70,7 @@ int tradeoff(TradeoffOptions& options) {
     if (!(options.budget >= least_budget && options.budget <= most_budget))
         throw BadInput(fmt::format("budget = {} is outside its range: {} to {} seconds", options.budget, least_budget,
                                    most_budget));
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     options.start.take_from(options.scene);
     const Scene<double> scene = options.scene.scene<double>();
     options.output.require_double("tradeoff measures all of them");

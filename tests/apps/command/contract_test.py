@@ -50,6 +50,17 @@ class BadInput(InFolder):
                 ("empty.toml", "", "[scene]")]:
             self.check(f"simulate --scene {self.file(name, text)}", mention)
 
+    def test_sides_are_a_whole_number(self):
+        for sides, mention in (("6.5", "no whole number"), ("six", "no whole number"), ("2", "outside its range"), ("1e7", "outside its range")):
+            self.check(f"describe --sides {sides} --alpha 0.4 --beta 0.5 --mu 0.5 --restitution 0.9", f"sides = {sides} is {mention}: 3 to 1000000")
+
+    def test_an_inertia_that_no_body_has_is_noted(self):
+        for factor, noted in (("1", False), ("3", True)):
+            result = run(f"simulate {HEXAGON} --collisions 3 --inertia-factor {factor}")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual("note: inertia-factor = 3 is above 1" in result.stderr, noted)
+            self.assertEqual(run(f"simulate {HEXAGON} --collisions 3 --inertia-factor {factor} --quiet").stderr, "")
+
     def test_starts(self):
         self.check(f"simulate {HEXAGON} --x 3", "start")
         self.check(f"simulate {HEXAGON} --x 1.2", "start")  # inside, but a vertex is not

@@ -30,6 +30,12 @@ def is_units(line):
     return bool(line.strip()) and all(unit in SCALE for unit in places(line).values())
 
 
+class Rate(unittest.TestCase):
+    def test_it_is_said_in_turns_too(self):
+        text = run(f"describe {PHYSICAL.replace(f'--swirl-rate {RATE}', '--swirl-rate 60')}").stdout
+        self.assertIn(f"\nSI units: R_c = 2 m, omega_s = 60 rad/s ({60 / 6.283185307:.4g} Hz, {3600 / 6.283185307:.4g} rpm), m = 8 kg\n", text)
+
+
 class Same(unittest.TestCase):
     """The tables of one scene, in SI units and dimensionless, number by number."""
 

@@ -31,12 +31,12 @@ void describe_cycle(const Findings& findings, const ClassifyOptions& options, Cl
     auto& evidence = result.evidence;
     const PeriodOptions& limits = options.period;
     const bool closed = findings.closure <= limits.closure;
-    evidence.push_back({"closure", findings.closure, limits.closure,
-                        closed ? "the orbit itself returns in all section coordinates"
-                               : "the orbit is still approaching the cycle that Newton's method found",
-                        closed ? "above " + in_words(limits.closure) +
-                                     ": only an attracting cycle found by Newton's method would count"
-                               : "above " + in_words(limits.vicinity) + ": no cycle, " + then_others_decide});
+    evidence.push_back(
+        {"closure", findings.closure, limits.closure,
+         closed ? "the orbit itself returns in all section coordinates"
+                : "the orbit is still approaching the cycle that Newton's method found",
+         closed ? "above " + in_words(limits.closure) + ": no cycle, unless Newton's method finds an attracting one"
+                : "above " + in_words(limits.vicinity) + ": no cycle, " + then_others_decide});
     const double residual = findings.has_multipliers ? limits.residual : limits.closure;
     evidence.push_back({"cycle residual", findings.residual, residual, "how well the cycle closes",
                         "above " + in_words(residual) +
@@ -85,9 +85,11 @@ void describe_exponent(const Findings& findings, const ClassifyOptions& options,
     const double errors = std::isnan(e.standard_error) ? 0 : sigmas * e.standard_error;
     const std::string cycle = findings.has_cycle ? "undecided, as it contradicts the cycle" : "chaotic";
     const bool positive = e.sign == ExponentSign::positive;
+    const std::string sign =
+        "exponent is " + std::string(name_of(e.sign)) + " (threshold: " + in_words(sigmas) + " standard errors)";
     result.evidence.push_back(
         {"largest exponent", e.exponent, errors,
-         "the exponent is " + std::string(name_of(e.sign)) + " (threshold: " + in_words(sigmas) + " standard errors)",
+         positive && findings.has_cycle ? "the orbit nears a cycle, and yet its " + sign : "the " + sign,
          positive ? "at or below " + in_words(errors) + ": not positive, " +
                         (findings.has_cycle ? "so the cycle stands" : "and the rotation number decides")
                   : "above " + in_words(std::max(errors, e.shrinking_bound)) + " (" + in_words(sigmas) +
@@ -112,7 +114,7 @@ void describe_rounding(const Findings& findings, const ClassifyOptions& options,
         {"growth of rounding along the period", findings.rounding, limit,
          "the orbit returns, but its period is decided by rounding, whose errors grow to this along it: "
          "chaos between superstable landings",
-         "at most " + in_words(limit) + ": that cycle"});
+         "at most " + in_words(limit) + ": quasi-steady, that cycle"});
 }
 
 std::string rotation_in_words(const RotationNumber& rotation) {
@@ -135,18 +137,34 @@ std::string rotation_in_words(const RotationNumber& rotation) {
     return "";
 }
 
-void describe_rotation(const Findings& findings, Classification& result) {
+/// What would make a torus of the orbit, or none.
+std::string other_rotation_in_words(RotationOutcome outcome) {
     const RotationOptions limits;
+    const std::string close = in_words(std::pow(10, -limits.min_digits)) + " turns";
+    const std::string fraction = "fraction of denominator up to " + std::to_string(limits.max_denominator);
+    const std::string torus = ": quasi-steady, if the orbit keeps its size";
+    switch (outcome) {
+        case RotationOutcome::quasi_periodic:
+            return "halves that differ by more than " + close + ", or a " + fraction + ": undecided";
+        case RotationOutcome::periodic:
+            return "a cycle of that period is found: quasi-steady; or more impacts show a number that is no " +
+                   fraction + torus;
+        case RotationOutcome::not_a_rotation:
+            return "the orbit winds round a closed curve, and both halves of it give one number" + torus;
+        case RotationOutcome::constant:
+            return "the observable varies: a rotation number is then looked for";
+        case RotationOutcome::too_short:
+            return std::to_string(limits.min_samples) + " impacts or more: a rotation number is then looked for";
+        case RotationOutcome::not_converged:
+            break;
+    }
+    return "both halves give one number to " + close + " (more impacts tell), no " + fraction + torus;
+}
+
+void describe_rotation(const Findings& findings, Classification& result) {
     const RotationNumber& rotation = findings.rotation;
-    const bool torus = rotation.outcome == RotationOutcome::quasi_periodic;
-    result.evidence.push_back(
-        {"rotation number", rotation.rotation, rotation.half_difference, rotation_in_words(rotation),
-         torus ? "halves that differ by more than " + in_words(std::pow(10, -limits.min_digits)) +
-                     " turns, or a fraction of denominator up to " + std::to_string(limits.max_denominator) +
-                     ": undecided"
-               : "both halves give one number to " + in_words(std::pow(10, -limits.min_digits)) +
-                     " turns, no fraction of denominator up to " + std::to_string(limits.max_denominator) +
-                     ": quasi-steady, if the orbit keeps its size"});
+    result.evidence.push_back({"rotation number", rotation.rotation, rotation.half_difference,
+                               rotation_in_words(rotation), other_rotation_in_words(rotation.outcome)});
 }
 
 bool describe_size(const Findings& findings, const ClassifyOptions& options, Classification& result) {

@@ -55,6 +55,14 @@ std::string words_of_continuum(const AngleSpectrum& found) {
     return "S is irregular beyond the camera's noise (a shaken container looks the same)";
 }
 
+std::string other_continuum_in_words(const AngleSpectrum& found) {
+    const std::string regular = "at most " + in_words(few_continuum) + ": steady or quasi-steady; ";
+    if (found.continuum_share() >= much_continuum && found.blocks < fewest_blocks)
+        return regular + "a series so long that its spectrum has " + std::to_string(fewest_blocks) + " blocks, not " +
+               std::to_string(found.blocks) + ": chaotic";
+    return regular + "at least " + in_words(much_continuum) + ": chaotic; between: undecided";
+}
+
 void describe(const AngleSpectrum& found, double given, Classification& result) {
     result.evidence.push_back({"white level of the angle in radians", found.level, given > 0 ? given : found.noise,
                                words_of_level(found, given),
@@ -76,9 +84,7 @@ void describe(const AngleSpectrum& found, double given, Classification& result) 
                                found.lines > 0 ? "no line: steady, if there is no continuum"
                                                : "a line or more: quasi-steady, if there is no continuum"});
     result.evidence.push_back({"share of the continuum in S", believed_share(found), few_continuum,
-                               words_of_continuum(found),
-                               "at most " + in_words(few_continuum) + ": steady or quasi-steady; at least " +
-                                   in_words(much_continuum) + ": chaotic; between: undecided"});
+                               words_of_continuum(found), other_continuum_in_words(found)});
     if (found.lines > 0 || found.in_continuum > 0 || found.uncertain == 0) return;
     result.evidence.push_back({"lines that rounding may have made", static_cast<double>(found.uncertain), 0,
                                "rounding may make lines of their size",
@@ -106,7 +112,7 @@ Classification classify_angle(std::span<const double> angle, double spacing, con
         result.evidence.push_back(
             {"noise given in radians", options.noise, near_level * found.level,
              "more than the angle shows, and without it the verdict is " + std::string(name_of(by_level.mode)),
-             "at most " + in_words(near_level * found.level) + ": that verdict"});
+             "at most " + in_words(near_level * found.level) + ": " + std::string(name_of(by_level.mode))});
     } else {
         result.mode = verdict.mode;
         result.kind = verdict.kind;

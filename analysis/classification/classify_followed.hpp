@@ -90,7 +90,7 @@ Evidence evidence_of_cut(const Tail<M>& tail, const ClassifyOptions& options) {
     return {"impacts judged", kept, static_cast<double>(options.collisions),
             "each costs " + in_words(tail.cost / kept) +
                 " ordinary ones, as in long contact: fewer were followed than the limits allow",
-            "--exhaustive: all of them"};
+            "all of them are followed (--exhaustive): the verdict is then on these"};
 }
 
 /// A search for a cycle, by Newton's method through steps that cost much, which ended before it had tried everything.
@@ -98,7 +98,7 @@ inline Evidence evidence_of_search_cut(const StepBudget& search) {
     return {"search for a cycle", search.spent, search.most,
             "its derivatives cost more ordinary steps than the limits allow, as through long contact: it was given up, "
             "so that a cycle may be there",
-            "--exhaustive: searched to the end"};
+            "a cycle is found in a search to the end (--exhaustive): steady or quasi-steady"};
 }
 
 /// The verdict on a tail whose orbit has not settled: that of `classify_tail`, without what can't change it. Where it

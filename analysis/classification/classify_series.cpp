@@ -36,11 +36,11 @@ std::string words_of(const Repetition& repetition) {
 
 void describe_repetition(const Repetition& repetition, double limit, std::size_t samples, Classification& result) {
     const bool repeats = repetition.period > 0, found = repeats || repetition.structured > 0;
-    result.evidence.push_back({"residual about the phase means", repetition.residual, limit, words_of(repetition),
-                               repeats
-                                   ? "above " + in_words(limit) + ": another period, or lines and predictability decide"
-                               : found ? "at most half of it and white at a multiple of that period: that cycle"
-                                       : "at most " + in_words(limit) + " and white at one period: that cycle"});
+    result.evidence.push_back(
+        {"residual about the phase means", repetition.residual, limit, words_of(repetition),
+         repeats ? "above " + in_words(limit) + ": another period, or lines and predictability decide"
+         : found ? "at most half of it and white at a multiple of that period: quasi-steady, that cycle"
+                 : "at most " + in_words(limit) + " and white at one period: steady (period 1) or quasi-steady"});
     if (!(repetition.residual > 0)) return;
     const auto add = [&](const char* name, double value, double threshold, bool is_white, const std::string& within,
                          const std::string& beyond) {
@@ -65,16 +65,18 @@ bool lasts(std::span<const double> x, double deviation, Classification& result) 
     const double a = gsl_stats_variance(first.data(), 1, first.size());
     const double b = gsl_stats_variance(second.data(), 1, second.size());
     const double change = std::abs(a - b) / (a + b);
-    const auto add = [&](const char* name, double value) {
-        const bool lasting = value <= largest_change;
+    const auto add = [&](const char* name, double value, bool lasting) {
         result.evidence.push_back(
             {name, value, largest_change, lasting ? "the halves agree" : "the series still settles",
              lasting ? "above " + in_words(largest_change) + ": undecided, since the series still settles"
                      : "at most " + in_words(largest_change) + ": its repetitions, lines and predictability decide"});
-        return lasting;
     };
-    const bool mean_lasts = add("shift of the mean between the halves", shift);
-    return add("change of the variance between the halves", change) && mean_lasts;
+    const bool mean_lasts = shift <= largest_change, variance_lasts = change <= largest_change;
+    const auto add_mean = [&] { add("shift of the mean between the halves", shift, mean_lasts); };
+    if (mean_lasts) add_mean();
+    add("change of the variance between the halves", change, variance_lasts);
+    if (!mean_lasts) add_mean();  // what speaks against is said last
+    return mean_lasts && variance_lasts;
 }
 
 LineShare lines_of(std::span<const double> x, Classification& result) {
@@ -87,8 +89,10 @@ LineShare lines_of(std::span<const double> x, Classification& result) {
         {"share of the variance in spectral lines", share.line_fraction, all,
          std::string(name_of(share.verdict)) +
              (share.steadiness_tested ? "" : " (too few segments to tell a line from a band)"),
-         lines ? "below " + in_words(all) + ": not all are lines, and predictability decides"
-               : "at or above " + in_words(all) + ": all lines, quasi-steady if neighbours stay neighbours"});
+         lines && !share.steadiness_tested
+             ? "a longer series, whose segments show that lines stay: quasi-steady if neighbours stay neighbours"
+         : lines ? "below " + in_words(all) + ": not all are lines, and predictability decides"
+                 : "at or above " + in_words(all) + ": all lines, quasi-steady if neighbours stay neighbours"});
     return share;
 }
 
@@ -113,7 +117,8 @@ Evidence divergence_evidence(const SeriesExponent& found, const std::string& oth
             : !above             ? "the rate at which neighbours part is not told from 0"
             : found.resolved     ? "neighbours part at one rate (threshold: two of its errors)"
                                  : "neighbours part, but are too far apart from the first for an exponent",
-            above ? "at or below the threshold: undecided" : "above two errors: " + otherwise};
+            above ? "at or below " + in_words(2 * found.error) + " (two of its errors): undecided"
+                  : "above " + in_words(2 * found.error) + " (two of its errors): " + otherwise};
 }
 
 Evidence typical_evidence(const SeriesExponent& found, const std::string& otherwise) {

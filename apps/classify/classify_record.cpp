@@ -100,7 +100,7 @@ NamedMode name_recorded(const Scene<double>& scene, const Start<double>& start, 
          fmt::format("followed from its start in {} it parts from the record (made in another accuracy, or by another "
                      "version): judged from the state that the record holds after the transient",
                      name_of(accuracy)),
-         "an orbit that repeats the record: judged from its start"});
+         "nothing: this does not decide, it says which orbit was judged"});
     return named;
 }
 

@@ -87,9 +87,16 @@ const Evidence* reason_of_contact(const Classification& verdict) {
 
 namespace {
 
+/// The last piece of evidence that can change the verdict; the others say of themselves that nothing in them does.
+const Evidence& last_that_decides(const Classification& verdict) {
+    const auto found = std::find_if(verdict.evidence.rbegin(), verdict.evidence.rend(),
+                                    [](const Evidence& e) { return !e.changes_if.starts_with("nothing"); });
+    return found == verdict.evidence.rend() ? verdict.evidence.back() : *found;
+}
+
 /// An orbit that keeps its size is undecided for another reason: it has no rotation number.
 const Evidence* reason_of_undecided(const Classification& verdict) {
-    const Evidence& last = verdict.evidence.back();
+    const Evidence& last = last_that_decides(verdict);
     const bool keeps_size =
         last.name == "change of spread along the tail" && std::abs(std::log(last.value)) <= std::log(last.threshold);
     const Evidence* rotation = keeps_size ? evidence_of(verdict, "rotation number") : nullptr;

@@ -145,7 +145,7 @@ void name_created_energy(const std::vector<double>& energies, double first, Name
          fmt::format("Newton's law creates energy: the means of {} rise from each to the next, without bound as far "
                      "as it was followed",
                      parts),
-         fmt::format("a part below the one before, or less than {:g} times in all: not called so",
+         fmt::format("a part below the one before, or less than {:g} times in all: not accelerated",
                      analysis::least_growth)});
 }
 

@@ -33,10 +33,11 @@ void describe_periods(const analysis::Swing& swing, bool limit_known, analysis::
                                        : "at least " + std::to_string(enough_periods) + ": their spread decides"});
     if (!enough) return;
     const bool periodic = swing.period_spread <= regular;
-    verdict.evidence.push_back({"spread of the periods", swing.period_spread, regular,
-                                periodic ? "psi is periodic" : "psi is not periodic so far",
-                                periodic ? "above " + in_words(regular) + ": their trend decides"
-                                         : "at most " + in_words(regular) + ": periodic"});
+    verdict.evidence.push_back(
+        {"spread of the periods", swing.period_spread, regular,
+         periodic ? "psi is periodic" : "psi is not periodic so far",
+         periodic ? "above " + in_words(regular) + ": not periodic; whether the periods come to a limit decides"
+                  : "at most " + in_words(regular) + ": periodic"});
     if (periodic || limit_known) return;
     const bool settles = swing.still_to_come <= nearly;
     verdict.evidence.push_back(

@@ -138,14 +138,16 @@ void name_fading_orbit(analysis::Classification& verdict) {
         {"loss by every impact", 1, 1,
          "with e < 1 every impact lowers J (without friction) or the energy (without swirl), so that no "
          "attractor has impacts: the orbit is on its way to contact",
-         "e = 1, or friction and swirl: period, exponent and rotation number decide"}};
+         "more impacts (--transient): the motion on the wall in which they end gives the mode"}};
 }
 
 /// An orbit that ended with neither impacts nor contact to go on with.
 void name_ending(Outcome outcome, long long impacts, analysis::Classification& verdict) {
     verdict.evidence.push_back({"impacts until the end", static_cast<double>(impacts), static_cast<double>(impacts),
                                 fmt::format("the orbit ended ({}) before its impacts showed a mode", name_of(outcome)),
-                                "an orbit that goes on: its impacts give the mode"});
+                                outcome == Outcome::no_contact
+                                    ? "a start from which the body reaches the wall: its impacts give the mode"
+                                    : "a start whose orbit goes on: its impacts give the mode"});
 }
 
 /// An orbit that has no next impact from `last` on.

@@ -140,7 +140,7 @@ class Runs(InFolder):
         self.assertEqual(interrupted(f"classify {MIXED} --collisions 100000000", 1, 10), 130)
 
 
-class Evidence(unittest.TestCase):
+class Evidence(InFolder):
     SCENES = (COEXISTING, FAMILY, MIXED, "--sides 4 --alpha 0.52 --beta 0.46 --mu 0.6 --restitution 0.75",
               "--sides disk --alpha 0.4 --beta 0.3 --mu 0.4 --restitution 0.9",
               "--sides 4 --alpha 0.6662 --beta 0.9237 --mu 1.0046 --restitution 0.0252")
@@ -152,6 +152,19 @@ class Evidence(unittest.TestCase):
             for piece in found["evidence"]:
                 self.assertEqual(set(piece), {"name", "value", "threshold", "says", "changes_if"})
                 self.assertTrue(piece["says"] and piece["changes_if"], piece)
+
+    def test_what_is_printed_would_change_it(self):
+        for scene in self.SCENES:
+            self.assertNotIn("changes if: nothing", run(f"classify {scene}").stdout, scene)
+
+    def test_what_speaks_against_is_the_reason(self):
+        """Halves of one variance about two means: the mean that shifts is named, not the variance that stays."""
+        file = self.series("steps.csv", [float(numpy.sin(0.7 * i)) + 3 * (i >= 500) for i in range(1000)])
+        found = document(f"classify --series {file}")
+        self.assertEqual((found["mode"], found["kind"]), ("undecided", "transient"))
+        self.assertEqual(found["evidence"][-1]["name"], "shift of the mean between the halves")
+        text = run(f"classify --series {file}").stdout
+        self.assertRegex(text, "\n  undecided: the series still settles\n  changes if: at most [0-9.]+: ")
 
     def test_the_sentence_keeps_its_word(self):
         """The threshold that the exponent's sentence names is the one that changes the verdict."""

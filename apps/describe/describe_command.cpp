@@ -13,6 +13,8 @@ const char* const describe_details =
     R"(Says what follows from the scene's numbers alone: how far chi reaches (chi_m), the friction from which sliding can jam
 (Painleve), how far from the wall's reach the body can be, whether impacts can last, and all steady modes (fixed points of
 the collision map) with a flight time up to --max-time, from two equations in closed form, each confirmed by the map.
+Bodies that stay on the wall have no impacts and are none of these: listed apart is where a polygon rests on two vertices and
+turns with the swirl (S = 1), to which impacts may lead if e < 1; `swirl classify` names it two-vertex.
   +, -  branch: on the outer side of the container's wall (psi near 0), on the inner one (psi near pi)
   j     vertices from impact to impact, which fix S = 1 - 2 pi j/(N tau)
 A mode is stable if all its multipliers lie inside the unit circle. With e = 1 a disk, and anything without friction, has
@@ -57,7 +59,7 @@ void add_chords(Description& d) {
 Description description_of(const Scene<double>& scene, double max_time) {
     SteadyOptions search;
     search.longest_flight = max_time;
-    Description d{scene, search, scene_facts(scene), steady_modes(scene, search), {}, {}, true, {}};
+    Description d{scene, search, scene_facts(scene), steady_modes(scene, search), {}, {}, true, edge_rests(scene), {}};
     for (SteadyMode& mode : d.steady.modes) analysis::sort_multipliers(mode.multipliers);
     for (const SteadyFamily& family : d.steady.families)
         d.families.push_back({family, member_of(scene, family, 0.5 * (family.from + family.to))});
@@ -67,7 +69,7 @@ Description description_of(const Scene<double>& scene, double max_time) {
 }
 
 int describe(DescribeOptions& options) {
-    options.scene.read_file();
+    options.scene.read_file(options.output.quiet);
     const Scene<double> scene = options.scene.scene<double>();
     options.output.require_double("describe works in double");
     options.max_time = options.scene.longest_flight(options.longest, 12, 1e4);

@@ -4,6 +4,7 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "map/chords/chord_fate.hpp"
+#include "map/steady/edge_rest.hpp"
 #include "map/steady/scene_facts.hpp"
 #include "map/steady/steady_modes.hpp"
 
@@ -46,7 +47,8 @@ struct Description {
     std::vector<DescribedFamily> families;  ///< those of `steady`
     std::vector<DescribedChord> chords;     ///< of a polygon with friction
     bool has_all_chords = true;
-    std::string none_exist;  ///< why there are no steady modes, where that is proven
+    std::vector<EdgeRest> rests;  ///< of a polygon on the wall, by rising ψ
+    std::string none_exist;       ///< why there are no steady modes, where that is proven
 
     /// True if `steady` lists all up to the longest flight that was asked for.
     bool is_complete() const { return steady.complete_to >= search.longest_flight; }
@@ -57,7 +59,8 @@ Description description_of(const Scene<double>& scene, double max_time);
 
 void write_description_document(const DescribeOptions& options, const Description& d, const Settings& settings);
 void print_description(const Description& d, const std::optional<Units>& units);
-/// Groups scene, settings, facts (attributes), rim (of a disk), steady_modes, families and chords (if there are any).
+/// Groups scene, settings, facts (attributes), rim (of a disk), steady_modes, families, chords and rests (if there are
+/// any).
 void write_description_record(const RecordGroup& root, const Description& d, const Settings& settings);
 
 int describe(DescribeOptions& options);

@@ -216,6 +216,32 @@ Table<DescribedChord> chord_table() {
          F{"balance_J", &DescribedChord::balance, "R_c^2 omega_s^2", "J* of e < 1"}.shown("J*", " {:>9.5f}")}};
 }
 
+/// Where a polygon rests on two vertices.
+Table<EdgeRest> rest_table(const Scene<double>& scene) {
+    using F = Field<EdgeRest>;
+    const auto stability = [damped = scene.mu > 0](const EdgeRest& rest) {
+        using analysis::Stability;
+        if (!rest.restored) return Stability::unstable;
+        return damped ? Stability::stable : Stability::neutral;
+    };
+    return {{"rest"},
+            {F{"psi", &EdgeRest::psi, "rad", "direction of the edge's middle, less the swirl's"}.shown("psi",
+                                                                                                       "  {:>12.9f}"),
+             F{"force", &EdgeRest::force, "m R_c omega_s^2", "of the wall, normal to it, on both vertices"}.shown(
+                 "force", " {:>12.9f}"),
+             F{"stability", stability, "", "against sliding along the wall"}
+                 .flags(names_up_to(analysis::Stability::neutral))
+                 .shown("stability", "  {}")}};
+}
+
+void print_rests(const Description& d, const std::optional<Units>& units) {
+    if (d.scene.is_disk()) return;
+    if (d.rests.empty()) return fmt::print("  rest on the wall on two vertices, S = 1: none\n");
+    fmt::print("  rest on the wall on two vertices, S = 1{}:\n",
+               d.scene.restitution < 1 ? "" : " (e = 1: no impacts lead there)");
+    print_table(in_units(rest_table(d.scene), units), d.rests);
+}
+
 /// Where S is free, the families are searched for up to some |S|.
 std::string spins_in_words(const Description& d) {
     const bool free = d.steady.set == SteadySet::families && !d.scene.is_disk();
@@ -242,6 +268,7 @@ void write_description_document(const DescribeOptions& options, const Descriptio
         write_json(json, "steady_modes", mode_table(disk, 0), d.steady.modes);
         write_json(json, "families", family_table(disk), d.families);
         write_json(json, "chords", chord_table(), d.chords);
+        write_json(json, "rests", rest_table(d.scene), d.rests);
         json.key("none_exist");
         d.none_exist.empty() ? json.null() : json.value(d.none_exist);
         json.member("psi_is_free", d.steady.phase_is_free);
@@ -262,8 +289,10 @@ void print_description(const Description& d, const std::optional<Units>& units) 
                    d.has_all_chords ? "" : ", those nearest to a diameter");
         print_table(in_units(chord_table(), units), d.chords);
     }
+    print_rests(d, units);
     if (!d.none_exist.empty()) return fmt::print("{}\n", wrapped(fmt::format("  {}", d.none_exist), 4));
-    fmt::print("  steady modes with tau <= {}{}: {}{}\n", time(d.search.longest_flight), spins_in_words(d), counted(d),
+    fmt::print("  steady modes by impacts (none that stay on the wall) with tau <= {}{}: {}{}\n",
+               time(d.search.longest_flight), spins_in_words(d), counted(d),
                d.is_complete() ? "" : fmt::format("; all up to tau = {}: there are more", time(d.steady.complete_to)));
     if (d.steady.phase_is_free) fmt::print("  psi of a steady mode is any constant (beta = 0); listed is psi = 0\n");
     if (!d.steady.modes.empty()) {
@@ -286,6 +315,7 @@ void write_description_record(const RecordGroup& root, const Description& d, con
     if (d.facts.rim) write_attributes(root.group("rim"), rim_table(), *d.facts.rim);
     if (!d.chords.empty()) write_record(root.group("chords"), chord_table(), d.chords);
     if (!d.families.empty()) write_record(root.group("families"), family_table(disk), d.families);
+    if (!d.rests.empty()) write_record(root.group("rests"), rest_table(d.scene), d.rests);
     const RecordGroup group = root.group("steady_modes");
     if (d.steady.modes.empty()) return;
     const int coordinates = disk ? disk_dimension : polygon_dimension;

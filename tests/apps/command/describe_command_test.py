@@ -28,6 +28,32 @@ class Describe(InFolder):
         times = [[m["tau"] for m in modes if m["branch"] == sign] for sign in "+-"]
         self.assertEqual(times, [sorted(t) for t in times])
 
+    def test_where_a_polygon_rests_on_two_vertices_orbits_come_to_rest(self):
+        for body, rest in (("--sides 3 --alpha 0.4 --mu 0.5", "--restitution 0.3"), ("--sides 6 --alpha 0.3 --mu 0.2", "--restitution 0.5")):
+            scene = f"{body} --beta 0.5 {rest}"
+            found = document(f"describe {scene}")["rests"]
+            self.assertEqual([r["stability"] for r in found], ["unstable", "stable"])
+            sample = document(f"simulate {scene} --time 2000 --sample 2000")["samples"][-1]
+            t, x, y = (sample[name] for name in ("t", "x", "y"))
+            place = math.atan2(y - 0.5 * math.sin(t), x - 0.5 * math.cos(t)) - t  # from the container's centre
+            self.assertAlmostEqual(math.remainder(place - found[1]["psi"], 2 * math.pi), 0, delta=1e-10)  # t is 2000: 1e-13 of it
+            self.assertAlmostEqual(sample["spin"], 1, delta=1e-10)
+            text = run(f"describe {scene}").stdout
+            self.assertIn("\n  rest on the wall on two vertices, S = 1:\n", text)
+            self.assertIn("\n  steady modes by impacts (none that stay on the wall) with tau <= 12: ", text)
+
+    def test_friction_that_lifts_a_vertex_leaves_no_rest(self):
+        # mu (1 - d cos g) <= d sin g with sin g = alpha sin(pi/N), d = cos g - alpha cos(pi/N): 0.39135 of this hexagon
+        scene = "--sides 6 --alpha 0.3 --beta 0.5 --restitution 0.9 --max-time 1"
+        self.assertEqual([len(document(f"describe {scene} --mu {mu}")["rests"]) for mu in (0.391, 0.392)], [2, 0])
+        self.assertIn("two vertices, S = 1: none\n", run(f"describe {scene} --mu 0.5").stdout)
+        still, = (r for r in document(f"describe {scene} --mu 0")["rests"] if r["stability"] == "neutral")
+        self.assertAlmostEqual(still["psi"], 0, delta=1e-15)
+        record = self.folder / "a.h5"
+        run(f"describe {scene} --mu 0.2 -o {record} --quiet")
+        with xarray.open_dataset(record, group="rests", engine="h5netcdf") as rests:
+            self.assertEqual(rests["psi"].dims, ("rest",))
+
     def test_the_published_fixed_point_is_among_them_and_the_map_keeps_it(self):
         modes = document(f"describe {HEXAGON}")["steady_modes"]
         mode = min(modes, key=lambda m: abs(m["S"] + 0.97926605821858726645))

@@ -2,6 +2,7 @@
 #include "apps/show/value_text.hpp"
 
 #include "apps/command_line/errors.hpp"
+#include "apps/output/wrapped.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,7 +14,7 @@ namespace swirl::apps::show {
 
 namespace {
 
-constexpr std::size_t widest_line = 100;
+constexpr std::size_t widest_line = most_columns;
 constexpr std::size_t most_values = 12;  ///< of a list that a table for people has
 
 /// "name value, name value", in lines that are not longer than a terminal's.
@@ -24,8 +25,10 @@ std::string in_lines(const std::string& head, const NamedValues& values) {
         const std::string words = fmt::format("{} {}", name, short_text_of(value));
         if (!first) text += ",", line += ",";
         if (!first && line.size() + words.size() + 2 > widest_line) {
-            text += "\n    " + words;
-            line = "    " + words;
+            line = wrapped("    " + words + ",", 6);  // a comma may follow
+            line.pop_back();
+            text += "\n" + line;
+            line.erase(0, line.rfind('\n') + 1);
         } else {
             text += " " + words;
             line += " " + words;

@@ -90,7 +90,7 @@ class Show(Refusing):
         (self.folder / "there.csv").write_text("mine")
         (self.folder / "link.csv").symlink_to(record)
         for name, flags, mention in (("there.csv", "", "exists"), ("a.h5", "--force", "a.h5"), ("link.csv", "--force", "link.csv"),
-                                     ("no/a.csv", "", "no")):
+                                     ("no/a.csv", "", "cannot create table")):
             result = run(f"show {record} --group orbits --csv {self.folder / name} {flags}")
             self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
             self.assertIn(mention, result.stderr)
@@ -98,6 +98,11 @@ class Show(Refusing):
         self.assertEqual(record.read_bytes(), RECORDS["cycles"].read_bytes())
         self.assertEqual(run(f"show {record} --group orbits --csv {self.folder}/there.csv --force").returncode, 0)
         self.assertIn("points_psi", (self.folder / "there.csv").read_text())
+
+    def test_a_map_keeps_to_the_columns(self):
+        text = run(f"show {RECORDS['map']}").stdout
+        self.assertLessEqual(max(map(len, text.splitlines())), 100)
+        self.assertIn("kinds none fixed-point family", " ".join(text.split()))
 
     def test_wrong_input(self):
         several = RECORDS["map"]

@@ -129,6 +129,10 @@ bool names_angle(const std::string& name) {
     return any_word(name, words) && !any_word(name, no_angle);
 }
 
+bool names_degrees(const std::string& unit) {
+    return unit.find("deg") != std::string::npos || unit.find("\xC2\xB0") != std::string::npos;
+}
+
 bool names_likelihood(const std::string& name) {
     static constexpr std::array words = {"likelihood", "confidence", "score", "probability", "visibility"};
     return any_word(name, words);

@@ -28,6 +28,9 @@ bool names_likelihood(const std::string& name);
 /// No quantity that is measured of a body: a frame, an identity, a quality, an error, a row's number.
 bool names_no_value(const std::string& name);
 
+/// A unit of angles that is no radian: "deg", "degrees", "°".
+bool names_degrees(const std::string& unit);
+
 /// Two columns that are the coordinates of one point.
 struct PointColumns {
     std::string name;  ///< what its two names share: "tip", "Arena0_Ind0"; "" of plain x and y

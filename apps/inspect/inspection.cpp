@@ -1,6 +1,7 @@
 #include "apps/inspect/inspection.hpp"
 
 #include "apps/command_line/errors.hpp"
+#include "apps/input/column_names.hpp"
 #include "apps/input/series_columns.hpp"
 
 #include <fmt/format.h>
@@ -61,7 +62,7 @@ std::optional<std::pair<PointColumns, PointColumns>> rigid_pair(const DelimitedF
 
 bool is_in_degrees(const DelimitedFile& file, std::size_t column, const std::vector<double>& values) {
     const std::string unit = file.layout.units.empty() ? "" : file.layout.units[column];
-    if (unit.find("deg") != std::string::npos || unit.find("\xC2\xB0") != std::string::npos) return true;
+    if (names_degrees(unit)) return true;
     if (unit.find("rad") != std::string::npos) return false;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const double value : values)

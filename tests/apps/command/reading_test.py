@@ -169,6 +169,14 @@ class Geometry(Reading):
         for rate in ("30rps", "rpm", "1e999Hz", "0Hz"):
             self.refused(f"classify --series {file} --angle angle --swirl-rate {rate}", "swirl-rate")
 
+    def test_an_angle_whose_column_says_degrees_is_noted(self):
+        rows = [(0.1 * i, f"{2 * i % 360}", f"{0.035 * i % 6.28:.3f}") for i in range(600)]
+        file = self.rows("d.csv", "t,angle (deg),turn (rad)", rows)
+        note = "column angle (deg) is read in radians, though its unit is degrees: --degrees says so"
+        self.assertIn(note, self.notes(f"classify --series {file} --angle 2"))
+        for flags in ("--angle 2 --degrees", "--angle 3"):
+            self.assertNotIn("radians", self.notes(f"classify --series {file} {flags}"))
+
     def test_a_mark_turns_about_an_origin_that_is_given_or_fitted(self):
         rows = [(0.1 * i, repr(7 + 3 * math.cos(0.02 * i)), repr(-1 + 3 * math.sin(0.02 * i))) for i in range(600)]
         file = self.rows("m.csv", "t,x,y", rows)

@@ -50,9 +50,10 @@ shows: 95 % of an exact law with parameters known exactly; a fit's own error lea
 impacts, 88 % of 30. The figure of the record (swirl plot) has the profiles, and what
 single impacts ask for against their speeds.
 
+With a table of your own, impacts.csv: `swirl fit --impacts impacts.csv`, with `--inertia 4.6e-4` where I/m was measured. The
+examples make the film that they fit.
+
 Examples:
-  swirl fit --impacts impacts.csv
-  swirl fit --impacts impacts.csv --inertia 4.6e-4 --json -o fit.h5
   swirl simulate --sides 6 --alpha 0.4 --beta 0.5 --mu 0.2 --restitution 0.7 --speed 1 --time 300 --camera 5 --noise 0.002 -o film.csv
   swirl fit --series film.csv --marks x y mark_x mark_y --sides 6 --alpha 0.4 --beta 0.5)";
 

@@ -20,6 +20,18 @@ namespace recurrence = analysis::recurrence;
 
 const char* const recurrence_details =
     R"(
+Two points recur if they are at most the threshold apart. Lines of the plot are runs of such pairs, along its diagonals (the
+orbit repeats itself) or upright (it stays):
+  RR            recurrence rate: share of the pairs that recur
+  DET, LAM      determinism, laminarity: share of the recurring pairs in diagonal, in upright lines
+  L, TT         mean length of these two kinds of lines (TT: trapping time)
+  Lmax, Vmax    the longest of each; DIV is 1/Lmax
+  ENTR, VENTR   entropy of their lengths (natural logarithm)
+  MRT, RTE      mean recurrence time, and the entropy of recurrence times
+  TREND         how much the rate falls away from the main diagonal, per 1000 points
+  RC            recurrence rate of Sun 2019, the main diagonal counted: 1/k of k values equally often
+The Theiler window leaves out pairs of points that are near in time.
+
 Several thresholds (--threshold 0.1,0.2) are counted in one pass; RR ... RC are then lists, in the order of the list
 `thresholds`. --threshold is in SI units where the scene is and the observable has a unit (x, vn, ...; S has none). A cross
 recurrence (--cross, --cross-column) has the first series in its rows and no RC. Gaps of a measured series are to lines and

@@ -37,11 +37,18 @@ std::vector<Velocities> in_errors(std::span<const MeasuredImpact> impacts) {
 
 /// Of those that are left, within the reach of a place.
 std::vector<std::size_t> within_reach(const std::vector<Velocities>& all, const std::vector<bool>& left,
-                                      const Velocities& place, double reach) {
+                                      const Velocities& place) {
     std::vector<std::size_t> near;
     for (std::size_t i = 0; i < all.size(); ++i)
-        if (left[i] && (all[i] - place).squaredNorm() <= reach) near.push_back(i);
+        if (left[i] && (all[i] - place).squaredNorm() <= cloud_reach) near.push_back(i);
     return near;
+}
+
+/// How many of them lie within the reach of a place.
+std::size_t count_within_reach(const std::vector<Velocities>& all, const std::vector<std::size_t>& left,
+                               const Velocities& place) {
+    return static_cast<std::size_t>(std::count_if(
+        left.begin(), left.end(), [&](std::size_t i) { return (all[i] - place).squaredNorm() <= cloud_reach; }));
 }
 
 Velocities middle_of(const std::vector<Velocities>& all, const std::vector<std::size_t>& members) {
@@ -53,17 +60,18 @@ Velocities middle_of(const std::vector<Velocities>& all, const std::vector<std::
 /// About the densest place among those that are left: the members among those that are alone; empty if there is none.
 std::vector<std::size_t> next_cloud(const std::vector<Velocities>& all, std::vector<bool>& left,
                                     const std::vector<bool>& alone) {
-    std::vector<std::size_t> cloud;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (!left[i]) continue;
-        std::vector<std::size_t> near = within_reach(all, left, all[i], cloud_reach);
-        if (near.size() > cloud.size()) cloud = std::move(near);
-    }
-    if (cloud.size() < fewest_alike) return {};
+    std::vector<std::size_t> candidates;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (left[i]) candidates.push_back(i);
+    std::size_t most = 0, densest = 0;
+    for (const std::size_t i : candidates)
+        if (const std::size_t near = count_within_reach(all, candidates, all[i]); near > most) most = near, densest = i;
+    if (most < fewest_alike) return {};
+    std::vector<std::size_t> cloud = within_reach(all, left, all[densest]);
     for (const std::size_t i : cloud) left[i] = false;
     constexpr int rounds = 5;
     for (int round = 0; round < rounds; ++round) {
-        std::vector<std::size_t> moved = within_reach(all, alone, middle_of(all, cloud), cloud_reach);
+        std::vector<std::size_t> moved = within_reach(all, alone, middle_of(all, cloud));
         if (moved.empty()) break;
         cloud = std::move(moved);
     }

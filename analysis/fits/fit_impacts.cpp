@@ -30,14 +30,14 @@ void restore_units(ImpactFit& fit, const NaturalUnits& units) {
     for (ConstancyTest& test : fit.constancy) test.slope /= units.speed, test.error /= units.speed;
 }
 
-/// Resamples in natural units, without gross impacts.
+/// Resamples in natural units, without impacts that have a gross error.
 auto resampled_in(const NaturalUnits& units, const ImpactFitSettings& settings) {
     return [units, &settings](std::uint64_t index) {
         const WeighedImpacts drawn = settings.resampled(index);
         WeighedImpacts natural;
         for (std::size_t i = 0; i < drawn.impacts.size(); ++i) {
             const MeasuredImpact impact = in_units(drawn.impacts[i], units);
-            if (is_gross(impact)) continue;
+            if (has_gross_error(impact)) continue;
             natural.impacts.push_back(impact);
             natural.weights.push_back(drawn.weights[i]);
         }
@@ -53,7 +53,8 @@ ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, std::span<const N
     const NaturalUnits units = natural_units(impacts);
     std::vector<MeasuredImpact> scaled;
     for (const MeasuredImpact& impact : impacts)
-        if (const MeasuredImpact natural = in_units(impact, units); !is_gross(natural)) scaled.push_back(natural);
+        if (const MeasuredImpact natural = in_units(impact, units); !has_gross_error(natural))
+            scaled.push_back(natural);
     if (scaled.size() < fewest_impacts)
         refuse("usable impacts", static_cast<double>(scaled.size()), std::to_string(fewest_impacts) + " or more");
     std::vector<double> squares;

@@ -96,7 +96,7 @@ inline constexpr std::size_t fewest_impacts = 8;
 /// (among those that are not clearly worse) chosen anew in each resample; that of a μ without an upper end, and of one
 /// given k, see analysis/fits/README.md. Parallel over resamples, equal bits whatever the number of threads. Cost: some
 /// 15 fits an impact and resample.
-/// @throws std::invalid_argument for fewer than `fewest_impacts` impacts without a gross number, or no law
+/// @throws std::invalid_argument for fewer than `fewest_impacts` impacts without a gross error, or no law
 ImpactFit fit_impacts(std::span<const MeasuredImpact> impacts, std::span<const NamedImpactLaw> laws,
                       const ImpactFitSettings& settings);
 

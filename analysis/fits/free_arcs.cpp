@@ -21,6 +21,7 @@ struct Track {
     std::vector<Vector3d> places;
     std::vector<bool> after_gap;
     double step = nan;  ///< median, of the times
+    double drag = 0;
 };
 
 Track track_of(std::span<const FilmFrame> frames, double period) {
@@ -79,7 +80,8 @@ std::vector<std::size_t> divide(const Track& track, const Vector3d& weights) {
         best[end] = infinity;
         std::vector<double> costs;
         for (Sums& sums : open) {
-            sums.add(track.times[i] - track.times[sums.first], track.places[i] - track.places[sums.first]);
+            sums.add(dragged_time(track.times[i] - track.times[sums.first], track.drag),
+                     track.places[i] - track.places[sums.first]);
             costs.push_back(sums.cost_before + sums.squares().dot(weights));
             if (costs.back() + cost_of_arc < best[end]) best[end] = costs.back() + cost_of_arc, start[end] = sums.first;
         }
@@ -109,9 +111,15 @@ FreeArc line_through(const Track& track, std::size_t first, std::size_t last) {
     arc.mean_time = arc.start + sum / count;
     arc.middle = track.places[first] + places / count;
     arc.spread = 0;
+    if (track.drag != 0) {
+        double lag = 0;
+        arc.drag = track.drag;
+        for (std::size_t i = first; i <= last; ++i) lag += arc.since(track.times[i]);
+        arc.lag = lag / count;
+    }
     Vector3d products = Vector3d::Zero();
     for (std::size_t i = first; i <= last; ++i) {
-        const double t = track.times[i] - arc.mean_time;
+        const double t = arc.since(track.times[i]);
         arc.spread += t * t;
         products += t * (track.places[i] - arc.middle);
     }
@@ -200,7 +208,7 @@ std::vector<bool> outliers_of(const Track& track, const std::vector<FreeArc>& ar
         const double place = std::sqrt(before.share(time) + after.share(time));
         const double speed = std::sqrt(1 / before.spread + 1 / after.spread);
         const Vector3d apart = (before.at(time) - after.at(time)).cwiseQuotient(noise) / place;
-        const Vector3d turned = (before.velocity - after.velocity).cwiseQuotient(noise) / speed;
+        const Vector3d turned = (before.velocity_at(time) - after.velocity_at(time)).cwiseQuotient(noise) / speed;
         constexpr double one_line = 22.5, off_line = 25;  // χ²(6) beyond which lies 1 in 1000; χ²(3) and the line's own
         if (apart.squaredNorm() + turned.squaredNorm() > one_line) continue;
         for (std::size_t i = arcs[k].first; i <= arcs[k].last; ++i) {  // a short line may hold one that is not off
@@ -225,21 +233,23 @@ std::size_t remove_frames(Track& track, const std::vector<bool>& off) {
 
 }  // namespace
 
-FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period) {
+FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOptions& options) {
     Track track = track_of(frames, period);
+    track.drag = options.drag;
     FilmArcs film;
     film.frames = track.times.size();
     if (film.frames < 3) return film;
-    Vector3d noise = first_noise(track);
+    Vector3d noise = first_noise(track).cwiseMax(options.least_noise);
     constexpr int rounds = 3;  // of the noise, that settles to a few in a hundred
     for (int round = 0; round < rounds; ++round) {
         const Vector3d weights = noise.cwiseProduct(noise).cwiseInverse();
         film.arcs = lines_of(track, divide(track, weights));
-        noise = noise_on(film.arcs, noise);
+        noise = noise_on(film.arcs, noise).cwiseMax(options.least_noise);
         if (round + 1 < rounds) film.outliers += remove_frames(track, outliers_of(track, film.arcs, noise));
     }
     film.place_noise = noise[0], film.angle_noise = noise[2];
     film.noise = noise_of_body(track, film.arcs, noise);
+    for (std::size_t i = 0; i < track.times.size(); ++i) film.kept.push_back({track.times[i], track.places[i]});
     return film;
 }
 
@@ -249,21 +259,22 @@ std::vector<Kink> kinks_of(const FilmArcs& film) {
     for (std::size_t k = 0; k + 1 < film.arcs.size(); ++k) {
         const FreeArc &before = film.arcs[k], &after = film.arcs[k + 1];
         if (before.count < fewest_frames || after.count < fewest_frames || after.after_gap) continue;
-        const Vector3d bend = (before.velocity - after.velocity).cwiseQuotient(noise);
+        const double middle = (before.end + after.start) / 2;
+        const Vector3d velocity_before = before.velocity_at(middle), velocity_after = after.velocity_at(middle);
+        const Vector3d bend = (velocity_before - velocity_after).cwiseQuotient(noise);
         const auto apart = [&](double time) -> Vector3d {
             return (before.at(time) - after.at(time)).cwiseQuotient(noise);
         };
         Kink kink;
         kink.before = k, kink.earliest = before.end, kink.latest = after.start;
-        const double middle = (before.end + after.start) / 2;
         kink.time = middle - apart(middle).dot(bend) / bend.squaredNorm();  // the distance is linear in the time
         const double a = before.share(kink.time), b = after.share(kink.time);
         kink.error = std::sqrt((a + b) / bend.squaredNorm());
         kink.distance = apart(kink.time).squaredNorm() / (a + b);
         kink.place = (before.at(kink.time) / a + after.at(kink.time) / b) / (1 / a + 1 / b);
         kink.share = 1 / (1 / a + 1 / b);
-        kink.change = after.velocity - before.velocity;
-        kink.drift = (before.velocity / a + after.velocity / b) / (1 / a + 1 / b);
+        kink.change = velocity_after - velocity_before;
+        kink.drift = (velocity_before / a + velocity_after / b) / (1 / a + 1 / b);
         kink.change_share = 1 / before.spread + 1 / after.spread;
         kinks.push_back(kink);
     }

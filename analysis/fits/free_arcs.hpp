@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -17,21 +18,30 @@ struct FilmFrame {
     Eigen::Vector3d place = Eigen::Vector3d::Constant(nan);  ///< (x, y, θ); NaN: missing
 };
 
-/// A straight line through consecutive frames, by least squares: place = middle + velocity (time − mean time).
+/// (1 − e^(−γt))/γ: a body that moves freely under the drag γ does so evenly in this; t where γ is 0.
+inline double dragged_time(double time, double drag) {
+    return drag == 0 ? time : -std::expm1(-drag * time) / drag;
+}
+
+/// A straight line through consecutive frames, by least squares: place = middle + velocity (time − mean time), or with
+/// a drag middle + velocity (dragged_time(time − mean time) − lag).
 struct FreeArc {
     std::size_t first = 0, last = 0;  ///< of the frames that count, both included
     std::size_t count = 0;            ///< frames on it
     double mean_time = nan, start = nan, end = nan;
-    double spread = nan;  ///< Σ (t − mean time)²: the variance of a velocity is σ²/spread
+    double spread = nan;  ///< Σ since(t)²: the variance of a velocity is σ²/spread
     Eigen::Vector3d middle = Eigen::Vector3d::Constant(nan), velocity = Eigen::Vector3d::Constant(nan);
     double squares = nan, angle_squares = nan;  ///< summed squares of the residuals of x and y, and of θ
     bool after_gap = false;                     ///< frames are missing before it: what happened there is not known
+    double drag = 0, lag = 0;  ///< mean of the dragged times: 0 without a drag; `velocity` is that at the mean time
 
-    Eigen::Vector3d at(double time) const { return middle + velocity * (time - mean_time); }
-    /// Variance of at(time) in units of σ².
-    double share(double time) const {
-        return 1 / static_cast<double>(count) + (time - mean_time) * (time - mean_time) / spread;
+    double since(double time) const { return dragged_time(time - mean_time, drag) - lag; }
+    Eigen::Vector3d at(double time) const { return middle + velocity * since(time); }
+    Eigen::Vector3d velocity_at(double time) const {
+        return drag == 0 ? velocity : Eigen::Vector3d(velocity * std::exp(-drag * (time - mean_time)));
     }
+    /// Variance of at(time) in units of σ².
+    double share(double time) const { return 1 / static_cast<double>(count) + since(time) * since(time) / spread; }
 };
 
 struct FilmArcs {
@@ -41,6 +51,12 @@ struct FilmArcs {
     /// points has errors of the angle that go with those of the place.
     Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
     std::size_t frames = 0, outliers = 0;  ///< that count, and that lie off a line which goes on behind them
+    std::vector<FilmFrame> kept;  ///< those that count, outliers left out, the angle unwound: arcs' first and last
+};
+
+struct ArcOptions {
+    double drag = 0;
+    Eigen::Vector3d least_noise = Eigen::Vector3d::Zero();  ///< σ of x, y and θ is taken for no less
 };
 
 /// The sequence of lines with the least Σ (residuals/σ)² + `cost_of_arc` · (lines): dynamic programming over the
@@ -48,8 +64,9 @@ struct FilmArcs {
 /// 1590). σ starts from a lower quantile of how far frames lie off the line of their neighbours, where kinks do not
 /// reach, and is then that of the residuals on lines of many frames. Up to two frames between parts of one line are
 /// outliers. `period` is that of the angle; turns from frame to frame are less than half of it, after lost frames near
-/// to what the last turn leads to. Times rise. O(frames × frames on an arc).
-FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period);
+/// to what the last turn leads to. Times rise. With a drag lines are straight in dragged_time(). O(frames × frames on
+/// an arc).
+FilmArcs fit_arcs(std::span<const FilmFrame> frames, double period, const ArcOptions& options = {});
 
 /// Per line: beyond χ² of some 10 that noise reaches for one more line and a place of its kink.
 inline constexpr double cost_of_arc = 25;

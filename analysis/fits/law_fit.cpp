@@ -16,7 +16,7 @@ namespace swirl::analysis {
 namespace {
 
 /// The misfit of an impact whose distance from the law is beyond the numbers: an outlier for every loss.
-constexpr double far_off = 1e20;
+constexpr double outlier_misfit = 1e20;
 
 /// (Ceres asks for a class.)
 class MisfitResidual final : public ceres::CostFunction {
@@ -28,7 +28,7 @@ public:
     bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
         LawMisfit misfit = misfit_at({blocks[0][0], blocks[1][0]});
         if (!misfit.residual.allFinite() || !misfit.slopes.allFinite()) {
-            misfit.residual.setConstant(far_off);
+            misfit.residual.setConstant(outlier_misfit);
             misfit.slopes.setZero();
         }
         Eigen::Map<Eigen::Vector3d>{residuals} = misfit.residual;
@@ -70,7 +70,7 @@ std::vector<double> squares_of(const LawProblem& problem, const LawParameters& p
     squares.reserve(problem.impacts.size());
     for (const MeasuredImpact& impact : problem.impacts) {
         const double square = misfit_of(impact, problem.inertia, *problem.law, parameters).squared();
-        squares.push_back(std::isfinite(square) ? square : far_off * far_off);
+        squares.push_back(std::isfinite(square) ? square : outlier_misfit * outlier_misfit);
     }
     return squares;
 }

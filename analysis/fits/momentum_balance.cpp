@@ -60,7 +60,8 @@ public:
         mutable_parameter_block_sizes()->push_back(1);
     }
     bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
-        const double k = std::exp(blocks[0][0]);
+        constexpr double largest = 150;  // beyond any k; impacts of which none changes the spin ask for more and more
+        const double k = std::exp(std::clamp(blocks[0][0], -largest, largest));
         const double variance = torque_variance_ + k * k * spin_variance_, error = std::sqrt(variance);
         const double left = torque_ - k * spin_;
         residuals[0] = left / error;

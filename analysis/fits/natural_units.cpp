@@ -35,10 +35,10 @@ MeasuredImpact in_units(const MeasuredImpact& impact, const NaturalUnits& units)
     return scaled;
 }
 
-bool is_gross(const MeasuredImpact& impact) {
+bool has_gross_error(const MeasuredImpact& impact) {
     const double largest = std::max(
         {impact.before.cwiseAbs().maxCoeff(), impact.after.cwiseAbs().maxCoeff(), impact.offset.cwiseAbs().maxCoeff()});
-    return !(largest <= gross);
+    return !(largest <= gross_error);
 }
 
 }  // namespace swirl::analysis

@@ -24,7 +24,7 @@ inline MeasuredImpact from_units(const MeasuredImpact& impact, const NaturalUnit
 }
 
 /// A number of an impact, in natural units, that is no measurement: a fit leaves the impact out.
-inline constexpr double gross = 1e6;
-bool is_gross(const MeasuredImpact& impact);
+inline constexpr double gross_error = 1e6;
+bool has_gross_error(const MeasuredImpact& impact);
 
 }  // namespace swirl::analysis

@@ -23,12 +23,13 @@ double weighted_median(std::vector<double> values, std::vector<double> weights) 
 
 double quantile(std::vector<double> values, double p) {
     if (values.empty()) return nan;
-    std::sort(values.begin(), values.end());
     const auto last = static_cast<double>(values.size() - 1);
     const double place = std::clamp(p * (last + 2) - 1, 0.0, last);
     const auto below = std::min(static_cast<std::size_t>(place), values.size() - 1);
-    const auto above = std::min(below + 1, values.size() - 1);
-    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+    const auto lower = values.begin() + static_cast<std::ptrdiff_t>(below);
+    std::nth_element(values.begin(), lower, values.end());
+    const double upper = lower + 1 == values.end() ? *lower : *std::min_element(lower + 1, values.end());
+    return *lower + (place - static_cast<double>(below)) * (upper - *lower);
 }
 
 }  // namespace swirl::analysis

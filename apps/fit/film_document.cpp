@@ -24,6 +24,13 @@ Eigen::Vector2d origin_of(const FilmReport& report) {
     return report.source.zero + report.source.length * Eigen::Vector2d(found[0], report.source.mirror * found[1]);
 }
 
+/// γ of the floor with its interval at 95 %; not finite where it can't be told.
+Settings drag_of(const studies::FilmFit& film) {
+    constexpr double sure = 1.959964;  // standard errors
+    const double room = sure * film.drag.error;
+    return {{"value", film.drag.value}, {"low", film.drag.value - room}, {"high", film.drag.value + room}};
+}
+
 /// Usable impacts beyond the first of those that are fitted as one.
 std::size_t repeats_of(const studies::FilmFit& film) {
     return film.counts[static_cast<std::size_t>(studies::KinkUse::used)] - film.thinned - film.fit.impacts.size() -
@@ -31,11 +38,10 @@ std::size_t repeats_of(const studies::FilmFit& film) {
 }
 
 Settings counts_of(const studies::FilmFit& film) {
-    static constexpr const char* keys[] = {"",           "do_not_meet", "off_the_wall", "two_vertices", "stay_on_wall",
-                                           "no_approach"};
     Settings counts;
     for (std::size_t use = 1; use < studies::kink_uses; ++use)
-        counts.emplace_back(keys[use], static_cast<std::int64_t>(film.counts[use]));
+        counts.emplace_back(std::string(studies::names_of(KinkUse{static_cast<int>(use)}).key),
+                            static_cast<std::int64_t>(film.counts[use]));
     counts.emplace_back("thinned", static_cast<std::int64_t>(film.thinned));
     counts.emplace_back("alike", static_cast<std::int64_t>(repeats_of(film)));
     return counts;
@@ -55,6 +61,8 @@ Settings film_settings(const FilmReport& report) {
             {"swirl_phase", film.dish.phase},
             {"vertex", film.dish.mark},
             {"off_wall", film.dish.off_wall},
+            {"alpha_on_wall", film.size ? film.size->alpha : analysis::nan},
+            {"alpha_on_wall_error", film.size ? film.size->error : analysis::nan},
             {"noisier_films", static_cast<std::int64_t>(film.noisier)},
             {"restitution_shift", film.restitution_shift},
             {"friction_shift", film.friction_shift}};
@@ -102,7 +110,8 @@ Table<FilmImpact> kink_table() {
         {"kink"},
         {F{"time", [](const FilmImpact& k) { return k.kink.time; }, "1/omega_s", "where the arcs meet"},
          F{"time_error", [](const FilmImpact& k) { return k.kink.error; }, "1/omega_s", "its standard error"},
-         F{"use", [](const FilmImpact& k) { return std::string(name_of(k.use)); }, "", "used, or why it was left out"},
+         F{"use", [](const FilmImpact& k) { return std::string(studies::names_of(k.use).name); }, "",
+           "used, or why it was left out"},
          F{"gap", [](const FilmImpact& k) { return k.contact.gap; }, "R_c", "of the vertex on the wall; > 0: outside"},
          F{"next_gap", [](const FilmImpact& k) { return k.contact.next_gap; }, "R_c", "of the next vertex"},
          F{"distance", [](const FilmImpact& k) { return k.kink.distance; }, "1",
@@ -139,6 +148,7 @@ std::vector<std::string> commands_on(const FilmOptions& options, const DishFilm&
 }
 
 void write_json(JsonWriter& json, const FilmReport& report) {
+    write_json(json, "drag", drag_of(report.film));
     write_json(json, "film", film_settings(report));
     write_json(json, "kinks_left_out", counts_of(report.film));
     json.list("commands", report.commands, JsonLayout::rows);
@@ -148,6 +158,7 @@ void write_record(const RecordGroup& root, const FilmReport& report) {
     const RecordGroup group = root.group("film");
     write_attributes(group, film_settings(report));
     write_attributes(group.group("left_out"), counts_of(report.film));
+    write_attributes(group.group("drag"), drag_of(report.film));
     write_record(root.group("frames"), frame_table(), report.source.frames);
     write_record(root.group("arcs"), arc_table(), report.film.arcs.arcs);
     write_record(root.group("kinks"), kink_table(), report.film.impacts);
@@ -164,16 +175,19 @@ void print_film(const FilmReport& report) {
                film.arcs.angle_noise);
     fmt::print("  swirl           about ({:.6g}, {:.6g}), rate {:.7g} rad per unit of time\n", origin[0], origin[1],
                film.dish.rate * report.source.rate);
-    fmt::print("  wall            impacts are {:.2g} R_c off it\n", film.dish.off_wall);
+    fmt::print("  wall            impacts are {:.2g} R_c off it{}\n", film.dish.off_wall,
+               film.size
+                   ? fmt::format(", and on it best with alpha = {:.4g} +- {:.1g}", film.size->alpha, film.size->error)
+                   : "");
+    fmt::print("  floor's drag    {}\n",
+               std::isnan(film.drag.value)
+                   ? "can't be told"
+                   : fmt::format("{:.3g} +- {:.2g} of the velocity per 1/omega_s", film.drag.value, film.drag.error));
     std::vector<std::string> reasons;
-    static constexpr const char* words[] = {"",
-                                            "arcs that don't meet",
-                                            "off the wall",
-                                            "two vertices on the wall",
-                                            "an arc that stays on the wall",
-                                            "no approach"};
     for (std::size_t use = 1; use < studies::kink_uses; ++use)
-        if (film.counts[use] > 0) reasons.push_back(fmt::format("{} {}", film.counts[use], words[use]));
+        if (film.counts[use] > 0)
+            reasons.push_back(
+                fmt::format("{} {}", film.counts[use], studies::names_of(KinkUse{static_cast<int>(use)}).words));
     if (repeats_of(film) > 0) reasons.push_back(fmt::format("{} like others, in their means", repeats_of(film)));
     if (film.thinned > 0) reasons.push_back(fmt::format("{} thinned", film.thinned));
     const std::string left_out = reasons.empty() ? "" : fmt::format("; left out: {}", fmt::join(reasons, ", "));

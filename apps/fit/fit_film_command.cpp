@@ -16,7 +16,7 @@ using studies::FilmFitOutcome;
 using studies::KinkUse;
 
 /// Of a body that is near the wall in the frames themselves.
-std::string lasting_contact(const studies::FilmFit& film) {
+std::string sustained_contact(const studies::FilmFit& film) {
     if (!(film.frames_off_wall < studies::near_wall)) return "";
     return fmt::format(
         " (the later frames are {:.2g} R_c off the wall, with {:.3g} frames on a straight line: the "
@@ -24,17 +24,49 @@ std::string lasting_contact(const studies::FilmFit& film) {
         film.frames_off_wall, static_cast<double>(film.arcs.frames) / static_cast<double>(film.arcs.arcs.size()));
 }
 
-void require_fitted(const studies::FilmFit& film, const std::string& file) {
+std::string size_in_words(const studies::SizeFit& size, double given) {
+    return fmt::format("the body lies on the wall with alpha = {:.4g} +- {:.1g}, not with {:.4g}", size.alpha,
+                       size.error, given);
+}
+
+void note_size(std::vector<std::string>& notes, const FilmReport& report) {
+    if (!studies::has_another_size(report.film, report.source.scene, studies::least_size_error)) return;
+    notes.push_back(fmt::format(
+        "{}: its size, R_c or --scale is not the film's, and e and mu are off by several times their intervals",
+        size_in_words(*report.film.size, report.source.scene.alpha)));
+}
+
+void note_drag(std::vector<std::string>& notes, const analysis::DragFit& drag) {
+    constexpr double surely = 5;  // standard errors
+    if (std::isnan(drag.value))
+        notes.push_back(
+            fmt::format("the floor's drag can't be told: {} arcs between two impacts are long enough and "
+                        "clear of the wall, {} are needed",
+                        drag.parts, analysis::fewest_parts));
+    else if (drag.value > surely * drag.error)
+        notes.push_back(
+            fmt::format("the body slows between impacts (a floor that drags): e and mu are those of "
+                        "straight arcs"));
+    else if (drag.value < -surely * drag.error)
+        notes.push_back(
+            fmt::format("the body speeds up between impacts, which no floor's drag does: --beta, --scale "
+                        "or the times may not be the film's"));
+}
+
+void require_fitted(const studies::FilmFit& film, double alpha, const std::string& file) {
     const auto count = [&](KinkUse use) { return film.counts[static_cast<std::size_t>(use)]; };
     switch (film.outcome) {
         case FilmFitOutcome::fitted:
             return;
+        case FilmFitOutcome::another_size:
+            throw BadInput(fmt::format("series '{}': {}; its size, --container-radius or --scale is not the film's",
+                                       file, size_in_words(*film.size, alpha)));
         case FilmFitOutcome::few_kinks:
             throw BadInput(
                 fmt::format("series '{}': {} frames on {} straight lines, of which too few of {} frames or more meet; "
                             "{} or more impacts are needed, with {} frames between them{}",
                             file, film.arcs.frames, film.arcs.arcs.size(), analysis::fewest_frames,
-                            studies::fewest_kinks, analysis::fewest_frames, lasting_contact(film)));
+                            studies::fewest_kinks, analysis::fewest_frames, sustained_contact(film)));
         case FilmFitOutcome::no_wall:
             throw BadInput(
                 fmt::format("series '{}': impacts are scattered by {:.2g} R_c about the wall; one of --scale, "
@@ -47,11 +79,13 @@ void require_fitted(const studies::FilmFit& film, const std::string& file) {
                 "the wall, {} have two vertices on it, {} an arc that stays on it{}",
                 file, count(KinkUse::used), analysis::fewest_impacts, film.impacts.size(), count(KinkUse::no_meeting),
                 count(KinkUse::off_the_wall), count(KinkUse::two_vertices), count(KinkUse::stays_on_wall),
-                lasting_contact(film)));
+                sustained_contact(film)));
         case FilmFitOutcome::no_law:
-            throw BadInput(
-                fmt::format("series '{}': to {} impacts no law could be fitted; the best predicts {:.0f} % of them{}",
-                            file, count(KinkUse::used), 100 * film.fit.predicted, lasting_contact(film)));
+            throw BadInput(fmt::format(
+                "series '{}': to {} impacts no law could be fitted: the best predicts {:.0f} % of them, "
+                "and they scatter "
+                "about it {:.2g} times as widely as they were measured{}",
+                file, count(KinkUse::used), 100 * film.fit.predicted, film.fit.scatter, sustained_contact(film)));
     }
 }
 
@@ -64,7 +98,7 @@ FitReport fit_of_film(FilmOptions& options, const analysis::ImpactFitSettings& s
     exit_when_interrupted();
     film.film =
         studies::fit_film(film.source.frames, film.source.period, film.source.scene, film.source.origin, settings);
-    require_fitted(film.film, options.series.file);
+    require_fitted(film.film, film.source.scene.alpha, options.series.file);
     film.commands = commands_on(options, film.source, film.film.fit);
     film.simulated = studies::simulated_spin(scene_of(film.source, film.film.fit), film.film);
     report.fit = film.film.fit;
@@ -76,6 +110,8 @@ FitReport fit_of_film(FilmOptions& options, const analysis::ImpactFitSettings& s
     report.notes = film.source.notes;
     const std::vector<std::string> notes = notes_of(report.fit, table);
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
+    note_size(report.notes, film);
+    note_drag(report.notes, film.film.drag);
     report.settings = {{"columns", options.series.flags()},
                        {"resamples", static_cast<std::int64_t>(settings.resamples)},
                        {"parts", static_cast<std::int64_t>(settings.parts)},

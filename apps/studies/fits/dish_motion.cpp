@@ -16,10 +16,15 @@ namespace {
 
 using Eigen::Vector2d;
 using Kinks = std::span<const analysis::Kink>;
-using Gradient = Eigen::Matrix<double, 5, 1>;
+using Gradient = Eigen::Matrix<double, 6, 1>;
 
 Vector2d direction(double angle) {
     return {std::cos(angle), std::sin(angle)};
+}
+
+/// Of numbers about 1, whose squares neither overflow nor vanish; std::hypot takes five times as long.
+double length_of(double a, double b) {
+    return std::sqrt(a * a + b * b);
 }
 
 double period_of(const FilmedScene& scene) {
@@ -46,7 +51,7 @@ double scale_of(const std::vector<double>& values) {
     return std::sqrt(analysis::quantile(squares, 0.5) / analysis::median_square_of_one);
 }
 
-/// One equation of a kink, over its standard error, and its slopes by origin, phase, rate (about `middle`) and mark.
+/// One equation of a kink, over its standard error, and its slopes by origin, phase, rate (about `middle`), mark and α.
 struct Equation {
     double left = 0;
     Gradient slopes = Gradient::Zero();
@@ -68,13 +73,13 @@ KinkEquations equations_of(const analysis::Kink& kink, double middle, const Film
                            const DishMotion& dish) {
     const bool is_disk = scene.sides == disk_sides;
     const Contact contact = contact_at(scene, dish, kink.time, kink.place);
-    const Vector2d by_phase = scene.beta * turned(direction(dish.rate * kink.time + dish.phase));
+    const Vector2d by_phase = contact.wall / dish.rate;
     const Vector2d change = kink.change.head<2>();
-    const KinkErrors errors = errors_of(kink, noise, scene, dish, contact);
+    const KinkErrors errors = errors_of(kink, noise, scene, contact);
     const double gap_error = errors.across;
     const double momentum_error =
-        std::hypot(std::sqrt(kink.change_share) * std::hypot(scene.inertia * noise.angle, scene.alpha * noise.place),
-                   change.norm() * scene.alpha * errors.turn);
+        length_of(std::sqrt(kink.change_share) * length_of(scene.inertia * noise.angle, scene.alpha * noise.place),
+                  change.norm() * scene.alpha * errors.turn);
     KinkEquations equations;
     equations.wall.left = contact.gap / gap_error;
     // Of a disk the offset is that of the wall's normal, and tells nothing new.
@@ -87,6 +92,10 @@ KinkEquations equations_of(const analysis::Kink& kink, double middle, const Film
     add_centre(1, Vector2d::UnitY());
     add_centre(2, by_phase);
     add_centre(3, by_phase * (kink.time - middle));
+    equations.wall.slopes[5] = contact.normal.dot(contact.offset) / (scene.alpha * gap_error);
+    if (!is_disk)
+        equations.momentum.slopes[5] =
+            (2 * scene.inertia * kink.change[2] - cross(contact.offset, change)) / (scene.alpha * momentum_error);
     if (is_disk || scene.mark) return equations;
     equations.wall.slopes[4] = contact.normal.dot(turned(contact.offset)) / gap_error;
     equations.momentum.slopes[4] = contact.offset.dot(change) / momentum_error;
@@ -104,37 +113,72 @@ EquationScales scales_of(const std::vector<KinkEquations>& equations) {
     return {std::max(1.0, scale_of(wall)), std::max(1.0, scale_of(momentum))};
 }
 
-/// Gauss–Newton; steps that the kinks do not ask for (β = 0: the phase) are 0.
+/// Times from the middle of the kinks, in halves of their span.
+struct KinkSpan {
+    double middle, half;
+};
+
+KinkSpan span_of(Kinks kinks) {
+    const double begin = kinks.front().time, end = kinks.back().time;
+    return {(begin + end) / 2, std::max(1.0, (end - begin) / 2)};
+}
+
+/// Of least squares, by all six parameters, the rate's in 1/half.
+struct NormalEquations {
+    double wall_scale = 1;
+    Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+    Gradient right = Gradient::Zero();
+
+    void add(Equation equation, double half, double scale, double counted) {
+        equation.slopes[3] /= half;
+        const double square = equation.left * equation.left / (scale * scale);
+        const double weight = counted * analysis::biweight(square, analysis::biweight_of_one) / (scale * scale);
+        matrix += weight * equation.slopes * equation.slopes.transpose();
+        right -= weight * equation.left * equation.slopes;
+    }
+    /// The inverse of the matrix; steps that the kinks do not ask for (β = 0: the phase) are 0.
+    Eigen::LDLT<Eigen::Matrix<double, 6, 6>> solver() {
+        constexpr double unasked = 1e-9;
+        matrix.diagonal().array() += unasked * (1 + matrix.diagonal().maxCoeff());
+        return Eigen::LDLT<Eigen::Matrix<double, 6, 6>>(matrix);
+    }
+};
+
+/// Without weights each kink counts once.
+NormalEquations normal_equations(Kinks kinks, std::span<const double> weights, const FilmNoise& noise,
+                                 const FilmedScene& scene, const DishMotion& dish) {
+    const auto [middle, half] = span_of(kinks);
+    std::vector<KinkEquations> equations;
+    equations.reserve(kinks.size());
+    for (const analysis::Kink& kink : kinks) equations.push_back(equations_of(kink, middle, noise, scene, dish));
+    const EquationScales scales = scales_of(equations);
+    NormalEquations normal;
+    normal.wall_scale = scales.wall;
+    for (std::size_t i = 0; i < kinks.size(); ++i) {
+        const double counted = weights.empty() ? 1 : weights[i];
+        normal.add(equations[i].wall, half, scales.wall, counted);
+        normal.add(equations[i].momentum, half, scales.momentum, counted);
+    }
+    return normal;
+}
+
+/// All but α.
+void take_step(DishMotion& dish, const Gradient& step, const KinkSpan& span) {
+    dish.origin += step.head<2>();
+    dish.rate += step[3] / span.half;
+    dish.phase += step[2] - step[3] / span.half * span.middle;
+    dish.mark += step[4];
+}
+
+/// Gauss–Newton, α as given.
 void refine(Kinks kinks, std::span<const double> weights, const FilmNoise& noise, const FilmedScene& scene,
             DishMotion& dish, int rounds) {
-    const double middle = (kinks.front().time + kinks.back().time) / 2;
-    const double half = std::max(1.0, (kinks.back().time - kinks.front().time) / 2);
+    const KinkSpan span = span_of(kinks);
     for (int round = 0; round < rounds; ++round) {
-        std::vector<KinkEquations> equations;
-        equations.reserve(kinks.size());
-        for (const analysis::Kink& kink : kinks) equations.push_back(equations_of(kink, middle, noise, scene, dish));
-        const EquationScales scales = scales_of(equations);
-        Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
-        Gradient right = Gradient::Zero();
-        const auto add = [&](Equation equation, double scale, double counted) {
-            equation.slopes[3] /= half;
-            const double square = equation.left * equation.left / (scale * scale);
-            const double weight = counted * analysis::biweight(square, analysis::biweight_of_one) / (scale * scale);
-            normal += weight * equation.slopes * equation.slopes.transpose();
-            right -= weight * equation.left * equation.slopes;
-        };
-        for (std::size_t i = 0; i < kinks.size(); ++i) {
-            const double counted = weights.empty() ? 1 : weights[i];
-            add(equations[i].wall, scales.wall, counted);
-            add(equations[i].momentum, scales.momentum, counted);
-        }
-        constexpr double unasked = 1e-9;
-        normal.diagonal().array() += unasked * (1 + normal.diagonal().maxCoeff());
-        const Gradient step = normal.ldlt().solve(right);
-        dish.origin += step.head<2>();
-        dish.rate += step[3] / half;
-        dish.phase += step[2] - step[3] / half * middle;
-        dish.mark += step[4];
+        NormalEquations normal = normal_equations(kinks, weights, noise, scene, dish);
+        normal.matrix.row(5).setZero(), normal.matrix.col(5).setZero();
+        normal.right[5] = 0;
+        take_step(dish, normal.solver().solve(normal.right), span);
     }
 }
 
@@ -144,14 +188,11 @@ Eigen::Vector2d DishMotion::centre(const FilmedScene& scene, double time) const 
     return origin + scene.beta * direction(rate * time + phase);
 }
 
-Eigen::Vector2d DishMotion::velocity(const FilmedScene& scene, double time) const {
-    const Vector2d along = direction(rate * time + phase);
-    return scene.beta * rate * Vector2d(-along[1], along[0]);
-}
-
 Contact contact_at(const FilmedScene& scene, const DishMotion& dish, double time, const Eigen::Vector3d& place) {
-    const Vector2d from_centre = place.head<2>() - dish.centre(scene, time);
+    const Vector2d towards = direction(dish.rate * time + dish.phase);
+    const Vector2d from_centre = place.head<2>() - dish.origin - scene.beta * towards;
     Contact contact;
+    contact.wall = scene.beta * dish.rate * turned(towards);
     if (scene.sides == disk_sides) {
         const double distance = from_centre.norm();
         contact.normal = from_centre / distance;
@@ -180,13 +221,13 @@ Contact contact_at(const FilmedScene& scene, const DishMotion& dish, double time
 }
 
 KinkErrors errors_of(const analysis::Kink& kink, const FilmNoise& noise, const FilmedScene& scene,
-                     const DishMotion& dish, const Contact& contact) {
+                     const Contact& contact) {
     const double place = std::sqrt(kink.share), spin = scene.sides == disk_sides ? 0 : kink.drift[2];
     const double angle = scene.sides == disk_sides ? 0 : noise.angle;
-    const Vector2d slip = kink.drift.head<2>() + spin * turned(contact.offset) - dish.velocity(scene, kink.time);
-    const double turn = std::hypot(place * angle, spin * kink.error);
-    const double vertex = place * std::hypot(noise.place, scene.alpha * angle);
-    return {std::hypot(vertex, contact.normal.dot(slip) * kink.error), std::hypot(vertex, slip.norm() * kink.error),
+    const Vector2d slip = kink.drift.head<2>() + spin * turned(contact.offset) - contact.wall;
+    const double turn = length_of(place * angle, spin * kink.error);
+    const double vertex = place * length_of(noise.place, scene.alpha * angle);
+    return {length_of(vertex, contact.normal.dot(slip) * kink.error), length_of(vertex, slip.norm() * kink.error),
             turn};
 }
 
@@ -220,6 +261,33 @@ std::optional<DishMotion> fit_dish(Kinks kinks, const FilmNoise& noise, const Fi
         refine(kinks.first(count), {}, noise, scene, best, rounds);
     }
     return refined_dish(kinks, {}, noise, scene, best);
+}
+
+std::optional<SizeFit> size_on_wall(Kinks kinks, const FilmNoise& noise, const FilmedScene& scene,
+                                    const DishMotion& start) {
+    constexpr int most_rounds = 30;
+    constexpr double settled = 0.01;         // of the error
+    constexpr double most_error = 0.004;     // beyond, a few kinks of contact that lasts have been fitted
+    constexpr double most_wall_scale = 1.5;  // of impacts it is 1; kinks of contact that lasts lie off any wall
+    if (kinks.size() < fewest_kinks) return std::nullopt;
+    const double shape = scene.inertia / (scene.alpha * scene.alpha);
+    const KinkSpan span = span_of(kinks);
+    FilmedScene sized = scene;
+    DishMotion dish = start;
+    for (int round = 0; round < most_rounds; ++round) {
+        NormalEquations normal = normal_equations(kinks, {}, noise, sized, dish);
+        const auto solver = normal.solver();
+        const Gradient step = solver.solve(normal.right);
+        const double error = std::sqrt(solver.solve(Gradient::Unit(5))[5]);
+        take_step(dish, step, span);
+        sized.alpha += step[5];
+        sized.inertia = shape * sized.alpha * sized.alpha;
+        if (!(sized.alpha > 0 && sized.alpha < 1 && std::isfinite(error))) return std::nullopt;
+        if (std::abs(step[5]) > settled * error) continue;
+        if (normal.wall_scale > most_wall_scale || error > most_error) return std::nullopt;
+        return SizeFit{sized.alpha, error};
+    }
+    return std::nullopt;
 }
 
 DishMotion refined_dish(Kinks kinks, std::span<const double> weights, const FilmNoise& noise, const FilmedScene& scene,

@@ -25,13 +25,13 @@ struct DishMotion {
     double off_wall = analysis::nan;  ///< robust standard deviation of how far the struck vertices are off the wall
 
     Eigen::Vector2d centre(const FilmedScene& scene, double time) const;
-    Eigen::Vector2d velocity(const FilmedScene& scene, double time) const;
 };
 
 /// The vertex that reaches farthest out.
 struct Contact {
     Eigen::Vector2d normal;  ///< outwards
     Eigen::Vector2d offset;  ///< from the body's centre to it
+    Eigen::Vector2d wall;    ///< the wall's velocity
     double gap = 0;          ///< of it: 0 on the wall, > 0 outside
     double next_gap = 0;     ///< of the vertex that reaches farthest of the others; −1 of a disk
 };
@@ -48,7 +48,7 @@ struct KinkErrors {
     double across = 0, along = 0, turn = 0;
 };
 KinkErrors errors_of(const analysis::Kink& kink, const FilmNoise& noise, const FilmedScene& scene,
-                     const DishMotion& dish, const Contact& contact);
+                     const Contact& contact);
 
 /// Origin, phase, rate and mark for which the kinks lie on the wall and their impulses keep the balance of momentum,
 /// k ΔS = r_x ΔV_y − r_y ΔV_x: each weighs by its errors. The wall alone does not tell phase and mark of impacts that
@@ -58,6 +58,19 @@ KinkErrors errors_of(const analysis::Kink& kink, const FilmNoise& noise, const F
 std::optional<DishMotion> fit_dish(std::span<const analysis::Kink> kinks, const FilmNoise& noise,
                                    const FilmedScene& scene, const Eigen::Vector2d& origin);
 inline constexpr std::size_t fewest_kinks = 8;
+
+/// α with which the kinks lie on the wall best.
+struct SizeFit {
+    double alpha = 0, error = 0;
+};
+
+/// The same fit with α free as well, from what is given: a body of another size, or a scale of the film that is wrong,
+/// leaves the kinks off the wall by one distance, which the dish's motion does not take up. The error is in units of
+/// how the kinks scatter. Nothing where α does not settle or the kinks are
+/// scattered about the wall by more than their errors, where the error is more than 0.004, and of fewer than
+/// `fewest_kinks`. O(kinks).
+std::optional<SizeFit> size_on_wall(std::span<const analysis::Kink> kinks, const FilmNoise& noise,
+                                    const FilmedScene& scene, const DishMotion& dish);
 
 /// The same from near by, kink i counted weights[i] times (all once without any).
 DishMotion refined_dish(std::span<const analysis::Kink> kinks, std::span<const double> weights, const FilmNoise& noise,

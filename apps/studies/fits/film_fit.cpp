@@ -1,5 +1,6 @@
 #include "analysis/fits/resampling.hpp"
 #include "analysis/fits/robust.hpp"
+#include "apps/studies/fits/film_drag.hpp"
 #include "apps/studies/fits/film_impacts.hpp"
 #include "apps/studies/fits/impact_laws.hpp"
 #include "map/model/scene.hpp"
@@ -58,7 +59,7 @@ DishMotion with_common_error(const DishMotion& dish, const FilmFit& film, const 
                              const FilmedScene& scene, const Vector3d& draws) {
     std::vector<double> along, turn;
     for (const Kink& kink : used) {
-        const KinkErrors errors = errors_of(kink, {film.arcs.place_noise, film.arcs.angle_noise}, scene, dish,
+        const KinkErrors errors = errors_of(kink, {film.arcs.place_noise, film.arcs.angle_noise}, scene,
                                             contact_at(scene, dish, kink.time, kink.place));
         along.push_back(errors.along), turn.push_back(errors.turn);
     }
@@ -108,9 +109,8 @@ std::vector<analysis::FilmFrame> with_more_noise(std::span<const analysis::FilmF
     return noisier;
 }
 
-/// The dish by the frames alone, as if the body stayed on its wall: from the film's later half, beyond the start.
-void look_for_lasting_contact(FilmFit& film, std::span<const analysis::FilmFrame> frames, const FilmedScene& scene,
-                              const Vector2d& origin) {
+/// The film's later half, beyond the start, each frame as if the body struck the wall there.
+std::vector<Kink> later_places(std::span<const analysis::FilmFrame> frames) {
     constexpr std::size_t most_frames = 1000;
     std::vector<Kink> places;
     for (std::size_t i = frames.size() - std::min(most_frames, frames.size() / 2); i < frames.size(); ++i) {
@@ -121,9 +121,26 @@ void look_for_lasting_contact(FilmFit& film, std::span<const analysis::FilmFrame
         place.change.setZero(), place.drift.setZero();
         places.push_back(place);
     }
+    return places;
+}
+
+/// The dish by the frames alone, as if the body stayed on its wall.
+void look_for_sustained_contact(FilmFit& film, std::span<const analysis::FilmFrame> frames, const FilmedScene& scene,
+                                const Vector2d& origin) {
     const std::optional<DishMotion> dish =
-        fit_dish(places, {film.arcs.place_noise, film.arcs.angle_noise}, scene, origin);
+        fit_dish(later_places(frames), {film.arcs.place_noise, film.arcs.angle_noise}, scene, origin);
     if (dish) film.frames_off_wall = dish->off_wall;
+}
+
+/// By the impacts or, where these don't tell it, by the frames of a body that stays on the wall.
+std::optional<SizeFit> size_of_body(const FilmFit& film, std::span<const Kink> meeting,
+                                    std::span<const analysis::FilmFrame> frames, const FilmedScene& scene) {
+    const FilmNoise noise{film.arcs.place_noise, film.arcs.angle_noise};
+    const auto size = size_on_wall(clear_kinks(film.arcs, meeting, scene, film.dish), noise, scene, film.dish);
+    if (size) return size;
+    const std::vector<Kink> places = later_places(frames);
+    const std::optional<DishMotion> dish = fit_dish(places, noise, scene, film.dish.origin);
+    return dish ? size_on_wall(places, noise, scene, *dish) : std::nullopt;
 }
 
 /// Why there is no fit. A body that is near the wall in most frames is on this scene's: the kinks are those of arcs
@@ -131,7 +148,7 @@ void look_for_lasting_contact(FilmFit& film, std::span<const analysis::FilmFrame
 FilmFitOutcome without_impacts(FilmFit& film, std::span<const analysis::FilmFrame> frames, const FilmedScene& scene,
                                const Vector2d& origin) {
     auto& off = film.counts[static_cast<std::size_t>(KinkUse::off_the_wall)];
-    look_for_lasting_contact(film, frames, scene, origin);
+    look_for_sustained_contact(film, frames, scene, origin);
     if (2 * off <= film.impacts.size()) return FilmFitOutcome::few_impacts;
     if (!(film.frames_off_wall < near_wall)) return FilmFitOutcome::no_wall;
     film.counts[static_cast<std::size_t>(KinkUse::stays_on_wall)] += off;
@@ -152,16 +169,19 @@ FilmFit fit_once(std::span<const analysis::FilmFrame> frames, double period, con
     const std::optional<DishMotion> dish = fit_dish(meeting, noise, scene, origin);
     if (!dish) {
         film.outcome = FilmFitOutcome::few_kinks;
-        look_for_lasting_contact(film, frames, scene, origin);
+        look_for_sustained_contact(film, frames, scene, origin);
         return film;
     }
     film.dish = *dish;
     settle_dish(film, kinks, noise, scene);
+    film.size = size_of_body(film, meeting, frames, scene);
     for (const FilmImpact& found : film.impacts) ++film.counts[static_cast<std::size_t>(found.use)];
     const std::vector<Kink> used = used_kinks(film);
-    if (used.size() < analysis::fewest_impacts)
+    if (has_another_size(film, scene, most_size_error))
+        film.outcome = FilmFitOutcome::another_size;
+    else if (used.size() < analysis::fewest_impacts)
         film.outcome = without_impacts(film, frames, scene, origin);
-    else if (film.dish.off_wall > far_off_wall)
+    else if (film.dish.off_wall > most_off_wall)
         film.outcome = FilmFitOutcome::no_wall;
     if (film.outcome != FilmFitOutcome::fitted) return film;
     settings.inertia = scene.inertia;
@@ -182,8 +202,11 @@ FilmFit fit_once(std::span<const analysis::FilmFrame> frames, double period, con
     };
     const analysis::WeighedImpacts merged = analysis::merged_impacts(impacts, all_once(used.size()), groups);
     film.fit = analysis::fit_impacts(merged.impacts, impact_laws(), settings);
-    const bool is_foreign = settings.resamples > 0 && film.fit.predicted < least_predicted;
-    if (film.fit.outcome != analysis::ImpactFitOutcome::fitted || is_foreign) film.outcome = FilmFitOutcome::no_law;
+    const bool is_unpredicted =
+        settings.resamples > 0 && (film.fit.predicted < least_predicted || film.fit.scatter > most_scatter);
+    if (film.fit.outcome == analysis::ImpactFitOutcome::fitted && !is_unpredicted) return film;
+    film.outcome = FilmFitOutcome::no_law;
+    look_for_sustained_contact(film, frames, scene, origin);
     return film;
 }
 
@@ -232,6 +255,13 @@ void add_noise_shift(FilmFit& film, const std::vector<FilmFit>& noisier) {
 
 }  // namespace
 
+bool has_another_size(const FilmFit& film, const FilmedScene& scene, double least) {
+    constexpr double surely = 5;  // standard errors
+    if (!film.size) return false;
+    const double off = std::abs(film.size->alpha - scene.alpha);
+    return off > surely * film.size->error && off > least;
+}
+
 FilmFit fit_film(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
                  const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings) {
     FilmFit film = fit_once(frames, period, scene, origin, settings);
@@ -243,6 +273,7 @@ FilmFit fit_film(std::span<const analysis::FilmFrame> frames, double period, con
         noisier.push_back(fit_once(with_more_noise(frames, film.arcs.noise, settings.seed, draw), period, scene,
                                    film.dish.origin, values_alone));
     add_noise_shift(film, noisier);
+    film.drag = film_drag(frames, period, film.arcs, scene, film.dish);
     return film;
 }
 

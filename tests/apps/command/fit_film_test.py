@@ -60,7 +60,10 @@ class Truth(OfFilms):
         self.holds(found["friction"], 0.2)
         self.assertLess(found["restitution"]["high"] - found["restitution"]["low"], 0.03)
         self.assertLess(found["friction"]["high"] - found["friction"]["low"], 0.03)
+        self.holds(found["drag"], 0)
+        self.assertLess(found["drag"]["high"] - found["drag"]["low"], 0.03)
         film = found["film"]
+        self.assertLess(abs(film["alpha_on_wall"] - 0.4), 4 * film["alpha_on_wall_error"])
         self.assertAlmostEqual(film["place_noise"], 0.003, delta=0.0003)
         self.assertAlmostEqual(film["angle_noise"], 2 ** 0.5 * 0.003 / 0.4, delta=0.001)
         self.assertLess(max(map(abs, film["origin"])), 0.005)
@@ -88,6 +91,17 @@ class Truth(OfFilms):
         self.holds(found["friction"], 0.5)
         self.assertIsNone(found["friction"]["high"])
         self.assertTrue(any("friction can't be told" in note for note in found["notes"]), found["notes"])
+
+    def test_a_body_of_another_size_is_told(self):
+        path = filmed(self.folder / "film.csv", seconds=30)
+        given = "--sides 6 --alpha 0.39 --beta 0.5"
+        found = document(f"fit --series {path} {MARKS} {given} --swirl-rate 1Hz {FEW}")
+        film = found["film"]
+        self.assertLess(abs(film["alpha_on_wall"] - 0.4), 4 * film["alpha_on_wall_error"])
+        self.assertTrue(any("not with 0.39" in note for note in found["notes"]), found["notes"])
+        far = run(f"fit --series {path} {MARKS} {given.replace('0.39', '0.36')} --swirl-rate 1Hz {FEW}")
+        self.assertEqual(far.returncode, 2, far.stdout)
+        self.assertRegex(far.stderr, r"lies on the wall with alpha = 0\.(399|400|401)\d* \+- \S+, not with 0\.36")
 
     @LONG
     def test_an_inertia_that_is_not_the_body_s_is_told(self):
@@ -172,6 +186,7 @@ class Coverage(OfFilms):
     def test_intervals_hold_the_truth(self):
         draw = random.Random(SEED)
         inside, told, refused, slowest = {"restitution": 0, "friction": 0}, 0, 0, 0
+        drags, alphas = [], []
         for fit in range(FITS):
             sides, alpha, beta, mu, e = SCENES[fit % len(SCENES)]
             shape = f"--sides {sides} --alpha {alpha} --beta {beta}"
@@ -189,6 +204,9 @@ class Coverage(OfFilms):
                 continue
             found = json.loads(result.stdout)
             told += found["friction"]["high"] is not None
+            if found["drag"]["value"] is not None:
+                drags.append(found["drag"]["low"] <= 0 <= found["drag"]["high"])
+            alphas.append(not any("not with" in note for note in found["notes"]))
             for name, truth in (("restitution", e), ("friction", mu)):
                 number = found[name]
                 holds = number["low"] <= truth and (number["high"] is None or truth <= number["high"])
@@ -197,7 +215,10 @@ class Coverage(OfFilms):
                     print(f"{shape} mu {mu} e {e}, {minutes} min, {frames} frames, noise {noise}: {name} {number}", flush=True)
         done = FITS - refused
         print(f"{FITS} films, {refused} refused; inside: {inside} of {done}; mu is told in {told}; the slowest took {slowest:.1f} s")
+        print(f"the drag, 0: inside in {sum(drags)} of {len(drags)}; alpha is not said to be another in {sum(alphas)} of {len(alphas)}")
         self.assertLess(refused, 0.25 * FITS)
+        self.assertGreaterEqual(sum(drags), 0.85 * len(drags))
+        self.assertGreaterEqual(sum(alphas), 0.95 * len(alphas))
         # 95 % of 45: below 0.85 less often than once in a hundred times.
         for name, count in inside.items():
             self.assertGreaterEqual(count, 0.85 * done, name)

@@ -80,12 +80,12 @@ TEST(DishMotion, TheContactIsTheVertexThatReachesFarthestOfAll) {
     }
 }
 
-TEST(DishMotion, ItsVelocityIsTheRateOfItsPlace) {
+TEST(DishMotion, TheWallsVelocityIsTheRateOfItsPlace) {
     const FilmedScene scene{5, 0.5, 0.4, 0.1, {}};
     const DishMotion dish = known_dish();
     const double h = 1e-5;  // of central differences: h² of third derivatives, and rounding over h
     const Eigen::Vector2d rate = (dish.centre(scene, 3 + h) - dish.centre(scene, 3 - h)) / (2 * h);
-    EXPECT_LT((rate - dish.velocity(scene, 3)).norm(), 1e-9);
+    EXPECT_LT((rate - contact_at(scene, dish, 3, Eigen::Vector3d::Ones()).wall).norm(), 1e-9);
 }
 
 TEST(DishMotion, PhaseRateOriginAndMarkAreFoundFromTheImpacts) {
@@ -109,6 +109,22 @@ TEST(DishMotion, NoiseIsWhatIsLeft) {
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->off_wall, 0.01, 0.0015);  // a robust scale of 400
     EXPECT_NEAR(found->phase, known_dish().phase, 0.01);
+}
+
+TEST(DishMotion, TheSizeWithWhichImpactsLieOnTheWallIsFound) {
+    for (const int sides : {0, 4})
+        for (const double given : {0.4, 0.37}) {
+            const FilmedScene truth{sides, 0.4, 0.5, 0.08, {}}, scene{sides, given, 0.5, 0.5 * given * given, {}};
+            DishMotion dish = known_dish();
+            if (sides == 0) dish.mark = 0;
+            const auto kinks = kinks_on(truth, dish, 400, 0.003);
+            const auto near = fit_dish(kinks, {0.003, 0.003}, scene, Eigen::Vector2d::Zero());
+            ASSERT_TRUE(near);
+            const auto found = size_on_wall(kinks, {0.003, 0.003}, scene, *near);
+            ASSERT_TRUE(found) << sides << " " << given;
+            EXPECT_NEAR(found->alpha, 0.4, 4 * found->error) << sides << " " << given;
+            EXPECT_LT(found->error, 0.001);
+        }
 }
 
 TEST(DishMotion, AScaleThatIsWrongIsTold) {

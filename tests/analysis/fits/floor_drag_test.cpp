@@ -1,0 +1,124 @@
+// Films of a point that a moving floor drags, integrated in closed form.
+#include "analysis/fits/floor_drag.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <random>
+#include <vector>
+
+namespace swirl::analysis {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double period = 6.283185307179586;
+const FloorMotion floor_motion{0.5, 1.002, 0.7};
+
+/// The place after a free motion of so long, by the classic Runge-Kutta method in small steps.
+Complex integrated(Complex place, Complex velocity, double begin, double duration, double drag) {
+    constexpr int steps = 2000;
+    const double h = duration / steps;
+    const auto acceleration = [&](double time, Complex v) {
+        const Complex floor = Complex(0, floor_motion.radius * floor_motion.rate) *
+                              std::polar(1.0, floor_motion.rate * time + floor_motion.phase);
+        return -drag * (v - floor);
+    };
+    for (int i = 0; i < steps; ++i) {
+        const double t = begin + i * h;
+        const Complex a = acceleration(t, velocity), b = acceleration(t + h / 2, velocity + h / 2 * a),
+                      c = acceleration(t + h / 2, velocity + h / 2 * b), d = acceleration(t + h, velocity + h * c);
+        place += h * velocity + h * h / 6 * (a + b + c);
+        velocity += h / 6 * (a + 2.0 * b + 2.0 * c + d);
+    }
+    return place;
+}
+
+/// X = A + B (1 - e^(-gamma t))/gamma + K cis(rate t + phase), from just after an impact.
+struct Arc {
+    double start = 0, drag = 0, angle = 0, spin = 0;
+    Complex constant, velocity;
+
+    Arc(double begin, Complex place, Complex speed, double gamma) : start(begin), drag(gamma) {
+        const Eigen::Vector2d carried = floor_motion.carried(begin, gamma);
+        const Complex part(carried[0], carried[1]);
+        constant = place - part;
+        velocity = speed - Complex(0, floor_motion.rate) * part;
+    }
+    Complex at(double time) const {
+        const Eigen::Vector2d carried = floor_motion.carried(time, drag);
+        return constant + velocity * dragged_time(time - start, drag) + Complex(carried[0], carried[1]);
+    }
+};
+
+/// Sixty flights of 0.8 to 2.5, a frame each 0.1.
+std::vector<FilmFrame> filmed(double drag, double noise, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> turn(-1, 1), length(0.8, 2.5);
+    std::normal_distribution<double> normal(0, noise);
+    std::vector<FilmFrame> frames;
+    double kink = 0, time = 0;
+    Complex place = 0;
+    double angle = 0;
+    for (int k = 0; k < 60; ++k) {
+        const Arc arc(kink, place, Complex(turn(random), turn(random)), drag);
+        const double spin = 2 * turn(random), end = kink + length(random);
+        for (; time < end; time += 0.1) {
+            const Complex here = arc.at(time);
+            FilmFrame frame;
+            frame.time = time;
+            frame.place << here.real() + normal(random), here.imag() + normal(random),
+                angle + spin * dragged_time(time - kink, drag) + 2 * normal(random);
+            frames.push_back(frame);
+        }
+        angle += spin * dragged_time(end - kink, drag);
+        place = arc.at(end), kink = end;
+    }
+    return frames;
+}
+
+DragFit found_in(const std::vector<FilmFrame>& frames) {
+    return settled_drag(
+        frames, period, fit_arcs(frames, period), floor_motion,
+        [](const FilmArcs& film, std::span<const FilmFrame>) { return parts_between(film, kinks_of(film)); });
+}
+
+TEST(FloorDrag, TheClosedFormIsTheMotionUnderAMovingFloorsDrag) {
+    const Arc arc(0.4, {0.1, -0.2}, {0.7, 0.3}, 0.3);
+    EXPECT_LT(std::abs(arc.at(2.9) - integrated({0.1, -0.2}, {0.7, 0.3}, 0.4, 2.5, 0.3)), 1e-11);
+}
+
+TEST(FloorDrag, OfNearlyExactFramesItIsNearlyExact) {
+    for (const double drag : {0.0, 0.02, 0.3}) {
+        const DragFit found = found_in(filmed(drag, 0.0003, 1));
+        EXPECT_NEAR(found.value, drag, 4 * found.error) << drag;
+        EXPECT_LT(found.error, 0.0002) << drag;
+    }
+}
+
+/// Intervals of 95 %: 99 to 109 of 110 are 90 to 99 %.
+TEST(FloorDrag, ItsIntervalHoldsTheTruthWithAndWithoutADrag) {
+    constexpr unsigned films = 110;
+    for (const double drag : {0.0, 0.1}) {
+        unsigned inside = 0;
+        double sum = 0, errors = 0;
+        for (unsigned seed = 0; seed < films; ++seed) {
+            const DragFit found = found_in(filmed(drag, 0.004, 100 + seed));
+            inside += std::abs(found.value - drag) <= 1.959964 * found.error ? 1 : 0;
+            sum += found.value - drag, errors += found.error;
+        }
+        EXPECT_GE(inside, 99U) << drag;
+        EXPECT_LE(inside, 109U) << drag;
+        // The mean over the films is off by no more than 4 of its standard errors.
+        EXPECT_LT(std::abs(sum / films), 4 * errors / films / std::sqrt(films)) << drag;
+    }
+}
+
+TEST(FloorDrag, OfAFewArcsNothingIsSaid) {
+    std::vector<FilmFrame> frames = filmed(0.05, 0.004, 7);
+    frames.resize(200);
+    EXPECT_TRUE(std::isnan(found_in(frames).value));
+}
+
+}  // namespace
+}  // namespace swirl::analysis

@@ -71,6 +71,8 @@ RecurrencePoints points_of(MeasuredSeries series, const RecurrenceOptions& optio
     const bool gaps = std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
     if (gaps) {
         result.points = embed_around_gaps(values, options, period, result.left_out);
+        std::erase_if(values, [](double v) { return std::isnan(v); });
+        result.observed = recurrence::embed_series(values, 1, 1, period);
         result.notes.push_back(fmt::format("{} points touch a gap and are left out; {}", result.left_out,
                                            options.join_gaps
                                                ? "lines count the points on either side of one as neighbours"
@@ -203,13 +205,13 @@ Thresholds thresholds_of(const RecurrenceOptions& options, const RecurrencePoint
     if (!points.enough) return thresholds;
     if (thresholds.kind == "threshold_std") {
         const double floor = rounding_floor(points.points);
-        const double deviation = recurrence::threshold_of_deviation(points.points, 1, options.conventions.deviation());
-        thresholds.floored = deviation <= floor;
+        const auto deviations = [&](double factor) {
+            return recurrence::threshold_of_deviation(points.observed ? *points.observed : points.points, factor,
+                                                      options.conventions.deviation());
+        };
+        thresholds.floored = deviations(1) <= floor;
         for (const double factor : thresholds.given)
-            thresholds.delta.push_back(
-                thresholds.floored
-                    ? floor
-                    : recurrence::threshold_of_deviation(points.points, factor, options.conventions.deviation()));
+            thresholds.delta.push_back(thresholds.floored ? floor : deviations(factor));
         return thresholds;
     }
     if (thresholds.kind == "recurrence_rate" && cross)

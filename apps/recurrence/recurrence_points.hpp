@@ -15,6 +15,8 @@ struct RecurrencePoints {
     analysis::recurrence::Points points;
     bool enough = true;        ///< false: the orbit ended too early for a pair of points
     std::size_t left_out = 0;  ///< points that embed across a gap
+    /// Of a series with gaps, its values one by one: standard deviations are theirs, whatever delay vectors are left.
+    std::optional<analysis::recurrence::Points> observed;
     std::vector<std::string> notes;
     std::optional<OrbitColumns> orbit;
     std::optional<MeasuredSeries> series;

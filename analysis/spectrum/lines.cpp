@@ -121,47 +121,9 @@ std::vector<SpectralPeak> peaks_above(const PowerSpectrum& spectrum, const std::
     return peaks;
 }
 
-}  // namespace
-
-std::vector<double> noise_floor(const PowerSpectrum& spectrum, std::size_t half_width) {
-    std::vector<double> power = spectrum.power;
-    if (power.empty()) return power;
-    const std::size_t m = power.size();
-    const std::size_t reach = std::min(half_width, (m - 1) / 2);
-    gsl_vector_const_view in = gsl_vector_const_view_array(spectrum.power.data(), m);
-    gsl_vector_view out = gsl_vector_view_array(power.data(), m);
-    const std::unique_ptr<gsl_movstat_workspace, decltype(&gsl_movstat_free)> workspace(
-        gsl_movstat_alloc(2 * reach + 1), &gsl_movstat_free);
-    if (!workspace) throw std::bad_alloc();
-    gsl_movstat_median(GSL_MOVSTAT_END_TRUNCATE, &in.vector, &out.vector, workspace.get());
-    const double k = std::max(spectrum.effective_segments, 1.0);
-    const double median_over_mean = gsl_cdf_gamma_Pinv(0.5, k, 1 / k);
-    for (double& level : power) level /= median_over_mean;
-    return power;
-}
-
-std::vector<SpectralPeak> find_peaks(const PowerSpectrum& spectrum, const LineOptions& options) {
-    if (spectrum.outcome != SpectrumOutcome::completed) return {};
-    return peaks_above(spectrum, noise_floor(spectrum, half_width(spectrum, options)), options);
-}
-
-std::string_view name_of(SpectrumVerdict verdict) {
-    using enum SpectrumVerdict;
-    return name_in<SpectrumVerdict>({{constant, "constant"},
-                                     {lines, "lines"},
-                                     {continuum, "continuum"},
-                                     {mixed, "mixed"},
-                                     {nonstationary, "nonstationary"},
-                                     {undecided, "undecided"}},
-                                    verdict);
-}
-
-LineShare line_share(const PowerSpectrum& spectrum, const LineOptions& options) {
+LineShare share_of(const PowerSpectrum& spectrum, const std::vector<double>& floor,
+                   const std::vector<SpectralPeak>& peaks, const LineOptions& options) {
     LineShare result;
-    if (spectrum.outcome == SpectrumOutcome::constant) result.verdict = SpectrumVerdict::constant;
-    if (spectrum.outcome != SpectrumOutcome::completed) return result;
-    const std::vector<double> floor = noise_floor(spectrum, half_width(spectrum, options));
-    const std::vector<SpectralPeak> peaks = peaks_above(spectrum, floor, options);
     const auto lobe = static_cast<std::size_t>(main_lobe_half_width(spectrum.settings.window));
     std::vector<char> in_line(spectrum.power.size(), 0);
     for (const SpectralPeak& peak : peaks) {
@@ -188,6 +150,54 @@ LineShare line_share(const PowerSpectrum& spectrum, const LineOptions& options) 
     else
         result.verdict = SpectrumVerdict::mixed;
     return result;
+}
+
+}  // namespace
+
+std::vector<double> noise_floor(const PowerSpectrum& spectrum, std::size_t half_width) {
+    std::vector<double> power = spectrum.power;
+    if (power.empty()) return power;
+    const std::size_t m = power.size();
+    const std::size_t reach = std::min(half_width, (m - 1) / 2);
+    gsl_vector_const_view in = gsl_vector_const_view_array(spectrum.power.data(), m);
+    gsl_vector_view out = gsl_vector_view_array(power.data(), m);
+    const std::unique_ptr<gsl_movstat_workspace, decltype(&gsl_movstat_free)> workspace(
+        gsl_movstat_alloc(2 * reach + 1), &gsl_movstat_free);
+    if (!workspace) throw std::bad_alloc();
+    gsl_movstat_median(GSL_MOVSTAT_END_TRUNCATE, &in.vector, &out.vector, workspace.get());
+    const double k = std::max(spectrum.effective_segments, 1.0);
+    const double median_over_mean = gsl_cdf_gamma_Pinv(0.5, k, 1 / k);
+    for (double& level : power) level /= median_over_mean;
+    return power;
+}
+
+std::vector<SpectralPeak> find_peaks(const PowerSpectrum& spectrum, const LineOptions& options) {
+    return find_lines(spectrum, options).peaks;
+}
+
+std::string_view name_of(SpectrumVerdict verdict) {
+    using enum SpectrumVerdict;
+    return name_in<SpectrumVerdict>({{constant, "constant"},
+                                     {lines, "lines"},
+                                     {continuum, "continuum"},
+                                     {mixed, "mixed"},
+                                     {nonstationary, "nonstationary"},
+                                     {undecided, "undecided"}},
+                                    verdict);
+}
+
+Lines find_lines(const PowerSpectrum& spectrum, const LineOptions& options) {
+    Lines lines;
+    if (spectrum.outcome == SpectrumOutcome::constant) lines.share.verdict = SpectrumVerdict::constant;
+    if (spectrum.outcome != SpectrumOutcome::completed) return lines;
+    const std::vector<double> floor = noise_floor(spectrum, half_width(spectrum, options));
+    lines.peaks = peaks_above(spectrum, floor, options);
+    lines.share = share_of(spectrum, floor, lines.peaks, options);
+    return lines;
+}
+
+LineShare line_share(const PowerSpectrum& spectrum, const LineOptions& options) {
+    return find_lines(spectrum, options).share;
 }
 
 }  // namespace swirl::analysis

@@ -62,4 +62,11 @@ struct LineShare {
 };
 LineShare line_share(const PowerSpectrum& spectrum, const LineOptions& options = {});
 
+/// find_peaks() and line_share() over one noise_floor(), which is most of their cost.
+struct Lines {
+    std::vector<SpectralPeak> peaks;
+    LineShare share;
+};
+Lines find_lines(const PowerSpectrum& spectrum, const LineOptions& options = {});
+
 }  // namespace swirl::analysis

@@ -39,7 +39,8 @@ std::string cleaned(std::string_view text, bool without_controls) {
 
 std::string valid_utf8(std::string text) {
     const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
-    return std::all_of(text.begin(), text.end(), is_ascii) ? text : cleaned(text, false);
+    if (std::all_of(text.begin(), text.end(), is_ascii)) return text;
+    return cleaned(text, false);
 }
 
 std::string printable(std::string_view text) {

@@ -37,6 +37,7 @@ std::string read_text(const std::string& what, const std::string& name, std::siz
         standard_input ? [](std::FILE*) { return 0; } : [](std::FILE* f) { return std::fclose(f); });
     if (!file) throw BadInput(fmt::format("{} '{}' cannot be opened: {}", what, name, std::strerror(errno)));
     std::string content;
+    if (const auto size = std::filesystem::file_size(name, ignored); !ignored && size <= most) content.reserve(size);
     char buffer[65536];
     for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {
         if (content.empty() && is_utf16({buffer, got}))

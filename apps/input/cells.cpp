@@ -82,10 +82,9 @@ char separator_of(std::string_view line) {
 void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells) {
     cells.clear();
     const std::string_view text = separator == '\t' ? line : trimmed(line);
-    const auto is_separator = [&](char c) { return separator == ' ' ? is_blank(c) : c == separator; };
     for (std::size_t begin = 0;;) {
-        std::size_t end = begin;
-        while (end < text.size() && !is_separator(text[end])) ++end;
+        std::size_t end = separator == ' ' ? begin : std::min(text.find(separator, begin), text.size());
+        while (end < text.size() && separator == ' ' && !is_blank(text[end])) ++end;
         cells.push_back(trimmed(text.substr(begin, end - begin)));
         if (end == text.size()) return;
         begin = end + 1;

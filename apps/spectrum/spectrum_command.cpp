@@ -146,8 +146,9 @@ void take_even(const SpectrumOptions& options, SpectrumSignal& signal, std::size
     report.spectrum = signal.positions.empty() ? analysis::power_spectrum(signal.values, signal.spacing, settings)
                                                : analysis::power_spectrum(signal.positions, signal.spacing, settings);
     note_short_segments(options, report.spectrum, signal);
-    report.peaks = analysis::find_peaks(report.spectrum);
-    report.share = analysis::line_share(report.spectrum);
+    analysis::Lines lines = analysis::find_lines(report.spectrum);
+    report.peaks = std::move(lines.peaks);
+    report.share = lines.share;
     if (signal.highest > 0)
         std::erase_if(report.peaks, [&](const auto& peak) { return peak.frequency > signal.highest; });
 }

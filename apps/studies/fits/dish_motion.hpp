@@ -66,9 +66,8 @@ struct SizeFit {
 
 /// The same fit with α free as well, from what is given: a body of another size, or a scale of the film that is wrong,
 /// leaves the kinks off the wall by one distance, which the dish's motion does not take up. The error is in units of
-/// how the kinks scatter. Nothing where α does not settle or the kinks are
-/// scattered about the wall by more than their errors, where the error is more than 0.004, and of fewer than
-/// `fewest_kinks`. O(kinks).
+/// how the kinks scatter. Nothing where α does not settle, where the kinks are scattered about the wall by more than
+/// their errors, where the error is more than 0.004, and of fewer than `fewest_kinks`. O(kinks).
 std::optional<SizeFit> size_on_wall(std::span<const analysis::Kink> kinks, const FilmNoise& noise,
                                     const FilmedScene& scene, const DishMotion& dish);
 

@@ -76,28 +76,15 @@ public:
     [[gnu::always_inline]] void strike(const Flight<T>& flight, const Instant<T>& at, const Vec2<T>& arm, int vertex,
                                        Collision<T>& collision) const {
         const Vec2<T> x = shape == Shape::disk ? body_.unbiased_inverse_inner * at.centre : at.centre + arm;
-        const Vec2<T> seen = seen_from(x, flight.velocity);
         const T longer = missing_length(x);  // at a contact |x| = 1 but for rounding
-        // ψ = arg n − arg w, χ = arg r − arg n
-        PostImpactState<T>& after = collision.after;
-        Vec2<T> velocity;
         if constexpr (shape == Shape::disk) {
-            after.psi = renormalised(seen_from(at.phase, x));
-            after.chi = {T(1), T(0)};
-            velocity = seen + longer * seen;
+            turn_to_contact(x, longer, at.phase, flight, collision.after);
             collision.normal = x + longer * x;
         } else {
             const T turn = cross(x, body_.rest_of_vertex(at.arm, vertex));  // from x to the true n
-            const Vec2<T> correction{longer, turn};
-            after.psi = renormalised(seen_from(at.phase, x), turn);
-            after.chi =
-                renormalised(body_.unbiased_inverse_alpha * seen_from(x, arm), T(body_.rest_angle(vertex) - turn));
-            velocity = seen + seen_from(correction, seen);
-            collision.normal = x + times(correction, x);
+            turn_to_contact(x, longer, turn, body_.rest_angle(vertex), at.phase, arm, body_, flight, collision.after);
+            collision.normal = x + times(Vec2<T>{longer, turn}, x);
         }
-        after.vn = velocity.x;
-        after.vt = velocity.y;
-        after.spin = flight.spin;
         collision.outcome = FirstContactOutcome::contact;
         collision.flight_time = at.time;
         apply_impact(collision);
@@ -134,9 +121,7 @@ private:
         const Impulse<T> j = impulse<rule>(before, scene_.mu, scene_.restitution);
         const T& p = j.normal;
         const T& q = j.tangential;
-        state.vn = state.vn - p;
-        state.vt = state.vt + q;
-        state.spin = state.spin + (before.rn * q + before.rt * p) * body_.inverse_inertia;
+        apply_impulse(before, p, q, state);
         const T half(0.5);
         collision.jacobi_restitution = -p * (before.un - half * (before.b2() * p + before.b3() * q));
         collision.jacobi_friction = q * (before.ut + half * (before.b3() * p + before.b1() * q) - T(1));

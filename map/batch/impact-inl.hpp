@@ -1,4 +1,4 @@
-// A polygon's impact in lanes: map/model/impact.hpp (`impulse`) and CollisionMap::apply_to_polygon, with both sides of
+// A polygon's impact in lanes: `impulse` of map/model/impact.hpp, with both sides of
 // each branch where lanes part. A division of which only one side is wanted is made once, of what is chosen.
 #if defined(SWIRL_MAP_BATCH_IMPACT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SWIRL_MAP_BATCH_IMPACT_INL
@@ -11,15 +11,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
-
-struct LaneContact {
-    Lane un, ut, rn, rt;
-};
-
-HWY_INLINE LaneContact contact_kinematics(Lane alpha, Lane beta, const LaneState& z) {
-    const Plane r = alpha * z.chi;
-    return {z.vn - z.spin * r.y - beta * z.psi.y, z.vt + z.spin * r.x - beta * z.psi.x, r.x, r.y};
-}
 
 /// NormalVelocityPath.
 struct LanePieces {
@@ -34,8 +25,8 @@ HWY_INLINE Lane compression_end(const LanePieces& path) {
 }
 
 HWY_INLINE Lane end_at_velocity(const LanePieces& path, Lane compressed, Lane level) {
-    const Mask on_first = hn::AndNot(path.in_compression, either(no(path.has_kink), level <= path.at_kink));
-    const Mask beyond = no(either(path.in_compression, on_first));
+    const Mask on_first = hn::AndNot(path.in_compression, !path.has_kink || level <= path.at_kink);
+    const Mask beyond = !(path.in_compression || on_first);
     const Lane quotient = choose(beyond, level - path.at_kink, level) / choose(on_first, path.first, path.second);
     return choose(beyond, path.kink, compressed) + quotient;
 }
@@ -43,12 +34,11 @@ HWY_INLINE Lane end_at_velocity(const LanePieces& path, Lane compressed, Lane le
 HWY_INLINE Lane end_at_work(const LanePieces& path, Lane compressed, Lane restitution) {
     const Lane at_kink = choose(path.has_kink, path.at_kink, Lane(0));
     const Lane straight = compressed + restitution * compressed;
-    const Mask on_first = either(no(path.has_kink), straight <= path.kink);
+    const Mask on_first = !path.has_kink || straight <= path.kink;
     const Lane compression = Lane(-0.5) * ((path.start + at_kink) * path.kink + at_kink * (compressed - path.kink));
     const Lane level = restitution * path.start;
     const Lane left = (level * level - at_kink * at_kink) * (path.second / path.first);
-    const Lane root =
-        root_of_square(choose(path.in_compression, Lane(2) * compression / path.second, at_kink * at_kink + left));
+    const Lane root = sqrt(choose(path.in_compression, Lane(2) * compression / path.second, at_kink * at_kink + left));
     const Lane beyond = path.kink + left / (path.second * (at_kink + root));
     return choose(path.in_compression, compressed + restitution * root, choose(on_first, straight, beyond));
 }
@@ -69,33 +59,32 @@ HWY_INLINE Lane number_of(ContactMode mode) {
 }
 
 template <ImpactRule rule>
-HWY_INLINE LaneImpact impulse(const LaneContact& approach, Lane inverse_inertia, Lane mu, Lane restitution) {
-    const Lane b2 = Lane(1) + approach.rt * approach.rt * inverse_inertia;
+HWY_INLINE LaneImpact impulse(const ContactKinematics<Lane>& approach, Lane mu, Lane restitution) {
+    const Lane b2 = approach.b2();
     const Lane un = choose(approach.un < Lane(0), Lane(0), approach.un);
     if constexpr (rule == ImpactRule::frictionless) {
         return {(Lane(1) + restitution) * un / b2, Lane(0), number_of(ContactMode::frictionless)};
     } else {
-        const Lane along_normal = approach.rn * approach.rn * inverse_inertia;
-        const Lane b1 = Lane(1) + along_normal;
-        const Lane b3 = approach.rn * approach.rt * inverse_inertia;
+        const Lane b1 = approach.b1();
+        const Lane b3 = approach.b3();
         const Lane stick = mu * b1;
-        const Mask sticks = magnitude(b3) <= stick;
+        const Mask sticks = fabs(b3) <= stick;
         const Mask at_rest = equal(approach.ut, Lane(0));
         const Mask positive = choose(at_rest, b3, approach.ut) > Lane(0);
         const Lane signed_b3 = choose(positive, b3, -b3);
         const Lane slowing = stick - signed_b3;
         LanePieces path;
-        path.has_kink = either(hn::And(at_rest, sticks), hn::AndNot(at_rest, slowing > Lane(0)));
+        path.has_kink = hn::And(at_rest, sticks) || hn::AndNot(at_rest, slowing > Lane(0));
         path.start = -un;
         path.first = b2 - mu * signed_b3;
         const Lane kink = choose(slowing > Lane(0), choose(positive, approach.ut, -approach.ut) / slowing, Lane(0));
         path.kink = choose(path.has_kink, kink, Lane(0));
-        path.second = choose(sticks, (b2 + along_normal) / b1, b2 + mu * signed_b3);
+        path.second = choose(sticks, approach.sticking(), b2 + mu * signed_b3);
         path.at_kink = path.start + path.first * path.kink;
         path.in_compression = hn::And(path.has_kink, path.at_kink < Lane(0));
         const Lane end = impulse_end<rule>(path, restitution);
         const Lane friction = choose(positive, -mu, mu);
-        const Mask slides = either(no(path.has_kink), end < path.kink);
+        const Mask slides = !path.has_kink || end < path.kink;
         const Lane after = choose(sticks, -b3 / b1, -friction);
         const Lane tangential = choose(slides, friction * end, friction * path.kink + after * (end - path.kink));
         const Lane stuck =
@@ -108,13 +97,10 @@ HWY_INLINE LaneImpact impulse(const LaneContact& approach, Lane inverse_inertia,
 
 /// `z` is the state before the impact and then the one after it.
 template <ImpactRule rule>
-HWY_INLINE LaneImpact impact_of_polygon(const LaneScenes& scenes, int i, LaneState& z) {
-    const Lane inverse_inertia = load(scenes.inverse_inertia, i);
-    const LaneContact before = contact_kinematics(load(scenes.alpha, i), load(scenes.beta, i), z);
-    const LaneImpact j = impulse<rule>(before, inverse_inertia, load(scenes.mu, i), load(scenes.restitution, i));
-    z.vn = z.vn - j.normal;
-    z.vt = z.vt + j.tangential;
-    z.spin = z.spin + (before.rn * j.tangential + before.rt * j.normal) * inverse_inertia;
+HWY_INLINE LaneImpact impact_of_polygon(const LaneScenes& scenes, int i, PostImpactState<Lane>& z) {
+    const ContactKinematics<Lane> before = contact_kinematics(load_body(scenes, i), z);
+    const LaneImpact j = impulse<rule>(before, load(scenes.mu, i), load(scenes.restitution, i));
+    apply_impulse(before, j.normal, j.tangential, z);
     return j;
 }
 

@@ -28,8 +28,7 @@ struct LaneFactors {
 /// Numbers of a lane's scene: those of `Body`, and of the impact.
 struct LaneScenes {
     LaneNumbers alpha, beta, inverse_inertia, inverse_inner, disk_grip, inner, outer;
-    LaneFactors unbiased_alpha, unbiased_inverse_alpha;  // polygons only
-    LaneFactors unbiased_inner, unbiased_inverse_inner;  // disks only
+    LaneFactors unbiased_alpha, unbiased_inverse_alpha, unbiased_inner, unbiased_inverse_inner;
     LaneNumbers mu, restitution;
     LaneNumbers chatter;      ///< chatter_tolerance (1 − e); not read at e = 1 where nothing chatters
     LaneNumbers widest_sine;  ///< ContactScene's

@@ -1,8 +1,7 @@
 // Numbers, one in each lane of a vector, with the operations of double: each is rounded as IEEE says, so that a formula
 // written with them has in each lane the bits of the same formula in double. No fused product and sum is here.
 //
-// Included by the files of kernels alone, once for each instruction set. Functions of map/ that are templates on the
-// number can't be used: they are compiled without the set's instructions.
+// Included by the files of kernels alone, once for each instruction set.
 #if defined(SWIRL_MAP_BATCH_LANES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SWIRL_MAP_BATCH_LANES_INL
 #undef SWIRL_MAP_BATCH_LANES_INL
@@ -47,11 +46,14 @@ HWY_INLINE Lane operator/(Lane a, Lane b) {
 HWY_INLINE Lane operator-(Lane a) {
     return Lane(hn::Neg(a.v));
 }
-HWY_INLINE Lane root_of_square(Lane a) {
+HWY_INLINE Lane sqrt(Lane a) {
     return Lane(hn::Sqrt(a.v));
 }
-HWY_INLINE Lane magnitude(Lane a) {
+HWY_INLINE Lane fabs(Lane a) {
     return Lane(hn::Abs(a.v));
+}
+HWY_INLINE Lane copysign(Lane a, Lane sign) {
+    return Lane(hn::CopySign(a.v, sign.v));
 }
 HWY_INLINE Mask operator<(Lane a, Lane b) {
     return hn::Lt(a.v, b.v);
@@ -68,17 +70,13 @@ HWY_INLINE Mask operator>=(Lane a, Lane b) {
 HWY_INLINE Mask equal(Lane a, Lane b) {
     return hn::Eq(a.v, b.v);
 }
-template <class... More>
-HWY_INLINE Mask all(Mask a, Mask b, More... more) {
-    if constexpr (sizeof...(more) == 0)
-        return hn::And(a, b);
-    else
-        return all(hn::And(a, b), more...);
+HWY_INLINE Mask operator&&(Mask a, Mask b) {
+    return hn::And(a, b);
 }
-HWY_INLINE Mask either(Mask a, Mask b) {
+HWY_INLINE Mask operator||(Mask a, Mask b) {
     return hn::Or(a, b);
 }
-HWY_INLINE Mask no(Mask a) {
+HWY_INLINE Mask operator!(Mask a) {
     return hn::Not(a);
 }
 HWY_INLINE bool any(Mask a) {
@@ -98,16 +96,41 @@ HWY_INLINE Lane choose(Mask condition, Lane yes, Lane otherwise) {
     return Lane(hn::IfThenElse(condition, yes.v, otherwise.v));
 }
 /// std::max and std::min: the first where they are equal or one is NaN.
-HWY_INLINE Lane larger(Lane a, Lane b) {
+HWY_INLINE Lane max(Lane a, Lane b) {
     return choose(a < b, b, a);
 }
-HWY_INLINE Lane smaller(Lane a, Lane b) {
+HWY_INLINE Lane min(Lane a, Lane b) {
     return choose(b < a, b, a);
 }
-/// p/q, rounded once.
-HWY_INLINE Lane fraction(int p, int q) {
-    return Lane(static_cast<double>(p) / static_cast<double>(q));
+
+// What map/numbers/real.hpp and first_contact/ have for each type of number, for lanes.
+template <class T>
+using Truth = Mask;
+template <class T>
+HWY_INLINE T fraction(int p, int q) {  // rounded once
+    return T(static_cast<double>(p) / static_cast<double>(q));
 }
+template <class T>
+HWY_INLINE T epsilon() {
+    return T(0x1p-52);
+}
+template <class T>
+HWY_INLINE T fourth_root_of_epsilon() {
+    return T(0x1p-13);
+}
+template <class T>
+HWY_INLINE T cube_root_of_epsilon() {
+    return T(0x1p-17);
+}
+
+#define SWIRL_INLINED HWY_INLINE
+#include "map/numbers/vec2_formulas.hpp"
+
+#include "map/numbers/turn_formulas.hpp"
+#undef SWIRL_INLINED
+
+using Plane = Vec2<Lane>;
+using Factor = UnbiasedFactor<Lane>;
 
 HWY_INLINE Lane load(const LaneNumbers& numbers, int first) {
     return Lane(hn::Load(Tag(), numbers.of + first));
@@ -119,64 +142,8 @@ HWY_INLINE void store_where(Mask condition, Lane value, LaneNumbers& numbers, in
     store(choose(condition, value, load(numbers, first)), numbers, first);
 }
 
-/// Vectors of the plane, as Vec2 and its functions.
-struct Plane {
-    Lane x, y;
-};
-
-HWY_INLINE Plane operator+(Plane a, Plane b) {
-    return {a.x + b.x, a.y + b.y};
-}
-HWY_INLINE Plane operator-(Plane a, Plane b) {
-    return {a.x - b.x, a.y - b.y};
-}
-HWY_INLINE Plane operator*(Lane s, Plane a) {
-    return {s * a.x, s * a.y};
-}
-HWY_INLINE Lane dot(Plane a, Plane b) {
-    return a.x * b.x + a.y * b.y;
-}
-HWY_INLINE Lane cross(Plane a, Plane b) {
-    return a.x * b.y - a.y * b.x;
-}
-HWY_INLINE Plane quarter_turned(Plane a) {
-    return {-a.y, a.x};
-}
-HWY_INLINE Plane times(Plane a, Plane b) {
-    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-}
-HWY_INLINE Plane seen_from(Plane a, Plane b) {
-    return {a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x};
-}
-HWY_INLINE Lane missing_length(Plane a) {
-    return Lane(0.5) * ((Lane(0.5) - a.x * a.x) + (Lane(0.5) - a.y * a.y));
-}
-HWY_INLINE Plane renormalised(Plane a) {
-    const Lane missing = missing_length(a);
-    return a + missing * a;
-}
-HWY_INLINE Plane renormalised(Plane a, Lane angle) {
-    return a + times(Plane{missing_length(a), angle}, a);
-}
-
-/// UnbiasedFactor.
-struct LaneFactor {
-    Lane first, second;
-};
-HWY_INLINE LaneFactor load(const LaneFactors& factors, int first) {
+HWY_INLINE Factor load(const LaneFactors& factors, int first) {
     return {load(factors.first, first), load(factors.second, first)};
-}
-HWY_INLINE Lane operator*(LaneFactor c, Lane x) {
-    return c.first * x + c.second * x;
-}
-HWY_INLINE Plane operator*(LaneFactor c, Plane v) {
-    return {c * v.x, c * v.y};
-}
-HWY_INLINE Plane turned(Plane v, Plane turn) {
-    return v + times(v, turn);
-}
-HWY_INLINE Plane compose(Plane a, Plane b) {
-    return a + (b + times(a, b));
 }
 HWY_INLINE Plane choose(Mask condition, Plane yes, Plane otherwise) {
     return {choose(condition, yes.x, otherwise.x), choose(condition, yes.y, otherwise.y)};

@@ -6,23 +6,19 @@
 #define SWIRL_MAP_BATCH_STRUCK_INL
 #endif
 
-#include "map/batch/path-inl.hpp"
+#include "map/batch/formulas-inl.hpp"
 #include "map/model/scene.hpp"
+#include "map/sustained/chatter_completion.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
-
-struct LaneState {
-    Plane psi, chi;
-    Lane vn, vt, spin;
-};
 
 struct LaneImpact {
     Lane normal, tangential, mode;
 };
 
-HWY_INLINE LaneState load_state(const LaneBlock& block, int i) {
-    LaneState z;
+HWY_INLINE PostImpactState<Lane> load_state(const LaneBlock& block, int i) {
+    PostImpactState<Lane> z;
     z.psi = {load(block.psi_x, i), load(block.psi_y, i)};
     z.chi = {load(block.chi_x, i), load(block.chi_y, i)};
     z.vn = load(block.vn, i);
@@ -31,28 +27,32 @@ HWY_INLINE LaneState load_state(const LaneBlock& block, int i) {
     return z;
 }
 
-/// bounds.hpp, `rate_rounding`; speed = |V_x| + |V_y|.
-HWY_INLINE Lane rate_rounding(Lane speed, Lane beta, Lane spin, Lane alpha) {
-    return Lane(16 * unit_roundoff) * (speed + beta + magnitude(spin) * alpha);
-}
-
-/// The first condition of `may_chatter`, negated. `chatter` = tolerance (1 − e) × the bound of the acceleration.
-HWY_INLINE Mask leaves_quickly(Lane un, Lane chatter, const LaneState& z, Lane alpha, Lane beta) {
+/// `may_chatter`, negated.
+template <Shape shape>
+HWY_INLINE Mask leaves_the_wall(const LaneScenes& scenes, int i, const PostImpactState<Lane>& z) {
+    const Body<Lane> body = load_body(scenes, i);
+    constexpr bool disk = shape == Shape::disk;
+    const ContactKinematics<Lane> u = contact_kinematics(body, z);
+    const Lane along = disk ? u.ut - body.alpha * z.spin : u.ut;
+    const Lane acceleration = body.beta + along * along * (disk ? body.inverse_inner : Lane(1));
     const Lane rounding =
-        Lane(64 * unit_roundoff) * (magnitude(z.vn) + magnitude(z.vt) + beta + alpha * magnitude(z.spin));
-    return all(un * un > chatter, magnitude(un) > rounding);
+        Lane(64) * epsilon<Lane>() * (fabs(z.vn) + fabs(z.vt) + body.beta + body.alpha * fabs(z.spin));
+    const Mask quickly = u.un * u.un > load(scenes.chatter, i) * acceleration && fabs(u.un) > rounding;
+    if (disk) return quickly;
+    const Lane from_edge = fabs(fabs(z.chi.y) - load(scenes.widest_sine, i));
+    return quickly && from_edge > Lane(2 * neighbour_tolerance<double>());
 }
 
 /// Neither `is_out_of_range` nor `has_diverged` nor `has_come_to_rest`, with room for rounding: the scalar code decides
 /// beyond. (A sum is NaN where one of its terms is.)
-HWY_INLINE Mask stays_in_range(const LaneState& z, Lane beta, Lane alpha) {
-    const Lane speed = magnitude(z.vn) + magnitude(z.vt) + alpha * magnitude(z.spin);
-    const Mask moves = either(beta > Lane(0), speed > Lane(4 * smallest_magnitude));
-    return all(speed < Lane(largest_magnitude / 2), magnitude(z.spin) < Lane(largest_magnitude / 2), moves);
+HWY_INLINE Mask stays_in_range(const PostImpactState<Lane>& z, const Body<Lane>& body) {
+    const Lane speed = fabs(z.vn) + fabs(z.vt) + body.alpha * fabs(z.spin);
+    const Mask moves = body.beta > Lane(0) || speed > Lane(4 * smallest_magnitude);
+    return speed < Lane(largest_magnitude / 2) && fabs(z.spin) < Lane(largest_magnitude / 2) && moves;
 }
 
-HWY_INLINE void keep_impact(Mask struck, const LaneState& after, Lane time, Lane looks, const LaneImpact& impact,
-                            Lane vertex, LaneBlock& block, int i) {
+HWY_INLINE void keep_impact(Mask struck, const PostImpactState<Lane>& after, Lane time, Lane looks,
+                            const LaneImpact& impact, Lane vertex, LaneBlock& block, int i) {
     store_where(struck, after.psi.x, block.psi_x, i);
     store_where(struck, after.psi.y, block.psi_y, i);
     store_where(struck, after.chi.x, block.chi_x, i);

@@ -1,4 +1,5 @@
-// Rotations in lanes: map/numbers/turn.hpp and turn_table.hpp, with both sides of each branch where lanes part.
+// Tables of rotations in lanes: `cis_minus_one` and `moment_near` of map/numbers/, with both sides of each branch where
+// lanes part.
 #if defined(SWIRL_MAP_BATCH_TURNS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SWIRL_MAP_BATCH_TURNS_INL
 #undef SWIRL_MAP_BATCH_TURNS_INL
@@ -78,41 +79,25 @@ HWY_INLINE Wholes bits_in(Lane a) {
     return hn::BitCast(Whole(), a.v);
 }
 
-HWY_INLINE Plane small_turn(Lane d) {
-    const Lane s = d * d;
-    const Lane s2 = s * s;
-    const Lane sine = (Lane(-1.0 / 6) + s * Lane(1.0 / 120)) +
-                      s2 * ((Lane(-1.0 / 5040) + s * Lane(1.0 / 362880)) + s2 * Lane(-1.0 / 39916800));
-    const Lane cosine =
-        (Lane(-0.5) + s * Lane(1.0 / 24)) +
-        s2 * ((Lane(-1.0 / 720) + s * Lane(1.0 / 40320)) + s2 * (Lane(-1.0 / 3628800) + s * Lane(1.0 / 479001600)));
-    return {s * cosine, d + d * (s * sine)};
-}
-
-HWY_INLINE Plane tiny_turn(Lane d) {
-    const Lane s = d * d;
-    return {s * (Lane(-0.5) + s * Lane(1.0 / 24)), d + d * (s * Lane(-1.0 / 6))};
-}
-
 HWY_INLINE Mask is_tiny(Lane angle) {
-    return magnitude(angle) <= Lane(0x1p-13);
+    return fabs(angle) <= Lane(0x1p-13);
 }
 HWY_INLINE Mask is_small(Lane angle) {
-    return magnitude(angle) <= Lane(0.25);
+    return fabs(angle) <= Lane(0.25);
 }
 
 /// cis_minus_one for |δ| ≤ ¼.
 HWY_INLINE Plane turn_within_quarter(Lane angle) {
-    return choose(is_tiny(angle), tiny_turn(angle), small_turn(angle));
+    return choose(is_tiny(angle), tiny_turn_minus_one(angle), small_turn_minus_one(angle));
 }
 
 /// cis_minus_one for |δ| < 32, which is the caller's to see to.
-HWY_INLINE Plane cis_minus_one(Lane angle) {
+HWY_INLINE Plane turn_by_table(Lane angle) {
     const Lane doubled = angle + angle;
     const Lane shifted = doubled + Lane(0x1.8p52);
     const Lane nearest = shifted - Lane(0x1.8p52);
-    const Mask beyond = magnitude(angle) < Lane(32);  // where not, or NaN, the row is one that exists
-    const Lane k = choose(beyond, magnitude(nearest), Lane(0));
+    const Mask beyond = fabs(angle) < Lane(32);  // where not, or NaN, the row is one that exists
+    const Lane k = choose(beyond, fabs(nearest), Lane(0));
     const Wholes row = hn::And(bits_in(k + Lane(0x1.8p52)), hn::Set(Whole(), 127));
     static_assert(sizeof(TabledVector) == 4 * sizeof(double));
     const Rows entry = rows_of(&half_radians[0].value.x, row);
@@ -120,30 +105,31 @@ HWY_INLINE Plane cis_minus_one(Lane angle) {
     const Lane side = choose(backwards, Lane(-1), Lane(1));
     const Plane coarse{entry.value.x, side * entry.value.y};
     const Plane rest{entry.rest.x, side * entry.rest.y};
-    const Mask in_table = no(is_small(angle));
+    const Mask in_table = !is_small(angle);
     // One polynomial for both: of the angle itself, or of what the table leaves.
-    const Plane fine = small_turn(choose(in_table, angle - Lane(0.5) * nearest, angle));
-    const Plane far = coarse + (fine + (rest + times(coarse, fine)));
-    return choose(is_tiny(angle), tiny_turn(angle), choose(in_table, far, fine));
+    const Plane fine = small_turn_minus_one(choose(in_table, angle - Lane(0.5) * nearest, angle));
+    const Plane far = compose(coarse, rest, fine);
+    return choose(is_tiny(angle), tiny_turn_minus_one(angle), choose(in_table, far, fine));
 }
 
-/// TurnedMoment, at moments between 0 and 7.99 (`is_tabled_moment`).
-struct Moment {
-    Lane time;
-    Plane turn, rest;
-};
+/// cis_minus_one for |δ| < 32; nearly always all lanes are within ¼.
+HWY_INLINE Plane cis_minus_one(Lane angle) {
+    if (any(!is_small(angle))) return turn_by_table(angle);
+    return turn_within_quarter(angle);
+}
 
+/// Moments that `moment_near` finds in its table.
 HWY_INLINE Mask is_tabled_moment(Lane time) {
-    return all(time > Lane(0), time < Lane(7.99));
+    return time > Lane(0) && time < Lane(7.99);
 }
 
-HWY_INLINE Moment moment_near(Lane time) {
+HWY_INLINE TurnedMoment<Lane> moment_near(Lane time) {
     const Lane shifted = time + Lane(0x1.8p46);
     const Wholes row = hn::And(bits_in(shifted), hn::Set(Whole(), static_cast<std::int64_t>(sixty_fourths) - 1));
     const Rows entry = rows_of(&turns_of_sixty_fourths[0].value.x, row);
-    Moment moment{shifted - Lane(0x1.8p46), entry.value, entry.rest};
+    TurnedMoment<Lane> moment{shifted - Lane(0x1.8p46), entry.value, entry.rest};
     const Mask tabled = time >= Lane(1.0 / 32);
-    if (any(no(tabled))) {
+    if (any(!tabled)) {
         moment.time = choose(tabled, moment.time, time);
         moment.turn = choose(tabled, moment.turn, turn_within_quarter(time));
         moment.rest = choose(tabled, moment.rest, Plane{Lane(0), Lane(0)});
@@ -152,9 +138,8 @@ HWY_INLINE Moment moment_near(Lane time) {
 }
 
 /// E(τ + d) for |d| ≤ ¼.
-HWY_INLINE Plane turn_after(const Moment& moment, Lane d) {
-    const Plane fine = turn_within_quarter(d);
-    return moment.turn + (fine + (moment.rest + times(moment.turn, fine)));
+HWY_INLINE Plane turn_after(const TurnedMoment<Lane>& moment, Lane d) {
+    return compose(moment.turn, moment.rest, turn_within_quarter(d));
 }
 
 }  // namespace swirl::detail::HWY_NAMESPACE

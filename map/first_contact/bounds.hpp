@@ -2,6 +2,7 @@
 // Derivation of the bounds, and of why two vertices are enough for every N: map/README.md, "First contact".
 #pragma once
 
+#include "map/first_contact/certificate.hpp"
 #include "map/first_contact/conservative_advancement.hpp"
 #include "map/model/flight.hpp"
 
@@ -49,22 +50,6 @@ inline T magnitude(const Vec2<T>& v) {
     return sqrt(dot(v, v));
 }
 
-/// Bounds |g‴| of the centre's gap, |W| ≤ `drift`.
-template <class T>
-inline T centre_third(const Body<T>& body, const T& drift) {
-    return T(2) * body.beta * (T(3) * drift + body.outer);
-}
-
-/// Bounds |g‴| of any vertex: (2 X·a)‴ = 2 (X‴·a + 3 X″·a′ + 3 X′·a″ + X·a‴), |X| ≤ outer, |X″| = |X‴| = β, |a⁽ᵏ⁾| =
-/// α|S|ᵏ.
-template <class T>
-inline T vertex_third(const Body<T>& body, const Flight<T>& flight, const T& drift) {
-    using std::fabs;
-    const T s = fabs(flight.spin);
-    return centre_third(body, drift) +
-           T(2) * body.alpha * (body.beta + s * (T(3) * body.beta + s * (T(3) * drift + s * body.outer)));
-}
-
 template <Shape shape, class T>
 inline FlightBounds<T> bounds_of(const Body<T>& body, const Flight<T>& flight) {
     FlightBounds<T> bounds;
@@ -100,14 +85,6 @@ inline bool is_last(const Gap<T>& gap, const T& third, const T& step, const T& t
 
 /// Steps after which bounds that are seldom of use are tried as well. Ordinary flights take fewer than 20.
 inline constexpr int ordinary_steps = 200;
-
-/// The rounding of g′ at a start on the wall: a normal velocity below it counts as zero.
-template <class T>
-inline T rate_rounding(const Body<T>& body, const Flight<T>& flight) {
-    using std::fabs;
-    const T speed = fabs(flight.velocity.x) + fabs(flight.velocity.y);
-    return T(16) * epsilon<T>() * (speed + body.beta + fabs(flight.spin) * body.alpha);
-}
 
 /// True if what moves outward at `rate` is at the wall as nearly as the numbers can say: the way left is within the
 /// rounding of g, or the time to it within τ's. So slow a body is within rounding of the wall for longer than the swirl

@@ -18,23 +18,6 @@ inline constexpr double longest_step = 0.125;
 /// on the way there and back, so that its rounding is that of the longer way.
 inline constexpr double nearest_share = 0.25;
 
-/// The moment `later` after one whose rotations are known, that of the body by `spun`.
-template <class T>
-[[gnu::always_inline]] inline Instant<T> instant_after(const Flight<T>& flight, const TurnedMoment<T>& near,
-                                                       const Vec2<T>& spun, const T& later) {
-    Instant<T> at;
-    const Vec2<T> turn = turn_after(near, later);
-    at.time = near.time + later;
-    at.moved = (near.time * flight.velocity + later * flight.velocity) - flight.beta * times(flight.phase, turn);
-    at.centre = flight.centre + at.moved;
-    at.phase = turned(flight.phase, turn);
-    at.swirl = flight.beta * at.phase;
-    at.drift = flight.velocity - quarter_turned(at.swirl);
-    at.arm_moved = times(flight.arm, compose(spun, cis_minus_one(T(flight.spin * later))));
-    at.arm = flight.arm + at.arm_moved;
-    return at;
-}
-
 /// Where the search for the vertex begins: the centre back at its first distance. False if that is not found.
 ///   latest  the latest moment of the search so far
 template <class T>
@@ -74,19 +57,12 @@ template <Sides sides, class T>
         nearest.arm = body.turned_to_vertex(at.arm, nearest.vertex);
         nearest.gap = gap_of<sides>(body, flight, at, nearest);
         const Gap<T>& g = nearest.gap;
-        correction = householder(g.value, g.rate, T(T(0.5) * g.curvature), T(fraction<T>(1, 6) * g.jerk));
+        correction = householder(g);
         if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return false;
         if (is_converged(g, correction, at.time, fourth)) return at.time + correction > T(nearest_share) * latest;
         advance<Shape::polygon>(flight, at, correction);
         latest = std::max(latest, at.time);
     }
-}
-
-/// The circumscribed circle's gap at the start.
-template <class T>
-[[gnu::always_inline]] inline Gap<T> leaving_gap(const Body<T>& body, const Flight<T>& flight,
-                                                 const CircleGap<T>& start) {
-    return {dot(flight.centre, flight.centre) - body.inner * body.inner, start.rate, start.curvature, start.jerk};
 }
 
 /// The moment `correction` after `at`, at which `vertex` strikes.
@@ -116,7 +92,8 @@ template <Sides sides, class T>
     const Gap<T> struck = struck_gap_at_start(flight);
     if (!(struck.rate < -rate_rounding(body, flight))) return false;  // it may not leave at all
     const Gap<T> leaving = leaving_gap(body, flight, start);
-    if (!clear_by_circumcircle(body, flight, leaving, struck, at, nearest, correction)) [[unlikely]] {
+    if (!clear_by_circumcircle(body, flight, leaving, centre_gap(body, flight, at), struck, at, nearest.gap,
+                               nearest.arm, correction)) [[unlikely]] {
         const Instant<T> here = at;  // copies, so that the others stay in registers
         const Candidate<T> vertex = nearest;
         if (!clear_by_derivatives(body, flight, leaving, struck, here, vertex, T(correction))) return false;
@@ -169,7 +146,7 @@ template <class T>
         next.arm = body.turned_to_vertex(at.arm, next.vertex);
         next.gap = gap_of(body, flight, at, next);
         const Gap<T>& g = next.gap;
-        const T correction = householder(g.value, g.rate, T(T(0.5) * g.curvature), T(fraction<T>(1, 6) * g.jerk));
+        const T correction = householder(g);
         if (!(g.rate > 0 && fabs(correction) <= T(longest_correction))) return;
         if (is_converged(g, correction, at.time, fourth)) {
             if (at.time + correction > T(nearest_share) * latest &&

@@ -20,14 +20,6 @@ namespace detail {
 inline constexpr int few_sides = 8;
 inline constexpr int most_halvings = 3;
 
-/// The gap a small time d later by its own derivatives.
-template <class T>
-[[gnu::always_inline]] inline Gap<T> gap_after(const Gap<T>& gap, const T& d) {
-    const T curvature = gap.curvature + d * gap.jerk;
-    return {gap.value + d * (gap.rate + T(0.5) * d * (gap.curvature + fraction<T>(1, 3) * d * gap.jerk)),
-            gap.rate + T(0.5) * d * (gap.curvature + curvature), curvature, gap.jerk};
-}
-
 /// The neighbour of a candidate on the side of X.
 template <class T>
 [[gnu::always_inline]] inline Candidate<T> neighbour_of(const Body<T>& body, const Flight<T>& flight,
@@ -40,88 +32,7 @@ template <class T>
     return neighbour;
 }
 
-/// What bounds the vertices' gaps while nothing is outside.
-template <class T>
-struct VertexBounds {
-    T drift;  ///< |W| ≤ |V| + β
-    T apart;  ///< half of the second derivative of the difference between neighbours' gaps, 2 X·(a₂ − a₁)
-    T third;  ///< |g‴|
-    T centre_sixth;
-};
-
-template <class T>
-[[gnu::always_inline]] inline VertexBounds<T> vertex_bounds(const Body<T>& body, const Flight<T>& flight) {
-    using std::fabs;
-    VertexBounds<T> bounds;
-    bounds.drift = fabs(flight.velocity.x) + fabs(flight.velocity.y) + body.beta;
-    const T s = fabs(flight.spin);
-    bounds.apart = body.side * (body.beta + s * (T(2) * bounds.drift + s * body.outer));
-    bounds.third = vertex_third(body, flight, bounds.drift);
-    bounds.centre_sixth = derivative_bounds<6, Shape::disk>(body, flight).centre;
-    return bounds;
-}
-
-/// True if for `t` after a moment (or before it) the two vertices nearest to the centre's direction then stay so: as
-/// `two_are_enough`, with |X| ≥ `distance`.
-template <class T>
-[[gnu::always_inline]] inline bool two_suffice(const Body<T>& body, const Flight<T>& flight, const T& drift, const T& t,
-                                               const T& distance) {
-    using std::fabs;
-    return t * (fabs(flight.spin) * distance + T(2) * drift) <= T(0.5) * body.spacing * distance &&
-           T(2) * t * drift <= distance;
-}
-
-/// Proof for one end of a flight from one vertex alone: for `t` after a moment when the vertex at `arm` is at the wall
-/// it stays inside (g′ = −`rate`, g″ ≤ `curvature`), and the one second nearest to the centre's direction, at an angle
-/// of 2π/N to it, is farther inside. `drift` = W and `spin` = S; both change sign backwards in time, for a vertex that
-/// arrives.
-template <class T>
-[[gnu::always_inline]] inline bool only_one_at_wall(const Body<T>& body, const VertexBounds<T>& bounds,
-                                                    const Vec2<T>& centre, const Vec2<T>& drift, const T& spin,
-                                                    const Vec2<T>& arm, const T& rate, const T& curvature, const T& t,
-                                                    const T& slack) {
-    using std::copysign;
-    using std::fabs;
-    const T across = cross(arm, centre);
-    const T along = dot(arm, centre);
-    const Vec2<T> side = times(arm, Vec2<T>{body.next_turn.x, T(copysign(body.next_turn.y, across))});  // a₂ − a₁
-    const T behind = T(2) * dot(centre, side);
-    const T slope = T(2) * (dot(drift, side) - spin * cross(centre, side));
-    return fabs(across) <= body.half_slope * along && rate > 0 &&
-           t * (curvature + fraction<T>(1, 3) * bounds.third * t) <= T(2) * rate && rate * behind + slack <= 0 &&
-           rate * (behind + t * (slope + t * bounds.apart)) + slack <= 0;
-}
-
-/// Proves that nothing touched between the start and a contact `correction` after `at`, where `nearest` strikes.
-/// Between the ends the circumscribed circle stays clear of the wall but for two short times, and during these only one
-/// vertex can be at the wall. False: not proven.
-template <class T>
-[[gnu::always_inline]] inline bool clear_by_circumcircle(const Body<T>& body, const Flight<T>& flight,
-                                                         const Gap<T>& leaving, const Gap<T>& struck,
-                                                         const Instant<T>& at, const Candidate<T>& nearest,
-                                                         const T& correction) {
-    using std::fabs;
-    const VertexBounds<T> bounds = vertex_bounds(body, flight);
-    const ClosedBetween<T> ring = closed_between(leaving, centre_gap(body, flight, at), at.time, bounds.centre_sixth);
-    const T shift = fabs(correction);
-    const T in = ring.in + shift;
-    // At the contact itself. `slack`: the gap within which `touch_together` calls two times the same, and the motion
-    // between `at` and the contact.
-    const T rate = nearest.gap.rate - shift * (fabs(nearest.gap.curvature) + bounds.third * shift);
-    const T curvature = nearest.gap.curvature + bounds.third * shift;
-    const T fastest = T(2) * (bounds.drift + body.alpha * fabs(flight.spin));  // |g′| of any vertex
-    const T slack = T(32) * epsilon<T>() * (T(1) + fastest) * (T(1) + fastest * at.time) +
-                    rate * shift * T(2) * body.side * (bounds.drift + body.outer * fabs(flight.spin));
-    const Vec2<T> start_drift = flight.velocity - flight.beta * quarter_turned(flight.phase);
-    return ring.proven &&
-           two_suffice(body, flight, bounds.drift, std::max(ring.out, in), T(body.inner - bounds.drift * shift)) &&
-           only_one_at_wall(body, bounds, flight.centre, start_drift, flight.spin, flight.arm, T(-struck.rate),
-                            struck.curvature, ring.out, T(0)) &&
-           only_one_at_wall(body, bounds, at.centre, Vec2<T>{-at.drift.x, -at.drift.y}, T(-flight.spin), nearest.arm,
-                            rate, curvature, in, slack);
-}
-
-/// The same with the gaps of both vertices at both ends, as far as |g‴| ≤ M takes them. Nothing may touch until `out`
+/// Proof by the gaps of both vertices at both ends, as far as |g‴| ≤ M takes them. Nothing may touch until `out`
 /// and from `in` before the contact, at which `striking` and `neighbour` hold.
 template <class T>
 inline bool clear_by_pairs(const Body<T>& body, const Flight<T>& flight, const Instant<T>& start, const Gap<T>& leaving,
@@ -135,10 +46,7 @@ inline bool clear_by_pairs(const Body<T>& body, const Flight<T>& flight, const I
                                      T(body.inner - bounds.drift * shift))))
         return false;
     const Gap<T> other = neighbour_of(body, flight, start, Candidate<T>{0, flight.arm, struck}).gap;
-    return nonpositive_until(struck.value, struck.rate, struck.curvature, ring.out, bounds.third) &&
-           nonpositive_until(other.value, other.rate, other.curvature, ring.out, bounds.third) &&
-           nonpositive_until(striking.value, T(-striking.rate), striking.curvature, ring.in, bounds.third) &&
-           nonpositive_until(neighbour.value, T(-neighbour.rate), neighbour.curvature, ring.in, bounds.third);
+    return pairs_keep_inside(ring, struck, other, striking, neighbour, bounds.third);
 }
 
 /// The gaps of all vertices at a moment, of a polygon with few.

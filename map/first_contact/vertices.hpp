@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map/first_contact/bounds.hpp"
+#include "map/first_contact/circle_path.hpp"
 
 namespace swirl {
 
@@ -22,17 +23,7 @@ struct NearestTwo {
     Candidate<T> second;
 };
 
-/// atan2 to 2·10⁻⁶: enough to number the vertices of a polygon that has a table of them.
-inline double rough_angle(double y, double x) {
-    const double a = std::fabs(x), b = std::fabs(y);
-    const double t = std::min(a, b) / std::max(a, b);
-    const double s = t * t, s2 = s * s;
-    double angle =
-        t * ((0.99997726 - 0.33262347 * s) + s2 * ((0.19354346 - 0.11643287 * s) + s2 * (0.05265332 - 0.01172120 * s)));
-    if (b > a) angle = M_PI / 2 - angle;
-    if (x < 0) angle = M_PI - angle;
-    return y < 0 ? -angle : angle;
-}
+#include "map/first_contact/vertices_formulas.hpp"
 
 /// The number of the vertex nearest to the direction of X, or one next to it.
 template <class T>
@@ -51,13 +42,6 @@ template <class T>
     return body.vertex_number(static_cast<long long>(round(atan2(between.y, between.x) / body.spacing)));
 }
 
-/// True if no vertex's arm is nearer to X: |X × a| ≤ tan(π/N) X·a.
-template <class T>
-[[gnu::always_inline]] inline bool is_nearest(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& arm) {
-    using std::fabs;
-    return fabs(cross(arm, centre)) <= body.half_slope * dot(arm, centre);
-}
-
 /// Turns arm and number by whole vertices until the arm is the nearest one to X.
 template <class T>
 inline void turn_to_nearest(const Body<T>& body, const Vec2<T>& centre, const Vec2<T>& reference, Candidate<T>& c) {
@@ -69,15 +53,9 @@ inline void turn_to_nearest(const Body<T>& body, const Vec2<T>& centre, const Ve
     c.arm = body.turned_to_vertex(reference, c.vertex);
 }
 
-/// g of a vertex whose place is x₀ + d, d = a₀(cis(2πk/N) − 1), from that of the vertex that has struck:
-///     g = g₀ + 2x₀·d + |d|².
-/// Between neighbours g is of the order of d² where the body lies along the wall; as |x|² − 1 it would be known to ε
-/// only, this way to ε|d|, which is what a rounding of χ changes it by.
 template <class T>
 [[gnu::noinline]] T short_side_gap(const Body<T>& body, const Instant<T>& at, int vertex) {
-    const Vec2<T> moved = at.moved + at.arm_moved;
-    const Vec2<T> apart = times(at.arm, body.turn_to_vertex(vertex));
-    return (T(2) * moved.x + dot(moved, moved)) + (T(2) * apart.x + dot(apart, apart) + T(2) * dot(moved, apart));
+    return short_side_value(at, body.turn_to_vertex(vertex));
 }
 
 /// The circumscribed circle's gap, from that of the vertex that has struck where sides are short: with a₀ its arm at
@@ -162,17 +140,6 @@ inline const Candidate<T>* touching_neighbour(const NearestTwo<T>& pair, const T
     if (other.vertex == 0 || other.gap.value < 0) return nullptr;
     const bool touches = other.gap.rate > rounding || (other.gap.rate >= -rounding && other.gap.curvature >= 0);
     return touches ? &other : nullptr;
-}
-
-/// True if both touch within rounding of the same time. A gap is known to some ε `size` and so its root to that by g′,
-/// beside the rounding of the time itself.
-template <class T>
-inline bool touch_together(const Gap<T>& first, const Gap<T>& second, const T& time, const T& size = T(1)) {
-    using std::fabs;
-    if (!(first.rate > 0 && second.rate > 0)) return false;
-    // |g₁/g₁′ − g₂/g₂′| ≤ 16ε (size/min g′ + τ), without the divisions
-    const T apart = fabs(first.value * second.rate - second.value * first.rate);
-    return apart <= T(16) * epsilon<T>() * (size * std::max(first.rate, second.rate) + first.rate * second.rate * time);
 }
 
 template <class T>

@@ -3,7 +3,6 @@
 
 #include "map/model/scene.hpp"
 #include "map/numbers/turn.hpp"
-#include "map/numbers/unbiased_factor.hpp"
 #include "map/numbers/vec2.hpp"
 
 #include <algorithm>
@@ -36,7 +35,7 @@ struct Body {
     T inverse_inner{};    ///< 1/(1 − α)
     T disk_grip{};        ///< 1/B₁ of the disk, I/(I + α²)
     // α, 1/α, 1 − α and 1/(1 − α) for products that must not be biased.
-    UnbiasedFactor<T> unbiased_alpha, unbiased_inverse_alpha, unbiased_inner, unbiased_inverse_inner;
+    UnbiasedFactor<T> unbiased_alpha{}, unbiased_inverse_alpha{}, unbiased_inner{}, unbiased_inverse_inner{};
     T inner{};          ///< 1 − α: the centre's distance at which the circumscribed circle touches
     T outer{};          ///< the largest distance the centre can have (next to an edge's middle); inner for the disk
     T spacing{};        ///< 2π/N, the angle from a vertex to the next
@@ -75,9 +74,7 @@ struct Body {
             const Vec2<Plain<T>> turn = cis_minus_one(angle_of_vertex(k));
             return {T(turn.x), T(turn.y)};
         }
-        const Vec2<T>& direction = vertices[static_cast<std::size_t>(k)];
-        const Vec2<T>& rest = rests[static_cast<std::size_t>(k)];
-        return {(direction.x - T(1)) + rest.x, direction.y + rest.y};
+        return minus_one(vertices[static_cast<std::size_t>(k)], rests[static_cast<std::size_t>(k)]);
     }
     Vec2<T> direction_by_formula(int k) const {
         const Vec2<Plain<T>> direction = cis(angle_of_vertex(k));

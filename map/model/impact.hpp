@@ -45,22 +45,7 @@ inline bool ends_in_stick(ContactMode mode) {
     return mode == ContactMode::c_sticking || mode == ContactMode::r_sticking;
 }
 
-/// Everything that the impulse depends on, in the axes (n, t) of the contact; mass 1.
-template <class T>
-struct ContactKinematics {
-    T un{};            ///< normal slip velocity before, > 0 when approaching
-    T ut{};            ///< tangential slip velocity before
-    T rn{};            ///< offset from the body's centre to the contact, along n
-    T rt{};            ///< … along t
-    T inertia = T(1);  ///< I
-    T inverse_inertia = T(1) / inertia;
-
-    T b1() const { return T(1) + rn * rn * inverse_inertia; }
-    T b2() const { return T(1) + rt * rt * inverse_inertia; }
-    T b3() const { return rn * rt * inverse_inertia; }
-    /// B₂ − B₃²/B₁ = (1 + r²/I)/B₁, dC/dp while sticking: a sum, where the difference is rounding for a small I.
-    T sticking() const { return (b2() + rn * rn * inverse_inertia) / b1(); }
-};
+#include "map/model/impact_formulas.hpp"
 
 /// The impulse −p n + q t on the body.
 template <class T>

@@ -19,13 +19,7 @@ struct SectionPoint {
     T spin{};  ///< S = ω_p/ω_s
 };
 
-/// A section point with its angles as unit vectors, which is what the map iterates: no arc tangent per impact.
-template <class T>
-struct PostImpactState {
-    Vec2<T> psi;  ///< cis ψ
-    Vec2<T> chi;  ///< cis χ
-    T vn{}, vt{}, spin{};
-};
+#include "map/model/section_formulas.hpp"
 
 template <class T>
 inline PostImpactState<T> post_impact_state(const SectionPoint<T>& z) {
@@ -37,34 +31,6 @@ inline SectionPoint<T> section_point(const PostImpactState<T>& post_impact) {
     using std::atan2;
     return {atan2(post_impact.psi.y, post_impact.psi.x), atan2(post_impact.chi.y, post_impact.chi.x), post_impact.vn,
             post_impact.vt, post_impact.spin};
-}
-
-/// The flight that begins there, in the axes (n, t): the struck vertex is at (1, 0), the swirl's arm at angle −ψ.
-template <class T>
-[[gnu::always_inline]] inline Flight<T> flight_from(const Body<T>& body, const PostImpactState<T>& post_impact) {
-    Flight<T> flight;
-    flight.arm = body.unbiased_alpha * post_impact.chi;
-    flight.centre = Vec2<T>{T(1) - flight.arm.x, -flight.arm.y};
-    flight.velocity = {post_impact.vn, post_impact.vt};
-    flight.phase = conjugate(post_impact.psi);
-    flight.beta = body.beta;
-    flight.spin = post_impact.spin;
-    flight.struck = true;
-    return flight;
-}
-
-/// Slip velocities and lever arms at the contact: u = V + S ẑ×r − O′,
-/// u_n = v_n − αS sin χ − β sin ψ, u_t = v_t + αS cos χ − β cos ψ.
-template <class T>
-[[gnu::always_inline]] inline ContactKinematics<T> contact_kinematics(const Body<T>& body,
-                                                                      const PostImpactState<T>& post_impact) {
-    const Vec2<T> r = body.alpha * post_impact.chi;
-    return {post_impact.vn - post_impact.spin * r.y - body.beta * post_impact.psi.y,
-            post_impact.vt + post_impact.spin * r.x - body.beta * post_impact.psi.x,
-            r.x,
-            r.y,
-            body.inertia,
-            body.inverse_inertia};
 }
 
 /// Energy in the swirling frame, J = ½|V − ẑ×X|² − ½|X|² + ½I(S − 1)² − ½I with X from the swirl's centre

@@ -61,6 +61,10 @@ inline Plain<T> pi() {
     return NumberTraits<Plain<T>>::pi();
 }
 
+/// What a comparison of numbers gives: one answer, and in lanes one for each.
+template <class T>
+using Truth = bool;
+
 /// φ reduced to (−π, π].
 template <class T>
 inline T wrapped_angle(const T& angle) {
@@ -71,5 +75,15 @@ inline T wrapped_angle(const T& angle) {
     if (plain(reduced) <= -pi<T>()) reduced = reduced + T(turn);
     return reduced;
 }
+
+namespace detail {
+
+/// One of two values; in lanes each takes its own.
+template <class T>
+[[gnu::always_inline]] constexpr T choose(bool condition, const T& yes, const T& otherwise) {
+    return condition ? yes : otherwise;
+}
+
+}  // namespace detail
 
 }  // namespace swirl

@@ -18,30 +18,11 @@ inline Vec2<T> cis(const T& angle) {
     return {cos(angle), sin(angle)};
 }
 
-/// The composition of two turns given as cis − 1: (1 + a)(1 + b) − 1.
-template <class T>
-constexpr Vec2<T> compose(const Vec2<T>& a, const Vec2<T>& b) {
-    return a + (b + times(a, b));
-}
+#define SWIRL_INLINED constexpr
+#include "map/numbers/turn_formulas.hpp"
+#undef SWIRL_INLINED
 
 namespace detail {
-
-/// cis δ − 1 by Taylor polynomials for |δ| ≤ ¼; the first terms left out are below 2⁻⁵⁶ of the sum.
-[[gnu::always_inline]] constexpr Vec2<double> small_turn_minus_one(double d) {
-    const double s = d * d;
-    const double s2 = s * s;
-    const double sine =
-        (-1.0 / 6 + s * (1.0 / 120)) + s2 * ((-1.0 / 5040 + s * (1.0 / 362880)) + s2 * (-1.0 / 39916800));
-    const double cosine = (-0.5 + s * (1.0 / 24)) +
-                          s2 * ((-1.0 / 720 + s * (1.0 / 40320)) + s2 * (-1.0 / 3628800 + s * (1.0 / 479001600)));
-    return {s * cosine, d + d * (s * sine)};
-}
-
-/// cis δ − 1 for |δ| ≤ 2⁻¹³, where two terms are enough: the last correction of a search is that small.
-[[gnu::always_inline]] constexpr Vec2<double> tiny_turn_minus_one(double d) {
-    const double s = d * d;
-    return {s * (-0.5 + s * (1.0 / 24)), d + d * (s * (-1.0 / 6))};
-}
 
 inline constexpr int turn_table_size = 65;
 
@@ -91,8 +72,8 @@ inline constexpr auto half_radians = turn_table();
 template <class T>
 [[gnu::always_inline]] inline Vec2<T> cis_minus_one(const T& angle) {
     if constexpr (std::is_same_v<T, double>) {
-        if (std::fabs(angle) <= 0x1p-13) return detail::tiny_turn_minus_one(angle);
-        if (std::fabs(angle) <= 0.25) return detail::small_turn_minus_one(angle);
+        if (std::fabs(angle) <= 0x1p-13) return tiny_turn_minus_one(angle);
+        if (std::fabs(angle) <= 0.25) return small_turn_minus_one(angle);
         if (!(std::fabs(angle) < 32)) {
             const Vec2<double> full = cis(angle);
             return {full.x - 1, full.y};
@@ -103,19 +84,13 @@ template <class T>
         const detail::TabledVector& entry = detail::half_radians[static_cast<std::size_t>(k < 0 ? -k : k)];
         const double side = k < 0 ? -1 : 1;
         const Vec2<double> coarse{entry.value.x, side * entry.value.y};
-        const Vec2<double> fine = detail::small_turn_minus_one(angle - 0.5 * nearest);
+        const Vec2<double> fine = small_turn_minus_one(angle - 0.5 * nearest);
         const Vec2<double> rest{entry.rest.x, side * entry.rest.y};
-        return coarse + (fine + (rest + times(coarse, fine)));
+        return compose(coarse, rest, fine);
     } else {
         const Vec2<T> half = cis(T(angle * T(0.5)));
         return {T(-2) * half.y * half.y, T(2) * half.y * half.x};
     }
-}
-
-/// v turned: v + v·(cis δ − 1).
-template <class T>
-constexpr Vec2<T> turned(const Vec2<T>& v, const Vec2<T>& turn) {
-    return v + times(v, turn);
 }
 
 }  // namespace swirl

@@ -29,14 +29,6 @@ constexpr std::array<TabledVector, sixty_fourths> sixty_fourths_table() {
 
 inline constexpr auto turns_of_sixty_fourths = sixty_fourths_table();
 
-/// A moment with E(τ) = cis τ − 1 and what rounding left out of that.
-template <class T>
-struct TurnedMoment {
-    T time;
-    Vec2<T> turn;
-    Vec2<T> rest;
-};
-
 /// A moment close to τ ≥ 0: τ itself, or for double the nearest multiple of 1/64, which needs no series.
 template <class T>
 [[gnu::always_inline]] inline TurnedMoment<T> moment_near(const T& time) {
@@ -55,8 +47,7 @@ template <class T>
 /// E(τ + d).
 template <class T>
 [[gnu::always_inline]] inline Vec2<T> turn_after(const TurnedMoment<T>& moment, const T& d) {
-    const Vec2<T> fine = cis_minus_one(d);
-    return moment.turn + (fine + (moment.rest + times(moment.turn, fine)));
+    return compose(moment.turn, moment.rest, cis_minus_one(d));
 }
 
 }  // namespace swirl::detail

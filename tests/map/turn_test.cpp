@@ -1,5 +1,5 @@
 // Rotations, tabled and by series, against long double.
-#include "map/first_contact/gap_series.hpp"
+#include "map/first_contact/circle_path.hpp"
 #include "map/first_contact/vertices.hpp"
 #include "map/numbers/turn_table.hpp"
 #include "tests/map/random_scenes.hpp"

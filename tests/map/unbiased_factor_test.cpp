@@ -1,5 +1,5 @@
-// Products with constants of few digits: map/numbers/unbiased_factor.hpp.
-#include "map/numbers/unbiased_factor.hpp"
+// Products with constants of few digits: map/numbers/vec2.hpp.
+#include "map/numbers/vec2.hpp"
 #include "tests/map/random_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -50,6 +50,19 @@ HWY_INLINE LaneImpact impact_of_disk(const LaneScenes& scenes, int i, PostImpact
     }
 }
 
+/// `touch_at_root` and `CollisionMap::strike`, `first` + `second` after a moment.
+///   after  the state after the impact
+template <ImpactRule rule>
+HWY_INLINE LaneImpact strike_disk(const LaneScenes& scenes, int i, const Flight<Lane>& flight,
+                                  const TurnedMoment<Lane>& near, Lane first, Lane second,
+                                  PostImpactState<Lane>& after) {
+    Instant<Lane> at = instant_at<Shape::disk>(flight, near.time + first, turn_after(near, first));
+    advance_slightly(flight, at, second);
+    const Plane x = load(scenes.unbiased_inverse_inner, i) * at.centre;
+    turn_to_contact(x, missing_length(x), at.phase, flight, after);
+    return impact_of_disk<rule>(scenes, i, after);
+}
+
 /// Lanes `i` … of a block, as many as a vector has.
 template <ImpactRule rule>
 HWY_INLINE RoundResult look_at_disks(bool sums_chatter, LaneBlock& block, int i) {
@@ -71,23 +84,21 @@ HWY_INLINE RoundResult look_at_disks(bool sums_chatter, LaneBlock& block, int i)
     const SeriesRoot<Lane> root = root_of(gap);
     const Lane time = near.time + (root.first + root.second);
     const Mask leads_on = root.rate > Lane(0) && fabs(root.first) + fabs(root.second) <= Lane(longest_correction);
+    // The scalar code's search ends without success here …
+    const Mask ended = usual && (!(guess > Lane(0) && guess <= Lane(longest_guess)) || looks > Lane(correction_limit));
     const Mask looked = usual && is_tabled_moment(guess) && looks <= Lane(correction_limit);
-    const Mask near_enough = leads_on && is_small(root.first);
-    usual = looked && near_enough && time > Lane(0);
     const Mask converged = is_converged(root, time, derivative_bounds<11, Shape::disk>(body, flight).centre);
     const Mask clear =
         clear_between<Lane>(start, gap_at(gap, root), time, derivative_bounds<6, Shape::disk>(body, flight).centre);
 
-    Instant<Lane> at = instant_at<Shape::disk>(flight, near.time + root.first, turn_after(near, root.first));
-    advance_slightly(flight, at, root.second);
-    const Plane x = load(scenes.unbiased_inverse_inner, i) * at.centre;
     PostImpactState<Lane> after;
-    turn_to_contact(x, missing_length(x), at.phase, flight, after);
-    const LaneImpact impact = impact_of_disk<rule>(scenes, i, after);
+    const LaneImpact impact = strike_disk<rule>(scenes, i, flight, near, root.first, root.second, after);
 
-    const Mask struck = usual && converged && clear && stays_in_range(after, body);
-    const Mask again = usual && !converged;
-    const Mask search_failed = looked && (!leads_on || (near_enough && converged && !(clear && time > Lane(0))));
+    const Mask found = looked && leads_on && time > Lane(0);
+    const Mask struck = found && converged && is_small(root.first) && clear && stays_in_range(after, body);
+    const Mask again = found && !converged;
+    // … and here, or what it finds is not proven.
+    const Mask search_failed = ended || (looked && (!(leads_on && time > Lane(0)) || (converged && !clear)));
     keep_impact(struck, after, time, looks, impact, Lane(0), block, i);
     store(choose(again, time, Lane(0)), block.guess, i);
     store(choose(again, looks, Lane(0)), block.looks, i);

@@ -20,6 +20,14 @@ RoundResult disks(bool sums_chatter, LaneBlock& block) {
     return look_by<Shape::disk, ImpactRule::poisson>(sums_chatter, block);
 }
 
+RoundResult sampled_frictionless_disks(LaneBlock& block) {
+    return look_by<Shape::disk, ImpactRule::frictionless, true>(false, block);
+}
+
+RoundResult sampled_disks(LaneBlock& block) {
+    return look_by<Shape::disk, ImpactRule::poisson, true>(false, block);
+}
+
 }  // namespace swirl::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -28,6 +36,8 @@ namespace swirl::detail {
 
 HWY_EXPORT(frictionless_disks);
 HWY_EXPORT(disks);
+HWY_EXPORT(sampled_frictionless_disks);
+HWY_EXPORT(sampled_disks);
 
 RoundResult advance_frictionless_disks(bool sums_chatter, LaneBlock& block) {
     return HWY_DYNAMIC_DISPATCH(frictionless_disks)(sums_chatter, block);
@@ -35,6 +45,11 @@ RoundResult advance_frictionless_disks(bool sums_chatter, LaneBlock& block) {
 
 RoundResult advance_disks(bool sums_chatter, LaneBlock& block) {
     return HWY_DYNAMIC_DISPATCH(disks)(sums_chatter, block);
+}
+
+RoundResult advance_sampled_disks(ImpactRule rule, LaneBlock& block) {
+    if (rule == ImpactRule::frictionless) return HWY_DYNAMIC_DISPATCH(sampled_frictionless_disks)(block);
+    return HWY_DYNAMIC_DISPATCH(sampled_disks)(block);
 }
 
 }  // namespace swirl::detail

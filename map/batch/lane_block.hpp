@@ -66,7 +66,11 @@ struct KernelKind {
 /// One look at every lane's flight. Compiled for each instruction set; the processor's best is chosen at run time.
 RoundResult advance_lanes(const KernelKind& kind, LaneBlock& block);
 
-// Its parts (disks_kernels.cpp, polygons_kernels.cpp). A disk's laws with friction coincide.
+/// The second search, from samples, for disks whose first has failed (`RoundResult::search_failed`): each lane is
+/// struck or left.
+RoundResult advance_sampled_disks(ImpactRule rule, LaneBlock& block);
+
+// Parts of `advance_lanes` (disks_kernels.cpp, polygons_kernels.cpp). A disk's laws with friction coincide.
 RoundResult advance_frictionless_disks(bool sums_chatter, LaneBlock& block);
 RoundResult advance_disks(bool sums_chatter, LaneBlock& block);
 RoundResult advance_frictionless_polygons(bool sums_chatter, LaneBlock& block);

@@ -39,8 +39,9 @@ struct BatchUse {
     long long left = 0;  ///< steps that the lanes left to the scalar code …
     long long search_failed =
         0;  ///< … of these, without the searches from the circle's return, made without success by the lane
-    long long rounds = 0;  ///< looks at all lanes
-    long long filled = 0;  ///< lanes with an orbit, summed over the rounds
+    long long sampled = 0;  ///< impacts that lanes found by their second search, from samples (disks)
+    long long rounds = 0;   ///< looks at all lanes, without that
+    long long filled = 0;   ///< lanes with an orbit, summed over the rounds
 
     /// Of the impacts; 0 where there was none.
     double share_left() const { return impacts == 0 ? 0 : static_cast<double>(left) / static_cast<double>(impacts); }
@@ -116,16 +117,18 @@ public:
         for (const auto& orbit : orbits_) kind_.sums_chatter |= orbit.map->map().scene().restitution < 1;
         if constexpr (Map::shape == Shape::polygon)
             for (const auto& orbit : orbits_) first_vertex_.push_back(tables_.add(orbit.map->map().body()));
-        block_.vertices = tables_.numbers();
+        first_.block.vertices = tables_.numbers();
     }
 
     BatchUse run() {
         for (int lane = 0; lane < block_lanes; ++lane) refill(lane);
         while (filled_ != 0) {
-            const RoundResult result = advance_lanes(kind_, block_);
+            const RoundResult result = advance_lanes(kind_, first_.block);
             ++use_.rounds;
             use_.filled += std::popcount(filled_);
-            each(result.struck & filled_, [&](int lane) { strike(lane); });
+            each(result.struck & filled_, [&](int lane) {
+                if (!strike(first_, lane)) refill(lane);
+            });
             each(result.left & filled_, [&](int lane) { leave(lane, (result.search_failed >> lane & 1u) != 0); });
             each(result.left & ~filled_ & ((1u << block_lanes) - 1), [&](int lane) { idle(lane); });
         }
@@ -135,17 +138,24 @@ public:
 private:
     using Orbit = BatchedOrbit<Map>;
 
+    /// A block, and whose orbits are in its lanes.
+    struct Lanes {
+        LaneBlock block;
+        std::size_t place[block_lanes] = {};
+        const Map* map[block_lanes] = {};  ///< whose scene a lane holds
+    };
+
     template <class Use>
     static void each(std::uint32_t lanes, const Use& use) {
         for (; lanes != 0; lanes &= lanes - 1) use(std::countr_zero(lanes));
     }
-    Orbit& orbit_in(int lane) { return orbits_[place_[static_cast<std::size_t>(lane)]]; }
 
     /// The next orbit for a lane, none if there is none left.
     void refill(int lane) {
         filled_ &= ~(1u << lane);
-        while (next_ < orbits_.size()) {
-            const std::size_t place = next_++;
+        if (waiting_.empty() && next_ == orbits_.size()) seek_from_samples();
+        while (!waiting_.empty() || next_ < orbits_.size()) {
+            const std::size_t place = next_place();
             Orbit& orbit = orbits_[place];
             if (orbit.done >= orbit.wanted || orbit.outcome != Outcome::completed) continue;
             const Map& map = orbit.map->map();
@@ -154,21 +164,31 @@ private:
                 }
                 continue;
             }
-            fill(lane, place, orbit.state);
-            place_[static_cast<std::size_t>(lane)] = place;
+            fill(first_, lane, place, orbit.state);
             filled_ |= 1u << lane;
             return;
         }
         idle(lane);
     }
 
-    void fill(int lane, std::size_t place, const PostImpactState<double>& state) {
+    std::size_t next_place() {
+        if (waiting_.empty()) return next_++;
+        const std::size_t place = waiting_.back();
+        waiting_.pop_back();
+        return place;
+    }
+
+    void fill(Lanes& lanes, int lane, std::size_t place, const PostImpactState<double>& state) {
         const auto& step = *orbits_[place].map;
         const Map& map = step.map();
-        const double widest = map.scene().restitution < 1 ? step.contact().widest_sine : 0;
-        fill_scene(map.body(), map.scene().mu, map.scene().restitution, widest, lane, block_);
-        if constexpr (Map::shape == Shape::polygon) block_.scenes.first_vertex[lane] = first_vertex_[place];
-        fill_state(state, lane, block_);
+        if (lanes.map[lane] != &map) {
+            const double widest = map.scene().restitution < 1 ? step.contact().widest_sine : 0;
+            fill_scene(map.body(), map.scene().mu, map.scene().restitution, widest, lane, lanes.block);
+            if constexpr (Map::shape == Shape::polygon) lanes.block.scenes.first_vertex[lane] = first_vertex_[place];
+            lanes.map[lane] = &map;
+        }
+        lanes.place[lane] = place;
+        fill_state(state, lane, lanes.block);
     }
 
     /// A lane without an orbit repeats another's, so that its numbers are those of a flight and its vector does not
@@ -177,8 +197,8 @@ private:
         if (filled_ == 0) return;
         const int other = std::countr_zero(filled_);
         PostImpactState<double> state;
-        take_state(block_, other, state);
-        fill(lane, place_[static_cast<std::size_t>(other)], state);
+        take_state(first_.block, other, state);
+        fill(first_, lane, first_.place[other], state);
     }
 
     /// Are the impacts that its lane makes shown?
@@ -189,27 +209,57 @@ private:
             return true;
     }
 
-    void strike(int lane) {
-        Orbit& orbit = orbit_in(lane);
+    /// @return the orbit goes on
+    bool strike(Lanes& lanes, int lane) {
+        Orbit& orbit = orbits_[lanes.place[lane]];
         ++use_.impacts;
         ++orbit.done;
+        const bool goes_on = orbit.done < orbit.wanted;
         if (is_observed(orbit)) {
-            take_state(block_, lane, orbit.state);
-            observe_(orbit, impact_of(block_, lane));
+            take_state(lanes.block, lane, orbit.state);
+            observe_(orbit, impact_of(lanes.block, lane));
+        } else if (!goes_on) {
+            take_state(lanes.block, lane, orbit.state);
         }
-        if (orbit.done < orbit.wanted) return;
-        take_state(block_, lane, orbit.state);
-        refill(lane);
+        return goes_on;
     }
 
     /// A step that the lanes did not decide.
     ///   search_failed  neither would the scalar code's searches from the circle's return
     void leave(int lane, bool search_failed) {
-        Orbit& orbit = orbit_in(lane);
+        const std::size_t place = first_.place[lane];
+        Orbit& orbit = orbits_[place];
         PostImpactState<double> from;
-        take_state(block_, lane, from);
+        take_state(first_.block, lane, from);
+        // The second search waits until it has all its lanes; others meanwhile need to be there for this one.
+        if (Map::shape == Shape::disk && search_failed && (!waiting_.empty() || next_ < orbits_.size())) {
+            fill(sampled_, to_sample_++, place, from);
+            if (to_sample_ == block_lanes) seek_from_samples();
+            return refill(lane);
+        }
         if (!step_alone(orbit, from, search_failed) || orbit.done >= orbit.wanted) return refill(lane);
-        fill_state(orbit.state, lane, block_);
+        fill_state(orbit.state, lane, first_.block);
+    }
+
+    /// The second search of the orbits that wait for it; those that go on then wait for a lane.
+    void seek_from_samples() {
+        const int count = std::exchange(to_sample_, 0);
+        if (count == 0) return;
+        const RoundResult result = advance_sampled_disks(Map::rule, sampled_.block);
+        for (int lane = 0; lane < count; ++lane) {
+            const std::size_t place = sampled_.place[lane];
+            Orbit& orbit = orbits_[place];
+            PostImpactState<double> state;
+            take_state(sampled_.block, lane, state);
+            if ((result.struck >> lane & 1u) != 0) {
+                ++use_.sampled;
+                if (!strike(sampled_, lane)) continue;
+                copy_state(state, orbit.state);
+                waiting_.push_back(place);
+            } else if (step_alone(orbit, state, true)) {
+                waiting_.push_back(place);
+            }
+        }
     }
 
     /// By the scalar code. @return the orbit goes on
@@ -234,10 +284,12 @@ private:
     std::span<Orbit> orbits_;
     Observe& observe_;
     KernelKind kind_;
-    LaneBlock block_;
     VertexTables tables_;
     std::vector<std::int64_t> first_vertex_;
-    std::size_t place_[block_lanes] = {};
+    Lanes first_;
+    Lanes sampled_;                     ///< for the second search
+    int to_sample_ = 0;                 ///< … its lanes that are filled, from the first on
+    std::vector<std::size_t> waiting_;  ///< places of orbits that go on from there and have no lane
     std::size_t next_ = 0;
     std::uint32_t filled_ = 0;  ///< a bit for each lane with an orbit
     BatchUse use_;

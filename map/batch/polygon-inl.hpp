@@ -12,23 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
 
-/// sampled_guess, in the lanes that want it; −1 if the gap stays negative.
-HWY_INLINE Lane sampled_guess(const CirclePath<Lane>& path, Mask wanted) {
-    Lane guess(-1), before(0);
-    std::size_t step = 2;
-    for (std::size_t k = step; k < sixty_fourths && any(wanted); k += step) {
-        const Lane time(static_cast<double>(k) / 64);
-        const TabledVector& turn = turns_of_sixty_fourths[k];
-        const Lane gap = gap_along(path, time, Plane{Lane(turn.value.x), Lane(turn.value.y)});
-        const Mask crossed = hn::And(wanted, gap > Lane(0));
-        guess = choose(crossed, time - Lane(static_cast<double>(step) / 64) * gap / (gap - before), guess);
-        wanted = hn::AndNot(crossed, wanted);
-        before = gap;
-        if (step < 16) step = k;
-    }
-    return guess;
-}
-
 /// A moment near a guess, and the way from it to the place where the centre is back at its first distance.
 struct LaneReturn {
     TurnedMoment<Lane> near;

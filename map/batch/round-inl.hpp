@@ -6,19 +6,22 @@
 #define SWIRL_MAP_BATCH_ROUND_INL
 #endif
 
-#include "map/batch/disk-inl.hpp"
 #include "map/batch/polygon-inl.hpp"
+#include "map/batch/sampled_disk-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {
 
-template <Shape shape, ImpactRule rule>
+/// By the second search: of a disk whose first has failed.
+template <Shape shape, ImpactRule rule, bool from_samples = false>
 HWY_INLINE RoundResult look_by(bool sums_chatter, LaneBlock& block) {
     const int lanes = static_cast<int>(hn::Lanes(Tag()));
     RoundResult all_lanes;
     for (int i = 0; i < block_lanes; i += lanes) {
         RoundResult some;
-        if constexpr (shape == Shape::disk)
+        if constexpr (from_samples)
+            some = look_at_sampled_disks<rule>(block, i);
+        else if constexpr (shape == Shape::disk)
             some = look_at_disks<rule>(sums_chatter, block, i);
         else
             some = look_at_polygons<rule>(sums_chatter, block, i);

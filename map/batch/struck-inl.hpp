@@ -1,4 +1,4 @@
-// What lanes of disks and polygons share: states, the turn into the new contact's axes, and what is kept of an impact.
+// What lanes of disks and polygons share: states, a guess from samples, and what is kept of an impact.
 #if defined(SWIRL_MAP_BATCH_STRUCK_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SWIRL_MAP_BATCH_STRUCK_INL
 #undef SWIRL_MAP_BATCH_STRUCK_INL
@@ -25,6 +25,23 @@ HWY_INLINE PostImpactState<Lane> load_state(const LaneBlock& block, int i) {
     z.vt = load(block.vt, i);
     z.spin = load(block.spin, i);
     return z;
+}
+
+/// sampled_guess, in the lanes that want it; −1 if the gap stays negative.
+HWY_INLINE Lane sampled_guess(const CirclePath<Lane>& path, Mask wanted) {
+    Lane guess(-1), before(0);
+    std::size_t step = 2;
+    for (std::size_t k = step; k < sixty_fourths && any(wanted); k += step) {
+        const Lane time(static_cast<double>(k) / 64);
+        const TabledVector& turn = turns_of_sixty_fourths[k];
+        const Lane gap = gap_along(path, time, Plane{Lane(turn.value.x), Lane(turn.value.y)});
+        const Mask crossed = hn::And(wanted, gap > Lane(0));
+        guess = choose(crossed, time - Lane(static_cast<double>(step) / 64) * gap / (gap - before), guess);
+        wanted = hn::AndNot(crossed, wanted);
+        before = gap;
+        if (step < 16) step = k;
+    }
+    return guess;
 }
 
 /// `may_chatter`, negated.

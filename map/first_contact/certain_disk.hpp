@@ -73,16 +73,15 @@ template <class T>
 }
 
 /// True if g ≤ 4ε is proven up to the root, in pieces: each begins with all that is left, and is halved until it is
-/// proven. False after 32 looks.
+/// proven. False after `most_pieces` looks.
 template <class T>
 inline bool is_clear_in_pieces(const CirclePath<T>& path, const CircleGap<T>& start, const DiskRoot<T>& found,
                                const T& sixth) {
-    constexpr int most_looks = 32;
     const Gap<T> end = gap_at(found.gap, found.root);
     Gap<T> from = start;
     T begin(0);
     T piece = found.time;
-    for (int looks = 0; looks < most_looks; ++looks) {
+    for (int looks = 0; looks < most_pieces; ++looks) {
         const T left = found.time - begin;
         if (piece >= left) {
             if (clear_between(from, end, left, sixth)) return true;

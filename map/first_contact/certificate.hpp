@@ -30,6 +30,7 @@ inline T fourth_root_of_epsilon() {
 
 /// A search for a root ahead that has no guarantees (those come from `clear_between` afterwards) gives up beyond these.
 inline constexpr int correction_limit = 8;
+inline constexpr int most_pieces = 32;       // looks of a proof in pieces
 inline constexpr double longest_guess = 16;  // radians of swirl
 inline constexpr double longest_correction = 0.5;
 

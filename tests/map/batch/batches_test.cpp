@@ -46,6 +46,20 @@ TEST(BatchTest, LanesKeepMostOfChaos) {
     EXPECT_GT(result.use.search_failed, result.use.left / 2);
 }
 
+TEST(BatchTest, LanesSeekLongFlightsOfDisksFromSamples) {
+    const Scene<double> scene = scene_of(disk_sides, 0.3, 0.5, 0, 1);
+    const Compared many = compare(orbits_of<FrictionlessDisk>(scene, 32, 1000).orbits);
+    EXPECT_EQ(many.different, 0);
+    EXPECT_GT(many.use.sampled, many.impacts / 10);  // 0.15 measured
+    EXPECT_LT(many.use.share_left(), 0.05);          // 0.03 measured
+    EXPECT_EQ(many.by_lanes + many.use.left, many.impacts);
+    // Without others that could take its lane, a flight does not wait.
+    const Compared few = compare(orbits_of<FrictionlessDisk>(scene, 8, 1000).orbits);
+    EXPECT_EQ(few.different, 0);
+    EXPECT_EQ(few.use.sampled, 0);
+    EXPECT_GT(few.use.left, few.impacts / 10);
+}
+
 /// An observer that wants nothing of every other orbit.
 struct EveryOther {
     const BatchedOrbit<Hexagon>* first;

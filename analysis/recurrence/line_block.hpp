@@ -26,6 +26,9 @@ struct Totals {
           diagonal_points(std::min(shape.rows, shape.columns)) {}
 };
 
+/// What the totals of all blocks come to: both triangles of a symmetric matrix, and its main diagonal. Moves them out.
+LineHistograms histograms_of(const Shape& shape, const Settings& settings, Totals& totals);
+
 struct Context {
     Shape shape;
     Settings settings;

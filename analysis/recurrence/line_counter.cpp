@@ -184,17 +184,18 @@ void count_block(Context& context, std::size_t begin, std::size_t end, const Col
     }
 }
 
-LineHistograms finish(const Context& context, Totals& totals) {
-    const Shape& shape = context.shape;
+}  // namespace
+
+LineHistograms histograms_of(const Shape& shape, const Settings& settings, Totals& totals) {
     if (shape.symmetric) {
-        if (context.settings.triangles == Triangles::both)
+        if (settings.triangles == Triangles::both)
             for (std::uint64_t& count : totals.diagonal) count *= 2;
         for (std::uint64_t& count : totals.diagonal_points) count *= 2;
         if (shape.theiler == 0 && totals.main_diagonal) {
             std::vector<PointRun> runs{{0, 0, shape.rows}};
             if (shape.presences != nullptr) runs = shape.presences->rows.runs;
             for (const PointRun& run : runs) {
-                if (!context.discard_border()) ++totals.diagonal[run.count];
+                if (settings.border_lines == BorderLines::counted) ++totals.diagonal[run.count];
                 totals.diagonal_points[0] += run.count;
             }
         }
@@ -216,8 +217,6 @@ LineHistograms finish(const Context& context, Totals& totals) {
             0,
             {}};
 }
-
-}  // namespace
 
 void trim_zeros(std::vector<std::uint64_t>& histogram) {
     while (histogram.size() > 1 && histogram.back() == 0) histogram.pop_back();
@@ -249,7 +248,7 @@ std::vector<LineHistograms> count_all_lines(const Shape& shape, std::size_t thre
         join_blocks(of_threshold, context.frame.lines_begin, context.frame.words * 64, [&](const DiagonalLine& line) {
             if (context.counts(line)) ++histogram[line.last - line.first + 1];
         });
-        result.push_back(finish(context, context.totals[k]));
+        result.push_back(histograms_of(shape, settings, context.totals[k]));
     }
     return result;
 }

@@ -73,6 +73,28 @@ std::size_t list_changes(const std::uint64_t* words, std::size_t first, std::siz
     return static_cast<std::size_t>(out - changes);
 }
 
+std::size_t list_turns(const std::uint64_t* words, std::size_t count, std::uint32_t* turns) {
+    const hn::ScalableTag<std::uint64_t> tag;
+    const std::size_t lanes = hn::Lanes(tag);
+    std::uint32_t* out = turns;
+    for (std::size_t begin = 0; begin < count; begin += 64) {
+        const std::size_t end = std::min(begin + 64, count);
+        std::uint64_t turned = 0;
+        std::size_t c = begin;
+        for (; c + lanes <= end; c += lanes) {
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(tag, hn::Ne(hn::LoadU(tag, words + c), hn::LoadU(tag, words + c - 1)), bits);
+            turned |= std::uint64_t{bits[0]} << (c - begin);
+        }
+        for (; c < end; ++c) turned |= std::uint64_t{words[c] != words[c - 1]} << (c - begin);
+        for (; turned != 0; turned &= turned - 1) {
+            const std::size_t at = begin + static_cast<std::size_t>(std::countr_zero(turned));
+            out = list_bits(words[at] ^ words[at - 1], static_cast<std::uint32_t>(at * 64), out);
+        }
+    }
+    return static_cast<std::size_t>(out - turns);
+}
+
 // Most lines are very short. Four tables by turns, so that one count need not wait for the one before. How many points.
 std::size_t tally_lengths(const std::uint32_t* changes, std::size_t count, Tally& lines) {
     constexpr std::size_t tables = 4, shortest = 64;
@@ -272,6 +294,7 @@ HWY_AFTER_NAMESPACE();
 namespace swirl::analysis::recurrence::detail {
 
 HWY_EXPORT(scatter_rows);
+HWY_EXPORT(list_turns);
 HWY_EXPORT(vertical_lines);
 HWY_EXPORT(diagonal_step);
 HWY_EXPORT(add_to_planes);
@@ -279,6 +302,9 @@ HWY_EXPORT(add_to_planes);
 void scatter_rows(const std::uint32_t* order, std::size_t begin, std::size_t end, std::size_t offset,
                   std::uint64_t* words) {
     HWY_DYNAMIC_DISPATCH(scatter_rows)(order, begin, end, offset, words);
+}
+std::size_t list_turns(const std::uint64_t* words, std::size_t count, std::uint32_t* turns) {
+    return HWY_DYNAMIC_DISPATCH(list_turns)(words, count, turns);
 }
 std::size_t vertical_lines(const std::uint64_t* words, std::size_t first, std::size_t last,
                            const VerticalOptions& options, Tally& lines, Tally& times) {

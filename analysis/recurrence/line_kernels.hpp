@@ -53,6 +53,10 @@ struct VerticalOptions {
 std::size_t vertical_lines(const std::uint64_t* words, std::size_t first, std::size_t last,
                            const VerticalOptions& options, Tally& lines, Tally& times);
 
+/// Where the bits of words[0] ... words[count - 1] differ from those of the word before (words[-1] is read): bit k of
+/// words[c] as 64 c + k, in order. How many; `turns` has room for all bits and four more.
+std::size_t list_turns(const std::uint64_t* words, std::size_t count, std::uint32_t* turns);
+
 /// A diagonal line: bit q of the frame, columns first ... last.
 struct DiagonalLine {
     std::uint32_t q;

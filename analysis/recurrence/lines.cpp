@@ -4,6 +4,7 @@
 #include "analysis/recurrence/gaps.hpp"
 #include "analysis/recurrence/line_counter.hpp"
 #include "analysis/recurrence/sliding_lines.hpp"
+#include "analysis/recurrence/smooth_lines.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -53,13 +54,18 @@ std::vector<LineHistograms> count(const Points& rows, const Points& columns, boo
     const detail::ColumnFinder finder = detail::find_columns(rows, columns, settings.norm, bounds);
     const detail::SortedRows& sorted = finder.sorted;
     const int theiler = theiler_window(settings, !symmetric);
+    std::vector<LineHistograms> histograms;
+    if (symmetric && finder.by_tiles && detail::can_follow_diagonals(finder.tiled)) {
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+            histograms.push_back(detail::count_smooth_lines(finder.tiled, k, theiler, settings));
+        return histograms;
+    }
     std::optional<detail::Presences> presences;
     if (!rows.row_numbers.empty() || !columns.row_numbers.empty())
         presences = detail::Presences{detail::Presence(rows), detail::Presence(columns)};
     const bool sliding = !presences && detail::can_slide(rows, theiler);
     const detail::Shape shape{rows.rows(), columns.rows(), symmetric,
                               theiler,     !sliding,       presences ? &*presences : nullptr};
-    std::vector<LineHistograms> histograms;
     std::vector<detail::VerticalCounts> vertical(bounds.size());
     const auto slide = [&] {
         if (!sliding) return;

@@ -7,7 +7,9 @@
 // Cost of the functions below, n rows and columns: O(n log n) to sort, then O(n^2 / 64) word operations for the
 // diagonal lines and the work of finding the recurrence points: O(RR n^2) in one dimension; above, of smooth
 // trajectories the n^2 / 64 tests of tiles and the pairs of near ones (README.md, "Tiles"), of others O(candidates by
-// the first two coordinates) up to dimension 4 and n^2 distances above. Vertical lines of a plain scalar series with a
+// the first two coordinates) up to dimension 4 and n^2 distances above. One smooth trajectory in two or three
+// coordinates takes half of the tests and pairs, one pass for each threshold (README.md, "Diagonals of a smooth
+// trajectory"). Vertical lines of a plain scalar series with a
 // Theiler window of at most 16 take O(n W log n), others O(RR n^2). Memory O(n) per threshold and thread, never O(n^2).
 #pragma once
 

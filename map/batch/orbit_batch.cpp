@@ -1,6 +1,6 @@
 #include "map/batch/orbit_batch.hpp"
 
-#include "map/sustained/chatter_completion.hpp"
+#include "map/contact/chatter_completion.hpp"
 
 namespace swirl::detail {
 

@@ -7,8 +7,8 @@
 #endif
 
 #include "map/batch/formulas-inl.hpp"
+#include "map/contact/chatter_completion.hpp"
 #include "map/model/scene.hpp"
-#include "map/sustained/chatter_completion.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace swirl::detail::HWY_NAMESPACE {

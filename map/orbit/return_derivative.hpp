@@ -1,6 +1,6 @@
 // The derivative of the return map where a return step leads through sustained contact: exact, by Jets.
 //
-// DF is differentiated along the orbit's own events (map/sustained/contact_along.hpp): the state in contact, where the
+// DF is differentiated along the orbit's own events (map/contact/contact_along.hpp): the state in contact, where the
 // removal of u_n with its friction is smooth for either sign of u_n (`landed_like`); the motion to the end of contact;
 // and what follows, a flight to its first contact or the impulse that ends the contact. On the border between two ways
 // it is the one-sided derivative on the orbit's side. A singular value of DF within rounding belongs to a direction
@@ -10,7 +10,7 @@
 #include "map/derivative/parameter.hpp"
 #include "map/derivative/strike_along.hpp"
 #include "map/orbit/return_map.hpp"
-#include "map/sustained/contact_along.hpp"
+#include "map/contact/contact_along.hpp"
 
 #include <Eigen/Core>
 

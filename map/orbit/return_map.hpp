@@ -6,8 +6,8 @@
 #include "map/numbers/quad.hpp"
 #include "map/orbit/outcome.hpp"
 #include "map/orbit/speed_limits.hpp"
-#include "map/sustained/contact_phase.hpp"
-#include "map/sustained/release.hpp"
+#include "map/contact/contact_phase.hpp"
+#include "map/contact/release.hpp"
 
 #include <algorithm>
 #include <optional>

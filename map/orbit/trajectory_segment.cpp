@@ -1,6 +1,6 @@
 #include "map/orbit/trajectory_segment.hpp"
 
-#include "map/sustained/contact_series.hpp"
+#include "map/contact/contact_series.hpp"
 
 namespace swirl {
 

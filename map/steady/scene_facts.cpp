@@ -1,6 +1,6 @@
 #include "map/steady/scene_facts.hpp"
 
-#include "map/sustained/rim_pendulum.hpp"
+#include "map/contact/rim_pendulum.hpp"
 
 #include <algorithm>
 #include <cmath>

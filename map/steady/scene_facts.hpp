@@ -16,7 +16,7 @@ enum class ImpactFate {
 };
 std::string_view name_of(ImpactFate fate);
 
-/// A disk on the wall is a pendulum about the swirl's direction (map/sustained/README.md): ψ″ = −k sin ψ, with
+/// A disk on the wall is a pendulum about the swirl's direction (map/contact/README.md): ψ″ = −k sin ψ, with
 /// ρ = 1 − α and
 ///
 ///     k = β/((1 + κ)ρ) rolling (μ > 0), β/ρ without friction       H = ψ′²/2 − k cos ψ

@@ -3,8 +3,8 @@
 
 #include "map/numbers/quad.hpp"
 #include "map/orbit/orbit.hpp"
-#include "map/sustained/chatter_completion.hpp"
-#include "map/sustained/motion_choice.hpp"
+#include "map/contact/chatter_completion.hpp"
+#include "map/contact/motion_choice.hpp"
 #include "tests/map/contact_scenes.hpp"
 
 #include <algorithm>

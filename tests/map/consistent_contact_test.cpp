@@ -3,7 +3,7 @@
 // one.
 #include "map/orbit/orbit.hpp"
 #include "map/orbit/trajectory_segment.hpp"
-#include "map/sustained/motion_choice.hpp"
+#include "map/contact/motion_choice.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/references/references.hpp"

@@ -1,6 +1,6 @@
 // Forces of contact against the geometry of the motion, strikes of a neighbour in contact, and jams.
-#include "map/sustained/contact_phase.hpp"
-#include "map/sustained/contact_run.hpp"
+#include "map/contact/contact_phase.hpp"
+#include "map/contact/contact_run.hpp"
 #include "tests/map/contact_scenes.hpp"
 
 #include <gtest/gtest.h>

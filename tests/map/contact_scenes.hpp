@@ -2,7 +2,7 @@
 #pragma once
 
 #include "map/collision_map.hpp"
-#include "map/sustained/contact_state.hpp"
+#include "map/contact/contact_state.hpp"
 
 namespace swirl::tests {
 

@@ -1,6 +1,6 @@
 // The power series of contact motions against the forces themselves, stepped by GSL's Runge–Kutta.
-#include "map/sustained/contact_series.hpp"
-#include "map/sustained/reaction.hpp"
+#include "map/contact/contact_series.hpp"
+#include "map/contact/reaction.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
 

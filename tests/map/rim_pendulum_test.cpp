@@ -1,6 +1,6 @@
 // A disk on the wall is a pendulum: the integrated contact and the closed forms against Jacobi's functions.
-#include "map/sustained/rim_pendulum.hpp"
-#include "map/sustained/contact_phase.hpp"
+#include "map/contact/rim_pendulum.hpp"
+#include "map/contact/contact_phase.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/sample_count.hpp"

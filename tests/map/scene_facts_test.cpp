@@ -2,7 +2,7 @@
 #include "map/steady/scene_facts.hpp"
 #include "map/first_contact/first_contact.hpp"
 #include "map/model/impact.hpp"
-#include "map/sustained/rim_pendulum.hpp"
+#include "map/contact/rim_pendulum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -171,7 +171,7 @@ double hold_on_separatrix(double alpha, double beta, double mu, double direction
     return least;
 }
 
-/// map/sustained/README.md, "The final states of a disk": at μ = 0.4 circulation (against the swirl's turning) lasts
+/// map/contact/README.md, "The final states of a disk": at μ = 0.4 circulation (against the swirl's turning) lasts
 /// for β = 0.05 with α ≤ 0.62 only.
 TEST(SceneFacts, CirculationLastsWhereTheTableSaysSo) {
     for (const double alpha : {0.1, 0.15, 0.35, 0.62, 0.8, 0.9})

@@ -4,7 +4,7 @@
 #include "analysis/classification/classify.hpp"
 #include "analysis/classification/swing.hpp"
 #include "map/orbit/return_map.hpp"
-#include "map/sustained/rim_pendulum.hpp"
+#include "map/contact/rim_pendulum.hpp"
 
 #include <limits>
 #include <optional>

@@ -1,5 +1,5 @@
 // A body on one vertex whose neighbour, which has just left the wall, comes back, or does not: against 113 bits.
-#include "map/sustained/rocking.hpp"
+#include "map/contact/reaction.hpp"
 #include "map/numbers/quad.hpp"
 #include "tests/map/landings.hpp"
 

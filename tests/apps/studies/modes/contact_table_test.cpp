@@ -3,7 +3,7 @@
 #include "apps/studies/scene_map/scene_map.hpp"
 #include "apps/studies/scene_map/start.hpp"
 #include "map/orbit/orbit.hpp"
-#include "map/sustained/rim_pendulum.hpp"
+#include "map/contact/rim_pendulum.hpp"
 
 #include <gtest/gtest.h>
 

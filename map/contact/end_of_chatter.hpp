@@ -1,3 +1,6 @@
+// How chatter comes to its end: what its rest removes of the velocities, how far a rest that sticks moves the body, and
+// whether a vertex (rim) is at rest or chatters below rounding. README.md, "Chattering".
+//
 // Chatter that sticks, or comes to stick, moves the body along the wall, which contact that sticks does not.
 //
 // Once an impact has stopped the slip each flight begins with u_t = 0 and lasts τ = 2v/a: the point that touches comes
@@ -24,15 +27,69 @@
 // ν′.
 #pragma once
 
-#include "map/sustained/chatter_completion.hpp"
-#include "map/sustained/impulse_by_law.hpp"
-#include "map/sustained/removal.hpp"
+#include "map/contact/chatter_completion.hpp"
+#include "map/contact/contact_state.hpp"
+#include "map/contact/motion_choice.hpp"
+#include "map/contact/reaction.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 namespace swirl {
+
+/// The slip in which the rest of chatter goes on, which decides the friction of its impulses.
+template <class T>
+struct Slip {
+    bool slides;
+    T sign;  ///< of u_t
+};
+
+/// Normal and tangential impulse, p and q, that remove u_n: q is −μ sign p while it slides, and what removes u_t as
+/// well while it sticks.
+template <class T>
+struct Removal {
+    T normal, tangential;
+};
+
+template <class T>
+Removal<T> removal_of(const ContactScene<T>& scene, const ContactKinematics<T>& u, const Slip<T>& slip) {
+    const T along = scene.mu == T(0) ? T(0) : slip.slides ? T(-scene.mu * slip.sign) : T(-u.b3() / u.b1());  // q/p
+    const T c = u.b2() + u.b3() * along;
+    const bool stops = scene.mu > T(0) && !slip.slides;
+    const T still = stops ? T(-u.ut / u.b1()) : T(0);  // q at p = 0
+    const T p = c > T(0) ? T((u.un - u.b3() * still) / c) : T(0);
+    return {p, still + along * p};
+}
+
+/// Whether friction holds the vertex (rim) at u_t = 0.
+template <class T>
+bool can_stick(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    ContactState<T> still = contact_state(scene, post_impact);
+    still.ut = T(0);
+    const Support support = scene.is_disk() ? Support::rim : Support::vertex;
+    return reaction_of(scene, support, ContactMotion::sticking, still).reserve >= T(0);
+}
+
+/// It sticks also where the removal of u_n would turn so slow a slip round, and friction holds it: the flights between
+/// the impacts that are left bring it to an end.
+template <class T>
+Slip<T> slip_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    using std::abs;
+    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
+    const Slip<T> slip{scene.mu > T(0) && abs(u.ut) > velocity_rounding(scene, post_impact),
+                       u.ut > T(0) ? T(1) : T(-1)};
+    if (!slip.slides) return slip;
+    const Removal<T> j = removal_of(scene, u, slip);
+    const bool goes_on = (u.ut + u.b3() * j.normal + u.b1() * j.tangential) * slip.sign > T(0);
+    return {goes_on || !can_stick(scene, post_impact), slip.sign};
+}
+
+template <class T>
+bool sticks(const ContactScene<T>& scene, const Slip<T>& slip) {
+    return scene.mu > T(0) && !slip.slides;
+}
 
 /// Chatter may last so many times what it would by e for its sum to hold.
 inline constexpr int most_longer = 64;
@@ -272,6 +329,126 @@ void move_along_wall(const ContactScene<T>& scene, const PostImpactState<T>& pos
     state.psi += d;
     state.chi += d * u.rn / about_vertex - d;
     state.spin += d * state.spin * u.rt / about_vertex;
+}
+
+/// The acceleration towards the wall of the point that touches, in free flight with u_n = 0.
+template <class T>
+T free_acceleration(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const T& ut) {
+    const Body<T>& body = scene.body;
+    const T wn = body.beta * post_impact.psi.x;
+    if (scene.is_disk()) {
+        const T along = ut - body.alpha * post_impact.spin;
+        return wn + along * along / body.inner;
+    }
+    return wn + ut * ut - post_impact.spin * post_impact.spin * body.alpha * post_impact.chi.x;
+}
+
+template <class T>
+struct Touch {
+    bool rests = false;    ///< the normal velocity is zero within rounding, or chatter has ended
+    bool on_edge = false;  ///< the same, as a vertex of an edge whose other one is in contact
+    bool pressed = false;  ///< in free flight it would accelerate into the wall
+    T error{};
+    T lasts{};  ///< how long its chatter goes on
+};
+
+template <class T>
+bool is_still(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    using std::abs;
+    return abs(contact_kinematics(scene.body, post_impact).un) <= velocity_rounding(scene, post_impact);
+}
+
+/// A slip beyond Painlevé's border, B₂ − sμB₃ ≤ 0: contact would jam, and the next impact stops it.
+template <class T>
+bool slips_beyond_painleve(const ContactScene<T>& scene, const PostImpactState<T>& post_impact) {
+    using std::abs;
+    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
+    if (!(abs(u.ut) > velocity_rounding(scene, post_impact))) return false;
+    return u.b2() + u.b3() * friction_ratio_of(scene, u.ut) <= T(0);
+}
+
+/// Where the vertex `pivot` of an edge is in contact and slips at u_t, the acceleration of its neighbour towards the
+/// wall; nothing if the forces do not keep it there.
+template <class T>
+std::optional<T> rocking_about(const ContactScene<T>& scene, const PostImpactState<T>& pivot, const T& ut) {
+    ContactState<T> state = contact_state(scene, pivot);
+    state.ut = ut;
+    const MotionChoice<T> choice = choose_motion(scene, Support::vertex, state, 0);
+    if (!choice.stays) return {};
+    return rocking_of(scene, choice.motion, choice.state).acceleration;
+}
+
+/// The slip of an edge: that of the vertex that rests, zero where it is rounding.
+template <class T>
+T edge_slip(const ContactScene<T>& scene, const PostImpactState<T>& here, const PostImpactState<T>& there) {
+    using std::abs;
+    const PostImpactState<T>& of = is_still(scene, there) ? there : here;
+    const T ut = contact_kinematics(scene.body, of).ut;
+    return abs(ut) <= velocity_rounding(scene, of) ? T(0) : ut;
+}
+
+/// The other vertex of an edge.
+template <class T>
+struct Neighbour {
+    bool still = false;       ///< it rests on the wall
+    std::optional<T> back{};  ///< if it stays there: how rocking about it brings this one back (`rocking_about`)
+};
+
+/// Has its chatter ended? In free flight, and by impacts that stick as long as the neighbour is off the wall; as a
+/// vertex of an edge with the slower of free flight and rocking. No slip beyond Painlevé's border ends it.
+template <class T>
+Touch<T> touch_of(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const Neighbour<T>& neighbour) {
+    const ContactKinematics<T> u = contact_kinematics(scene.body, post_impact);
+    const T acceleration = free_acceleration(scene, post_impact, u.ut);
+    const bool pressed = acceleration > 0;
+    if (is_still(scene, post_impact)) return {true, true, pressed, T(0)};
+    if (!(u.un < 0) || (scene.mu > T(0) && slips_beyond_painleve(scene, post_impact)))
+        return {false, false, pressed, T(0)};
+    const ChatterError<T> error = chatter_error(scene, post_impact);
+    Touch<T> touch{error.moved <= chatter_tolerance<T>(), false, pressed, error.estimate, T(-error.moved / u.un)};
+    if (neighbour.back && *neighbour.back > 0) {
+        const T longer = std::max(T(1), T(acceleration / *neighbour.back));
+        touch.on_edge = error.moved * longer <= chatter_tolerance<T>();
+        if (touch.on_edge) touch.error *= longer * longer;
+        touch.lasts *= longer;
+    }
+    if (neighbour.still) {
+        touch.rests = touch.rests && !neighbour.back;  // else the body rocks about the neighbour
+        return touch;
+    }
+    if (touch.rests && scene.mu > T(0)) {
+        const T at_rest = free_acceleration(scene, post_impact, T(0));
+        const RestOfChatter<T> rest = rest_of_chatter(scene, post_impact, at_rest);
+        touch.rests = error.moved * longer_by_sticking(scene, rest, velocity_rounding(scene, post_impact)) <=
+                      chatter_tolerance<T>();
+    }
+    return touch;
+}
+
+/// The vertex that struck and its neighbour, which touches, too.
+template <class T>
+struct EdgeTouch {
+    Touch<T> here, there;
+    bool lies = false;         ///< the edge does: both are still, or rocking about either brings the other back
+    bool there_lasts = false;  ///< about the neighbour this one leaves for good
+};
+
+template <class T>
+EdgeTouch<T> edge_touch(const ContactScene<T>& scene, const PostImpactState<T>& here, const PostImpactState<T>& there) {
+    const bool here_still = is_still(scene, here), there_still = is_still(scene, there);
+    if (here_still && there_still) {
+        const Touch<T> first = touch_of(scene, here, {}), second = touch_of(scene, there, {});
+        return {first, second, true, false};
+    }
+    const T slip = edge_slip(scene, here, there);
+    const std::optional<T> about_here = rocking_about(scene, here, slip),
+                           about_there = rocking_about(scene, there, slip);
+    EdgeTouch<T> edge{touch_of(scene, here, {there_still, about_there}),
+                      touch_of(scene, there, {here_still, about_here})};
+    edge.lies =
+        edge.here.on_edge && edge.there.on_edge && about_here && *about_here > 0 && about_there && *about_there > 0;
+    edge.there_lasts = about_there && *about_there <= 0 && !(about_here && *about_here <= 0);
+    return edge;
 }
 
 }  // namespace swirl

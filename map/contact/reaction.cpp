@@ -1,7 +1,7 @@
-#include "map/sustained/reaction.hpp"
+#include "map/contact/reaction.hpp"
 
+#include "map/contact/contact_jets.hpp"
 #include "map/map_list.hpp"
-#include "map/sustained/contact_jets.hpp"
 
 #include <algorithm>
 #include <cmath>

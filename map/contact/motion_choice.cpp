@@ -1,8 +1,8 @@
-#include "map/sustained/motion_choice.hpp"
+#include "map/contact/motion_choice.hpp"
 
+#include "map/contact/end_of_chatter.hpp"
+#include "map/contact/reaction.hpp"
 #include "map/map_list.hpp"
-#include "map/sustained/end_of_chatter.hpp"
-#include "map/sustained/reaction.hpp"
 
 #include <array>
 

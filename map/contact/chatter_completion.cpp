@@ -1,23 +1,174 @@
-#include "map/sustained/chatter_completion.hpp"
+#include "map/contact/chatter_completion.hpp"
 
+#include "map/contact/contact_jets.hpp"
+#include "map/contact/contact_state.hpp"
+#include "map/contact/end_of_chatter.hpp"
+#include "map/contact/motion_choice.hpp"
+#include "map/contact/reaction.hpp"
 #include "map/map_list.hpp"
-#include "map/sustained/contact_jets.hpp"
-#include "map/sustained/edge_landing.hpp"
-#include "map/sustained/end_of_chatter.hpp"
-#include "map/sustained/landing_error.hpp"
-#include "map/sustained/reaction.hpp"
-#include "map/sustained/removal.hpp"
-#include "map/sustained/sticking_chatter.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace swirl {
 
 namespace {
 
 using std::abs, std::atan2, std::copysign, std::cos, std::isnan, std::sin;
+
+/// Velocities of an edge as two impulses change them: of either vertex towards the wall, and S.
+template <class T>
+struct EdgeVelocities {
+    T here, there, spin;
+};
+
+template <class T>
+EdgeVelocities<T> edge_velocities(const ContactScene<T>& scene, const PostImpactState<T>& z) {
+    return {contact_kinematics(scene.body, z).un, contact_kinematics(scene.body, seen_from_neighbour(scene, z)).un,
+            z.spin};
+}
+
+/// How velocities change by the impulse −n + ratio t at z's own vertex: of z at rest on a wall at rest, so that no
+/// speed is so large that the change is lost beside it.
+template <class T>
+PostImpactState<T> struck_at_rest(const ContactScene<T>& at_rest, PostImpactState<T> z, const T& ratio) {
+    z.vn = z.vt = z.spin = T(0);
+    const ContactKinematics<T> u = contact_kinematics(at_rest.body, z);
+    z.vn = T(-1);
+    z.vt = ratio;
+    z.spin = (u.rn * ratio + u.rt) / u.inertia;
+    return z;
+}
+
+/// S = ν′ once as much of either vertex' normal impulse as removes both u_n has acted, with `ratio` of it along the
+/// wall, by p₁ and p₂ with
+///
+///     u_n,1 + p₁ ∂u_n,1/∂p₁ + p₂ ∂u_n,1/∂p₂ = 0 = u_n,2 + p₁ ∂u_n,2/∂p₁ + p₂ ∂u_n,2/∂p₂;
+///
+/// nothing where their determinant is not positive: the slip would jam.
+template <class T>
+std::optional<T> edge_rate_with(const ContactScene<T>& scene, const PostImpactState<T>& z, const T& ratio) {
+    ContactScene<T> at_rest = scene;
+    at_rest.body.beta = T(0);
+    const PostImpactState<T> other = struck_at_rest(at_rest, seen_from_neighbour(scene, z), ratio);
+    const EdgeVelocities<T> before = edge_velocities(scene, z);
+    const EdgeVelocities<T> a = edge_velocities(at_rest, struck_at_rest(at_rest, z, ratio));
+    const EdgeVelocities<T> b = edge_velocities(at_rest, seen_from_neighbour(scene, other));
+    const T determinant = a.here * b.there - a.there * b.here;
+    if (!(plain(determinant) > 0)) return {};
+    const T p = (b.here * before.there - b.there * before.here) / determinant;
+    const T q = (a.there * before.here - a.here * before.there) / determinant;
+    return T(before.spin + p * a.spin + q * b.spin);
+}
+
+/// S = ν′ with which an edge lands: chatter and rocking of the two vertices leave what contact does not, with −sμ of it
+/// along the wall, s the sense in which the edge then slides: the one in which it did, or the other if friction does
+/// not let that be; 0 where it lets neither. Without friction where the slip would jam; u_t of z's vertex where
+/// rounding leaves no positive determinant without it either.
+///   z  on either vertex, |χ| = χ_m
+template <class T>
+T edge_rate(const ContactScene<T>& scene, const PostImpactState<T>& z) {
+    const T ut = contact_kinematics(scene.body, z).ut;
+    const bool forward = plain(ut) > 0;
+    for (const bool sense : {forward, !forward}) {
+        const std::optional<T> rate = edge_rate_with(scene, z, sense ? T(-scene.mu) : scene.mu);
+        if (!rate || scene.mu == T(0)) return edge_rate_with(scene, z, T(0)).value_or(ut);
+        if (sense == (plain(*rate) > 0)) return *rate;
+    }
+    return T(0);
+}
+
+/// What S of a landed edge may be off by, in first order of v, where its slip is of that order: the rest of chatter may
+/// stop the slip at any moment, or turn it, and friction acts by the sense that it then has. Both the impulses and, for
+/// as long as chatter lasts, contact's forces differ by as much as between slips either way and none.
+///   before  just after the impact, on either vertex
+///   lasts   how long chatter goes on
+template <class T>
+T edge_error(const ContactScene<T>& scene, const PostImpactState<T>& before, const ContactState<T>& landed,
+             const T& lasts) {
+    ContactState<T> still = landed;
+    still.ut = still.spin = T(0);
+    const bool held = reaction_of(scene, Support::edge, ContactMotion::sticking, still).reserve >= T(0);
+    using std::abs;
+    if (!(scene.mu > T(0)) || (landed.ut == T(0) && held)) return T(0);
+    const T ut = contact_kinematics(scene.body, before).ut;
+    const T rounding = velocity_rounding(scene, before);
+    T apart(0), rates(0);
+    for (const T& ratio : {T(-scene.mu), T(0), scene.mu})
+        if (const auto rate = edge_rate_with(scene, before, ratio)) apart = std::max(apart, T(abs(*rate - landed.ut)));
+    for (const auto motion : {ContactMotion::sliding_forward, ContactMotion::sliding_backward})
+        rates = std::max(rates, T(abs(reaction_of(scene, Support::edge, motion, landed).spin_rate)));
+    const T may_change = apart + 2 * rates * lasts;
+    if (apart <= rounding || abs(ut) > 2 * may_change) return T(0);  // or its slip goes on in the same sense
+    return may_change;
+}
+
+/// The error of u_t of a vertex (rim) that friction does not hold: the rest of chatter may stop a slip of the order of
+/// v, but contact slips.
+///   taken  in contact, u_n removed
+template <class T>
+T unheld_error(const ContactScene<T>& scene, const PostImpactState<T>& post_impact, const ContactState<T>& taken,
+               const T& lasts) {
+    using std::abs;
+    if (!(scene.mu > T(0)) || can_stick(scene, post_impact)) return T(0);
+    const T ut = contact_kinematics(scene.body, post_impact).ut;
+    const Support support = scene.is_disk() ? Support::rim : Support::vertex;
+    T rate(0);
+    for (const auto motion : {ContactMotion::sliding_forward, ContactMotion::sliding_backward})
+        rate = std::max(rate, T(abs(reaction_of(scene, support, motion, taken).ut_rate)));
+    const T may_change = abs(taken.ut - ut) + rate * lasts;
+    return abs(ut) <= 2 * may_change ? may_change : T(0);
+}
+
+/// The velocities that a landing removes.
+///   before  just after an impact
+///   taken   in contact, u_n removed
+template <class T>
+T velocities_removed(const ContactScene<T>& scene, const PostImpactState<T>& before, const ContactState<T>& taken) {
+    using std::abs;
+    const ContactKinematics<T> u = contact_kinematics(scene.body, before);
+    return abs(u.un) + abs(taken.ut - u.ut) + scene.body.alpha * abs(taken.spin - before.spin);
+}
+
+/// For how long a neighbour's strike may come too early or too late, its distance to the wall being known to `unsure`
+/// only; 0 where it does not come within a time `lasts`.
+///   room            χ_m − |χ|
+///   closing, acceleration  rate at which the neighbour comes to the wall, and that of the rate
+template <class T>
+T moment_unsure(const T& room, const T& closing, const T& acceleration, const T& lasts, const T& unsure) {
+    using std::abs, std::sqrt;
+    const T most = unsure + closing * lasts + T(0.5) * std::max(T(0), acceleration) * lasts * lasts;
+    if (room > most || !(closing > T(0) || acceleration > T(0))) return T(0);
+    const T late = acceleration > T(0) ? T(sqrt(T(2) * unsure / acceleration)) : T(closing / abs(acceleration));
+    return closing > T(0) ? std::min(T(unsure / closing), late) : late;
+}
+
+/// The error of a vertex whose neighbour comes to the wall before the rest of chatter is over: it strikes while the
+/// vertex still leaves the wall at some of v, and in contact it strikes while the vertex rests. Where the neighbour is
+/// at the wall within rounding the moment of its strike is unsure as well.
+///   unsure  what its distance to the wall is known to
+template <class T>
+T neighbour_error(const ContactScene<T>& scene, const PostImpactState<T>& before, const ContactState<T>& taken,
+                  const T& lasts, const T& unsure) {
+    using std::abs;
+    if (scene.is_disk()) return T(0);
+    const MotionChoice<T> choice = choose_motion(scene, Support::vertex, taken, 0);
+    const Reaction<T> r = reaction_of(scene, Support::vertex, choice.motion, taken);
+    const T side = taken.chi < T(0) ? T(-1) : T(1);
+    const T rounding = velocity_rounding(scene, before) / scene.body.alpha;
+    const auto closes = [&](const T& spin, const T& ut) { return T(side * (spin - ut)); };
+    const T still = closes(taken.spin, taken.ut),
+            flies = closes(before.spin, contact_kinematics(scene.body, before).ut);
+    const T closing = std::max(still, flies) > rounding ? std::max(still, flies) : T(0);
+    const T room = std::max(T(0), T(scene.widest_chi - abs(taken.chi)));
+    const T late = moment_unsure(room, closing, closes(r.spin_rate, r.ut_rate), lasts, unsure);
+    if (!(late > T(0))) return T(0);
+    const T rate = abs(r.ut_rate) + scene.body.alpha * abs(r.spin_rate) + scene.body.beta + taken.ut * taken.ut +
+                   scene.body.alpha * taken.spin * taken.spin;
+    return velocities_removed(scene, before, taken) + rate * (lasts + late);
+}
 
 /// Removes v by the impulses p and q, the differences of chatter's from contact's.
 template <class T>

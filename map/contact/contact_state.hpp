@@ -1,11 +1,12 @@
 // Sustained contact: the body on the wall, on a vertex, on the two of an edge, or (a disk) on its rim.
-// map/sustained/README.md, "Motion".
+// map/contact/README.md, "Motion".
 //
 // The section's coordinates serve here too, with u_n = 0: ψ = arg n − t, χ = arg r − arg n (a vertex), the slip
 // velocity u_t and S. The container does not rotate, so a vertex that touches moves along the wall at u_t = dν/dt, ν =
 // arg n. An edge's state is that of its clockwise vertex, χ = −χ_m; a disk has χ = 0.
 #pragma once
 
+#include "map/model/impact.hpp"
 #include "map/model/section.hpp"
 
 namespace swirl {
@@ -72,5 +73,23 @@ PostImpactState<T> post_impact_state(const ContactScene<T>& scene, const Contact
 /// The state seen from the neighbour that touches too (|χ| = χ_m): one number up if χ < 0, one down if χ > 0.
 template <class T>
 PostImpactState<T> seen_from_neighbour(const ContactScene<T>& scene, const PostImpactState<T>& post_impact);
+
+/// `impulse` (map/model/impact.hpp) by the scene's law, with its μ.
+///   approach     velocities and lever arms at the contact
+///   restitution  e, the scene's or 0
+template <class T>
+Impulse<T> impulse_by_law(const ContactScene<T>& scene, const ContactKinematics<T>& approach, const T& restitution) {
+    switch (scene.rule) {
+        case ImpactRule::frictionless:
+            return impulse<ImpactRule::frictionless>(approach, scene.mu, restitution);
+        case ImpactRule::poisson:
+            return impulse<ImpactRule::poisson>(approach, scene.mu, restitution);
+        case ImpactRule::newton:
+            return impulse<ImpactRule::newton>(approach, scene.mu, restitution);
+        case ImpactRule::stronge:
+            return impulse<ImpactRule::stronge>(approach, scene.mu, restitution);
+    }
+    return {};
+}
 
 }  // namespace swirl

@@ -5,8 +5,8 @@
 // phase itself: on the border between two ways it is the derivative of its own side.
 #pragma once
 
-#include "map/sustained/contact_jets.hpp"
-#include "map/sustained/contact_phase.hpp"
+#include "map/contact/contact_jets.hpp"
+#include "map/contact/contact_phase.hpp"
 
 namespace swirl {
 

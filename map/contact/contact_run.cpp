@@ -1,8 +1,8 @@
-#include "map/sustained/contact_run.hpp"
+#include "map/contact/contact_run.hpp"
 
+#include "map/contact/contact_watch.hpp"
+#include "map/contact/rim_pendulum.hpp"
 #include "map/map_list.hpp"
-#include "map/sustained/contact_watch.hpp"
-#include "map/sustained/rim_pendulum.hpp"
 
 #include <algorithm>
 #include <cmath>

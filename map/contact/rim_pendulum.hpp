@@ -9,10 +9,10 @@
 //     circulating  sin ψ/2 = sn(ω√m t)    ψ′ = 2ω√m dn(ω√m t)  period 2K(1/√m)/(ω√m)
 //
 // In double: it tells what becomes of a contact that lasts, and no impact follows from it.
-// Source: Landau, Lifshitz, Mechanics, § 11; derived in map/sustained/README.md.
+// Source: Landau, Lifshitz, Mechanics, § 11; derived in map/contact/README.md.
 #pragma once
 
-#include "map/sustained/contact_state.hpp"
+#include "map/contact/contact_state.hpp"
 
 #include <optional>
 

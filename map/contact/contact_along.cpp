@@ -1,7 +1,7 @@
-#include "map/sustained/contact_along.hpp"
+#include "map/contact/contact_along.hpp"
 
-#include "map/sustained/contact_step.hpp"
-#include "map/sustained/contact_watch.hpp"
+#include "map/contact/contact_series.hpp"
+#include "map/contact/contact_watch.hpp"
 
 #include <cmath>
 

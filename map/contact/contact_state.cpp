@@ -1,7 +1,7 @@
-#include "map/sustained/contact_state.hpp"
+#include "map/contact/contact_state.hpp"
 
+#include "map/contact/contact_jets.hpp"
 #include "map/map_list.hpp"
-#include "map/sustained/contact_jets.hpp"
 
 #include <cmath>
 

@@ -7,11 +7,13 @@
 //     edge:    both vertices run along the wall, S = ν′: (I + d²) S′ = Σf − dβ sin ψ_c with d the centre's distance and
 //              ψ_c its direction; the radial and tangential balance give both λ.
 // Sliding: f = −μ sign(u_t) λ. Sticking: u_t = 0. Source: Routh's equations of a rigid body with one or two unilateral
-// constraints (Brogliato, Nonsmooth Mechanics, 3rd ed. 2016, ch. 5); derived in map/sustained/README.md.
+// constraints (Brogliato, Nonsmooth Mechanics, 3rd ed. 2016, ch. 5); derived in map/contact/README.md.
 #pragma once
 
+#include "map/contact/contact_state.hpp"
 #include "map/numbers/real.hpp"
-#include "map/sustained/contact_state.hpp"
+
+#include <cmath>
 
 namespace swirl {
 
@@ -46,5 +48,23 @@ T painleve_margin() {
 /// dν/dt of the contact's normal.
 template <class T>
 T normal_rate(const ContactScene<T>& scene, Support support, const ContactState<T>& state);
+
+/// The neighbour that |χ| = χ_m brings to the wall, in a state of contact on a vertex. u_n of it is lever · χ′ towards
+/// the wall, χ′ = S − u_t by the sign of χ.
+template <class T>
+struct Rocking {
+    T lever;         ///< α|sin χ − sin(χ ∓ 2π/N)|
+    T acceleration;  ///< lever · χ″ towards the wall, by the forces of `motion`
+};
+
+/// To first order in χ′: at rest, and to vanishing order as a rocking motion comes to rest.
+template <class T>
+Rocking<T> rocking_of(const ContactScene<T>& scene, ContactMotion motion, const ContactState<T>& z) {
+    using std::abs, std::sin;
+    const Reaction<T> r = reaction_of(scene, Support::vertex, motion, z);
+    const int side = z.chi > 0 ? -1 : 1;
+    const T lever = scene.body.alpha * abs(sin(z.chi) - sin(z.chi + side * scene.body.spacing));
+    return {lever, lever * side * -(r.spin_rate - r.ut_rate)};
+}
 
 }  // namespace swirl

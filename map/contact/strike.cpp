@@ -1,10 +1,10 @@
-#include "map/sustained/strike.hpp"
+#include "map/contact/strike.hpp"
 
+#include "map/contact/chatter_completion.hpp"
+#include "map/contact/contact_jets.hpp"
+#include "map/contact/contact_state.hpp"
+#include "map/contact/reaction.hpp"
 #include "map/map_list.hpp"
-#include "map/sustained/chatter_completion.hpp"
-#include "map/sustained/contact_jets.hpp"
-#include "map/sustained/impulse_by_law.hpp"
-#include "map/sustained/reaction.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Contact motion of one kind, integrated until something ends it.
 #pragma once
 
-#include "map/sustained/reaction.hpp"
+#include "map/contact/reaction.hpp"
 
 #include <functional>
 #include <string_view>

@@ -1,9 +1,9 @@
 // Contact from landing to the next flight or impact: pieces of one kind of motion, joined by events.
 #pragma once
 
-#include "map/sustained/chatter_completion.hpp"
-#include "map/sustained/contact_run.hpp"
-#include "map/sustained/strike.hpp"
+#include "map/contact/chatter_completion.hpp"
+#include "map/contact/contact_run.hpp"
+#include "map/contact/strike.hpp"
 
 #include <vector>
 

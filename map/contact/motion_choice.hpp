@@ -1,7 +1,7 @@
 // Which contact motion begins at a state: the one whose forces are consistent with it.
 #pragma once
 
-#include "map/sustained/contact_run.hpp"
+#include "map/contact/contact_run.hpp"
 
 #include <optional>
 

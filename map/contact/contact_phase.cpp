@@ -1,8 +1,8 @@
-#include "map/sustained/contact_phase.hpp"
+#include "map/contact/contact_phase.hpp"
 
+#include "map/contact/contact_watch.hpp"
+#include "map/contact/motion_choice.hpp"
 #include "map/map_list.hpp"
-#include "map/sustained/contact_watch.hpp"
-#include "map/sustained/motion_choice.hpp"
 
 #include <cmath>
 #include <utility>

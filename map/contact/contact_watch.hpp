@@ -1,8 +1,8 @@
 // What ends a motion in contact, looked for along a step. Internal to the integration of contact.
 #pragma once
 
-#include "map/sustained/contact_run.hpp"
-#include "map/sustained/contact_step.hpp"
+#include "map/contact/contact_run.hpp"
+#include "map/contact/contact_series.hpp"
 
 namespace swirl::contact_detail {
 

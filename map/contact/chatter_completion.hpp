@@ -19,7 +19,7 @@
 // v. (Close to Painlevé's border, c = 0, both r′ and c′/c are large.) README.md, "Chattering", has what was measured.
 #pragma once
 
-#include "map/sustained/contact_state.hpp"
+#include "map/contact/contact_state.hpp"
 
 #include <cmath>
 

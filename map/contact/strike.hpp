@@ -1,7 +1,7 @@
 // A vertex strikes while its neighbour is in contact: alternating impulses, until both are at rest or separate.
 #pragma once
 
-#include "map/sustained/contact_state.hpp"
+#include "map/contact/contact_state.hpp"
 
 namespace swirl {
 

@@ -1,6 +1,6 @@
-#include "map/sustained/rim_pendulum.hpp"
+#include "map/contact/rim_pendulum.hpp"
 
-#include "map/sustained/reaction.hpp"
+#include "map/contact/reaction.hpp"
 
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>

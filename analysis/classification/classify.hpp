@@ -27,6 +27,8 @@ struct ClassifyOptions {
     double sigmas = 5;                   ///< standard errors from zero that make an exponent positive
     bool conserves = false;              ///< the map keeps volumes: nothing settles, and so nothing is a transient
     bool exhaustive = false;             ///< for those who choose: all steps, whatever the verdict needs
+    /// What has not settled is chaotic or undecided, and nothing else is asked (`classify_followed`).
+    bool chaos_alone = false;
     PeriodOptions period;
 };
 

@@ -121,6 +121,7 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, Clas
     FoundCycle<M> cycle;
     StepBudget search{0, most_cost_of_derivatives(n)};
     if (tail.states.empty() || may_return(map, tail.states, longest, options.period.vicinity)) {
+        if (options.chaos_alone) return result;
         if (tail.points.empty()) add_points(map, tail);
         cycle = find_period(map, tail, options.period, search);
         take_cycle(map, cycle, options, observable, findings, result);
@@ -135,6 +136,8 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, Clas
     }
     if (cycle.period == 0 && findings.exponent.sign == ExponentSign::positive) {
         decide(findings, options, result);
+    } else if (options.chaos_alone) {
+        return result;
     } else {
         if (tail.points.empty()) add_points(map, tail);
         look_further(map, tail, observable, options, findings, result, search);
@@ -147,8 +150,9 @@ Classification verdict_on_tail(const M& map, Tail<M>& tail, int observable, Clas
 }  // namespace classification_detail
 
 /// Names the mode of an orbit that `follow_until_settled` has followed. Settled on a cycle: the cycle's own numbers.
-/// Else what `classify_tail` says of its tail, with the exponent of chaos from as many steps only as tell its sign. The
-/// states of the tail may be turned into points. Cost: of chaos some hundred derivatives, else as `classify_tail`.
+/// Else what `classify_tail` says of its tail, with the exponent of chaos from as many steps only as tell its sign;
+/// where `chaos_alone` is asked it is undecided if it is no chaos, or may be about to repeat itself. The states of the
+/// tail may be turned into points. Cost: of chaos some hundred derivatives, else as `classify_tail`.
 template <SectionMap M>
 Classification classify_followed(const M& map, FollowedOrbit<M>& orbit, int observable,
                                  const ClassifyOptions& options = {}) {

@@ -55,4 +55,11 @@ EscapeRate escape_rate(std::span<const ChaoticStay> stays, std::int64_t settling
     return rate;
 }
 
+double chance_of_leaving(std::int64_t left, double steps, double more) {
+    constexpr double beyond = 0.05;
+    if (!(steps > 0)) return 1;
+    const double rate = gsl_cdf_chisq_Qinv(beyond, 2 * (static_cast<double>(left) + 1)) / (2 * steps);
+    return -std::expm1(-rate * more);
+}
+
 }  // namespace swirl::analysis

@@ -40,4 +40,12 @@ struct EscapeRate {
 ///             chaos
 EscapeRate escape_rate(std::span<const ChaoticStay> stays, std::int64_t settling);
 
+/// The chance that an orbit which is still in chaos leaves it within so many steps more, at 95 % no larger than
+///
+///     1 − e^{−λ n},   λ = χ²_{0.95, 2(k+1)}/(2T)
+///
+/// after T steps in chaos of it and others, of which k have left (for k = 0, λ = 3/T). 1 for T = 0. It assumes one rate
+/// for all, at all times.
+double chance_of_leaving(std::int64_t left, double steps, double more);
+
 }  // namespace swirl::analysis

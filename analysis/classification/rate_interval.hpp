@@ -19,4 +19,9 @@ struct RateInterval {
 /// @throws std::invalid_argument unless 0 ≤ k ≤ n
 RateInterval rate_interval(std::int64_t k, std::int64_t n);
 
+/// The upper end alone, B(c; k + 1, n − k): with this confidence c the rate is no larger. 1 for k = n, and so for n =
+/// 0. Of k among n drawn without replacement it bounds the share among all, too.
+/// @throws std::invalid_argument unless 0 ≤ k ≤ n and 0 < c < 1
+double most_rate(std::int64_t k, std::int64_t n, double confidence);
+
 }  // namespace swirl::analysis

@@ -7,6 +7,7 @@
 #include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/modes/classify_flags.hpp"
+#include "apps/modes/risk_document.hpp"
 
 #include <fmt/format.h>
 
@@ -23,6 +24,10 @@ R random starts (start r is that of `swirl classify --seed SEED+r`). --follow al
 column, upwards and downwards (hysteresis). The mode is the verdict of `swirl classify` on these impacts, or on as many as
 it takes itself where they leave an orbit undecided. An orbit that settles on a cycle is sampled over one period, once it is
 on it but for rounding. A column's mode and period are those of most of its starts.
+
+--risk P calls chaos of the random starts early where all of a column are chaotic and their mean exponent is large enough
+that less than a share P of such starts has another verdict at the limits (95 %): a random sample, followed to them, tells
+how large. Samples of it are the last third of the impacts that were followed.
 
 --branches continues every cycle found (period <= --longest-branch) over the whole range, stable or not, names its special
 points, and says how well samples and stable branches agree. If interrupted, the finished orbits are kept. `swirl plot`
@@ -50,6 +55,7 @@ void BifurcateOptions::add_to(Flags& command) {
     add_tail_flags(command, settings,
                    {"impacts before those that are kept, at most (default 2500)",
                     "impacts that are kept, at most; 64 or more (default 500)", 1'000'000'000});
+    add_risk_flag(command, risk);
     command.add_flag("--follow", follow, "follow the attractor upwards and downwards too");
     command.add_flag("--branches", branches, "continue every cycle that was found");
     command.add_option("--longest-branch", longest_branch, "longest period that --branches continues (default 12)")
@@ -60,8 +66,8 @@ void BifurcateOptions::add_to(Flags& command) {
 DiagramSettings settings_of(const BifurcateOptions& options, const ParameterRange& along) {
     SceneOptions scene = options.scene;
     scene.set(along.name, fmt::format("{:.17g}", along.low));
-    return {scene.scene<double>(), along,          options.settings,      options.start.speed(),
-            options.start.seed(),  options.starts, options.longest_branch};
+    return {scene.scene<double>(), along,          options.settings,       options.start.speed(),
+            options.start.seed(),  options.starts, options.longest_branch, options.risk};
 }
 
 namespace {
@@ -73,6 +79,7 @@ void check(const BifurcateOptions& options, const ParameterRange& along) {
     if (!options.start.is_random())
         throw BadInput("a diagram's starts are random: give --speed and --seed, not --x … or --point");
     options.start.require_one_way();
+    require_no_risk_of_all(options.risk, options.settings.exhaustive);
     if (options.starts == 0 && !options.follow) throw BadInput("starts = 0 needs --follow");
     const DiagramSettings settings = settings_of(options, along);
     for (const double value : {along.low, along.high}) {

@@ -26,6 +26,7 @@ struct BifurcateOptions {
     bool follow = false;
     bool branches = false;
     int longest_branch = 12;
+    double risk = 0;  ///< of chaos that is called before the limits
 
     void add_to(Flags& command);
 };

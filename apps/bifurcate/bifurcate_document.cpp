@@ -5,6 +5,7 @@
 #include "apps/modes/escape_document.hpp"
 #include "apps/modes/mean_error_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
+#include "apps/modes/risk_document.hpp"
 #include "apps/modes/steady_share_table.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
@@ -194,19 +195,21 @@ SceneBranches branches_of(const BifurcateOptions& options, const Diagram& diagra
 }  // namespace
 
 Settings diagram_settings(const BifurcateOptions& options, const Diagram& diagram) {
-    return {{"along", diagram.along.name},
-            {"range", options.along},
-            {"observable", options.observable},
-            {"starts", options.starts},
-            {"speed", options.start.speed()},
-            {"seed", options.start.seed()},
-            {"transient", options.settings.transient},
-            {"collisions", options.settings.collisions},
-            {"exhaustive", options.settings.exhaustive},
-            {"accuracy", options.output.accuracy_name},
-            {"follow", std::int64_t{options.follow}},
-            {"branches", std::int64_t{options.branches}},
-            {"longest_branch", std::int64_t{options.longest_branch}}};
+    Settings settings{{"along", diagram.along.name},
+                      {"range", options.along},
+                      {"observable", options.observable},
+                      {"starts", options.starts},
+                      {"speed", options.start.speed()},
+                      {"seed", options.start.seed()},
+                      {"transient", options.settings.transient},
+                      {"collisions", options.settings.collisions},
+                      {"exhaustive", options.settings.exhaustive},
+                      {"accuracy", options.output.accuracy_name},
+                      {"follow", std::int64_t{options.follow}},
+                      {"branches", std::int64_t{options.branches}},
+                      {"longest_branch", std::int64_t{options.longest_branch}}};
+    if (options.risk > 0) settings.emplace_back("risk", options.risk);
+    return settings;
 }
 
 Settings diagram_scene(const BifurcateOptions& options, const Diagram& diagram) {
@@ -224,6 +227,7 @@ void write_diagram_document(const BifurcateOptions& options, const Diagram& diag
         if (const auto units = options.scene.units()) write_json(json, "units", unit_settings(*units));
         json.member("along", diagram.along.name);
         write_json(json, "columns", column_table(options, diagram), diagram.columns);
+        write_risk(json, diagram.risk);
         if (options.branches) {
             write_branches(json, branches_of(options, diagram), diagram.branches);
             write_json(json, "agreement", agreement_of(diagram.agreement));
@@ -251,6 +255,7 @@ void write_diagram_record(RecordWriter& record, const BifurcateOptions& options,
     if (!attractors.empty()) write_record(root.group("attractors"), attractor_table(options, diagram), attractors);
     if (!samples.empty()) write_record(root.group("samples"), sample_table(options, diagram), samples);
     if (options.branches) write_branches(root, branches_of(options, diagram), diagram.branches, options.observable);
+    write_risk(root, diagram.risk);
     record.finish();
 }
 
@@ -274,6 +279,7 @@ void print_diagram(const BifurcateOptions& options, const Diagram& diagram) {
         shares += fmt::format("{}{} {:.2f} %", shares.empty() ? "" : ", ", mode,
                               100.0 * static_cast<double>(count) / static_cast<double>(judged.size()));
     fmt::print("{} columns, {} orbits: {}\n{}", diagram.columns.size(), judged.size(), shares, chaos_in_words(judged));
+    for (const RiskEvidence& evidence : diagram.risk) fmt::print("{}\n", wrapped(in_words(evidence), 2));
     if (!options.branches) return;
     print_branches(branches_of(options, diagram), diagram.along, diagram.branches);
     const std::string agreement = fmt::format(

@@ -19,6 +19,7 @@ struct ClassifyCommandOptions {
     analysis::ClassifyOptions settings;
     ClassifyInput input;
     bool verbose = false;   ///< the table for people has the evidence
+    double risk = 0;        ///< of chaos that is called before the limits
     std::int64_t runs = 0;  ///< random starts; 0: one verdict, on the start that is given
 
     void add_to(Flags& command);

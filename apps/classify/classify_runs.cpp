@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -45,18 +46,29 @@ Scene<double> planned(ClassifyCommandOptions& options) {
     return scene;
 }
 
-/// Run number r is piece r. It holds what it uses: after an interruption it may outlive the command.
+RiskPieces risk_pieces_of(const ClassifyCommandOptions& options) {
+    return {static_cast<std::size_t>(options.runs), early_look(options.settings)};
+}
+
+/// Run number r is piece r where it is followed to the limits. It holds what it uses: after an interruption it may
+/// outlive the command.
 NamedWork work_of(const ClassifyCommandOptions& options, const Scene<double>& scene) {
     const double speed = options.start.speed();
     const std::uint64_t seed = options.start.seed();
     const NamingOptions naming{options.settings, options.output.accuracy(), is_interrupted};
-    const auto work = [scene, speed, seed, naming](std::span<const std::size_t> pieces, const KeepPiece& keep) {
-        std::vector<SceneStart> starts;
-        for (const std::size_t r : pieces) starts.push_back({scene, random_start(scene.beta, speed, seed + r, 0)});
-        name_modes(starts, naming,
-                   [pieces, seed, &keep](std::size_t place, const NamedMode& named, const OrbitSamples&) {
-                       keep({pieces[place], packed(run_verdict(seed + pieces[place], named))});
-                   });
+    const auto work = [scene, speed, seed, naming, numbers = risk_pieces_of(options)](
+                          std::span<const std::size_t> pieces, const KeepPiece& keep) {
+        for (const RiskPieces::Group& group : numbers.groups(pieces)) {
+            std::vector<SceneStart> starts;
+            for (const std::size_t r : group.runs)
+                starts.push_back({scene, random_start(scene.beta, speed, seed + r, 0)});
+            NamingOptions to_look = naming;
+            to_look.look = group.look;
+            name_modes(starts, to_look, [&](std::size_t place, const NamedMode& named, const OrbitSamples&) {
+                const std::size_t run = group.runs[place];
+                keep({numbers.number(run, group.look), packed(run_verdict(seed + run, named))});
+            });
+        }
     };
     Settings settings = scene_settings(scene);
     settings.emplace_back("speed", speed);
@@ -64,32 +76,90 @@ NamedWork work_of(const ClassifyCommandOptions& options, const Scene<double>& sc
     settings.emplace_back("transient", naming.settings.transient);
     settings.emplace_back("collisions", naming.settings.collisions);
     settings.emplace_back("exhaustive", naming.settings.exhaustive);
+    settings.emplace_back("risk", options.risk);
     settings.emplace_back("threshold", naming.settings.recurrence_threshold);
     settings.emplace_back("max_period", naming.settings.period.max_period);
     settings.emplace_back("accuracy", options.output.accuracy_name);
     return {name_of_work(settings), work, most_named_together()};
 }
 
-/// The finished runs, by seed.
-std::vector<RunVerdict> follow_all(const ClassifyCommandOptions& options, const Scene<double>& scene,
-                                   HandOut& hand_out) {
-    std::vector<std::size_t> runs(static_cast<std::size_t>(options.runs));
-    std::iota(runs.begin(), runs.end(), std::size_t{0});
-    std::vector<std::optional<RunVerdict>> results(runs.size());
-    Progress progress("classify", static_cast<double>(runs.size()), options.output.quiet);
-    hand_out.run(runs, options.output.threads, work_of(options, scene), progress,
-                 [&](const PieceResult& piece) { results[piece.piece] = unpacked<RunVerdict>(piece.bytes); });
-    std::vector<RunVerdict> whole;
-    for (const auto& result : results)
-        if (result) whole.push_back(*result);
-    return whole;
+/// Runs, and what is known of them.
+struct FollowedRuns {
+    const ClassifyCommandOptions& options;
+    const Scene<double>& scene;
+    HandOut& hand_out;
+    std::vector<RunVerdict> results;
+    std::vector<char> done, at_look;  ///< 1 of those whose verdict is kept; of these, that a look gave
+};
+
+/// Runs that were followed, to the look (0: to the limits). None if it was interrupted.
+std::optional<std::vector<SeenRun>> follow(FollowedRuns& followed, std::span<const std::size_t> runs,
+                                           std::int64_t look) {
+    const ClassifyCommandOptions& options = followed.options;
+    const RiskPieces numbers = risk_pieces_of(options);
+    std::vector<std::size_t> pieces;
+    for (const std::size_t run : runs) pieces.push_back(numbers.number(run, look));
+    Progress progress("classify", static_cast<double>(pieces.size()), options.output.quiet);
+    const auto keep = [&](const PieceResult& piece) {
+        const std::size_t run = numbers.run(piece.piece);
+        followed.results[run] = unpacked<RunVerdict>(piece.bytes);
+        followed.done[run] = look == 0 ? 1 : 0;
+    };
+    const bool all =
+        followed.hand_out.run(pieces, options.output.threads, work_of(options, followed.scene), progress, keep);
+    if (!all) return std::nullopt;
+    std::vector<SeenRun> seen;
+    for (const std::size_t run : runs) {
+        const RunVerdict& result = followed.results[run];
+        seen.push_back(seen_of(result.kind, result.outcome, result.largest_exponent));
+    }
+    return seen;
+}
+
+/// Follows all at the risk that is allowed.
+void follow_all(const ClassifyCommandOptions& options, const Scene<double>& scene, HandOut& hand_out,
+                RunsFound& found) {
+    const auto count = static_cast<std::size_t>(options.runs);
+    FollowedRuns followed{options,
+                          scene,
+                          hand_out,
+                          std::vector<RunVerdict>(count),
+                          std::vector<char>(count, 0),
+                          std::vector<char>(count, 0)};
+    std::vector<std::size_t> all(count);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    RunsAtRisk runs;
+    runs.follow = [&](std::span<const std::size_t> some, std::int64_t look) { return follow(followed, some, look); };
+    runs.keep = [&](std::size_t run) { followed.done[run] = followed.at_look[run] = 1; };
+    // Each is a cell of its own: one escape tells of all runs of a scene alike, as the sample does.
+    const auto at_risk =
+        follow_at_risk({count, 1, options.risk, options.start.seed(), early_look(options.settings)}, all, runs);
+    if (at_risk && options.risk > 0) found.risk = {at_risk->evidence};
+    std::vector<char> is_sampled(count, at_risk && at_risk->evidence.impacts > 0 ? 0 : 1);
+    if (at_risk)
+        for (const std::size_t run : at_risk->sample) is_sampled[run] = 1;
+    for (const std::size_t run : all) {
+        if (!followed.done[run]) continue;
+        const RunVerdict& result = followed.results[run];
+        found.runs.push_back(result);
+        found.called.push_back(followed.at_look[run] != 0 && result.kind == analysis::Kind::chaotic ? 1 : 0);
+        if (is_sampled[run]) found.sample.push_back(result);
+    }
+}
+
+/// The verdict on one of them, with all of its evidence.
+NamedMode verdict_on(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found,
+                     std::size_t run) {
+    NamingOptions naming{options.settings, options.output.accuracy(), is_interrupted};
+    if (found.called[run]) naming.look = found.risk.front().impacts;
+    return name_alone({scene, random_start(scene.beta, options.start.speed(), found.runs[run].seed, 0)}, naming);
 }
 
 /// What several runs tell together; after an interruption only which attractors they share.
 void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& scene, RunsFound& found) {
-    const double speed = options.start.speed();
     if (!is_interrupted())
-        found.escape = escape_of(scene, speed, found.runs, options.output.accuracy(), run_control(options.output));
+        found.escape = escape_of(scene, options.start.speed(), found.sample, options.output.accuracy(),
+                                 run_control(options.output));
     if (found.escape) name_remaining(*found.escape, found.runs);
     found.attractors = attractors_of(found.runs);
     for (std::size_t a = 0; a < found.attractors.size(); ++a)
@@ -98,9 +168,7 @@ void compare_runs(const ClassifyCommandOptions& options, const Scene<double>& sc
     for (const RunVerdict& run : found.runs) settled.push_back({run.kind, run.mean_spin});
     found.steady = steady_shares(scene, settled);
     // Verdicts with all their evidence are not kept, run by run: this one is made again.
-    const std::uint64_t seed = found.runs[found.attractors.front().runs.front()].seed;
-    NamedMode first = name_mode(scene, random_start(scene.beta, speed, seed, 0), options.settings,
-                                options.output.accuracy(), is_interrupted);
+    NamedMode first = verdict_on(options, scene, found, found.attractors.front().runs.front());
     if (is_interrupted()) return;
     if (found.escape) name_remaining(*found.escape, first);
     found.first = std::move(first);
@@ -112,7 +180,7 @@ int name_runs(ClassifyCommandOptions& options, HandOut& hand_out) {
     require_creatable(options.output);
     note_interruptions();
     RunsFound found;
-    found.runs = follow_all(options, scene, hand_out);
+    follow_all(options, scene, hand_out, found);
     if (!found.runs.empty()) compare_runs(options, scene, found);
     const bool interrupted = is_interrupted();
     finish_up();

@@ -3,6 +3,7 @@
 
 #include "apps/classify/classify_command.hpp"
 #include "apps/studies/modes/attractors.hpp"
+#include "apps/studies/modes/early_chaos.hpp"
 #include "apps/studies/modes/escape.hpp"
 #include "apps/studies/modes/steady_shares.hpp"
 
@@ -14,9 +15,12 @@ namespace swirl::apps::classify {
 /// What was found, of the runs that are finished: all of them, unless interrupted.
 struct RunsFound {
     std::vector<RunVerdict> runs;             ///< by seed
+    std::vector<char> called;                 ///< of each 1 if its chaos was called before the limits
+    std::vector<RunVerdict> sample;           ///< those by which the rate of escape is told: all, or the risk's sample
     std::vector<SharedAttractor> attractors;  ///< the most shared first
-    std::optional<NamedMode> first;   ///< the verdict on the first attractor's representative, unless interrupted
-    std::vector<SteadyShare> steady;  ///< the attracting steady modes, found or not
+    std::optional<NamedMode> first;       ///< the verdict on the first attractor's representative, unless interrupted
+    std::vector<SteadyShare> steady;      ///< the attracting steady modes, found or not
+    std::vector<RiskEvidence> risk = {};  ///< when chaos was called, if a risk was allowed
     std::optional<analysis::EscapeRate> escape;  ///< where some have left chaos and others have not
 };
 

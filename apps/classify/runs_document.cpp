@@ -5,6 +5,7 @@
 #include "apps/modes/escape_document.hpp"
 #include "apps/modes/mean_error_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
+#include "apps/modes/risk_document.hpp"
 #include "apps/modes/steady_share_table.hpp"
 #include "apps/modes/verdict_document.hpp"
 #include "apps/output/points_in_words.hpp"
@@ -147,11 +148,12 @@ std::string points_of(const ClassifyCommandOptions& options, const Scene<double>
 void write_runs_document(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found) {
     print_document([&](JsonWriter& json) {
         write_scene(json, scene, options.scene, &options.start);
-        if (found.first) write_verdict(json, *found.first, options.settings);
+        if (found.first) write_verdict(json, *found.first, options.settings, options.risk);
         write_shares(json, "modes", found, &RunVerdict::mode);
         write_shares(json, "kinds", found, &RunVerdict::kind);
         json.key("escape");
         write_escape(json, found.escape);
+        write_risk(json, found.risk);
         write_json(json, "attractors", attractors_table(found, dimension_of(scene)), found.attractors);
         write_json(json, "steady_modes", steady_share_table(), found.steady);
         write_json(json, "runs", runs_table(), found.runs);
@@ -162,11 +164,12 @@ void write_runs_document(const ClassifyCommandOptions& options, const Scene<doub
 void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, const Scene<double>& scene,
                 const RunsFound& found) {
     write_scene(root, scene, &options.start);
-    if (found.first) write_verdict(root.group("mode"), *found.first, options.settings);
+    if (found.first) write_verdict(root.group("mode"), *found.first, options.settings, options.risk);
     const RecordGroup attractors = root.group("attractors");
     write_coordinate_names(attractors, static_cast<Eigen::Index>(dimension_of(scene)));
     write_record(attractors, attractors_table(found, dimension_of(scene)), found.attractors);
     if (found.escape) write_escape(root.group("escape"), *found.escape);
+    write_risk(root, found.risk);
     if (!found.steady.empty()) write_record(root.group("steady_modes"), steady_share_table(), found.steady);
     const RecordGroup runs = root.group("runs");
     runs.attribute("wanted", options.runs);  // more than there are if interrupted
@@ -180,6 +183,7 @@ void print_runs(const ClassifyCommandOptions& options, const Scene<double>& scen
         fmt::print(" {} {:.4g} %", name_of(mode), 100 * share(count, found));
     fmt::print("\n");
     if (found.escape) fmt::print("{}\n", wrapped("  " + in_words(*found.escape), 4));
+    for (const RiskEvidence& evidence : found.risk) fmt::print("{}\n", wrapped("  " + in_words(evidence), 4));
     print_table(in_units(attractors_table(found, dimension_of(scene)), units), found.attractors);
     fmt::print("{}", points_of(options, scene, found));
     for (const SteadyShare& mode : found.steady)

@@ -77,4 +77,16 @@ TextCheck finite_number_from(double least) {
     return {check, fmt::format("FLOAT >= {:g}", least)};
 }
 
+TextCheck number_below(double least, double limit) {
+    const auto check = [least, limit](const std::string& text) {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        const bool number = end != text.c_str() && *end == '\0';
+        if (!number || !(value >= least && value < limit) || underflows(text))
+            return fmt::format("Value {} is outside its range: {:g} or more, below {:g}", text, least, limit);
+        return std::string();
+    };
+    return {check, fmt::format("FLOAT in [{:g}, {:g})", least, limit)};
+}
+
 }  // namespace swirl::apps

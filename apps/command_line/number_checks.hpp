@@ -23,4 +23,7 @@ TextCheck whole_number(std::int64_t least, std::int64_t most);
 /// For Flag::check: a finite number, `least` or more. (CLI11's Range lets NaN through.)
 TextCheck finite_number_from(double least);
 
+/// For Flag::check: a number, `least` or more and below `limit`.
+TextCheck number_below(double least, double limit);
+
 }  // namespace swirl::apps

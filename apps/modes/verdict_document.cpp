@@ -17,18 +17,20 @@ namespace swirl::apps {
 
 namespace {
 
-Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s) {
-    return {{"transient", s.transient},
-            {"collisions", s.collisions},
-            {"exhaustive", s.exhaustive},
-            {"threshold", s.recurrence_threshold},
-            {"sigmas", s.sigmas},
-            {"max_period", s.period.max_period},
-            {"closure", s.period.closure},
-            {"vicinity", s.period.vicinity},
-            {"residual", s.period.residual},
-            {"neutral", analysis::neutral_margin},
-            {"accuracy", std::string(name_of(named.accuracy))}};
+Settings settings_of(const NamedMode& named, const analysis::ClassifyOptions& s, double risk) {
+    Settings settings{{"transient", s.transient},
+                      {"collisions", s.collisions},
+                      {"exhaustive", s.exhaustive},
+                      {"threshold", s.recurrence_threshold},
+                      {"sigmas", s.sigmas},
+                      {"max_period", s.period.max_period},
+                      {"closure", s.period.closure},
+                      {"vicinity", s.period.vicinity},
+                      {"residual", s.period.residual},
+                      {"neutral", analysis::neutral_margin},
+                      {"accuracy", std::string(name_of(named.accuracy))}};
+    if (risk > 0) settings.emplace_back("risk", risk);
+    return settings;
 }
 
 Table<NamedMode> verdict_table() {
@@ -77,15 +79,16 @@ Table<analysis::Evidence> evidence_table() {
 
 }  // namespace
 
-void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings) {
+void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings, double risk) {
     write_members(json, verdict_table(), named);
     write_evidence(json, named.verdict.evidence);
-    write_json(json, "settings", settings_of(named, settings));
+    write_json(json, "settings", settings_of(named, settings, risk));
 }
 
-void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings) {
+void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings,
+                   double risk) {
     write_attributes(group, verdict_table(), named);
-    write_attributes(group.group("settings"), settings_of(named, settings));
+    write_attributes(group.group("settings"), settings_of(named, settings, risk));
     write_evidence(group, named.verdict.evidence);
 }
 

@@ -10,10 +10,13 @@
 namespace swirl::apps {
 
 /// Members mode, kind, period, mean_S, … evidence, settings, outcome into an open object.
-void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings);
+///   risk  of chaos that is called before the limits; a setting where it is not 0
+void write_verdict(JsonWriter& json, const NamedMode& named, const analysis::ClassifyOptions& settings,
+                   double risk = 0);
 
 /// The verdict as attributes; the evidence as datasets along dimension `evidence`.
-void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings);
+void write_verdict(const RecordGroup& group, const NamedMode& named, const analysis::ClassifyOptions& settings,
+                   double risk = 0);
 
 /// The verdict, how sure and why, a line each; with `verbose` the numbers and all of the evidence after it. Mean S is
 /// in the user's units, if there are any.

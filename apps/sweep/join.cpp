@@ -26,7 +26,7 @@ void JoinOptions::add_to(Flags& command) {
 namespace {
 
 /// In the order of settings_of.
-constexpr std::array<const char*, 25> in_order = {"swirl_version",
+constexpr std::array<const char*, 26> in_order = {"swirl_version",
                                                   "grid",
                                                   "sample",
                                                   "scenes",
@@ -49,6 +49,7 @@ constexpr std::array<const char*, 25> in_order = {"swirl_version",
                                                   "transient",
                                                   "collisions",
                                                   "exhaustive",
+                                                  "risk",
                                                   "threshold",
                                                   "accuracy"};
 
@@ -134,6 +135,7 @@ int join(JoinOptions& options) {
     Sweep sweep = sweep_from(options.shards.front(), shards.front(), of_sweep);
     std::vector<char> done(sweep.results.size(), 0);
     for (std::size_t i = 0; i < shards.size(); ++i) put(options.shards[i], shards[i], sweep.runs, sweep, done);
+    sweep.risk = shards.front().risk;
     note_interruptions();
     const bool all = find_steady_modes(of_sweep, sweep);
     finish_up();

@@ -1,5 +1,6 @@
 // A sweep for people: the modes of its cells, and the shares.
 #include "apps/modes/escape_document.hpp"
+#include "apps/modes/risk_document.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/sweep/result_tables.hpp"
@@ -74,6 +75,7 @@ void print_sweep(const Sweep& sweep) {
     fmt::print("{}", chaos_in_words(judged));
     if (cells < cell_count(sweep.grid) && !sweep.shard)
         fmt::print("the grid has {} cells; the others have their neighbours' verdicts\n", cell_count(sweep.grid));
+    for (const RiskEvidence& evidence : sweep.risk) fmt::print("{}\n", wrapped(in_words(evidence), 2));
     if (sweep.basins) print_basins(sweep);
     if (sweep.boundaries) print_saddles(*sweep.boundaries, sweep.units);
     if (!sweep.attractors.empty()) print_tracks(sweep);

@@ -1,3 +1,4 @@
+#include "apps/modes/risk_document.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/sweep/run_columns.hpp"
 #include "apps/sweep/shard.hpp"
@@ -34,6 +35,7 @@ bool read_sweep(const std::string& path, Sweep& sweep, std::vector<char>& done) 
     for (std::size_t c = 0; c < cells; ++c)
         take_runs(std::span(results).subspan(c * static_cast<std::size_t>(runs), static_cast<std::size_t>(runs)), c,
                   visited[c], sweep, done);
+    sweep.risk = read_risk(record);
     return runs == sweep.runs;
 }
 

@@ -1,5 +1,6 @@
 #include "apps/sweep/shard.hpp"
 #include "apps/command_line/record_output.hpp"
+#include "apps/modes/risk_document.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/sweep/run_columns.hpp"
 
@@ -66,6 +67,7 @@ void write_shard(const SweepOptions& options, const Sweep& sweep) {
         group.write<std::int64_t>("cell", {"cell"}, cells, {"1", "number of the cell in the whole sweep", {}});
         write_run_columns(group, {"cell", "run"}, results);
     }
+    write_risk(record.root(), sweep.risk);
     record.finish();
 }
 
@@ -83,6 +85,7 @@ ReadShard read_shard_file(const std::string& path) {
     if (record.contains("/units"))
         read.units = Units{record.attribute<double>("/units", "length"), record.attribute<double>("/units", "time"),
                            record.attribute<double>("/units", "mass")};
+    read.risk = read_risk(record);
     if (!record.contains("/shard/cell")) return read;
     read.cells = record.read<std::int64_t>("/shard/cell");
     read.results = read_run_columns(record, "/shard");
@@ -147,12 +150,17 @@ std::int64_t runs_of_same_sweep(const std::string& path, const Settings& wanted,
     };
     const std::string differs = different_setting(without_runs(wanted), without_runs(found));
     const std::int64_t runs = runs_in(found), wanted_runs = runs_in(wanted);
-    if (differs.empty() && 1 <= runs && runs <= wanted_runs) return runs;
+    // The sample is one of all runs: with more of them it is another.
+    const bool is_of_all =
+        std::any_of(wanted.begin(), wanted.end(), [](const auto& setting) { return setting.first == "risk"; });
+    const bool as_many = is_of_all ? runs == wanted_runs : 1 <= runs && runs <= wanted_runs;
+    if (differs.empty() && as_many) return runs;
     const std::string name = differs.empty() ? "runs" : differs;
-    throw BadInput(fmt::format(
-        "record '{}' was made with {}, here is {}: give the same{}, or another file, or replace it "
-        "with --force",
-        path, setting_in_words(found, name), setting_in_words(wanted, name), differs.empty() ? " or more" : ""));
+    throw BadInput(
+        fmt::format("record '{}' was made with {}, here is {}: give the same{}, or another file, or replace it "
+                    "with --force",
+                    path, setting_in_words(found, name), setting_in_words(wanted, name),
+                    differs.empty() && !is_of_all ? " or more" : ""));
 }
 
 bool read_shard(const std::string& path, Sweep& sweep, std::vector<char>& done) {
@@ -164,6 +172,7 @@ bool read_shard(const std::string& path, Sweep& sweep, std::vector<char>& done) 
                         path, read.shard.number, read.shard.of, sweep.shard->number, sweep.shard->of));
     const std::int64_t runs = runs_of_same_sweep(path, sweep.settings, read.settings);
     put(path, read, runs, sweep, done);
+    sweep.risk = read.risk;
     return runs == sweep.runs;
 }
 

@@ -18,6 +18,7 @@ struct ReadShard {
     std::optional<Units> units;
     std::vector<std::int64_t> cells;
     std::vector<RunResult> results;  ///< by cell, then run
+    std::vector<RiskEvidence> risk;
 };
 
 /// @throws BadInput for a record that is none of a shard, RecordError for a file that can't be read

@@ -7,6 +7,7 @@
 #include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/modes/classify_flags.hpp"
+#include "apps/modes/risk_document.hpp"
 #include "apps/sweep/run_cells.hpp"
 #include "apps/sweep/scenes_file.hpp"
 #include "apps/sweep/start_settings.hpp"
@@ -47,6 +48,9 @@ larger; the record is the one made at once. A record made with other options is 
                     to 1e-12 of a step, and follows it to the unstable cycle or torus whose stable set it is,
                     or to a border, where the map jumps. It lists these saddles with their multipliers and
                     the number of points that lead to each (docs/command-line.md: other endings).
+  --risk P          calls chaos early where all runs of a cell are chaotic and their mean exponent is large enough
+                    that less than a share P of such runs has another verdict at the limits (95 %). A random
+                    sample, followed to them, tells how large. All other verdicts are those without it.
   --shard i/n       does the i-th of n parts; `swirl join` makes the record of the whole of them.
 
 Examples:
@@ -57,7 +61,8 @@ Examples:
   swirl sweep --sides 6 --alpha 0.4 --beta 0.5 --grid law=poisson,newton,stronge --grid mu=0.1:1:4 --grid restitution=0.5:1:5
   swirl sweep --alpha 0.4 --beta 0.5 --restitution 0.9 --grid sides=3,6,disk --grid mu=0.001:1:4:log --collisions 500
   swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.8:4 --grid beta=0.1:0.9:4 --refine 2 --collisions 500
-  swirl sweep --sides 6 --alpha 0.5 --mu 0.5 --restitution 0.95 --grid beta=0.45:0.55:11 --runs 20 --track)";
+  swirl sweep --sides 6 --alpha 0.5 --mu 0.5 --restitution 0.95 --grid beta=0.45:0.55:11 --runs 20 --track
+  swirl sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.1:0.4:7 --grid beta=0.1:0.9:5 --runs 20 --risk 0.05)";
 
 void SweepOptions::add_to(Flags& command) {
     scene.add_to(command);
@@ -87,6 +92,7 @@ void SweepOptions::add_to(Flags& command) {
         ->type_name("R")
         ->transform(whole_number(1, 1'000'000));
     add_classify_flags(command, settings);
+    add_risk_flag(command, risk);
 }
 
 namespace {
@@ -117,6 +123,7 @@ void check_cell(const SweepOptions& options, const std::vector<GridAxis>& grid, 
 
 void check_all(const SweepOptions& options, const std::vector<GridAxis>& grid) {
     require_starts(options.start, grid, options.runs);
+    require_no_risk_of_all(options.risk, options.settings.exhaustive);
     for (const GridAxis& axis : grid) check_beside(options, grid, axis);
     options.start.require_seeds(static_cast<std::uint64_t>(options.runs));
     options.output.accuracy();  // a wrong name is reported before any work

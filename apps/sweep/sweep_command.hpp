@@ -8,6 +8,7 @@
 #include "apps/studies/basins/saddles.hpp"
 #include "apps/studies/grids/run_results.hpp"
 #include "apps/studies/grids/starts.hpp"
+#include "apps/studies/modes/early_chaos.hpp"
 #include "apps/studies/modes/steady_shares.hpp"
 #include "apps/sweep/grid_options.hpp"
 
@@ -29,6 +30,7 @@ struct SweepOptions {
     bool track = false;  ///< attractors are followed from cell to cell
     std::int64_t runs = 1;
     std::int64_t saddles = 0;  ///< so many places on the boundaries of basins are followed to their saddles
+    double risk = 0;           ///< of chaos that is called before the limits
     analysis::ClassifyOptions settings;
 
     void add_to(Flags& command);
@@ -59,6 +61,7 @@ struct Sweep {
     std::vector<std::vector<CellAttractor>> attractors = {};  ///< of each cell, where they are tracked
     Tracking tracking = {};
     std::optional<Boundaries> boundaries = {};  ///< of basins, where they are asked for
+    std::vector<RiskEvidence> risk = {};        ///< when chaos is called; of --refine for each round of cells
     std::optional<Shard> shard = {};            ///< whose cells they are
     std::optional<Units> units = {};
 

@@ -2,6 +2,7 @@
 #include "apps/modes/driven_fields.hpp"
 #include "apps/modes/mean_error_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
+#include "apps/modes/risk_document.hpp"
 #include "apps/modes/steady_share_table.hpp"
 #include "apps/output/write_table.hpp"
 #include "apps/record/flag_text.hpp"
@@ -233,6 +234,7 @@ void write_sweep_document(const Sweep& sweep) {
             write_object(json, tracking_table(), sweep.tracking);
         }
         write_json(json, "cells", cell_table(sweep), visited_cells(sweep));
+        write_risk(json, sweep.risk);
         write_json(json, "settings", sweep.settings);
     });
 }
@@ -286,6 +288,7 @@ void write_sweep(const SweepOptions& options, const Sweep& sweep) {
     }
     if (sweep.boundaries) write_boundaries(root, sweep);
     if (!sweep.attractors.empty()) write_attractors(root.group("attractors"), sweep);
+    write_risk(root, sweep.risk);
     record.finish();
 }
 

@@ -31,6 +31,7 @@ Settings settings_of(const SweepOptions& options, const std::vector<GridAxis>& g
     settings.emplace_back("transient", options.settings.transient);
     settings.emplace_back("collisions", options.settings.collisions);
     settings.emplace_back("exhaustive", options.settings.exhaustive);
+    if (options.risk > 0) settings.emplace_back("risk", options.risk);
     settings.emplace_back("threshold", options.settings.recurrence_threshold);
     settings.emplace_back("accuracy", options.output.accuracy_name);
     return settings;
@@ -51,6 +52,7 @@ GridStudy study_of(const SweepOptions& options, const std::vector<GridAxis>& gri
     }
     study.settings = options.settings;
     study.accuracy = options.output.accuracy();
+    study.risk = options.risk;
     return study;
 }
 

@@ -1,6 +1,7 @@
 #include "apps/studies/diagrams/attractor.hpp"
 
 #include "analysis/classification/tail.hpp"
+#include "apps/studies/modes/early_chaos.hpp"
 #include "apps/studies/scene_map/chatter_once.hpp"
 
 #include <algorithm>
@@ -105,6 +106,7 @@ Attractor attractor_from(const Scene<double>& scene, const NamedMode& named, Orb
     attractor.kind = named.verdict.kind;
     attractor.impacts = named.impacts;
     attractor.period = named.verdict.period;
+    attractor.largest_exponent = named.verdict.largest_exponent;
     attractor.mean_spin = named.verdict.mean;
     attractor.mean_spin_per_impact = named.verdict.mean_per_step;
     attractor.mean_errors = named.mean_errors;
@@ -131,15 +133,25 @@ struct FollowedOn {
 
 }  // namespace
 
+analysis::ClassifyOptions limits_of(const SampleSettings& wanted) {
+    return first_settings(wanted, false);
+}
+
 void settle_all(std::span<const SceneStart> starts, const SampleSettings& settings, const analysis::Stop& stop,
-                const TakeAttractor& take) {
+                const TakeAttractor& take, std::int64_t look) {
     std::vector<std::size_t> places;
     std::vector<SceneStart> driven;
     FollowedOn further;
-    const auto options = [&](const analysis::ClassifyOptions& counts) {
-        return NamingOptions{counts, settings.accuracy, stop, true};
+    const auto options = [&](const analysis::ClassifyOptions& counts, std::int64_t to_look = 0) {
+        return NamingOptions{counts, settings.accuracy, stop, true, to_look};
     };
     for (std::size_t i = 0; i < starts.size(); ++i) {
+        if (look > 0 && has_attracting_steady_mode(starts[i].scene)) {
+            Attractor nothing_known;
+            nothing_known.finished = true;
+            take(i, nothing_known);
+            continue;
+        }
         if (!is_dissipative_without_drive(starts[i].scene)) {
             places.push_back(i);
             driven.push_back(starts[i]);
@@ -150,9 +162,9 @@ void settle_all(std::span<const SceneStart> starts, const SampleSettings& settin
                        take(i, attractor_from(starts[i].scene, named, samples, settings.accuracy));
                    });
     }
-    name_modes(driven, options(first_settings(settings, false)),
+    name_modes(driven, options(first_settings(settings, false), look),
                [&](std::size_t k, const NamedMode& named, OrbitSamples& samples) {
-                   if (is_decided(named) || named.outcome != Outcome::completed)
+                   if (is_decided(named) || named.outcome != Outcome::completed || look > 0)
                        return take(places[k], attractor_from(driven[k].scene, named, samples, settings.accuracy));
                    further.places.push_back(places[k]);
                    further.starts.push_back(driven[k]);

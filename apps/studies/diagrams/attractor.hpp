@@ -24,6 +24,9 @@ struct SampleSettings {
     Accuracy accuracy = Accuracy::double_precision;  ///< in which they are followed
 };
 
+/// The limits of a verdict on such an orbit, unless it stays undecided.
+analysis::ClassifyOptions limits_of(const SampleSettings& wanted);
+
 /// Where the start of a sample came from.
 enum class Origin { random, up, down };
 
@@ -34,10 +37,11 @@ struct Attractor {
     Outcome outcome = Outcome::completed;
     analysis::Mode mode = analysis::Mode::undecided;
     analysis::Kind kind = analysis::Kind::none;
-    std::int64_t impacts = 0;         ///< that its verdict was given on, from the start
-    std::int64_t period = 0;          ///< 0: none found
-    double distance = 0;              ///< of the orbit's last state from the cycle, where there is one
-    double mean_spin = std::nan("");  ///< time mean of S over the kept impacts, or over the period; NaN without
+    std::int64_t impacts = 0;                ///< that its verdict was given on, from the start
+    std::int64_t period = 0;                 ///< 0: none found
+    double largest_exponent = std::nan("");  ///< per impact
+    double distance = 0;                     ///< of the orbit's last state from the cycle, where there is one
+    double mean_spin = std::nan("");         ///< time mean of S over the kept impacts, or over the period; NaN without
     double mean_spin_per_impact = std::nan("");
     MeanErrors mean_errors;             ///< of these two
     analysis::GrowthExponent growth;    ///< of one that is accelerated
@@ -62,7 +66,7 @@ void for_each_part(Attractor& attractor, Part&& part) {
     part(attractor.mode), part(attractor.kind), part(attractor.impacts), part(attractor.period);
     part(attractor.distance);
     part(attractor.mean_spin), part(attractor.mean_spin_per_impact), part(attractor.states), part(attractor.last);
-    part(attractor.mean_errors), part(attractor.growth), part(attractor.limit_spin);
+    part(attractor.mean_errors), part(attractor.growth), part(attractor.limit_spin), part(attractor.largest_exponent);
 }
 
 /// Follows a start and names what it settles on: the verdict of `classify` (name_mode) with these counts of impacts; an
@@ -79,7 +83,10 @@ using TakeAttractor = std::function<void(std::size_t place, const Attractor& att
 
 /// `settle` of each, the same to the bit, given to `take` as soon as it is known; nothing of those that a stop ended.
 /// Orbits take their steps together (name_modes).
+///   look  to which they are followed (NamingOptions), of scenes without an attracting steady mode; samples of chaos
+///   are
+///         those that are judged there. 0: to the limits
 void settle_all(std::span<const SceneStart> starts, const SampleSettings& settings, const analysis::Stop& stop,
-                const TakeAttractor& take);
+                const TakeAttractor& take, std::int64_t look = 0);
 
 }  // namespace swirl::studies::diagrams

@@ -8,6 +8,7 @@
 
 #include "apps/studies/branches/branches.hpp"
 #include "apps/studies/diagrams/attractor.hpp"
+#include "apps/studies/modes/early_chaos.hpp"
 #include "apps/studies/modes/steady_shares.hpp"
 #include "apps/studies/parallel/run_control.hpp"
 #include "apps/studies/scene_map/parameter_range.hpp"
@@ -26,6 +27,7 @@ struct DiagramSettings {
     std::uint64_t seed = 1;   ///< of random start 0; start r has seed + r, in every column
     std::int64_t starts = 4;  ///< random ones in a column
     int longest_branch = 12;  ///< the longest period that is continued
+    double risk = 0;          ///< of chaos that is called before the limits, of the random starts (early_chaos.hpp)
 };
 
 struct DiagramColumn {
@@ -49,6 +51,7 @@ struct Diagram {
     std::vector<DiagramColumn> columns;
     std::vector<analysis::Branch> branches;
     Agreement agreement;
+    std::vector<RiskEvidence> risk;  ///< when chaos of the random starts was called, if a risk was allowed
     bool interrupted = false;
 };
 

@@ -25,6 +25,7 @@ struct GridStudy {
     bool at_centre = true;  ///< … of which x is each cell's β, the container's centre; false: x of `placed`
     analysis::ClassifyOptions settings = {};         ///< of a verdict
     Accuracy accuracy = Accuracy::double_precision;  ///< in which orbits are followed
+    double risk = 0;  ///< that chaos which is called before the limits has another verdict there (early_chaos.hpp)
 };
 
 /// start_numbers, as members.

@@ -1,5 +1,6 @@
 #include "apps/studies/modes/name_mode.hpp"
 
+#include "analysis/argument_error.hpp"
 #include "apps/studies/modes/chord_mode.hpp"
 #include "apps/studies/modes/contact_mode.hpp"
 #include "apps/studies/modes/naming.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace swirl::studies {
 
@@ -168,13 +170,21 @@ void keep_samples(const SceneMap<D>& map, const analysis::Tail<SceneMap<D>>& tai
 }
 
 template <int D>
-NamedMode name_in(const SceneMap<D>& map, const SceneStart& from, const analysis::ClassifyOptions& settings,
-                  const analysis::Stop& stop, OrbitSamples* samples) {
+NamedMode name_in(const SceneMap<D>& map, const SceneStart& from, const NamingOptions& options, OrbitSamples* samples) {
     const auto& [scene, start] = from;
+    const analysis::ClassifyOptions settings = settings_for(scene, options.settings);
     const OrbitBegin begin = begin_orbit(map, start);
     if (begin.outcome != Outcome::completed) return named_without_orbit(begin);
-    auto orbit =
-        followed(map, begin.state, steps_before(begin, settings), settings, is_dissipative_without_drive(scene), stop);
+    if (options.look > 0) {
+        if (is_for_limits_alone(scene, settings)) return {};
+        const StepsToLook steps = steps_to(options.look);
+        analysis::ClassifyOptions to_look = settings;
+        to_look.collisions = steps.tail;
+        auto orbit = followed(map, begin.state, steps.before, to_look, false, options.stop);
+        return named_at_look(map, scene, begin, orbit, settings, samples);
+    }
+    auto orbit = followed(map, begin.state, steps_before(begin, settings), settings,
+                          is_dissipative_without_drive(scene), options.stop);
     return named_from(map, scene, begin, orbit, settings, samples);
 }
 
@@ -183,6 +193,14 @@ NamedMode name_in(const SceneMap<D>& map, const SceneStart& from, const analysis
 analysis::ClassifyOptions settings_for(const Scene<double>& scene, analysis::ClassifyOptions settings) {
     settings.conserves = scene.mu == 0 && scene.restitution == 1;
     return settings;
+}
+
+StepsToLook steps_to(std::int64_t wanted) {
+    namespace detail = analysis::classification_detail;
+    std::int64_t before = detail::first_look, look = detail::next_look(before);
+    while (look < wanted) before = std::exchange(look, detail::next_look(look));
+    if (look != wanted) analysis::refuse("look", static_cast<double>(wanted), "192, 288, 432, 648 …");
+    return {before, look - before};
 }
 
 NamedMode named_without_orbit(const OrbitBegin& begin) {
@@ -225,13 +243,39 @@ template NamedMode named_from(const SceneMap<disk_dimension>&, const Scene<doubl
 template NamedMode named_from(const SceneMap<polygon_dimension>&, const Scene<double>&, const OrbitBegin&,
                               FollowedScene<polygon_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
 
+template <int D>
+NamedMode named_at_look(const SceneMap<D>& map, const Scene<double>& scene, const OrbitBegin& begin,
+                        FollowedScene<D>& orbit, const analysis::ClassifyOptions& settings, OrbitSamples* samples) {
+    analysis::ClassifyOptions asked = settings;
+    asked.chaos_alone = true;
+    NamedMode named = named_from(map, scene, begin, orbit, asked, samples);
+    if (!named.finished || orbit.cycle.period > 0 || orbit.tail.ended) return named;
+    if (named.verdict.kind != analysis::Kind::chaotic || orbit.tail.cut) {
+        named.verdict = {};
+        return named;
+    }
+    named.verdict.evidence.push_back({"steps until chaos was called", static_cast<double>(named.verdict.steps),
+                                      static_cast<double>(settings.transient + settings.collisions),
+                                      "chaotic so far: called before the limits, at the risk allowed",
+                                      "no risk: all steps up to the limits are judged"});
+    return named;
+}
+
+template NamedMode named_at_look(const SceneMap<disk_dimension>&, const Scene<double>&, const OrbitBegin&,
+                                 FollowedScene<disk_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
+template NamedMode named_at_look(const SceneMap<polygon_dimension>&, const Scene<double>&, const OrbitBegin&,
+                                 FollowedScene<polygon_dimension>&, const analysis::ClassifyOptions&, OrbitSamples*);
+
+NamedMode name_alone(const SceneStart& start, const NamingOptions& options, OrbitSamples* samples) {
+    const auto name = [&](const auto& map) { return name_in(map, start, options, samples); };
+    NamedMode named = with_scene_map(start.scene, name, contact_horizon, options.accuracy);
+    named.accuracy = options.accuracy;
+    return named;
+}
+
 NamedMode name_mode(const Scene<double>& scene, const Start<double>& start, const analysis::ClassifyOptions& options,
                     Accuracy accuracy, const analysis::Stop& stop, OrbitSamples* samples) {
-    const analysis::ClassifyOptions settings = settings_for(scene, options);
-    const auto name = [&](const auto& map) { return name_in(map, SceneStart{scene, start}, settings, stop, samples); };
-    NamedMode named = with_scene_map(scene, name, contact_horizon, accuracy);
-    named.accuracy = accuracy;
-    return named;
+    return name_alone({scene, start}, {options, accuracy, stop}, samples);
 }
 
 }  // namespace swirl::studies

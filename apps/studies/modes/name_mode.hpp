@@ -8,6 +8,7 @@
 #include "apps/studies/scene_map/start.hpp"
 #include "map/orbit/outcome.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -56,6 +57,11 @@ struct NamingOptions {
     Accuracy accuracy = Accuracy::double_precision;
     analysis::Stop stop;
     bool samples = false;  ///< what the verdict saw of each orbit is given, too
+    /// 0: orbits are followed to the limits. Else to this look alone, one of 192, 288, 432, 648 … (each half as many
+    /// impacts again), when orbits are looked at. What has settled until then, or ended, has the verdict that it has at
+    /// the limits; of the others the last third of these impacts is judged, and they are chaotic or without mode and
+    /// kind.
+    std::int64_t look = 0;
 };
 
 /// Takes what start number `place` comes to.
@@ -65,6 +71,9 @@ using TakeNamed = std::function<void(std::size_t place, const NamedMode& named, 
 /// Orbits of one shape and impact rule take their steps together (../scene_map/lanes.hpp) as long as these are ordinary
 /// flights. For that they are held all at once: some 70 bytes for each impact that is judged.
 void name_modes(std::span<const SceneStart> starts, const NamingOptions& options, const TakeNamed& take);
+
+/// That of one orbit by itself. @throws std::invalid_argument as name_mode
+NamedMode name_alone(const SceneStart& start, const NamingOptions& options, OrbitSamples* samples = nullptr);
 
 /// How many are well named together: with more, lanes are no fuller.
 std::size_t most_named_together();

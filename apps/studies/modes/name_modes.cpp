@@ -16,8 +16,9 @@ struct Naming {
     OrbitBegin begin;
     analysis::ClassifyOptions settings;
     analysis::SettlingOrbit<SceneMap<D>> orbit;
-    bool waits = false;  ///< the steps that it wants were not taken together
-    int refusals = 0;    ///< how often that was so
+    bool at_look = false;  ///< followed to a look alone
+    bool waits = false;    ///< the steps that it wants were not taken together
+    int refusals = 0;      ///< how often that was so
 
     /// Steps that cost too much for others to wait for are taken alone from here on.
     bool goes_alone() const {
@@ -30,7 +31,10 @@ struct Naming {
         orbit.look(map);
     }
 
-    NamedMode named(OrbitSamples* samples) { return named_from(map, scene, begin, orbit.orbit(), settings, samples); }
+    NamedMode named(OrbitSamples* samples) {
+        return at_look ? named_at_look(map, scene, begin, orbit.orbit(), settings, samples)
+                       : named_from(map, scene, begin, orbit.orbit(), settings, samples);
+    }
 };
 
 /// Those that take their next steps together, of one shape and impact rule.
@@ -123,15 +127,20 @@ void name_all(std::vector<Naming<D>>& orbits, const NamingOptions& options, cons
 
 /// An orbit to be followed with others; nothing where the start has none, or is followed in another way.
 template <int D>
-std::optional<Naming<D>> naming_of(std::size_t place, const SceneStart& start,
-                                   const analysis::ClassifyOptions& options) {
-    const analysis::ClassifyOptions settings = settings_for(start.scene, options);
+std::optional<Naming<D>> naming_of(std::size_t place, const SceneStart& start, const NamingOptions& options) {
+    const analysis::ClassifyOptions settings = settings_for(start.scene, options.settings);
     const SceneMap<D> map(start.scene);
     const OrbitBegin begin = begin_orbit(map, start.start);
     if (begin.outcome != Outcome::completed) return {};
     Naming<D> naming{place, start.scene, map,
                      begin, settings,    settling<D>(begin.state, steps_before(begin, settings), settings)};
     if (!naming.orbit.keeps_states()) return {};
+    naming.at_look = options.look > 0;
+    if (!naming.at_look) return naming;
+    const StepsToLook steps = steps_to(options.look);
+    analysis::ClassifyOptions to_look = settings;
+    to_look.collisions = steps.tail;
+    naming.orbit = settling<D>(begin.state, steps.before, to_look);
     return naming;
 }
 
@@ -150,15 +159,13 @@ void name_modes(std::span<const SceneStart> starts, const NamingOptions& options
         bool together = options.accuracy == Accuracy::double_precision && !settings.exhaustive &&
                         !is_dissipative_without_drive(scene);
         const auto add = [&]<int D>(std::vector<Naming<D>>& orbits) {
-            auto naming = naming_of<D>(i, starts[i], settings);
+            auto naming = naming_of<D>(i, starts[i], options);
             together = naming.has_value();
             if (together) orbits.push_back(std::move(*naming));
         };
         if (together) scene.is_disk() ? add(disks) : add(polygons);
         if (together) continue;
-        give(i, options, take, [&](OrbitSamples* samples) {
-            return name_mode(scene, starts[i].start, settings, options.accuracy, options.stop, samples);
-        });
+        give(i, options, take, [&](OrbitSamples* samples) { return name_alone(starts[i], options, samples); });
     }
     name_all(disks, options, take);
     name_all(polygons, options, take);

@@ -57,6 +57,23 @@ TEST(EscapeRate, TheIntervalHoldsTheRateAndTheRestWillLeave) {
     EXPECT_GE(forecast, 0.92 * trials);  // 5 % look improbable by definition
 }
 
+TEST(ChanceOfLeaving, ByHandAndOfLives) {
+    // χ²_{0.95} with 2 and 6 degrees of freedom: 5.991465 and 12.591587 (tables).
+    EXPECT_NEAR(chance_of_leaving(0, 1000, 500), 1 - std::exp(-5.991465 / 2000 * 500), 1e-6);
+    EXPECT_NEAR(chance_of_leaving(2, 1000, 500), 1 - std::exp(-12.591587 / 2000 * 500), 1e-6);
+    EXPECT_EQ(chance_of_leaving(0, 1000, 0), 0);
+    EXPECT_EQ(chance_of_leaving(0, 0, 10), 1);
+    std::mt19937_64 engine(7);
+    constexpr double rate = 1e-4;
+    constexpr int trials = 1000;
+    int held = 0;
+    for (int i = 0; i < trials; ++i) {
+        const EscapeRate found = escape_rate(stays_at(engine, rate, 40, 10'000), 0);
+        held += -std::expm1(-rate * 2000) <= chance_of_leaving(found.left, found.steps, 2000) ? 1 : 0;
+    }
+    EXPECT_GE(held, 0.93 * trials);  // 95 %, less three standard deviations of 0.7 %
+}
+
 // Half of the orbits on a chaotic attractor of their own: those are not said to leave.
 TEST(EscapeRate, WhereAnAttractorIsChaoticTheRestStay) {
     std::mt19937_64 engine(6);

@@ -56,5 +56,19 @@ TEST(RateInterval, WrongCountsAreRefusedAndNoTrialsTellNothing) {
     EXPECT_EQ(nothing.most, 1);
 }
 
+TEST(MostRate, AtTheBoundAsFewAreAsRareAsItSays) {
+    EXPECT_NEAR(most_rate(0, 299, 0.95), 1 - std::pow(0.05, 1.0 / 299), 1e-14);
+    EXPECT_LT(most_rate(0, 299, 0.95), 0.01);
+    EXPECT_GT(most_rate(0, 298, 0.95), 0.01);
+    // (1 − p)^n + n p (1 − p)^{n − 1} = 1 − c at the bound of one in n.
+    const double p = most_rate(1, 473, 0.95);
+    EXPECT_NEAR(std::pow(1 - p, 473) + 473 * p * std::pow(1 - p, 472), 0.05, 1e-12);
+    EXPECT_EQ(most_rate(4, 4, 0.9), 1);
+    EXPECT_EQ(most_rate(0, 0, 0.9), 1);
+    EXPECT_THROW(most_rate(0, 3, 1), std::invalid_argument);
+    EXPECT_THROW(most_rate(0, 3, std::nan("")), std::invalid_argument);
+    EXPECT_THROW(most_rate(4, 3, 0.95), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace swirl::analysis

@@ -29,6 +29,8 @@ os.environ["OMPI_MCA_btl"] = "^tcp"
 RUNS = "classify --sides 6 --alpha 0.635 --beta 0.5 --mu 0.5 --restitution 0.95 --runs 20 --collisions 1000 --threads 1"
 DIAGRAM = ("bifurcate --sides 6 --beta 0.5 --mu 0.5 --restitution 0.95 --along alpha=0.36:0.42:7 --starts 3 --transient 500 "
            "--follow --branches --threads 1")
+#: Chaos that is called before the limits, after a sample.
+AT_RISK = f"{GRID.replace('alpha=0.2:0.6:5', 'alpha=0.1:0.2:5').replace('--runs 3', '--runs 8')} --risk 0.15"
 #: Seconds of one core, of some hundred runs, to be killed.
 LONG = ("sweep --sides 6 --mu 0.5 --restitution 0.95 --grid alpha=0.2:0.6:9 --grid beta=0.1:0.9:9 --runs 4 --threads 1 "
         "--exhaustive --transient 1000 --collisions 2000 --quiet")
@@ -74,7 +76,7 @@ class Ranks(InFolder):
                 self.assertEqual(path.read_bytes(), alone.read_bytes(), (name, ranks))
 
     def test_runs_and_diagrams_are_those_of_one_process(self):
-        for name, command in (("runs", RUNS), ("diagram", DIAGRAM)):
+        for name, command in (("runs", RUNS), ("diagram", DIAGRAM), ("risk", AT_RISK)):
             alone = self.folder / f"{name}.h5"
             self.assertEqual(run(f"{command} --quiet -o {alone}").returncode, 0)
             path = self.folder / f"{name}-3.h5"

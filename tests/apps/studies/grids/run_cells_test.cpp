@@ -79,6 +79,31 @@ TEST(SweepGrid, EveryRunHasTheVerdictOfItsOwnSceneAndSeedWhateverTheThreads) {
     }
 }
 
+// 8 x 16 runs of hexagons, most of them chaotic, of which a sample of 28 tells.
+TEST(SweepGrid, AtARiskChaosIsCalledEarlyAndNothingElseChanges) {
+    GridStudy study = small_study();
+    study.grid = {{.name = "alpha", .points = {0.1, 0.12, 0.15, 0.6}}, {.name = "beta", .points = {0.4, 0.6}}};
+    study.scene = tests::scene_of(6, 0.4, 0.5, 0.5, 0.95);
+    study.runs = 16;
+    study.settings.transient = study.settings.collisions = 1000;
+    const auto all = sweep_grid(study);
+    study.risk = 0.2;
+    RunControl one_thread;
+    one_thread.threads = 1;
+    const auto few = sweep_grid(study), again = sweep_grid(study, one_thread);
+    ASSERT_TRUE(all && few && again);
+    int early = 0;
+    for (std::size_t i = 0; i < all->size(); ++i) {
+        SCOPED_TRACE(i);
+        const RunResult &limit = (*all)[i], &run = (*few)[i];
+        EXPECT_TRUE(same_bits(run.mean_spin, (*again)[i].mean_spin));
+        const bool is_early = kind_of(run) == analysis::Kind::chaotic && run.impacts < 440;
+        early += is_early ? 1 : 0;
+        EXPECT_TRUE(is_early || (same_bits(run.mean_spin, limit.mean_spin) && run.impacts == limit.impacts));
+    }
+    EXPECT_GE(early, 30);
+}
+
 TEST(SweepGrid, AStopLeavesNothingAndATaskIsNamedWithItsTotal) {
     std::atomic<int> reports = 0;
     std::string task;

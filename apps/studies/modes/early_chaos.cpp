@@ -1,0 +1,224 @@
+#include "apps/studies/modes/early_chaos.hpp"
+
+#include "analysis/argument_error.hpp"
+#include "analysis/classification/escape_rate.hpp"
+#include "analysis/classification/follow_until_settled.hpp"
+#include "analysis/classification/rate_interval.hpp"
+#include "analysis/random_draws.hpp"
+#include "apps/studies/modes/steady_shares.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace swirl::studies {
+
+namespace {
+
+constexpr double confidence = 0.95;
+constexpr std::uint64_t stream_of_samples = 0x7269736b;  // "risk"
+
+void require_risk(double risk) {
+    if (!(risk >= 0 && risk < 1)) analysis::refuse("risk", risk, "0 or more, below 1");
+}
+
+/// How many runs without another verdict among them tell that fewer than the risk have one.
+std::int64_t fewest_judged(double risk) {
+    return static_cast<std::int64_t>(std::floor(std::log(1 - confidence) / std::log1p(-risk))) + 1;
+}
+
+/// A candidate of the sample.
+struct Judged {
+    double score = 0;
+    bool changed = false;
+};
+
+/// Runs whose cells have been looked at.
+class LookedAt {
+public:
+    LookedAt(const RiskQuestion& question, const RunsAtRisk& runs)
+        : question_(question), runs_(runs), seen_(question.runs) {}
+
+    /// Looks at all runs of these runs' cells. False if it was stopped.
+    bool look_at(std::span<const std::size_t> runs) {
+        std::vector<std::size_t> cells, missing;
+        for (const std::size_t run : runs) cells.push_back(run / question_.each);
+        std::sort(cells.begin(), cells.end());
+        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+        for (const std::size_t cell : cells)
+            for (std::size_t run = cell * question_.each; run < (cell + 1) * question_.each; ++run)
+                if (!seen_[run]) missing.push_back(run);
+        const auto found = runs_.follow(missing, question_.look);
+        if (!found) return false;
+        for (std::size_t i = 0; i < missing.size(); ++i) seen_[missing[i]] = (*found)[i];
+        return true;
+    }
+    const SeenRun& seen(std::size_t run) const { return *seen_[run]; }
+    /// The mean exponent of the run's cell; none where a run of it is not chaotic.
+    std::optional<double> score(std::size_t run) {
+        const std::size_t first = run / question_.each * question_.each;
+        if (first == scored_) return score_;
+        scored_ = first;
+        double sum = 0;
+        for (std::size_t i = first; i < first + question_.each; ++i) {
+            if (!seen_[i]->chaotic) return score_ = std::nullopt;
+            sum += seen_[i]->exponent;
+        }
+        return score_ = sum / static_cast<double>(question_.each);
+    }
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::size_t scored_ = none;  ///< the first run of the cell whose score was asked last
+    std::optional<double> score_;
+    const RiskQuestion& question_;
+    const RunsAtRisk& runs_;
+    std::vector<std::optional<SeenRun>> seen_;
+};
+
+struct Sample {
+    std::vector<std::size_t> drawn;
+    std::vector<Judged> judged;   ///< the candidates among them
+    std::vector<char> at_limits;  ///< of all runs, 1 of each that was followed to the limits
+};
+
+/// Draws until so many candidates are judged, or no run is left. None if it was stopped.
+std::optional<Sample> draw(const RiskQuestion& question, std::int64_t wanted, const RunsAtRisk& runs,
+                           LookedAt& looked) {
+    RandomOrder order(question.runs, question.seed);
+    Sample sample;
+    sample.at_limits.assign(question.runs, 0);
+    while (std::ssize(sample.judged) < wanted && order.left() > 0) {
+        const auto missing = static_cast<double>(wanted - std::ssize(sample.judged));
+        const double share = std::max(static_cast<double>(sample.judged.size()), 1.0) /
+                             std::max(static_cast<double>(sample.drawn.size()), 1.0);
+        const auto drawn = order.take(static_cast<std::size_t>(1.05 * missing / share) + 1);
+        if (!looked.look_at(drawn)) return std::nullopt;
+        std::vector<std::size_t> candidates;
+        for (const std::size_t run : drawn)
+            if (looked.score(run)) candidates.push_back(run);
+        const auto limits = runs.follow(candidates, 0);
+        if (!limits) return std::nullopt;
+        for (std::size_t i = 0; i < candidates.size(); ++i) {
+            sample.judged.push_back({*looked.score(candidates[i]), !(*limits)[i].chaotic});
+            sample.at_limits[candidates[i]] = 1;
+        }
+        sample.drawn.insert(sample.drawn.end(), drawn.begin(), drawn.end());
+    }
+    return sample;
+}
+
+/// Asks about more and more candidates, by falling score, and takes down the last answer that is below the risk. Those
+/// of one score go together; the first question is about as many as can be answered so at all.
+void ask(std::vector<Judged> judged, double risk, RiskEvidence& evidence) {
+    std::stable_sort(judged.begin(), judged.end(), [](const Judged& a, const Judged& b) { return a.score > b.score; });
+    const std::int64_t fewest = fewest_judged(risk), step = std::max<std::int64_t>(1, fewest / 10);
+    std::int64_t next = fewest, changed = 0;
+    for (std::int64_t n = 1; n <= std::ssize(judged); ++n) {
+        const Judged& last = judged[static_cast<std::size_t>(n - 1)];
+        changed += last.changed ? 1 : 0;
+        const bool is_last = n == std::ssize(judged);
+        if (n < next && !(is_last && n >= fewest)) continue;
+        if (!is_last && judged[static_cast<std::size_t>(n)].score == last.score) continue;
+        next = n + step;
+        const double bound = analysis::most_rate(changed, n, confidence);
+        const bool is_below = bound < risk;
+        if (is_below) evidence.least_exponent = last.score;
+        if (is_below || evidence.judged == 0) {
+            evidence.judged = n;
+            evidence.changed = changed;
+            evidence.bound = bound;
+        }
+        if (!is_below) return;
+    }
+}
+
+}  // namespace
+
+SeenRun seen_of(analysis::Kind kind, Outcome outcome, double exponent) {
+    const bool chaotic = kind == analysis::Kind::chaotic;
+    return {!chaotic && (kind != analysis::Kind::none || outcome != Outcome::completed), chaotic, exponent};
+}
+
+std::int64_t early_look(const analysis::ClassifyOptions& limits) {
+    namespace detail = analysis::classification_detail;
+    constexpr std::int64_t part = 9, least = 432;
+    std::int64_t look = detail::first_look;
+    while (look < least || detail::next_look(look) <= (limits.transient + limits.collisions) / part)
+        look = detail::next_look(look);
+    return look <= limits.transient ? look : 0;
+}
+
+std::optional<FollowedAtRisk> follow_at_risk(const RiskQuestion& question, std::span<const std::size_t> own,
+                                             const RunsAtRisk& runs) {
+    require_risk(question.risk);
+    FollowedAtRisk followed;
+    RiskEvidence& evidence = followed.evidence;
+    evidence.runs = static_cast<std::int64_t>(question.runs);
+    const auto to_limits = [&](std::span<const std::size_t> some) {
+        return runs.follow(some, 0) ? std::optional(followed) : std::nullopt;
+    };
+    if (question.risk == 0 || question.look == 0) return to_limits(own);
+    const std::int64_t wanted = std::max(2 * fewest_judged(question.risk), evidence.runs / 16);
+    if (wanted >= evidence.runs) return to_limits(own);
+    LookedAt looked(question, runs);
+    const auto sample = draw(question, wanted, runs, looked);
+    if (!sample) return std::nullopt;
+    followed.sample = sample->drawn;
+    evidence.followed = std::ssize(sample->judged);
+    ask(sample->judged, question.risk, evidence);
+    if (!std::isnan(evidence.least_exponent)) evidence.impacts = question.look;
+    if (!looked.look_at(own)) return std::nullopt;
+    std::vector<std::size_t> left;
+    for (const std::size_t run : own) {
+        if (sample->at_limits[run]) continue;  // it has its verdict
+        const auto score = looked.score(run);
+        const bool is_called = evidence.impacts > 0 && score && *score >= evidence.least_exponent;
+        if (is_called || looked.seen(run).known)
+            runs.keep(run);
+        else
+            left.push_back(run);
+    }
+    return to_limits(left);
+}
+
+bool has_attracting_steady_mode(const Scene<double>& scene) {
+    return !steady_shares(scene, {}).empty();
+}
+
+std::int64_t look_of_one(double risk, const analysis::ClassifyOptions& limits) {
+    namespace detail = analysis::classification_detail;
+    require_risk(risk);
+    const std::int64_t all = limits.transient + limits.collisions;
+    std::int64_t before = detail::first_look, look = detail::next_look(before);
+    for (; before <= limits.transient && look < all; before = std::exchange(look, detail::next_look(look)))
+        if (analysis::chance_of_leaving(0, static_cast<double>(look), static_cast<double>(all - look)) < risk)
+            return look;
+    return 0;
+}
+
+std::vector<std::size_t> RandomOrder::take(std::size_t count) {
+    const auto at = [this](std::size_t place) {
+        const auto found = moved_.find(place);
+        return found == moved_.end() ? place : found->second;
+    };
+    std::vector<std::size_t> drawn;
+    for (; drawn.size() < count && left() > 0; ++taken_) {
+        const std::uint64_t bits = analysis::random_bits({taken_, 0, 0, 0}, {seed_, stream_of_samples})[0];
+        const std::size_t place = taken_ + bits % left();
+        drawn.push_back(at(place));
+        moved_[place] = at(taken_);
+    }
+    return drawn;
+}
+
+std::vector<RiskPieces::Group> RiskPieces::groups(std::span<const std::size_t> pieces) const {
+    Group to_limits{0, {}}, to_look{look, {}};
+    for (const std::size_t piece : pieces) (piece < runs ? to_limits : to_look).runs.push_back(run(piece));
+    std::vector<Group> groups;
+    for (const Group& group : {to_limits, to_look})
+        if (!group.runs.empty()) groups.push_back(group);
+    return groups;
+}
+
+}  // namespace swirl::studies

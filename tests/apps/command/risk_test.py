@@ -1,0 +1,165 @@
+"""Chaos that is called before the limits, at a risk: sweep, bifurcate, classify --runs. risk_test.py SWIRL"""
+
+import unittest
+
+import h5py
+
+from driving import InFolder, document, run
+
+#: Hexagons: four sizes that are chaotic, and one with a steady mode; 5 x 3 cells.
+SCENE = "--sides 6 --mu 0.5 --restitution 0.95"
+LIMITS = "--transient 1000 --collisions 1000"
+PLANE = f"{SCENE} --grid alpha=0.1,0.12,0.15,0.18,0.6 --grid beta=0.4:0.6:3 --runs 8 {LIMITS}"
+SWEEP = f"sweep {PLANE} --risk 0.15"
+DIAGRAM = f"bifurcate {SCENE} --beta 0.5 --along alpha=0.1:0.2:20 --starts 6 --transient 1000 --collisions 400"
+RUNS = f"classify {SCENE} --alpha 0.15 --beta 0.5 --runs 120 {LIMITS}"
+EARLY = 432  # impacts
+
+
+def bound(changed, judged):
+    """p at which `changed` or fewer of `judged` have a chance of 5 %, by bisection of the binomial sum."""
+    def chance(p):
+        term, total = (1 - p) ** judged, 0.0
+        for k in range(changed + 1):
+            total += term
+            term *= (judged - k) / (k + 1) * p / (1 - p)
+        return total
+    low, high = 0.0, 1.0
+    for _ in range(100):
+        middle = (low + high) / 2
+        low, high = (middle, high) if chance(middle) > 0.05 else (low, middle)
+    return low
+
+
+class Risk(InFolder):
+    def check_evidence(self, evidence, runs, risk):
+        self.assertEqual(list(evidence), ["runs", "impacts", "least_exponent", "followed", "judged", "changed", "bound"])
+        self.assertEqual((evidence["runs"], evidence["impacts"]), (runs, EARLY))
+        self.assertLess(evidence["followed"], runs)
+        self.assertLessEqual(evidence["judged"], evidence["followed"])
+        self.assertAlmostEqual(evidence["bound"], bound(evidence["changed"], evidence["judged"]), places=9)
+        self.assertLess(evidence["bound"], risk)
+        self.assertGreater(evidence["least_exponent"], 0)
+
+    def bytes_of(self, command, name):
+        path = self.folder / name
+        result = run(f"{command} --quiet -o {path}")
+        self.assertEqual((result.returncode, result.stderr), (0, ""), command)
+        return path.read_bytes()
+
+
+class Sweep(Risk):
+    def test_what_is_not_called_early_is_as_without_a_risk(self):
+        at_risk, limits = document(SWEEP), document(f"sweep {PLANE}")
+        self.assertEqual(at_risk["settings"]["risk"], 0.15)
+        self.assertNotIn("risk", limits["settings"])
+        self.assertNotIn("risk_evidence", limits)
+        (evidence,) = at_risk["risk_evidence"]
+        self.check_evidence(evidence, 120, 0.15)
+        early = changed = 0
+        for cell, of_limits in zip(at_risk["cells"], limits["cells"]):
+            called = [run for run in cell["runs"] if run["mode"] == "chaotic" and run["impacts"] < EARLY + 3]
+            if called:
+                self.assertEqual({run["mode"] for run in cell["runs"]}, {"chaotic"})
+                self.assertEqual(cell["steady_modes"], [])
+            for found, expected in zip(cell["runs"], of_limits["runs"]):
+                if found in called:
+                    early += 1
+                    changed += expected["mode"] != "chaotic"
+                else:
+                    self.assertEqual(found, expected)
+        self.assertGreater(early, 20)
+        self.assertLess(changed, 0.15 * early)
+
+    def test_the_bytes_depend_on_neither_threads_nor_shards(self):
+        whole = self.bytes_of(f"{SWEEP} --threads 1", "one.h5")
+        self.assertEqual(self.bytes_of(f"{SWEEP} --threads 3", "three.h5"), whole)
+        parts = [self.folder / f"{i}.h5" for i in (1, 2)]
+        for i, part in enumerate(parts, 1):
+            self.bytes_of(f"{SWEEP} --shard {i}/2", part.name)
+        self.assertEqual(self.bytes_of(f"join {parts[1]} {parts[0]}", "joined.h5"), whole)
+        with h5py.File(self.folder / "joined.h5") as record:
+            group = record["risk_evidence"]
+            self.assertIn("drawn without replacement", group.attrs["assumed"])
+            self.assertEqual((group["runs"][0], group["impacts"][0]), (120, EARLY))
+
+    def test_a_record_goes_on_at_its_own_risk_and_number_of_runs(self):
+        path = self.folder / "a.h5"
+        before = self.bytes_of(SWEEP, "a.h5")
+        self.assertEqual(document(f"{SWEEP} -o {path} --quiet"), document(SWEEP))
+        for other, mention in ((SWEEP.replace("risk 0.15", "risk 0.2"), "here is risk = 0.2"),
+                               (f"sweep {PLANE}", "no risk"), (SWEEP.replace("--runs 8", "--runs 9"), "runs = 8")):
+            result = run(f"{other} -o {path}")
+            self.assertEqual((result.returncode, result.stderr.count("\n")), (2, 1), result.stderr)
+            self.assertIn(mention, result.stderr)
+        self.assertEqual(path.read_bytes(), before)
+
+    def test_each_round_of_a_refined_one_has_a_sample(self):
+        few = f"{SCENE} --grid alpha=0.1:0.6:3 --grid beta=0.4:0.6:2 --runs 16 {LIMITS}"
+        found = document(f"sweep {few} --risk 0.2 --refine 1")
+        self.assertEqual(sum(evidence["runs"] for evidence in found["risk_evidence"]), 16 * len(found["cells"]))
+        self.assertEqual(found["risk_evidence"][0]["runs"], 16 * 6)
+
+    def test_too_few_runs_go_to_the_limits_and_people_are_told(self):
+        small = f"sweep {SCENE} --alpha 0.3 --grid beta=0.4,0.5 {LIMITS}"
+        at_risk = document(f"{small} --risk 0.01")
+        self.assertEqual(at_risk["cells"], document(small)["cells"])
+        self.assertEqual(at_risk["risk_evidence"], [{"runs": 2, "impacts": 0, "least_exponent": None, "followed": 0,
+                                                     "judged": 0, "changed": 0, "bound": None}])
+        self.assertIn("all 2 runs were followed to the limits", run(f"{small} --risk 0.01").stdout)
+        self.assertIn(f"chaos was called after {EARLY} impacts", " ".join(run(SWEEP).stdout.split()))
+
+
+class Others(Risk):
+    def test_diagrams(self):
+        command = f"{DIAGRAM} --risk 0.15"
+        found = document(command)
+        self.assertEqual(found["settings"]["risk"], 0.15)
+        self.check_evidence(found["risk_evidence"][0], 120, 0.15)
+        self.assertEqual(self.bytes_of(f"{command} --threads 1", "1.h5"), self.bytes_of(f"{command} --threads 2", "2.h5"))
+        limits = document(DIAGRAM)
+        early = 0
+        for column, of_limits in zip(found["columns"], limits["columns"]):
+            for start, expected in zip(column["attractors"], of_limits["attractors"]):
+                early += start != expected
+                if start != expected:
+                    self.assertEqual(start["mode"], "chaotic")
+        self.assertGreater(early, 20)
+
+    def test_several_runs_of_one_scene(self):
+        command = f"{RUNS} --risk 0.15"
+        found = document(command)
+        self.assertEqual(found["settings"]["risk"], 0.15)
+        self.check_evidence(found["risk_evidence"][0], 120, 0.15)
+        self.assertEqual(self.bytes_of(f"{command} --threads 1", "1.h5"), self.bytes_of(f"{command} --threads 2", "2.h5"))
+        self.assertIn("chaos was called after", " ".join(run(command).stdout.split()))
+
+    def test_of_one_run_nothing_is_saved_below_nine_tenths(self):
+        one = f"classify {SCENE} --alpha 0.15 --beta 0.5"
+        limits, at_risk, dared = document(one), document(f"{one} --risk 0.5"), document(f"{one} --risk 0.92")
+        self.assertEqual(at_risk["settings"].pop("risk"), 0.5)
+        self.assertEqual(at_risk, limits)
+        self.assertEqual(dared["mode"], "chaotic")
+        self.assertLess(dared["impacts"], 11_080)
+
+
+class WrongInput(InFolder):
+    def test_is_refused(self):
+        record = self.folder / "orbit.h5"
+        self.assertEqual(run(f"simulate {SCENE} --alpha 0.3 --beta 0.5 --collisions 200 -o {record} --quiet").returncode, 0)
+        for command in (f"sweep {PLANE}", DIAGRAM, RUNS, f"classify {SCENE} --alpha 0.3 --beta 0.5"):
+            for value in ("2", "1", "-1", "nan", "inf", "much", "1e-999"):
+                self.refused(f"{command} --risk {value} -o {self.folder}/a.h5", "risk", "0 or more, below 1")
+            self.refused(f"{command} --risk 0.1 --exhaustive -o {self.folder}/a.h5", "risk", "exhaustive")
+        self.refused(f"classify {record} --risk 0.1", "risk")
+
+    def refused(self, command, *mentions):
+        result = run(command)
+        self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), (command, result.stderr))
+        for mention in mentions:
+            self.assertIn(mention, result.stderr, command)
+        self.assertFalse((self.folder / "a.h5").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

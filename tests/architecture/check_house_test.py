@@ -1,4 +1,4 @@
-"""check_layers.py, check_sizes.py and check_names.py on made-up files: each must find what it is for, and only that."""
+"""check_layers.py, check_sizes.py, check_names.py and check_standard.py on made-up files: each must find what it is for, and only that."""
 
 import contextlib
 import io
@@ -9,6 +9,7 @@ from pathlib import Path
 import check_layers
 import check_names
 import check_sizes
+import check_standard
 
 
 def with_files(files, use):
@@ -117,6 +118,34 @@ class Names(unittest.TestCase):
         self.assertEqual(self.found({"tests/map/a.cpp": text, "tests/apps/b.cpp": text}), [])
         self.assertEqual(len(self.found({"tests/map/a.cpp": text, "tests/map/b.cpp": text})), 1)
         self.assertEqual(len(self.found({"tests/map/a.cpp": text, "map/b.hpp": text})), 1)
+
+
+class Standard(unittest.TestCase):
+    def test_headers_of_own_names_and_of_ones_own_header_suffice(self):
+        code, text = printed(check_standard.main, {
+            "map/a.hpp": "#pragma once\n\n#include <vector>\n\nstd::vector<int> f();  // no std::map\n",
+            "map/a.cpp": '#include "map/a.hpp"\n\n#include <cmath>\n\nstd::vector<int> f() { return {int(std::floor(2.5))}; }\n'})
+        self.assertEqual((code, text), (0, "2 files include the standard headers of what they use\n"))
+
+    def test_what_comes_by_another_header_is_missing(self):
+        files = {"map/a.hpp": "#include <vector>\n", "map/b.cpp": '#include "map/a.hpp"\n\nstd::vector<std::string> g;\n'}
+        code, text = printed(check_standard.main, files)
+        self.assertEqual((code, text), (1, "map/b.cpp: std::string (<string>), std::vector (<vector>)\n"))
+
+    def test_what_is_missing_is_added_in_its_block(self):
+        def mended(root):
+            with contextlib.redirect_stdout(io.StringIO()):
+                self.assertEqual(check_standard.main(["--mend", str(root)]), 0)
+                self.assertEqual(check_standard.main([str(root)]), 0)
+            return (root / "tests/b.cpp").read_text(), (root / "tests/c.cpp").read_text()
+        first, second = with_files({
+            "tests/b.cpp": "#include <gsl/gsl_math.h>\n\n#include <cmath>\n#include <vector>\n\nstd::vector<std::string> g;\n",
+            "tests/c.cpp": '#include "map/a.hpp"\n\nstd::string g;\n'}, mended)
+        self.assertIn("\n#include <cmath>\n#include <string>\n#include <vector>\n", first)
+        self.assertIn('"map/a.hpp"\n\n#include <string>\n\nstd::string g;\n', second)
+
+    def test_nothing_to_look_through_is_no_success(self):
+        self.assertEqual(printed(check_standard.main, {"docs/a.md": "std::vector\n"})[0], 2)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 // Curves in the plane of two parameters on which cycles bifurcate, with what is known of them.
 #pragma once
 
-#include "analysis/continuation/higher_forms.hpp"
+#include "analysis/continuation/normal_form.hpp"
 #include "analysis/curves/walk.hpp"
 
 #include <complex>

@@ -1,8 +1,7 @@
 #include "analysis/boundaries/codimension_two.hpp"
 
-#include "analysis/continuation/multipliers.hpp"
 #include "analysis/continuation/normal_form.hpp"
-#include "analysis/cycles/stability.hpp"
+#include "analysis/cycles/cycle.hpp"
 #include "analysis/linear_algebra/dense.hpp"
 #include "analysis/special_values.hpp"
 

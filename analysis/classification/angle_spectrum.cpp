@@ -2,7 +2,7 @@
 
 #include "analysis/argument_error.hpp"
 #include "analysis/spectrum/fft.hpp"
-#include "analysis/spectrum/window.hpp"
+#include "analysis/spectrum/segments.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,9 @@
 // Names the mode of an orbit, and says why.
 #pragma once
 
-#include "analysis/classification/evidence.hpp"
 #include "analysis/classification/mode.hpp"
 #include "analysis/classification/period.hpp"
-#include "analysis/classification/superstable_period.hpp"
-#include "analysis/classification/tail_exponent.hpp"
+#include "analysis/classification/tail.hpp"
 #include "analysis/lyapunov/exponent_sign.hpp"
 #include "analysis/lyapunov/lyapunov_spectrum.hpp"
 #include "analysis/recurrence/rates.hpp"

@@ -4,7 +4,7 @@
 
 #include "analysis/classification/classify.hpp"
 #include "analysis/classification/follow_until_settled.hpp"
-#include "analysis/classification/tail_exponent.hpp"
+#include "analysis/classification/tail.hpp"
 #include "analysis/special_values.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "analysis/classification/classify_series.hpp"
 
 #include "analysis/argument_error.hpp"
-#include "analysis/classification/repetition.hpp"
+#include "analysis/classification/returns.hpp"
 #include "analysis/classification/series_exponent.hpp"
 #include "analysis/classification/surrogates.hpp"
 #include "analysis/spectrum/lines.hpp"

@@ -6,7 +6,7 @@
 //   2. Does it repeat? The smallest k, 16 times in the series, for which the k phase means leave a residual within the
 //      noise (given, or at most `largest_noise` of the standard deviation) that is white, over all and phase by phase;
 //      after a first k whose residual is small but structured a multiple of it whose residual is white and half as
-//      large (repetition.hpp). Or the smallest k, 8 times in the series, that leaves nothing but rounding (10⁻¹² of the
+//      large (returns.hpp). Or the smallest k, 8 times in the series, that leaves nothing but rounding (10⁻¹² of the
 //      largest value). A structured residual is otherwise a torus, a band or a drift, and no noise.
 //   3. Is the spectrum all lines, and do neighbours stay neighbours (their distance less than doubles, on the
 //      mean, over a quarter of the series)? Then the series is quasi-periodic; of a flow, periodic or quasi-periodic.

@@ -1,10 +1,4 @@
-// How fast orbits leave chaos, from when some of several did and how long the others have been in it.
-//
-// A chaotic transient forgets how long it has lasted: the times at which orbits leave are exponential. With k orbits
-// that left and T all the time that was spent in chaos, by those and by the others (censored), the rate is k/T, its
-// interval χ²₂ₖ/(2T), and half of the orbits leave within ln 2/rate.
-// Sources: T. Tél, Y.-C. Lai, Phys. Rep. 460 (2008) 245 (escape from chaotic saddles); B. Epstein, M. Sobel, J. Amer.
-// Statist. Assoc. 48 (1953) 486 (censored exponential lives).
+// How often something happens that happened k times in n trials.
 #pragma once
 
 #include "analysis/special_values.hpp"
@@ -13,6 +7,33 @@
 #include <span>
 
 namespace swirl::analysis {
+
+/// A rate per trial with its interval at 95 %.
+struct RateInterval {
+    double rate = 0;   ///< k/n
+    double least = 0;  ///< 0 for k = 0
+    double most = 1;   ///< 1 for k = n
+};
+
+/// Clopper and Pearson's exact interval: [B(α/2; k, n − k + 1), B(1 − α/2; k + 1, n − k)], B the quantile of the beta
+/// distribution, α = 0.05. For k = 0 and k = n one of its ends is known, and all of α goes to the other: 0 of n means
+/// below 1 − 0.05^{1/n}, nearly 3/n. Of independent trials it holds the true rate in at least 95 % of all cases.
+/// NaN, 0 and 1 for n = 0. Source: C. J. Clopper, E. S. Pearson, Biometrika 26 (1934) 404.
+/// @throws std::invalid_argument unless 0 ≤ k ≤ n
+RateInterval rate_interval(std::int64_t k, std::int64_t n);
+
+/// The upper end alone, B(c; k + 1, n − k): with this confidence c the rate is no larger. 1 for k = n, and so for n =
+/// 0. Of k among n drawn without replacement it bounds the share among all, too.
+/// @throws std::invalid_argument unless 0 ≤ k ≤ n and 0 < c < 1
+double most_rate(std::int64_t k, std::int64_t n, double confidence);
+
+// How fast orbits leave chaos, from when some of several did and how long the others have been in it.
+//
+// A chaotic transient forgets how long it has lasted: the times at which orbits leave are exponential. With k orbits
+// that left and T all the time that was spent in chaos, by those and by the others (censored), the rate is k/T, its
+// interval χ²₂ₖ/(2T), and half of the orbits leave within ln 2/rate.
+// Sources: T. Tél, Y.-C. Lai, Phys. Rep. 460 (2008) 245 (escape from chaotic saddles); B. Epstein, M. Sobel, J. Amer.
+// Statist. Assoc. 48 (1953) 486 (censored exponential lives).
 
 /// One orbit: the steps that it spent in chaos, and whether it then left.
 struct ChaoticStay {

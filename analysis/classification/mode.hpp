@@ -3,6 +3,7 @@
 
 #include "analysis/enum_name.hpp"
 
+#include <string>
 #include <string_view>
 
 namespace swirl::analysis {
@@ -55,5 +56,19 @@ inline std::string_view name_of(Kind kind) {
                           {chord, "chord"}},
                          kind);
 }
+
+// One piece of evidence for a verdict.
+
+/// What was measured, against what, what it says, and what other value would have changed the verdict.
+struct Evidence {
+    std::string name;
+    double value = 0;
+    double threshold = 0;
+    std::string says;
+    std::string changes_if;
+};
+
+/// A threshold as it stands in a sentence: three digits.
+std::string in_words(double number);
 
 }  // namespace swirl::analysis

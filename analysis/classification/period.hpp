@@ -5,9 +5,9 @@
 #include "analysis/classification/rounding_growth.hpp"
 #include "analysis/classification/tail.hpp"
 #include "analysis/curves/newton.hpp"
-#include "analysis/cycles/minimal_period.hpp"
-#include "analysis/cycles/stability.hpp"
+#include "analysis/cycles/cycle.hpp"
 #include "analysis/lyapunov/cycle_exponents.hpp"
+#include "analysis/lyapunov/lyapunov_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -261,6 +261,35 @@ template <SectionMap M>
 FoundCycle<M> find_period(const M& map, const Tail<M>& tail, const PeriodOptions& options = {}) {
     StepBudget budget;
     return find_period(map, tail, options, budget);
+}
+
+// The period of an orbit on a superstable cycle.
+
+/// The cycle of an orbit whose derivatives annihilate every direction: one return is enough, so that periods up to the
+/// tail's length are found. The last 64 states must come back to `closure`, and the annihilation must lie within the
+/// period: else it may be an unstable cycle in passing. Period 0 if not so. O(n), k derivatives.
+template <SectionMap M>
+FoundCycle<M> find_superstable_period(const M& map, const Tail<M>& tail, const PeriodOptions& options = {}) {
+    constexpr std::int64_t states = 64;
+    FoundCycle<M> found;
+    const auto n = static_cast<std::int64_t>(tail.points.size());
+    for (std::int64_t k = 1; k <= n - states; ++k) {
+        const double returned = classification_detail::return_distance(map, tail, k, states, options.closure);
+        if (returned > options.closure) continue;
+        LyapunovOptions once;
+        once.transient = 0;
+        once.steps = k;
+        const auto growth = largest_exponent(map, tail.last, once);
+        if (growth.outcome != LyapunovOutcome::completed || !std::isinf(growth.exponents.front())) break;
+        found.period = k;
+        found.point = tail.points.back();
+        found.state = tail.last;
+        found.closure = found.residual = returned;
+        found.closure_persists = found.approached = found.superstable = true;
+        found.rounding = rounding_growth(map, found.state, k);
+        break;
+    }
+    return found;
 }
 
 }  // namespace swirl::analysis

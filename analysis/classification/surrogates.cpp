@@ -1,6 +1,6 @@
 #include "analysis/classification/surrogates.hpp"
 
-#include "analysis/classification/delay_vectors.hpp"
+#include "analysis/classification/series_exponent.hpp"
 #include "analysis/random_draws.hpp"
 #include "analysis/special_values.hpp"
 #include "analysis/spectrum/fft.hpp"

@@ -1,6 +1,6 @@
 #include "analysis/classification/swing.hpp"
 
-#include "analysis/classification/slow_settling.hpp"
+#include "analysis/classification/settled.hpp"
 
 #include <boost/math/tools/roots.hpp>
 

@@ -1,7 +1,7 @@
 #include "analysis/continuation/border.hpp"
 
 #include "analysis/curves/walk.hpp"
-#include "analysis/cycles/curve.hpp"
+#include "analysis/cycles/family.hpp"
 #include "analysis/special_values.hpp"
 
 #include <algorithm>

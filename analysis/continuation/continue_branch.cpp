@@ -2,7 +2,7 @@
 
 #include "analysis/continuation/border.hpp"
 #include "analysis/continuation/special_points.hpp"
-#include "analysis/cycles/curve.hpp"
+#include "analysis/cycles/family.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "analysis/continuation/special_points.hpp"
 
-#include "analysis/continuation/multipliers.hpp"
+#include "analysis/continuation/normal_form.hpp"
 
 #include <algorithm>
 #include <cmath>

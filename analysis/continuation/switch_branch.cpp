@@ -1,6 +1,6 @@
 #include "analysis/continuation/switch_branch.hpp"
 
-#include "analysis/cycles/curve.hpp"
+#include "analysis/cycles/family.hpp"
 #include "analysis/linear_algebra/dense.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "analysis/cycles/multi_shooting.hpp"
 
+#include "analysis/linear_algebra/dense.hpp"
 #include "analysis/special_values.hpp"
 
 #include <ceres/cost_function.h>
@@ -12,6 +13,37 @@
 #include <vector>
 
 namespace swirl::analysis {
+
+namespace {
+
+/// 1/√ of the largest of each row (column); 1 where all are zero.
+double factor_of(double largest) {
+    return largest > 0 ? 1 / std::sqrt(largest) : 1.0;
+}
+
+}  // namespace
+
+Eigen::VectorXd equilibrate(Eigen::MatrixXd& matrix) {
+    constexpr int rounds = 12;  // the logarithms of all maxima halve in each
+    Eigen::VectorXd columns = Eigen::VectorXd::Ones(matrix.cols());
+    for (int round = 0; round < rounds; ++round) {
+        const Eigen::VectorXd by_row = matrix.cwiseAbs().rowwise().maxCoeff().unaryExpr(&factor_of);
+        const Eigen::VectorXd by_column = matrix.cwiseAbs().colwise().maxCoeff().transpose().unaryExpr(&factor_of);
+        matrix = by_row.asDiagonal() * matrix * by_column.asDiagonal();
+        columns = columns.cwiseProduct(by_column);
+    }
+    return columns;
+}
+
+Eigen::MatrixXd null_vectors(const Eigen::MatrixXd& matrix) {
+    Eigen::MatrixXd scaled = matrix;
+    const Eigen::VectorXd columns = equilibrate(scaled);
+    const SingularVectors svd = right_singular_vectors(scaled);
+    const Eigen::VectorXd& values = svd.values;
+    Eigen::Index rank = values.size();
+    while (rank > 0 && values[rank - 1] <= null_margin * values[0]) --rank;
+    return columns.asDiagonal() * svd.right.rightCols(matrix.cols() - rank);
+}
 
 namespace {
 

@@ -1,6 +1,5 @@
 #include "analysis/fits/alike_impacts.hpp"
 
-#include "analysis/fits/resampling.hpp"
 #include "analysis/fits/robust.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "analysis/fits/fit_impacts.hpp"
 
 #include "analysis/argument_error.hpp"
-#include "analysis/fits/fit_in_natural_units.hpp"
 #include "analysis/fits/natural_units.hpp"
 #include "analysis/fits/robust.hpp"
 

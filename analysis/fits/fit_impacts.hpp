@@ -3,8 +3,8 @@
 
 #include "analysis/fits/alike_impacts.hpp"
 #include "analysis/fits/constancy.hpp"
+#include "analysis/fits/law_fit.hpp"
 #include "analysis/fits/momentum_balance.hpp"
-#include "analysis/fits/rivals.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -6,12 +6,102 @@
 #include <ceres/loss_function.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace swirl::analysis {
+
+namespace {
+
+using Matrix32 = Eigen::Matrix<double, 3, 2>;
+
+struct LawStep {
+    Eigen::Vector3d after;
+    Eigen::Matrix3d by_before;
+    Matrix32 by_parameters;
+};
+
+LawStep step_from(const MeasuredImpact& impact, const Eigen::Vector3d& before, double inertia, const ImpactLaw& law,
+                  const LawParameters& parameters) {
+    const Eigen::Vector2d& r = impact.offset;
+    const PredictedImpulse predicted = law(r, inertia, contact_velocity(r, before), parameters);
+    const Matrix32 effect = effect_of_impulse(r, inertia);
+    Eigen::Matrix<double, 2, 3> contact;
+    contact << 1, 0, -r[1], 0, 1, r[0];
+    LawStep step;
+    step.after = before + effect * predicted.impulse;
+    step.by_before = Eigen::Matrix3d::Identity() + effect * (predicted.slopes.leftCols<2>() * contact);
+    step.by_parameters = effect * predicted.slopes.rightCols<2>();
+    return step;
+}
+
+Eigen::Matrix3d covariance_of(const MeasuredImpact& impact, const Eigen::Matrix3d& by_before) {
+    Eigen::Matrix3d covariance = by_before * impact.error_before.cwiseAbs2().asDiagonal() * by_before.transpose();
+    covariance.diagonal() += impact.error_after.cwiseAbs2();
+    return covariance;
+}
+
+double squared_distance(const MeasuredImpact& impact, const Eigen::Vector3d& before, const LawStep& step) {
+    return (before - impact.before).cwiseQuotient(impact.error_before).squaredNorm() +
+           (impact.after - step.after).cwiseQuotient(impact.error_after).squaredNorm();
+}
+
+}  // namespace
+
+LawMisfit misfit_of(const MeasuredImpact& impact, double inertia, const ImpactLaw& law,
+                    const LawParameters& parameters) {
+    if (impact.whitening) {
+        const LawStep step = step_from(impact, impact.before, inertia, law, parameters);
+        return {*impact.whitening * (impact.after - step.after), -*impact.whitening * step.by_parameters,
+                impact.before};
+    }
+    constexpr double settled = 3e-3;  // in standard errors: the distance is off by its square
+    Eigen::Vector3d before = impact.before;
+    LawStep step = step_from(impact, before, inertia, law, parameters);
+    double least = squared_distance(impact, before, step);
+    for (int i = 0; i < misfit_steps; ++i) {
+        const Eigen::Vector3d left = impact.after - step.after - step.by_before * (impact.before - before);
+        const Eigen::Vector3d weighed = covariance_of(impact, step.by_before).llt().solve(left);
+        const Eigen::Vector3d nearest = impact.before + impact.error_before.cwiseAbs2().cwiseProduct(
+                                                            Eigen::Vector3d(step.by_before.transpose() * weighed));
+        Eigen::Vector3d move = nearest - before;
+        if (move.cwiseQuotient(impact.error_before).squaredNorm() < settled * settled) break;
+        bool shorter = false;
+        for (int halving = 0; halving < 3 && !shorter; ++halving, move *= 0.5) {
+            const LawStep tried = step_from(impact, before + move, inertia, law, parameters);
+            const double squared = squared_distance(impact, before + move, tried);
+            if (!(squared < least)) continue;
+            before += move;
+            step = tried;
+            least = squared;
+            shorter = true;
+        }
+        if (!shorter) break;
+    }
+    const Eigen::LLT<Eigen::Matrix3d> root(covariance_of(impact, step.by_before));
+    const Eigen::Vector3d left = impact.after - step.after - step.by_before * (impact.before - before);
+    return {root.matrixL().solve(left), -root.matrixL().solve(step.by_parameters), before};
+}
+
+MeasuredImpact with_fixed_weights(const MeasuredImpact& impact, double inertia, const ImpactLaw& law,
+                                  const std::optional<LawParameters>& parameters) {
+    Eigen::Matrix3d by_before = Eigen::Matrix3d::Identity();
+    if (parameters) by_before = step_from(impact, impact.before, inertia, law, *parameters).by_before;
+    const Eigen::LLT<Eigen::Matrix3d> root(covariance_of(impact, by_before));
+    MeasuredImpact weighed = impact;
+    weighed.whitening = root.matrixL().solve(Eigen::Matrix3d::Identity());
+    return weighed;
+}
+
+Prediction predict(const MeasuredImpact& impact, double inertia, const ImpactLaw& law,
+                   const LawParameters& parameters) {
+    const LawStep step = step_from(impact, impact.before, inertia, law, parameters);
+    const Eigen::Vector3d left = impact.after - step.after;
+    return {step.after, left.dot(covariance_of(impact, step.by_before).llt().solve(left))};
+}
 
 namespace {
 
@@ -157,6 +247,55 @@ std::vector<double> losses_of(const LawProblem& problem, const LawParameters& pa
     std::vector<double> losses = squares_of(problem, parameters);
     for (double& loss : losses) loss = half_loss(loss / (problem.scale * problem.scale));
     return losses;
+}
+
+LawFit fit_from(const LawProblem& problem, const std::vector<LawParameters>& starts,
+                const std::optional<double>& fixed_restitution, const std::optional<double>& fixed_friction) {
+    LawFit best;
+    for (const LawParameters& start : starts) {
+        const LawFit found = fit_law(problem, start, fixed_restitution, fixed_friction);
+        if (!(found.loss >= best.loss)) best = found;
+    }
+    return best;
+}
+
+std::vector<LawFit> minima_of(const LawProblem& problem, const LawParameters& near, double most) {
+    // Kinks of the law where contact modes change make small dents in the loss: also from beside it.
+    std::vector<LawFit> found = {fit_law(problem, near)};
+    for (const double factor : {0.96, 0.98, 1.02, 1.04})
+        found.push_back(fit_law(problem, {near.restitution, factor * near.friction}));
+    for (const double friction : {0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6, largest_friction}) {
+        LawParameters parameters{0.5, friction};
+        LawProblem coarse = problem;
+        for (const double factor : {16.0, 4.0}) {
+            coarse.scale = factor * problem.scale;
+            parameters = fit_law(coarse, parameters).parameters;
+        }
+        found.push_back(fit_law(problem, parameters));
+    }
+    std::stable_sort(found.begin(), found.end(), [](const LawFit& a, const LawFit& b) { return a.loss < b.loss; });
+    std::vector<LawFit> minima;
+    for (const LawFit& one : found) {
+        if (2 * (one.loss - found.front().loss) > most) break;
+        constexpr double same = 0.01, level = 0.05;
+        const bool is_new = std::none_of(minima.begin(), minima.end(), [&](const LawFit& other) {
+            const LawParameters &a = one.parameters, &b = other.parameters;
+            const bool flat = std::abs(one.loss - other.loss) < level;  // where any large μ predicts the same
+            return std::abs(a.restitution - b.restitution) < same &&
+                   (flat || std::abs(a.friction - b.friction) < same * (0.1 + b.friction));
+        });
+        if (is_new) minima.push_back(one);
+    }
+    return minima;
+}
+
+double worse_by(const std::vector<double>& losses, const std::vector<double>& best) {
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < losses.size(); ++i) sum += losses[i] - best[i];
+    const double mean = sum / static_cast<double>(losses.size());
+    for (std::size_t i = 0; i < losses.size(); ++i) squares += std::pow(losses[i] - best[i] - mean, 2);
+    constexpr double rounding = 1e-6;  // of a loss, where fits end
+    return sum > rounding * static_cast<double>(losses.size()) ? sum / std::sqrt(squares) : 0;
 }
 
 }  // namespace swirl::analysis

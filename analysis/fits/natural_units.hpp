@@ -1,6 +1,7 @@
 // Measured impacts in units of their own, so that no tolerance of a fit depends on the table's.
 #pragma once
 
+#include "analysis/fits/fit_impacts.hpp"
 #include "analysis/fits/measured_impact.hpp"
 
 #include <span>
@@ -26,5 +27,12 @@ inline MeasuredImpact from_units(const MeasuredImpact& impact, const NaturalUnit
 /// A number of an impact, in natural units, that is no measurement: a fit leaves the impact out.
 inline constexpr double gross_error = 1e6;
 bool has_gross_error(const MeasuredImpact& impact);
+
+// What fit_impacts() does, of impacts in natural units.
+
+/// Speeds and offsets about 1 (natural_units.hpp), at least `fewest_impacts` impacts, none with a gross error, one law
+/// or more: see fit_impacts().
+ImpactFit fit_in_natural_units(std::span<const MeasuredImpact> impacts, std::span<const NamedImpactLaw> laws,
+                               const ImpactFitSettings& settings);
 
 }  // namespace swirl::analysis

@@ -1,6 +1,6 @@
 #include "analysis/fits/unexcluded.hpp"
 
-#include "analysis/fits/rivals.hpp"
+#include "analysis/fits/law_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "analysis/lyapunov/cycle_exponents.hpp"
 
 #include "analysis/enum_name.hpp"
-#include "analysis/lyapunov/lost_ranks.hpp"
+#include "analysis/lyapunov/exponent_record.hpp"
 #include "analysis/lyapunov/wide_schur.hpp"
 #include "analysis/special_values.hpp"
 

@@ -1,7 +1,7 @@
 // Power spectral density by Welch's method, of real series (one-sided) and complex ones (two-sided).
 #pragma once
 
-#include "analysis/spectrum/window.hpp"
+#include "analysis/spectrum/segments.hpp"
 
 #include <complex>
 #include <cstddef>

@@ -1,9 +1,9 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 #include "apps/command_line/parameter_range.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/command_line/run_control.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/modes/classify_flags.hpp"

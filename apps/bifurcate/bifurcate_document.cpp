@@ -1,9 +1,7 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
 #include "apps/studies/diagrams/column_shares.hpp"
 
-#include "apps/modes/driven_fields.hpp"
 #include "apps/modes/escape_document.hpp"
-#include "apps/modes/mean_error_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/risk_document.hpp"
 #include "apps/modes/steady_share_table.hpp"

@@ -1,5 +1,4 @@
 #include "apps/bifurcate/bifurcate_command.hpp"
-#include "apps/modes/driven_fields.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
 

@@ -1,5 +1,5 @@
 #include "apps/boundaries/read_planes.hpp"
-#include "apps/boundaries/record_scene.hpp"
+#include "apps/boundaries/starting_points_of_record.hpp"
 #include "apps/record/flag_text.hpp"
 
 #include <fmt/format.h>

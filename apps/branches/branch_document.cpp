@@ -2,7 +2,7 @@
 
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/studies/scene_map/letter.hpp"
+#include "apps/studies/scene_map/word_map.hpp"
 
 #include <fmt/format.h>
 

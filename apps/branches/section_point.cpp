@@ -1,6 +1,6 @@
 #include "apps/branches/section_point.hpp"
 
-#include "apps/studies/scene_map/letter.hpp"
+#include "apps/studies/scene_map/word_map.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "apps/classify/classify_command.hpp"
+#include "apps/command_line/documents.hpp"
 #include "apps/studies/modes/attractors.hpp"
 #include "apps/studies/modes/early_chaos.hpp"
 #include "apps/studies/modes/escape.hpp"
-#include "apps/studies/modes/steady_shares.hpp"
 
 #include <optional>
 #include <vector>
@@ -28,5 +28,16 @@ struct RunsFound {
 /// number of threads and ranks.
 /// @return the exit code @throws BadInput for a start that is given, not random
 int classify_runs(ClassifyCommandOptions& options);
+
+// The modes of several runs as JSON, as groups of a record, and as a table for people.
+
+/// The first attractor's verdict at top level, then modes, kinds, attractors and runs.
+void write_runs_document(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found);
+
+/// Groups scene, start, mode (the first attractor's verdict), attractors and runs.
+void write_runs(const RecordGroup& root, const ClassifyCommandOptions& options, const Scene<double>& scene,
+                const RunsFound& found);
+
+void print_runs(const ClassifyCommandOptions& options, const Scene<double>& scene, const RunsFound& found);
 
 }  // namespace swirl::apps::classify

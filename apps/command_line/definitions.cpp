@@ -10,7 +10,7 @@ namespace swirl::apps {
 
 namespace {
 
-/// "whole number, 1 to 256" of whole_number(...), "0 or more" of finite_number_from(...) (number_checks.hpp).
+/// "whole number, 1 to 256" of whole_number(...), "0 or more" of finite_number_from(...) (numbers.hpp).
 std::string in_words(const std::string& range) {
     const auto replaced = [&](const std::string& before, const std::string& between, const std::string& after) {
         std::string text = range.substr(before.size());

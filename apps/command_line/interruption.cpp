@@ -1,7 +1,7 @@
 #include "apps/command_line/interruption.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/record/unfinished_files.hpp"
+#include "apps/record/output_file.hpp"
 
 #include <unistd.h>
 

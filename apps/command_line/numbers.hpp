@@ -1,17 +1,24 @@
-// Numbers as users write them, read in the precision in which they will be used.
+// Numbers as users write them, read in the precision in which they will be used, and checks of them before anything
+// else is done.
 #pragma once
 
 #include "apps/command_line/errors.hpp"
+#include "apps/command_line/flags.hpp"
 #include "map/numbers/real.hpp"
 
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace swirl::apps {
+
+// Numbers as users write them, read in the precision in which they will be used.
 
 /// True of a number whose digits are not all 0 although the nearest double is: 1e-400, -2e-324.
 bool underflows(const std::string& text);
@@ -62,5 +69,24 @@ std::vector<double> points_between(const std::string& a, const std::string& b, l
 /// `count` points from A to B, both > 0, each the double nearest to A (B/A)^{i/(count − 1)}: of 0.001 … 1 in three
 /// steps the numbers that a user writes as 0.01 and 0.1. @throws BadInput naming A or B
 std::vector<double> points_between_logarithms(const std::string& a, const std::string& b, long count);
+
+// Checks of numbers among the arguments, said before anything else is done.
+
+/// The most impacts that a command is asked to follow, or to skip.
+inline constexpr std::int64_t most_impacts = 1'000'000'000'000;
+
+/// The whole number that a decimal is, also one with an exponent: 10000, 1e4, 2.5e3; 010 is ten; 10.0, 1e-3 and 0x10
+/// are none. Nothing too of one beyond 64 bits: `too_large`, if it is given, tells these apart.
+std::optional<std::int64_t> whole_number_from(std::string_view text, bool* too_large = nullptr);
+
+/// For Flag::transform: a whole number from `least` to `most`, as whole_number_from() reads it. (CLI11's own conversion
+/// takes 010 for eight.)
+TextCheck whole_number(std::int64_t least, std::int64_t most);
+
+/// For Flag::check: a finite number, `least` or more. (CLI11's Range lets NaN through.)
+TextCheck finite_number_from(double least);
+
+/// For Flag::check: a number, `least` or more and below `limit`.
+TextCheck number_below(double least, double limit);
 
 }  // namespace swirl::apps

@@ -1,7 +1,7 @@
 #include "apps/command_line/output_options.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 
 #include <fmt/format.h>
 

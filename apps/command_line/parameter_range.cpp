@@ -1,6 +1,5 @@
 #include "apps/command_line/parameter_range.hpp"
 
-#include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/numbers.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,9 @@
-// The program: its commands, and the one that a command line calls. CLI11 stands behind it (see flags.hpp).
+// The program: its commands, the one that a command line calls, and its folder. CLI11 stands behind it (see flags.hpp).
 #pragma once
 
 #include "apps/command_line/flags.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -10,6 +11,12 @@
 #include <vector>
 
 namespace swirl::apps {
+
+/// Where the file of the program that runs lies: what was installed with it is found from there, wherever the prefix
+/// was moved to. Empty where the system does not tell.
+std::filesystem::path folder_of_this_program();
+
+// The program: its commands, and the one that a command line calls. CLI11 stands behind it (see flags.hpp).
 
 class Program {
 public:

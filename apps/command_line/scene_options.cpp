@@ -1,6 +1,6 @@
 #include "apps/command_line/scene_options.hpp"
 
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/command_line/text_file.hpp"
 

@@ -1,6 +1,6 @@
 #include "apps/command_line/standard_streams.hpp"
 
-#include "apps/command_line/printable.hpp"
+#include "apps/command_line/text_file.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

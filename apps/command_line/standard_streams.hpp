@@ -14,7 +14,7 @@ void prepare_standard_streams();
 /// True if standard output is a pipe or a socket whose reader has closed it, as `| head` does.
 bool reader_of_output_has_gone();
 
-/// A line on standard error, in which control characters are written out (printable.hpp). Nothing depends on whether it
+/// A line on standard error, in which control characters are written out (text_file.hpp). Nothing depends on whether it
 /// can be written.
 void report(const std::string& line);
 

@@ -2,11 +2,11 @@
 
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/record_input.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "apps/modes/verdict_in_words.hpp"
 #include "apps/orbits/recorded_cycles.hpp"
-#include "apps/studies/modes/settled_cycle.hpp"
+#include "apps/studies/modes/followed_orbit.hpp"
 #include "map/orbit/orbit.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/continue/continue_command.hpp"
-#include "apps/studies/cycles/cycle_place.hpp"
+#include "apps/studies/cycles/near_orbit.hpp"
 
 #include <string>
 #include <vector>

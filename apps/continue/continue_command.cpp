@@ -3,13 +3,13 @@
 #include "analysis/cycles/cycle.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 #include "apps/command_line/parameter_range.hpp"
 #include "apps/command_line/progress.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/continue/beginning.hpp"
-#include "apps/studies/cycles/cycle_near.hpp"
+#include "apps/studies/cycles/near_orbit.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
 
 #include <fmt/format.h>

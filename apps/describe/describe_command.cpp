@@ -1,9 +1,9 @@
 #include "apps/describe/describe_command.hpp"
 
-#include "analysis/cycles/stability.hpp"
+#include "analysis/cycles/cycle.hpp"
 #include "analysis/special_values.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 
 #include <fmt/format.h>
 

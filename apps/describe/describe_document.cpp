@@ -1,4 +1,4 @@
-#include "analysis/cycles/stability.hpp"
+#include "analysis/cycles/cycle.hpp"
 #include "apps/branches/section_point.hpp"
 #include "apps/describe/describe_command.hpp"
 #include "apps/output/wrapped.hpp"

@@ -5,7 +5,6 @@
 #include "apps/fit/dish_film.hpp"
 #include "apps/record/record_writer.hpp"
 #include "apps/studies/fits/film_impacts.hpp"
-#include "apps/studies/fits/film_orbit.hpp"
 #include "map/model/scene.hpp"
 
 #include <string>

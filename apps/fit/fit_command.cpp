@@ -2,9 +2,8 @@
 
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/numbers.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/command_line/start_options.hpp"
 #include "apps/fit/fit_document.hpp"
 #include "apps/fit/fit_film_command.hpp"

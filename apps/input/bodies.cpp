@@ -1,7 +1,7 @@
 #include "apps/input/bodies.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/printable.hpp"
+#include "apps/command_line/text_file.hpp"
 #include "apps/input/cells.hpp"
 #include "apps/input/column_names.hpp"
 

@@ -1,7 +1,6 @@
 #include "apps/input/delimited_file.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/printable.hpp"
 #include "apps/command_line/text_file.hpp"
 #include "apps/input/cells.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/printable.hpp"
+#include "apps/command_line/text_file.hpp"
 #include "apps/input/bodies.hpp"
 
 #include <fmt/format.h>

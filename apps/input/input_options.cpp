@@ -1,6 +1,6 @@
 #include "apps/input/input_options.hpp"
 
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 #include "apps/record/record_reader.hpp"
 
 #include <fmt/format.h>

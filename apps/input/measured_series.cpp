@@ -1,7 +1,7 @@
 #include "apps/input/measured_series.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/printable.hpp"
+#include "apps/command_line/text_file.hpp"
 #include "apps/input/bodies.hpp"
 #include "apps/input/measured_motion.hpp"
 #include "apps/output/wrapped.hpp"

@@ -1,7 +1,7 @@
 #include "apps/impacts/impact_fields.hpp"
 #include "apps/input/orbit_columns.hpp"
 
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 #include "apps/record/flag_text.hpp"
 #include "apps/record/record_reader.hpp"
 

@@ -1,7 +1,6 @@
 #include "apps/input/series_choice.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/numbers.hpp"
 #include "map/model/scene.hpp"
 

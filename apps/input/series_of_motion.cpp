@@ -18,7 +18,7 @@ constexpr double largest_digit = 0.4;       // of the median: coarser times do n
 constexpr double shortest_break = 1.75;     // steps: beyond it and no multiple, the clock has jumped
 constexpr double rounding_of_times = 1e-9;  // steps: closer to even times is even
 constexpr double seldom = 0.01;
-constexpr std::size_t fewest_periods = 8;  // of an exact cycle, analysis/classification/repetition.hpp
+constexpr std::size_t fewest_periods = 8;  // of an exact cycle, analysis/classification/returns.hpp
 
 /// The usual step of even times, 0 if they are not even.
 double usual_step(const std::vector<double>& times, LongSteps meaning) {

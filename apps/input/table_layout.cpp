@@ -1,9 +1,9 @@
 #include "apps/input/table_layout.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/printable.hpp"
+#include "apps/command_line/text_file.hpp"
 #include "apps/input/cells.hpp"
-#include "apps/input/header_rows.hpp"
+#include "apps/input/column_names.hpp"
 
 #include <fmt/format.h>
 

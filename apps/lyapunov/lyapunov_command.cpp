@@ -2,8 +2,8 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/number_checks.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/numbers.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,4 @@
 #include "apps/command_line/documents.hpp"
-#include "apps/manual/details.hpp"
 #include "apps/manual/pages.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-#include "apps/manual/details.hpp"
 #include "apps/manual/pages.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "analysis/classification/classify.hpp"
 #include "apps/command_line/flags.hpp"
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 
 #include <cstdint>
 

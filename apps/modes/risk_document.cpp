@@ -1,7 +1,7 @@
 #include "apps/modes/risk_document.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 #include "apps/output/write_table.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "apps/command_line/plain_names.hpp"
 #include "apps/output/table.hpp"
-#include "apps/studies/modes/steady_shares.hpp"
+#include "apps/studies/modes/attractors.hpp"
 
 #include <span>
 #include <string>

@@ -1,10 +1,8 @@
 #include "apps/modes/verdict_document.hpp"
 
 #include "apps/branches/section_point.hpp"
-#include "apps/modes/driven_fields.hpp"
-#include "apps/modes/mean_error_fields.hpp"
-#include "apps/modes/mean_in_words.hpp"
 #include "apps/modes/mode_fields.hpp"
+#include "apps/modes/verdict_in_words.hpp"
 #include "apps/output/wrapped.hpp"
 #include "apps/output/write_table.hpp"
 

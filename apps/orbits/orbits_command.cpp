@@ -1,9 +1,8 @@
 #include "apps/orbits/orbits_command.hpp"
 
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/number_checks.hpp"
 #include "apps/command_line/numbers.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/command_line/run_control.hpp"
 #include "apps/studies/cycles/near_orbit.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"

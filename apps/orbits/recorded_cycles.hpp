@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/command_line/plain_names.hpp"
-#include "apps/studies/cycles/cycle_place.hpp"
+#include "apps/studies/cycles/near_orbit.hpp"
 
 #include <cstdint>
 #include <optional>

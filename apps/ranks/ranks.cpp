@@ -2,7 +2,7 @@
 
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/program_folder.hpp"
+#include "apps/command_line/program.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>

@@ -7,9 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "apps/record/posix_file.hpp"
+#include "apps/record/output_file.hpp"
 #include "apps/record/record_error.hpp"
-#include "apps/record/unfinished_files.hpp"
 
 namespace swirl::apps {
 

@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/record/posix_file.hpp"
+#include "apps/record/output_file.hpp"
 #include "apps/record/record_error.hpp"
 
 namespace swirl::apps {

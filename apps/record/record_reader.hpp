@@ -1,15 +1,22 @@
 #pragma once
 
+#include "apps/record/record_error.hpp"
+#include "apps/record/record_types.hpp"
+
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "apps/record/record_error.hpp"
-#include "apps/record/record_types.hpp"
-
 namespace swirl::apps {
+
+/// Runs `read` in a child process first: the HDF5 library may crash or hang on a file that is damaged, and then only
+/// the child does. Its time is limited to 5 s and 1 s for each 20 MB of the file; what it prints is lost. An exception
+/// of `read` is none of these: the same will be thrown where it matters, in the process itself.
+/// @throws RecordError if the child came to such an end, or there can be none
+void try_reading(const std::filesystem::path& file, const std::function<void()>& read);
 
 /// Is it an HDF5 file, with or without a user block? False for what is no plain file or can't be read.
 bool is_hdf5_file(const std::filesystem::path& file);
@@ -29,7 +36,7 @@ struct Slab {
 
 /// Reads a record. Paths are "/group/name", the root is "/". Every failure is a RecordError of one line: the file is
 /// missing, is not HDF5, is damaged (record_checksum.hpp), is no record, is of a later schema, holds no such object, or
-/// holds it in another type. A file without a checksum is read in a child process first (trial_reading.hpp).
+/// holds it in another type. A file without a checksum is read in a child process first.
 class RecordReader {
 public:
     explicit RecordReader(const std::filesystem::path& path);
@@ -73,5 +80,9 @@ private:
     void require_schema() const;
     std::unique_ptr<OpenFile> file_;
 };
+
+/// Reads whatever a record holds, and throws it away: all groups, attributes and datasets that can be read, each on its
+/// own, so that one that can't does not hide another. For try_reading().
+void read_everything(const RecordReader& record);
 
 }  // namespace swirl::apps

@@ -1,6 +1,6 @@
 #include "apps/recurrence/recurrence_command.hpp"
 
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 #include "apps/recurrence/convention_names.hpp"
 
 #include <fmt/format.h>

@@ -2,9 +2,8 @@
 
 #include "analysis/threads.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/number_checks.hpp"
-#include "apps/command_line/record_input.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/numbers.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/input/each_body.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/recurrence/recurrence_document.hpp"

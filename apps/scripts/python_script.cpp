@@ -1,9 +1,9 @@
 #include "apps/scripts/python_script.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/program_folder.hpp"
+#include "apps/command_line/program.hpp"
 #include "apps/command_line/standard_streams.hpp"
-#include "apps/record/posix_file.hpp"
+#include "apps/record/output_file.hpp"
 
 #include <fmt/format.h>
 #include <sys/prctl.h>

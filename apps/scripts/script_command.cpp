@@ -1,9 +1,8 @@
 #include "apps/scripts/script_command.hpp"
 
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/record_input.hpp"
-#include "apps/command_line/record_output.hpp"
-#include "apps/record/posix_file.hpp"
+#include "apps/command_line/record_files.hpp"
+#include "apps/record/output_file.hpp"
 #include "apps/record/record_checksum.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/scripts/python_script.hpp"

@@ -2,10 +2,9 @@
 
 #include "apps/command_line/errors.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 #include "apps/command_line/output_options.hpp"
-#include "apps/command_line/record_input.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/command_line/standard_streams.hpp"
 #include "apps/record/record_error.hpp"
 

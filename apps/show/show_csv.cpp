@@ -1,7 +1,7 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/record/output_file.hpp"
 #include "apps/show/show_command.hpp"
-#include "apps/show/value_text.hpp"
+#include "apps/show/show_text.hpp"
 
 #include <fmt/format.h>
 

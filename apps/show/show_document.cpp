@@ -1,6 +1,6 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/show/show_command.hpp"
-#include "apps/show/value_text.hpp"
+#include "apps/show/show_text.hpp"
 
 #include "apps/command_line/errors.hpp"
 

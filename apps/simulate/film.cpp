@@ -2,7 +2,7 @@
 
 #include "analysis/random_draws.hpp"
 #include "apps/command_line/errors.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/record/record_error.hpp"
 
 #include <fmt/format.h>

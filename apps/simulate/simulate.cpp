@@ -2,9 +2,9 @@
 
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/number_checks.hpp"
-#include "apps/command_line/printable.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/numbers.hpp"
+#include "apps/command_line/record_files.hpp"
+#include "apps/command_line/text_file.hpp"
 #include "apps/simulate/follow_impacts.hpp"
 
 #include <fmt/format.h>

@@ -6,9 +6,8 @@
 #include "analysis/spectrum/spectral_entropy.hpp"
 #include "analysis/spectrum/uniform_motion.hpp"
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/number_checks.hpp"
-#include "apps/command_line/record_input.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/numbers.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/input/each_body.hpp"
 #include "apps/spectrum/spectrum_document.hpp"
 

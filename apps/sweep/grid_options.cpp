@@ -1,6 +1,6 @@
 #include "apps/sweep/grid_options.hpp"
 
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 
 #include <fmt/format.h>
 

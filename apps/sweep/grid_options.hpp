@@ -4,7 +4,6 @@
 #include "apps/command_line/plain_names.hpp"
 #include "apps/command_line/scene_options.hpp"
 #include "apps/studies/grids/grid.hpp"
-#include "apps/studies/grids/sample.hpp"
 
 #include <cstdint>
 #include <optional>

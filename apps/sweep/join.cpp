@@ -1,5 +1,5 @@
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/record/flag_text.hpp"
 #include "apps/sweep/shard.hpp"
 

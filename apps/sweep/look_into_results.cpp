@@ -1,6 +1,6 @@
 #include "apps/command_line/run_control.hpp"
-#include "apps/studies/basins/find_saddles.hpp"
-#include "apps/studies/basins/steady_cells.hpp"
+#include "apps/studies/basins/cell_verdicts.hpp"
+#include "apps/studies/basins/saddles.hpp"
 #include "apps/studies/basins/tracks.hpp"
 #include "apps/sweep/sweep_command.hpp"
 

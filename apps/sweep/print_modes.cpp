@@ -1,8 +1,8 @@
 // The modes of a sweep's cells for people: a table over one parameter or of scenes, else maps in characters with the
 // axes of the figure (notebooks-export/swirl_figures/sweep.py): the first parameter across, the second upwards, rising.
-#include "apps/modes/driven_fields.hpp"
+#include "apps/modes/mode_fields.hpp"
 #include "apps/output/write_table.hpp"
-#include "apps/studies/basins/cell_attractors.hpp"
+#include "apps/studies/basins/tracks.hpp"
 #include "apps/sweep/result_tables.hpp"
 #include "apps/sweep/start_settings.hpp"
 #include "apps/sweep/sweep_command.hpp"

@@ -1,6 +1,6 @@
 #include "apps/modes/risk_document.hpp"
 #include "apps/record/record_reader.hpp"
-#include "apps/sweep/run_columns.hpp"
+#include "apps/sweep/run_cells.hpp"
 #include "apps/sweep/shard.hpp"
 
 #include <fmt/format.h>

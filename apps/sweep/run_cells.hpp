@@ -1,8 +1,12 @@
-// The runs of a sweep, on all threads, kept in a journal until the record is written.
+// The runs of a sweep, on all threads, kept in a journal until the record is written, and their columns there.
 #pragma once
 
+#include "apps/command_line/plain_names.hpp"
 #include "apps/ranks/hand_out.hpp"
 #include "apps/record/journal.hpp"
+#include "apps/record/record_reader.hpp"
+#include "apps/record/record_writer.hpp"
+#include "apps/studies/grids/run_cells.hpp"
 #include "apps/sweep/sweep_command.hpp"
 
 #include <chrono>
@@ -12,6 +16,19 @@
 #include <vector>
 
 namespace swirl::apps::sweep {
+
+// The results of runs as columns of a record.
+
+using namespace studies::grids;
+
+/// The columns run_mode, run_kind, … along `axes`, the last of which is the run.
+void write_run_columns(const RecordGroup& group, const std::vector<std::string>& axes,
+                       std::span<const RunResult> results);
+
+/// Reads them from a group, in the same order; as many as the first of them has. @throws RecordError
+std::vector<RunResult> read_run_columns(const RecordReader& record, const std::string& group);
+
+// The runs of a sweep, on all threads, kept in a journal until the record is written.
 
 /// The journal of an unfinished record. What it holds goes to the results.
 class SweepJournal {

@@ -1,8 +1,8 @@
 #include "apps/sweep/shard.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/modes/risk_document.hpp"
 #include "apps/record/record_reader.hpp"
-#include "apps/sweep/run_columns.hpp"
+#include "apps/sweep/run_cells.hpp"
 
 #include <fmt/format.h>
 

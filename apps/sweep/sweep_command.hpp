@@ -4,12 +4,12 @@
 #include "apps/command_line/documents.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/studies/basins/basins.hpp"
-#include "apps/studies/basins/cell_attractors.hpp"
 #include "apps/studies/basins/saddles.hpp"
-#include "apps/studies/grids/run_results.hpp"
+#include "apps/studies/basins/tracks.hpp"
+#include "apps/studies/grids/run_cells.hpp"
 #include "apps/studies/grids/starts.hpp"
+#include "apps/studies/modes/attractors.hpp"
 #include "apps/studies/modes/early_chaos.hpp"
-#include "apps/studies/modes/steady_shares.hpp"
 #include "apps/sweep/grid_options.hpp"
 
 #include <optional>

@@ -1,6 +1,4 @@
-#include "apps/command_line/record_output.hpp"
-#include "apps/modes/driven_fields.hpp"
-#include "apps/modes/mean_error_fields.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/modes/mode_fields.hpp"
 #include "apps/modes/risk_document.hpp"
 #include "apps/modes/steady_share_table.hpp"
@@ -8,7 +6,7 @@
 #include "apps/record/flag_text.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
 #include "apps/sweep/result_tables.hpp"
-#include "apps/sweep/run_columns.hpp"
+#include "apps/sweep/run_cells.hpp"
 #include "apps/sweep/start_settings.hpp"
 #include "apps/sweep/sweep_command.hpp"
 

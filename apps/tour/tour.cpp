@@ -1,10 +1,10 @@
 #include "apps/tour/tour.hpp"
 
 #include "apps/command_line/progress.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/command_line/standard_streams.hpp"
-#include "apps/modes/mean_in_words.hpp"
 #include "apps/modes/verdict_document.hpp"
+#include "apps/modes/verdict_in_words.hpp"
 
 #include <fmt/format.h>
 #include <array>

@@ -1,7 +1,7 @@
 #include "apps/tradeoff/tradeoff_command.hpp"
 
 #include "apps/command_line/interruption.hpp"
-#include "apps/command_line/record_output.hpp"
+#include "apps/command_line/record_files.hpp"
 #include "apps/command_line/run_control.hpp"
 #include "apps/studies/scene_map/orbit_ending.hpp"
 #include "apps/tradeoff/tradeoff_document.hpp"

@@ -10,7 +10,7 @@
 // (`longer_by_sticking`). There is no speed threshold. At the end of chattering they differ in position and velocities
 // by the second order in T, which `ChatterError::estimate` estimates (the first order cancels: the tangential
 // displacement is proportional to the normal one, which is zero at the end; what chatter that sticks, or comes to
-// stick, has of second order is added, sticking_chatter.hpp):
+// stick, has of second order is added, end_of_chatter.hpp):
 //
 //     ½ Δu T² (r(r + |a′|/a) + r′)(1 + |c′|/c)
 //

@@ -7,10 +7,10 @@
 // that contact removes, and is set to zero.
 #pragma once
 
+#include "map/contact/contact_along.hpp"
 #include "map/derivative/parameter.hpp"
 #include "map/derivative/strike_along.hpp"
 #include "map/orbit/return_map.hpp"
-#include "map/contact/contact_along.hpp"
 
 #include <Eigen/Core>
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "map/collision_map.hpp"
+#include "map/contact/contact_phase.hpp"
+#include "map/contact/release.hpp"
 #include "map/map_list.hpp"
 #include "map/numbers/quad.hpp"
 #include "map/orbit/outcome.hpp"
 #include "map/orbit/speed_limits.hpp"
-#include "map/contact/contact_phase.hpp"
-#include "map/contact/release.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "map/steady/sticking_curves.hpp"
 
-#include "map/steady/flight_times.hpp"
 #include "map/contact/contact_state.hpp"
+#include "map/steady/flight_times.hpp"
 
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>

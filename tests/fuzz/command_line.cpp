@@ -1,6 +1,6 @@
 // A command line: a word a line. The whole program reads it; nothing is run but what reads a scene, a start and the
 // ranges of parameters, so that no input can write a file or compute for hours.
-#include "apps/command_line/number_checks.hpp"
+#include "apps/command_line/numbers.hpp"
 #include "apps/command_line/output_options.hpp"
 #include "apps/command_line/parameter_range.hpp"
 #include "apps/commands.hpp"

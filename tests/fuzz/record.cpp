@@ -5,7 +5,6 @@
 #include "apps/input/input_options.hpp"
 #include "apps/orbits/recorded_cycles.hpp"
 #include "apps/record/journal.hpp"
-#include "apps/record/read_everything.hpp"
 #include "apps/record/record_checksum.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/studies/certify/certified_orbit.hpp"

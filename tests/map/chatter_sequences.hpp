@@ -1,10 +1,10 @@
 // Chatter followed impact by impact in 113 bits, to compare its sum with.
 #pragma once
 
-#include "map/numbers/quad.hpp"
-#include "map/orbit/orbit.hpp"
 #include "map/contact/chatter_completion.hpp"
 #include "map/contact/motion_choice.hpp"
+#include "map/numbers/quad.hpp"
+#include "map/orbit/orbit.hpp"
 #include "tests/map/contact_scenes.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // Contact held against what it must be, whatever the way it was found: no vertex outside, λ ≥ 0, |f| ≤ μλ at every
 // moment shown, in every number type; what an independent computation in 200 bits found (November 2026) where there is
 // one.
+#include "map/contact/motion_choice.hpp"
 #include "map/orbit/orbit.hpp"
 #include "map/orbit/trajectory_segment.hpp"
-#include "map/contact/motion_choice.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"
 #include "tests/references/references.hpp"

@@ -1,8 +1,8 @@
 // What is known of a scene in closed form, against the numbers of its sources and against the impact and the map.
 #include "map/steady/scene_facts.hpp"
+#include "map/contact/rim_pendulum.hpp"
 #include "map/first_contact/first_contact.hpp"
 #include "map/model/impact.hpp"
-#include "map/contact/rim_pendulum.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Sustained contact in more digits: in 113 bits it is its own reference, for double and long double the reference.
+#include "map/contact/motion_choice.hpp"
 #include "map/numbers/quad.hpp"
 #include "map/orbit/orbit.hpp"
-#include "map/contact/motion_choice.hpp"
 #include "tests/map/landings.hpp"
 
 #include <gtest/gtest.h>

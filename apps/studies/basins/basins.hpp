@@ -1,7 +1,7 @@
 // The attractors of a plane of starts, and which of them each start came to.
 #pragma once
 
-#include "apps/studies/grids/run_results.hpp"
+#include "apps/studies/grids/run_cells.hpp"
 
 #include <cstdint>
 #include <span>

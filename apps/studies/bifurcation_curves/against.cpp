@@ -1,7 +1,6 @@
 #include "apps/studies/bifurcation_curves/against.hpp"
 
 #include "analysis/cycles/cycle.hpp"
-#include "analysis/cycles/stability.hpp"
 #include "apps/studies/modes/attractors.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
 

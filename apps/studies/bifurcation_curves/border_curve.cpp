@@ -1,12 +1,11 @@
 #include "apps/studies/bifurcation_curves/border_curve.hpp"
 
-#include "analysis/continuation/multipliers.hpp"
-#include "analysis/cycles/stability.hpp"
+#include "analysis/continuation/normal_form.hpp"
+#include "analysis/cycles/cycle.hpp"
 #include "analysis/linear_algebra/dense.hpp"
 #include "analysis/within_period.hpp"
 #include "apps/studies/bifurcation_curves/border_system.hpp"
 #include "apps/studies/bifurcation_curves/born_curves.hpp"
-#include "apps/studies/bifurcation_curves/critical_word.hpp"
 
 #include <algorithm>
 #include <cmath>

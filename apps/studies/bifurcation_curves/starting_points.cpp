@@ -1,11 +1,11 @@
 #include "apps/studies/bifurcation_curves/starting_points.hpp"
-#include "analysis/continuation/on_branch.hpp"
+#include "analysis/continuation/branch.hpp"
 #include "analysis/cycles/cycle.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
 #include "apps/studies/branches/branches.hpp"
 #include "apps/studies/diagrams/attractor.hpp"
 #include "apps/studies/parallel/pieces.hpp"
-#include "apps/studies/scene_map/letter.hpp"
+#include "apps/studies/scene_map/word_map.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "apps/studies/branches/branches.hpp"
 
-#include "analysis/continuation/on_branch.hpp"
+#include "analysis/continuation/branch.hpp"
 #include "analysis/continuation/switch_branch.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
 

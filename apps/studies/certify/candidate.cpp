@@ -1,8 +1,8 @@
 #include "apps/studies/certify/certified_orbit.hpp"
 #include "apps/studies/parallel/pieces.hpp"
-#include "apps/studies/scene_map/letter.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
+#include "apps/studies/scene_map/word_map.hpp"
 
 #include <memory>
 #include <utility>

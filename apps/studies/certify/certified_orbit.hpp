@@ -1,7 +1,7 @@
 // Cycles as candidates of a proof, and what was proven of them.
 #pragma once
 
-#include "apps/studies/cycles/cycle_place.hpp"
+#include "apps/studies/cycles/near_orbit.hpp"
 #include "apps/studies/parallel/run_control.hpp"
 #include "map/proof/all_fixed_points.hpp"
 #include "map/proof/prove_cycle.hpp"

@@ -1,6 +1,5 @@
 #include "apps/studies/cycles/candidates.hpp"
 
-#include "apps/studies/cycles/draws.hpp"
 #include "apps/studies/scene_map/chatter_once.hpp"
 #include "apps/studies/scene_map/orbit_ending.hpp"
 #include "apps/studies/scene_map/start.hpp"

@@ -2,14 +2,34 @@
 #pragma once
 
 #include "analysis/cycles/find_cycles.hpp"
+#include "analysis/random_draws.hpp"
 #include "analysis/section_map.hpp"
 #include "apps/studies/scene_map/accuracy.hpp"
 #include "map/model/scene.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace swirl::studies::cycles {
+
+// Uniform numbers of one candidate, by a generator that is keyed by its place: the same whatever came before.
+
+struct Draws {
+    std::array<double, 8> u;  ///< in (0, 1]
+
+    Draws(std::uint64_t seed, std::uint64_t period, std::uint64_t index) {
+        for (std::uint64_t half = 0; half < 2; ++half) {
+            const auto four = analysis::uniform_draws({index, period, half, 0x6f72626974}, {seed, 1});
+            std::copy(four.begin(), four.end(), u.begin() + 4 * static_cast<std::ptrdiff_t>(half));
+        }
+    }
+    double between(std::size_t i, double low, double high) const { return low + (high - low) * u[i]; }
+};
+
+// Where to look for cycles of a scene.
 
 struct CandidateOptions {
     std::int64_t starts = 1500;      ///< random section points, of the first search

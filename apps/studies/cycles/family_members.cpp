@@ -1,6 +1,6 @@
 #include "apps/studies/cycles/family_members.hpp"
 
-#include "analysis/cycles/known_cycles.hpp"
+#include "analysis/cycles/find_cycles.hpp"
 #include "apps/studies/cycles/steady_cycles.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
 

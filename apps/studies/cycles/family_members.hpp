@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/cycles/family.hpp"
-#include "apps/studies/cycles/found_orbits.hpp"
+#include "apps/studies/cycles/find_orbits.hpp"
 
 #include <optional>
 

@@ -1,9 +1,9 @@
 #include "apps/studies/cycles/near_orbit.hpp"
 
-#include "analysis/cycles/known_cycles.hpp"
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/find_cycles.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
 #include "apps/studies/cycles/candidates.hpp"
-#include "apps/studies/cycles/draws.hpp"
 #include "apps/studies/cycles/find_orbits.hpp"
 #include "apps/studies/scene_map/chatter_once.hpp"
 #include "apps/studies/scene_map/section_coordinates.hpp"
@@ -12,9 +12,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace swirl::studies::cycles {
+
+analysis::CyclePoints cycle_from(const CyclePlace& place, int period, const analysis::ShootingMap& map, double p) {
+    constexpr double closes = 1e-10;
+    if (place.points.empty()) return {};
+    const bool disk = place.scene.is_disk();
+    analysis::CyclePoints guess;
+    if (std::ssize(place.points) == period)
+        for (const auto& z : place.points) guess.push_back(coordinates_of(z, disk));
+    else
+        guess = analysis::orbit_from(map, coordinates_of(place.points.front(), disk), p, period);
+    if (guess.empty()) return {};
+    const auto shot = analysis::solve_shooting(map, guess, p, closes);
+    if (!shot.converged) return {};
+    const auto cycle = analysis::minimal_cycle(map, shot.points, analysis::same_cycle);
+    return static_cast<int>(cycle.size()) == period ? cycle : analysis::CyclePoints{};
+}
 
 namespace {
 

@@ -1,13 +1,35 @@
-// The cycle nearest to a point.
+// A cycle by Newton's method from points near it, and the cycle nearest to a point.
 #pragma once
 
 #include "analysis/curves/shooting_map.hpp"
-#include "apps/studies/cycles/found_orbits.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
+#include "apps/studies/cycles/find_orbits.hpp"
+#include "map/model/scene.hpp"
 #include "map/model/section.hpp"
 
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace swirl::studies::cycles {
+
+// A cycle of a scene by its points.
+
+/// Where a cycle is said to be, in its own scene.
+struct CyclePlace {
+    Scene<double> scene;
+    std::vector<SectionPoint<double>> points;
+    std::size_t number = 1;  ///< of the record's row, from 1
+};
+
+// A cycle by Newton's method from points near it.
+
+/// The cycle of that minimal period to which multi-shooting leads from the points of a place, or from the states that
+/// follow its first point where there are fewer; empty if it leads to none.
+///   map  of the place's scene, along a parameter with the value p
+analysis::CyclePoints cycle_from(const CyclePlace& place, int period, const analysis::ShootingMap& map, double p);
+
+// The cycle nearest to a point.
 
 /// Cycles of the periods first … last near z, one a period: the nearest of those that multi-shooting leads to, by the
 /// map and with the impacts' times as unknowns,

@@ -1,8 +1,8 @@
 // The fixed points of impacts alone as cycles, from the two equations of a steady mode (map/steady).
 #pragma once
 
-#include "analysis/cycles/known_cycles.hpp"
-#include "apps/studies/cycles/found_orbits.hpp"
+#include "analysis/cycles/find_cycles.hpp"
+#include "apps/studies/cycles/find_orbits.hpp"
 #include "apps/studies/scene_map/accuracy.hpp"
 
 #include <functional>

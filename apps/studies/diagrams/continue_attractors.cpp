@@ -1,4 +1,4 @@
-#include "analysis/continuation/on_branch.hpp"
+#include "analysis/continuation/branch.hpp"
 #include "analysis/cycles/multi_shooting.hpp"
 #include "apps/studies/diagrams/diagram.hpp"
 #include "apps/studies/parallel/pieces.hpp"

@@ -8,8 +8,8 @@
 
 #include "apps/studies/branches/branches.hpp"
 #include "apps/studies/diagrams/attractor.hpp"
+#include "apps/studies/modes/attractors.hpp"
 #include "apps/studies/modes/early_chaos.hpp"
-#include "apps/studies/modes/steady_shares.hpp"
 #include "apps/studies/parallel/run_control.hpp"
 #include "apps/studies/scene_map/parameter_range.hpp"
 

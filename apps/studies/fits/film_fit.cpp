@@ -1,4 +1,3 @@
-#include "analysis/fits/resampling.hpp"
 #include "analysis/fits/robust.hpp"
 #include "apps/studies/fits/film_drag.hpp"
 #include "apps/studies/fits/film_impacts.hpp"

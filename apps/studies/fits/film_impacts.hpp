@@ -4,6 +4,7 @@
 #include "analysis/fits/fit_impacts.hpp"
 #include "analysis/fits/floor_drag.hpp"
 #include "apps/studies/fits/dish_motion.hpp"
+#include "map/model/scene.hpp"
 
 #include <array>
 #include <cstddef>
@@ -121,5 +122,18 @@ inline constexpr std::size_t noisier_films = 3;
 ///   period  of the angle
 FilmFit fit_film(std::span<const analysis::FilmFrame> frames, double period, const FilmedScene& scene,
                  const Eigen::Vector2d& origin, const analysis::ImpactFitSettings& settings);
+
+// The orbit of the scene that a film tells, from a place of the film on.
+
+/// S from a time of the film on, to the next one.
+struct SpinStep {
+    double time = 0, spin = 0;
+};
+
+/// S(t) of `found` from the first arc between two used impacts, at the middle of it, to the film's end, the end of the
+/// orbit (contact that lasts) or `most_steps` impacts. An orbit that is chaotic stays beside the film for a few
+/// impacts, and shares its statistics after. Empty if no arc lies between two used impacts.
+std::vector<SpinStep> simulated_spin(const Scene<double>& found, const FilmFit& film);
+inline constexpr long long most_steps = 100'000;
 
 }  // namespace swirl::studies

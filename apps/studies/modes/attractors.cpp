@@ -1,5 +1,7 @@
 #include "apps/studies/modes/attractors.hpp"
 
+#include "analysis/cycles/cycle.hpp"
+#include "analysis/special_values.hpp"
 #include "apps/studies/modes/means.hpp"
 
 #include <algorithm>
@@ -78,6 +80,62 @@ std::vector<SharedAttractor> attractors_of(std::span<const RunVerdict> runs) {
     std::stable_sort(found.begin(), found.end(),
                      [](const SharedAttractor& a, const SharedAttractor& b) { return a.runs.size() > b.runs.size(); });
     return found;
+}
+
+namespace {
+
+/// NaN without a cycle; its multipliers come by falling modulus.
+double ln_multiplier_of(const analysis::Classification& verdict) {
+    return verdict.multipliers.empty() ? analysis::nan : std::log(std::abs(verdict.multipliers.front()));
+}
+
+}  // namespace
+
+RunVerdict run_verdict(std::uint64_t seed, const NamedMode& named) {
+    const auto& v = named.verdict;
+    return RunVerdict{seed,
+                      v.mode,
+                      v.kind,
+                      named.outcome,
+                      std::int64_t{named.impacts},
+                      v.period,
+                      v.mean,
+                      v.mean_per_step,
+                      v.recurrence_rate,
+                      v.largest_exponent,
+                      v.largest_exponent_error,
+                      ln_multiplier_of(v),
+                      0,
+                      v.point,
+                      named.mean_errors,
+                      named.growth,
+                      named.limit_spin};
+}
+
+namespace {
+
+bool is_of(const SettledRun& run, double spin) {
+    return run.kind == analysis::Kind::fixed_point &&
+           std::abs(run.mean_spin - spin) <= same_mean * std::max(1.0, std::abs(spin));
+}
+
+}  // namespace
+
+std::vector<SteadyShare> steady_shares(const Scene<double>& scene, std::span<const SettledRun> runs) {
+    SteadyOptions options;
+    options.longest_flight = longest_attracting_flight;
+    options.attracting = true;
+    std::vector<SteadyShare> modes;
+    for (const SteadyMode& mode : steady_modes(scene, options).modes) {
+        if (!analysis::attracts(mode.multipliers)) continue;
+        modes.push_back({mode.point.spin, mode.tau, std::abs(mode.multipliers.front()), 0});
+    }
+    for (const SettledRun& run : runs) {
+        const auto mode =
+            std::find_if(modes.begin(), modes.end(), [&](const SteadyShare& m) { return is_of(run, m.spin); });
+        if (mode != modes.end()) mode->share += 1 / static_cast<double>(runs.size());
+    }
+    return modes;
 }
 
 }  // namespace swirl::studies

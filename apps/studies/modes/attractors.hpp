@@ -1,11 +1,14 @@
-// Which of several runs have settled on the same attractor.
+// What several runs of one scene came to: their verdicts, their attractors, and the share of each.
 #pragma once
 
 #include "analysis/classification/growth.hpp"
 #include "analysis/classification/mode.hpp"
 #include "analysis/special_values.hpp"
 #include "apps/studies/modes/means.hpp"
+#include "apps/studies/modes/name_mode.hpp"
+#include "map/model/scene.hpp"
 #include "map/orbit/outcome.hpp"
+#include "map/steady/steady_modes.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +16,8 @@
 #include <vector>
 
 namespace swirl::studies {
+
+// Which of several runs have settled on the same attractor.
 
 /// What is kept of the verdict on one run. NaN where not measured.
 struct RunVerdict {
@@ -63,5 +68,31 @@ bool means_agree(double a, double b);
 /// (family, torus, libration, circulation), chaotic runs and undecided ones have means of their own, run by run: they
 /// are grouped by kind and outcome alone.
 std::vector<SharedAttractor> attractors_of(std::span<const RunVerdict> runs);
+
+// What is kept of the verdict on one of several runs.
+
+/// The verdict on the run from a seed; `attractor` is not known yet.
+RunVerdict run_verdict(std::uint64_t seed, const NamedMode& named);
+
+// The attracting steady modes of a scene, and which share of its starts came to each: 0 of one that none found.
+
+struct SteadyShare {
+    double spin = 0;         ///< S
+    double flight_time = 0;  ///< τ, in 1/ω_s
+    double multiplier = 0;   ///< the largest |multiplier|, < 1
+    double share = 0;        ///< of the runs; 0: none came to it
+};
+
+/// What a run says of where it came to.
+struct SettledRun {
+    analysis::Kind kind;
+    double mean_spin;
+};
+
+/// Those with a flight time up to `longest_attracting_flight`, by branch and rising flight time (map/steady/README.md).
+/// A run is of the mode whose S its mean is (`same_mean`); where two have one S (1, the swirl's), of the first. None of
+/// a disk or without friction: their steady modes are families, which have no share each. Cost: half a millisecond;
+/// with thousands of sides and little friction up to 1.1 s.
+std::vector<SteadyShare> steady_shares(const Scene<double>& scene, std::span<const SettledRun> runs);
 
 }  // namespace swirl::studies

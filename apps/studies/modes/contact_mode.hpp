@@ -3,8 +3,8 @@
 
 #include "analysis/classification/classify.hpp"
 #include "analysis/classification/swing.hpp"
-#include "map/orbit/return_map.hpp"
 #include "map/contact/rim_pendulum.hpp"
+#include "map/orbit/return_map.hpp"
 
 #include <limits>
 #include <optional>

@@ -3,9 +3,8 @@
 #include "analysis/argument_error.hpp"
 #include "analysis/classification/escape_rate.hpp"
 #include "analysis/classification/follow_until_settled.hpp"
-#include "analysis/classification/rate_interval.hpp"
 #include "analysis/random_draws.hpp"
-#include "apps/studies/modes/steady_shares.hpp"
+#include "apps/studies/modes/attractors.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,29 @@
-// The orbit behind a verdict and the verdict on it, for the maps of scenes; each is compiled in a file of its own, for
-// they are what takes long.
+// The orbit behind a verdict, the verdict on it, and the cycle that it settles on, for the maps of scenes.
 #pragma once
 
 #include "analysis/classification/classify_followed.hpp"
+#include "apps/studies/modes/name_mode.hpp"
 #include "apps/studies/scene_map/scene_map.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace swirl::studies {
+
+// The cycle that an orbit settles on.
+
+struct SettledCycle {
+    std::optional<SectionPoint<double>> point;  ///< of the cycle; none: the orbit settles on no cycle, or was stopped
+    int period = 1;
+    NamedMode named;  ///< what it settles on; `finished` false: stopped
+};
+
+/// Follows a start as `name_mode` does by default. @throws std::invalid_argument for a scene or start out of range
+SettledCycle settled_cycle(const Scene<double>& scene, const Start<double>& start, Accuracy accuracy,
+                           const analysis::Stop& stop);
+
+// The orbit behind a verdict and the verdict on it, for the maps of scenes; each is compiled in a file of its own, for
+// they are what takes long.
 
 template <int D>
 using FollowedScene = analysis::FollowedOrbit<SceneMap<D>>;

@@ -1,4 +1,4 @@
-#include "apps/studies/tradeoff/arithmetic_with_search.hpp"
+#include "apps/studies/tradeoff/arithmetic_in.hpp"
 #include "map/numbers/quad.hpp"
 
 #include <limits>

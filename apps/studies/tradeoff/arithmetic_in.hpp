@@ -1,8 +1,9 @@
-// An arithmetic of a map's own type, for the files that compile them.
+// Arithmetics of a map's own type, for the files that compile them.
 #pragma once
 
 #include "apps/studies/scene_map/in_digits.hpp"
 #include "apps/studies/tradeoff/arithmetic.hpp"
+#include "map/baselines/baseline_map.hpp"
 #include "map/derivative/parameter.hpp"
 #include "map/numbers/quad.hpp"
 #include "map/orbit/speed_limits.hpp"
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace swirl::studies::tradeoff {
+
+// An arithmetic of a map's own type, for the files that compile them.
 
 /// A number type T: the return map, contact too.
 template <class T>
@@ -110,5 +113,24 @@ Arithmetic arithmetic(std::string_view name, std::string_view what, bool is_exac
             &arithmetic_detail::make<Family>,
             &arithmetic_detail::begin<Family>};
 }
+
+// Arithmetics that differ in the search for the contact alone (map/baselines): there to be compared with.
+
+/// Double with another search.
+template <BaselineSearch search>
+struct WithSearch {
+    using Number = double;
+
+    template <class Use>
+    static auto with_map(const Scene<double>& scene, Use&& use) {
+        return with_collision_map(scene, [&](const auto& exact) {
+            using Exact = std::decay_t<decltype(exact)>;
+            return use(BaselineMap<Exact::shape, Exact::rule>(exact, search));
+        });
+    }
+
+    template <class Map>
+    using Follower = InNumbers<double>::Follower<Map>;
+};
 
 }  // namespace swirl::studies::tradeoff

@@ -3,7 +3,7 @@
 
 #include "analysis/classification/mode.hpp"
 #include "apps/studies/tradeoff/arithmetic.hpp"
-#include "apps/studies/tradeoff/budget.hpp"
+#include "apps/studies/tradeoff/timing.hpp"
 
 #include <cmath>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "apps/studies/tradeoff/arithmetic_with_search.hpp"
+#include "apps/studies/tradeoff/arithmetic_in.hpp"
 
 namespace swirl::studies::tradeoff {
 

@@ -1,7 +1,7 @@
 // Every arithmetic on the same flights, against the top one.
 #pragma once
 
-#include "analysis/classification/rate_interval.hpp"
+#include "analysis/classification/escape_rate.hpp"
 #include "apps/studies/parallel/run_control.hpp"
 #include "apps/studies/tradeoff/arithmetic.hpp"
 #include "apps/studies/tradeoff/drawn_flights.hpp"

@@ -1,6 +1,6 @@
 #include "apps/studies/tradeoff/evidence.hpp"
 
-#include "apps/studies/modes/run_verdict.hpp"
+#include "apps/studies/modes/attractors.hpp"
 #include "apps/studies/parallel/pieces.hpp"
 
 #include <fmt/format.h>

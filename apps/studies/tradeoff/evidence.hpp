@@ -1,12 +1,12 @@
 // The scene's verdict on fewer and more impacts.
 #pragma once
 
-#include "analysis/classification/rate_interval.hpp"
+#include "analysis/classification/escape_rate.hpp"
 #include "apps/studies/modes/escape.hpp"
 #include "apps/studies/modes/name_mode.hpp"
 #include "apps/studies/parallel/run_control.hpp"
-#include "apps/studies/tradeoff/budget.hpp"
-#include "apps/studies/tradeoff/orbit_starts.hpp"
+#include "apps/studies/tradeoff/drawn_flights.hpp"
+#include "apps/studies/tradeoff/timing.hpp"
 
 #include <optional>
 #include <vector>

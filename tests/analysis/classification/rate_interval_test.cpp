@@ -1,5 +1,5 @@
 // The interval of a rate against closed forms, published values, and its own promise.
-#include "analysis/classification/rate_interval.hpp"
+#include "analysis/classification/escape_rate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A quantity that comes to its limit like a power, exponentially, or not at all.
-#include "analysis/classification/slow_settling.hpp"
+#include "analysis/classification/settled.hpp"
 
 #include <gtest/gtest.h>
 

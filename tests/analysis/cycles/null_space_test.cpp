@@ -1,6 +1,6 @@
 // Families are distinguished from isolated cycles in every choice of the coordinates' units.
-#include "analysis/cycles/null_space.hpp"
 #include "analysis/cycles/cycle.hpp"
+#include "analysis/cycles/multi_shooting.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>

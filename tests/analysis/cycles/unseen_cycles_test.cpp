@@ -1,5 +1,5 @@
 // Chao's estimator on draws from populations whose size is known.
-#include "analysis/cycles/unseen_cycles.hpp"
+#include "analysis/cycles/find_cycles.hpp"
 
 #include <gtest/gtest.h>
 

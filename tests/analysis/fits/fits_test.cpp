@@ -1,6 +1,5 @@
 // Fits of a law that has a closed form: the disk's, whose contact lies below its centre.
 #include "analysis/fits/fit_impacts.hpp"
-#include "analysis/fits/resampling.hpp"
 #include "analysis/fits/robust.hpp"
 
 #include <gtest/gtest.h>

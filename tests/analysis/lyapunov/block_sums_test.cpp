@@ -1,4 +1,4 @@
-#include "analysis/lyapunov/block_sums.hpp"
+#include "analysis/lyapunov/exponent_record.hpp"
 
 #include <gtest/gtest.h>
 

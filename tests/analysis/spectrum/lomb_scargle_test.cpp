@@ -1,6 +1,5 @@
 #include "analysis/spectrum/lomb_scargle.hpp"
 
-#include "analysis/spectrum/nonuniform_transform.hpp"
 #include "analysis/spectrum/resample.hpp"
 
 #include <gtest/gtest.h>

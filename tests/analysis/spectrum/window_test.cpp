@@ -1,4 +1,4 @@
-#include "analysis/spectrum/window.hpp"
+#include "analysis/spectrum/segments.hpp"
 
 #include <gtest/gtest.h>
 

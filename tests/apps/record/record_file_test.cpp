@@ -11,11 +11,10 @@
 #include <random>
 #include <thread>
 
-#include "apps/record/posix_file.hpp"
+#include "apps/record/output_file.hpp"
 #include "apps/record/record_checksum.hpp"
 #include "apps/record/record_reader.hpp"
 #include "apps/record/record_writer.hpp"
-#include "apps/record/unfinished_files.hpp"
 #include "tests/apps/record/sample_record.hpp"
 #include "tests/apps/record/scratch_folder.hpp"
 

@@ -1,6 +1,6 @@
 // How often the paper's solver misses or misorders a contact, on flights of scenes' own orbits; and that where it finds
 // a contact the exact search has found one no later.
-#include "analysis/classification/rate_interval.hpp"
+#include "analysis/classification/escape_rate.hpp"
 #include "map/baselines/baseline_map.hpp"
 #include "tests/map/contact_scenes.hpp"
 #include "tests/map/random_scenes.hpp"

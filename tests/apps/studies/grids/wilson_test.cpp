@@ -1,4 +1,4 @@
-#include "apps/studies/grids/run_results.hpp"
+#include "apps/studies/grids/run_cells.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "apps/studies/modes/name_mode.hpp"
 #include "apps/studies/scene_map/scene_map.hpp"
 #include "apps/studies/scene_map/start.hpp"
-#include "map/orbit/orbit.hpp"
 #include "map/contact/rim_pendulum.hpp"
+#include "map/orbit/orbit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // A flight and an impact by a word that is given, against the map's own, whose first contact is searched for.
 #include "apps/studies/scene_map/word_map.hpp"
-#include "apps/studies/scene_map/letter.hpp"
 #include "apps/studies/scene_map/shooting_map.hpp"
 
 #include <gtest/gtest.h>

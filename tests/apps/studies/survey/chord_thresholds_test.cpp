@@ -1,5 +1,5 @@
-// What `chord_orbit.hpp` asks of an orbit that is called one on a chord, against whether the orbit stays on it.
-#include "apps/studies/modes/chord_orbit.hpp"
+// What `chord_mode.hpp` asks of an orbit that is called one on a chord, against whether the orbit stays on it.
+#include "apps/studies/modes/chord_mode.hpp"
 #include "apps/studies/scene_map/orbit_ending.hpp"
 #include "map/chords/chord_fate.hpp"
 #include "tests/apps/studies/survey/long_run.hpp"

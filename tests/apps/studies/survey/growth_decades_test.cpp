@@ -1,7 +1,7 @@
 // How the energy of an elastic hexagon with friction goes over five decades of impacts: along a diameter by the power
 // 1/3, along a chord to a limit, in chaos by no power.
 #include "analysis/classification/growth.hpp"
-#include "apps/studies/modes/chord_orbit.hpp"
+#include "apps/studies/modes/chord_mode.hpp"
 #include "map/chords/chord_fate.hpp"
 #include "tests/apps/studies/survey/long_run.hpp"
 

@@ -1,6 +1,6 @@
 // The classification on scenes drawn at random, against what much longer orbits show, beside the rule of Sun 2019
 // (docs/references.md).
-#include "apps/studies/modes/chord_orbit.hpp"
+#include "apps/studies/modes/chord_mode.hpp"
 #include "apps/studies/modes/name_mode.hpp"
 #include "tests/apps/studies/survey/long_run.hpp"
 #include "tests/apps/studies/survey/mode_truth.hpp"

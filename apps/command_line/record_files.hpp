@@ -1,4 +1,5 @@
-// Where a record goes: never into what is read, and in place of a file only if that is a record of the same command.
+// Records that are read, and where one goes: never into what is read, and in place of a file only if that is a record
+// of the same command.
 #pragma once
 
 #include "apps/command_line/output_options.hpp"
@@ -10,6 +11,14 @@
 #include <vector>
 
 namespace swirl::apps {
+
+// Records that are read.
+
+/// A word of warning, once it was read, of a record that no checksum speaks for: it was edited or packed anew, or comes
+/// from another program, and damage to its numbers would not be seen. Nothing of what is no record at all.
+void warn_without_checksum(const std::string& record, bool quiet);
+
+// Where a record goes: never into what is read, and in place of a file only if that is a record of the same command.
 
 /// Refuses an output that leads to one of the files that are read: the same name, a link or a hard link to it; so, too,
 /// the files beside it that are written meanwhile. Of the inputs empty ones are none, and "-" is standard input.

@@ -1,6 +1,6 @@
-#include "apps/modes/driven_fields.hpp"
+#include "apps/modes/mode_fields.hpp"
 
-#include "apps/modes/mean_in_words.hpp"
+#include "apps/modes/verdict_in_words.hpp"
 
 #include <fmt/format.h>
 

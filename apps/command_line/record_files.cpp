@@ -1,9 +1,12 @@
-#include "apps/command_line/record_output.hpp"
+// Records that are read, and where one goes: never into what is read, and in place of a file only if that is a record
+// of the same command.
+#include "apps/command_line/record_files.hpp"
 
 #include "apps/command_line/documents.hpp"
+#include "apps/command_line/standard_streams.hpp"
 #include "apps/record/journal.hpp"
 #include "apps/record/output_file.hpp"
-#include "apps/record/posix_file.hpp"
+#include "apps/record/record_checksum.hpp"
 #include "apps/record/record_reader.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +17,12 @@
 #include <system_error>
 
 namespace swirl::apps {
+
+void warn_without_checksum(const std::string& record, bool quiet) {
+    if (quiet || record.empty() || has_checksum(record)) return;
+    report(
+        fmt::format("swirl: record '{}' has no checksum of what it holds now: damage to it would not be seen", record));
+}
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "analysis/classification/repetition.hpp"
+#include "analysis/classification/returns.hpp"
 
 #include <gsl/gsl_cdf.h>
 

@@ -1,4 +1,4 @@
-#include "analysis/classification/evidence.hpp"
+#include "analysis/classification/mode.hpp"
 
 #include <array>
 #include <cstdio>
